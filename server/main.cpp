@@ -138,7 +138,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
           progress->done = done;
           progress->total = total;
         },
-        log);
+        [&](const std::optional<talus::server::AsideStore>& aside) { progress->put_aside(aside); }, log);
     if (!prepared) return fail(prepared.error());
     shared = {
         std::move(prepared->stream), prepared->joins,

@@ -137,8 +137,8 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   return command;
 }
 
-tl::expected<std::string, std::string> fetch_page(const protocol::Endpoint& admin, std::string_view path,
-                                                  std::chrono::milliseconds patience, Resolve resolve) {
+tl::expected<Page, std::string> fetch_any_page(const protocol::Endpoint& admin, std::string_view path,
+                                               std::chrono::milliseconds patience, Resolve resolve) {
   const std::string where = fmt::format("http://{}{}", to_string(admin), path);
   const auto failed = [&](std::string_view why) {
     return tl::make_unexpected(fmt::format("{}: {}", where, why));
@@ -166,14 +166,28 @@ tl::expected<std::string, std::string> fetch_page(const protocol::Endpoint& admi
   const std::size_t head_ends = text.find("\r\n\r\n");
   const std::string_view head = text.substr(0, head_ends);
   const auto length = content_length(head);
-  if (!head.starts_with("HTTP/1.1 200 ") || head_ends == std::string_view::npos || !length) {
+  constexpr std::string_view kBegin = "HTTP/1.1 ";
+  int status = 0;
+  if (head.starts_with(kBegin))
+    std::from_chars(head.data() + kBegin.size(), head.data() + head.size(), status);
+  if (status == 0 || head_ends == std::string_view::npos || !length) {
     return failed(fmt::format("\"{}\" is not the answer of a talusd of this version",
                               escaped(head.substr(0, head.find('\r')), 80)));
   }
   const std::string_view page = text.substr(head_ends + 4).substr(0, *length);
   if (answer.size() > kMaxAnswerBytes) return failed("answered more than 1 MiB");
   if (page.size() < *length) return failed(fmt::format("answered only {} of {} bytes", page.size(), *length));
-  return printable_lines(page);
+  return Page{status, printable_lines(page)};
+}
+
+tl::expected<std::string, std::string> fetch_page(const protocol::Endpoint& admin, std::string_view path,
+                                                  std::chrono::milliseconds patience, Resolve resolve) {
+  auto page = fetch_any_page(admin, path, patience, std::move(resolve));
+  if (!page) return tl::unexpected{std::move(page.error())};
+  if (page->status == 200) return std::move(page->text);
+  return tl::make_unexpected(
+      fmt::format("http://{}{}: status {} is not the answer of a talusd of this version", to_string(admin),
+                  path, page->status));
 }
 
 }  // namespace talus::server

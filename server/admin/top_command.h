@@ -34,6 +34,17 @@ using Resolve =
 [[nodiscard]] std::vector<asio::ip::tcp::endpoint> resolve_by_system(const protocol::Endpoint& host,
                                                                      std::error_code& failed);
 
+/// What a server answers to a request for one of its operators' pages.
+struct Page {
+  int status = 0;
+  std::string text;  // printable
+};
+/// Whatever the status. Waits for `patience` at most, also for names, and takes at most 1 MiB. An error is
+/// one line: nothing, or no page of a talusd's, came.
+[[nodiscard]] tl::expected<Page, std::string> fetch_any_page(
+    const protocol::Endpoint& admin, std::string_view path,
+    std::chrono::milliseconds patience = std::chrono::seconds{5}, Resolve resolve = resolve_by_system);
+
 /// A page of the server there, such as "/metrics", of printable text whoever answers. Waits for `patience` at
 /// most, also for names, and takes at most 1 MiB. An error is one line.
 [[nodiscard]] tl::expected<std::string, std::string> fetch_page(

@@ -67,9 +67,10 @@ ClusterTools cluster_tools() {
   return tools;
 }
 
-tl::expected<join::Prepared, std::string> prepare_member(const Cluster& settings, const ClusterKeys& keys,
-                                                         DataDirectory& directory, ContentHash fingerprint,
-                                                         const OnJoining& on_joining, Logger log) {
+tl::expected<join::Prepared, std::string> prepare_member(
+    const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
+    const OnJoining& on_joining, const std::function<void(const std::optional<AsideStore>&)>& on_aside,
+    Logger log) {
   PeerAccess access;
   if (keys.peers_token) access.token = keys.peers_token->bytes();
   access.ca = keys.nats->ca;
@@ -86,7 +87,8 @@ tl::expected<join::Prepared, std::string> prepare_member(const Cluster& settings
        [](std::chrono::milliseconds wait) {
          std::this_thread::sleep_for(wait);  // a signal ends the process
          return true;
-       }});
+       },
+       on_aside});
 }
 
 }  // namespace talus::server

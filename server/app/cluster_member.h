@@ -43,6 +43,7 @@ struct ClusterKeys {
 /// neither log nor peers can be reached. An error is one line.
 [[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
-    const OnJoining& on_joining, Logger log);
+    const OnJoining& on_joining, const std::function<void(const std::optional<AsideStore>&)>& on_aside,
+    Logger log);
 
 }  // namespace talus::server

@@ -6,9 +6,19 @@
 
 namespace talus::server {
 
+void JoinProgress::put_aside(const std::optional<AsideStore>& store) {
+  const std::lock_guard lock{mutex_};
+  aside_ = store;
+}
+
+std::optional<AsideStore> JoinProgress::aside() const {
+  const std::lock_guard lock{mutex_};
+  return aside_;
+}
+
 OperatorAnswers joining_answers(std::shared_ptr<const JoinProgress> progress) {
   OperatorAnswers answers{
-      [progress = std::move(progress)] {
+      [progress] {
         return fmt::format(
             "# HELP talus_cluster_joining 1 while the server has no store yet.\n"
             "# TYPE talus_cluster_joining gauge\n"
@@ -20,15 +30,22 @@ OperatorAnswers joining_answers(std::shared_ptr<const JoinProgress> progress) {
             progress->done.load(), progress->total.load());
       },
       [] { return true; },
-      [] {
-        return Readiness{false, "joining: there is no store here yet"};
+      [progress] {
+        return Readiness{false, progress->aside()
+                                    ? "joining: the store here must not be used; a peer's is wanted"
+                                    : "joining: there is no store here yet"};
       },
       [] { return FlowsReport{}; }};
-  answers.checkpoint = [](const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
-    co_return http::Response{503,
-                             http::kPlainText,
-                             "this server has no store yet; it takes one itself\n",
-                             {{"Retry-After", "10"}}};
+  answers.checkpoint = [progress = std::move(progress)](
+                           const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
+    const auto aside = progress->aside();
+    http::Response response{503,
+                            http::kPlainText,
+                            aside ? "this server must not use its store; it takes another itself\n"
+                                  : "this server has no store yet; it takes one itself\n",
+                            {{"Retry-After", "10"}}};
+    if (aside) response.fields.push_back({kAsideHeader, to_string(*aside)});
+    co_return response;
   };
   return answers;
 }

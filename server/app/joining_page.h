@@ -5,14 +5,25 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "admin/operators_page.h"
+#include "checkpoint/aside_store.h"
 
 namespace talus::server {
 
 struct JoinProgress {
   std::atomic<std::uint64_t> done{0};   // bytes of the peer's checkpoint
   std::atomic<std::uint64_t> total{0};  // 0: none comes yet
+
+  /// The server has a store that it must not use. Any thread.
+  void put_aside(const std::optional<AsideStore>& store);
+  [[nodiscard]] std::optional<AsideStore> aside() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<AsideStore> aside_;
 };
 
 [[nodiscard]] OperatorAnswers joining_answers(std::shared_ptr<const JoinProgress> progress);

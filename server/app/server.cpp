@@ -170,9 +170,9 @@ std::string Server::metrics_text() {
   if (edits_ != nullptr) {
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
-      gauges.cluster = {at.connected,   at.quorum,      at.differs, at.lag,
-                        at.sequence,    at.republished, at.gaps,    &shared->publish_latency(),
-                        edits_->joins()};
+      gauges.cluster = {at.connected,    at.quorum,      at.differs, at.lag,
+                        at.sequence,     at.republished, at.gaps,    &shared->publish_latency(),
+                        edits_->joins(), at.skipped,     at.bounded, at.stuck};
     }
     const LocalLog::Status log = edits_->status();
     gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),

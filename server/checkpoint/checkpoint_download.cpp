@@ -19,7 +19,6 @@ constexpr std::size_t kHeldBytes = std::size_t{1} << 20U;
 constexpr std::size_t kReasonBytes = 300;
 constexpr long kConnectMs = 5'000;
 constexpr long kLeastBytesPerSecond = 16'384;
-constexpr long kPatienceSeconds = 30;
 constexpr int kPollMs = 1'000;
 constexpr long kOk = 200;
 
@@ -39,7 +38,7 @@ class CheckpointDownload::Transfer {
   Transfer(const Transfer&) = delete;
   Transfer& operator=(const Transfer&) = delete;
 
-  [[nodiscard]] tl::expected<void, std::string> begin(const PeerAccess& access) {
+  [[nodiscard]] tl::expected<void, PeerRefusal> begin(const PeerAccess& access) {
     const auto set = [this](CURLoption option, auto value) {
       // Nothing may fall back to what curl does by itself.
       if (::curl_easy_setopt(easy_.get(), option, value) != CURLE_OK) sound_ = false;
@@ -52,7 +51,7 @@ class CheckpointDownload::Transfer {
     set(CURLOPT_SSLVERSION, long{CURL_SSLVERSION_TLSv1_3});
     set(CURLOPT_CONNECTTIMEOUT_MS, kConnectMs);
     set(CURLOPT_LOW_SPEED_LIMIT, kLeastBytesPerSecond);
-    set(CURLOPT_LOW_SPEED_TIME, kPatienceSeconds);
+    set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(access.patience.count()));
     set(CURLOPT_BUFFERSIZE, 256L << 10);
     set(CURLOPT_ERRORBUFFER, error_.data());
     set(CURLOPT_WRITEDATA, this);
@@ -72,15 +71,18 @@ class CheckpointDownload::Transfer {
       set(CURLOPT_HTTPHEADER, headers_.get());
     }
     if (!sound_ || ::curl_multi_add_handle(multi_.get(), easy_.get()) != CURLM_OK) {
-      return failed("libcurl refuses to ask it");
+      return tl::unexpected{PeerRefusal{failed("libcurl refuses to ask it").value(), false}};
     }
-    if (auto come = wait(); !come) return come;
+    if (auto come = wait(); !come) return tl::unexpected{PeerRefusal{std::move(come.error()), false}};
     long status = 0;
     ::curl_easy_getinfo(easy_.get(), CURLINFO_RESPONSE_CODE, &status);
-    if (status != kOk) return failed(fmt::format("it answers {}: {}", status, first_line()));
+    const auto refused = [this](std::string_view why) {
+      return tl::unexpected{PeerRefusal{failed(why).value(), true, aside()}};
+    };
+    if (status != kOk) return refused(fmt::format("it answers {}: {}", status, first_line()));
     curl_off_t length = -1;
     ::curl_easy_getinfo(easy_.get(), CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
-    if (length < 0) return failed("it does not say how much it sends");
+    if (length < 0) return refused("it does not say how much it sends");
     size_ = static_cast<std::uint64_t>(length);
     return {};
   }
@@ -127,6 +129,11 @@ class CheckpointDownload::Transfer {
     return failed(error_.front() != '\0' ? error_.data() : ::curl_easy_strerror(result_));
   }
 
+  [[nodiscard]] std::optional<AsideStore> aside() const {
+    curl_header* header = nullptr;
+    if (::curl_easy_header(easy_.get(), kAsideHeader, 0, CURLH_HEADER, -1, &header) != CURLHE_OK) return {};
+    return parse_aside(header->value);
+  }
   [[nodiscard]] std::string first_line() const {
     const std::string_view text{held_};
     return escaped(text.substr(0, text.find('\n')), kReasonBytes);
@@ -153,10 +160,10 @@ class CheckpointDownload::Transfer {
 CheckpointDownload::CheckpointDownload(std::unique_ptr<Transfer> transfer) : transfer_{std::move(transfer)} {}
 CheckpointDownload::~CheckpointDownload() = default;
 
-tl::expected<std::unique_ptr<CheckpointDownload>, std::string> CheckpointDownload::open(
+tl::expected<std::unique_ptr<CheckpointDownload>, PeerRefusal> CheckpointDownload::open(
     const std::string& peer, const PeerAccess& access) {
   auto transfer = std::make_unique<Transfer>(peer);
-  if (auto begun = transfer->begin(access); !begun) return tl::unexpected{begun.error()};
+  if (auto begun = transfer->begin(access); !begun) return tl::unexpected{std::move(begun.error())};
   return std::unique_ptr<CheckpointDownload>{new CheckpointDownload{std::move(transfer)}};
 }
 

@@ -1,11 +1,14 @@
 // A checkpoint as a peer's operators' port sends it, over http:// or https://.
 #pragma once
 
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
+#include "checkpoint/aside_store.h"
 #include "checkpoint/tar_source.h"
 
 namespace talus::server {
@@ -16,14 +19,22 @@ struct PeerAccess {
   std::string ca;           // PEM: who vouches for peers; empty: the system's authorities
   std::string certificate;  // PEM: this server's; empty: none
   std::string key;          // PEM: the certificate's
+  /// A peer that sends less than 16 KiB a second for so long is given up.
+  std::chrono::seconds patience{30};
+};
+
+/// Why a peer sends none.
+struct PeerRefusal {
+  std::string reason;  // one line
+  bool answers = true;
+  std::optional<AsideStore> aside{};  // it has a store, which it must not use
 };
 
 class CheckpointDownload final : public TarSource {
  public:
   /// Asks `peer`, "http://HOST:PORT" or "https://HOST:PORT", and waits for the head of its answer. A peer
-  /// that is silent, or sends less than 16 KiB a second, is given up after half a minute. An error is one
-  /// line.
-  [[nodiscard]] static tl::expected<std::unique_ptr<CheckpointDownload>, std::string> open(
+  /// that is silent is given up as one that sends too little.
+  [[nodiscard]] static tl::expected<std::unique_ptr<CheckpointDownload>, PeerRefusal> open(
       const std::string& peer, const PeerAccess& access);
   ~CheckpointDownload() override;
 

@@ -27,6 +27,8 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::size_t kTarPieceBytes = std::size_t{256} << 10U;
 constexpr std::uint64_t kTarBlock = 512;
+/// Eleven octal digits: some day in 2242.
+constexpr std::int64_t kLatestTarTime = (std::int64_t{1} << 33U) - 1;
 
 tl::unexpected<std::string> tar_failure(const fs::path& file, int error) {
   return tl::unexpected{fmt::format("{}: {}", file.string(), std::generic_category().message(error))};
@@ -163,7 +165,8 @@ tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointTar::open(fs
   }
   if (auto listed = tar->list_files(); !listed) return tl::unexpected{listed.error()};
   tar->size_ = tar_bytes(tar->manifest_);
-  tar->writer_ = std::make_unique<Writer>(tar->piece_, tar->manifest_.head.time_ms / 1000);
+  tar->writer_ = std::make_unique<Writer>(
+      tar->piece_, std::clamp<std::int64_t>(tar->manifest_.head.time_ms / 1000, 0, kLatestTarTime));
   return tar;
 }
 

@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kLongestPause{30'000};
 constexpr std::chrono::seconds kBetweenLines{5};
 constexpr double kMebibytes = 1 << 20;
 
-tl::expected<StoreMeta, std::string> take_from_peer(const std::string& peer, const PeerAccess& access,
+tl::expected<StoreMeta, PeerRefusal> take_from_peer(const std::string& peer, const PeerAccess& access,
                                                     const std::filesystem::path& staging,
                                                     const WantedStore& wanted, const Logger& log,
                                                     const OnJoining& on_joining) {
@@ -45,12 +45,13 @@ tl::expected<StoreMeta, std::string> take_from_peer(const std::string& peer, con
   });
   if (!meta) {
     const bool named = meta.error().starts_with(peer);
-    return tl::unexpected{named ? std::move(meta.error()) : fmt::format("{}: {}", peer, meta.error())};
+    return tl::unexpected{
+        PeerRefusal{named ? std::move(meta.error()) : fmt::format("{}: {}", peer, meta.error())}};
   }
   const double took = std::chrono::duration<double>(SteadyClock::now() - begun).count();
   log->info("joining: the store of {} is here and verified, {:.1f} MiB in {:.1f} s, position {}, revision {}",
             peer, static_cast<double>(total) / kMebibytes, took, meta->head.position, meta->head.revision);
-  return meta;
+  return *std::move(meta);
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ tl::expected<StoreMeta, std::string> take_from_peer(const std::string& peer, con
 tl::expected<StoreMeta, std::string> take_from_peers(const Peers& peers,
                                                      const std::filesystem::path& directory,
                                                      const WantedStore& wanted, const Logger& log,
-                                                     const OnJoining& on_joining, const Pause& pause) {
+                                                     const OnJoining& on_joining,
+                                                     const AfterRound& after_round) {
   if (peers.urls.empty()) {
     return tl::unexpected{
         std::string{"cluster.peers: nobody is named of whom the store can be taken; name the operators' "
@@ -68,16 +70,19 @@ tl::expected<StoreMeta, std::string> take_from_peers(const Peers& peers,
   std::vector<std::string> order = peers.urls;
   for (auto wait = kFirstPause;; wait = std::min(2 * wait, kLongestPause)) {
     std::ranges::shuffle(order, random);
+    Round round{order.size()};
     for (const std::string& peer : order) {
       const auto staging = make_staging(directory);
       if (!staging) return tl::unexpected{staging.error()};
       auto taken = take_from_peer(peer, peers.access, *staging, wanted, log, on_joining);
-      if (taken) return taken;
-      log->warn("joining: {}", taken.error());
+      if (taken) return *std::move(taken);
+      log->warn("joining: {}", taken.error().reason);
+      if (!taken.error().answers) ++round.silent;
+      if (taken.error().aside) round.aside.push_back(*taken.error().aside);
     }
     if (const auto emptied = make_staging(directory); !emptied) return tl::unexpected{emptied.error()};
     log->warn("joining: no peer's store could be taken; all are asked again in {} ms", wait.count());
-    if (!pause(wait)) return tl::unexpected{std::string{"joining was given up"}};
+    if (!after_round(wait, round)) return tl::unexpected{std::string{"joining was given up"}};
   }
 }
 

@@ -25,14 +25,14 @@ struct Peers {
 /// How far it is, for who asks meanwhile. Any thread calls it.
 using OnJoining = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// What it waits with between two rounds; false: it is given up.
-using Pause = std::function<bool(std::chrono::milliseconds)>;
+/// What it waits with between two rounds, and what peers answered in the one before; false: it is given up.
+using AfterRound = std::function<bool(std::chrono::milliseconds, const Round&)>;
 
 /// Into the staging directory of `directory`, which is locked: swap_in() makes it the directory's store. An
-/// error is one line: there are no peers, nothing can be written here, or `pause` gave up. What goes wrong
-/// with a peer is logged.
+/// error is one line: there are no peers, nothing can be written here, or `after_round` gave up. What goes
+/// wrong with a peer is logged.
 [[nodiscard]] tl::expected<StoreMeta, std::string> take_from_peers(
     const Peers& peers, const std::filesystem::path& directory, const WantedStore& wanted, const Logger& log,
-    const OnJoining& on_joining, const Pause& pause);
+    const OnJoining& on_joining, const AfterRound& after_round);
 
 }  // namespace talus::server

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cluster/batch_time.h"
 #include "cluster/entry_codec.h"
 #include "cluster/server_number.h"
 #include "edits/index_room.h"
@@ -25,9 +26,11 @@ constexpr std::chrono::seconds kLastWait{2};
 constexpr std::chrono::seconds kSureOfShorter{15};
 /// Without a word of the leader for so long no edits are taken.
 constexpr std::chrono::seconds kSilent{3};
+/// Between lines about messages of one kind.
+constexpr std::chrono::seconds kBetweenWarnings{1};
 
-std::string describe(const MessageFault& fault, std::uint64_t sequence) {
-  return fmt::format("message {} of the log cannot be applied: {}", sequence, fault.reason);
+std::string not_applied(std::uint64_t sequence, std::string_view reason) {
+  return fmt::format("message {} of the log cannot be applied: {}", sequence, reason);
 }
 
 }  // namespace
@@ -121,6 +124,9 @@ ClusterLog::Status ClusterLog::status() const {
   status.differs = differs_;
   status.lag = end_.lag();
   status.sequence = sequence_;
+  status.skipped = skipped_;
+  status.bounded = bounded_;
+  status.stuck = stuck_since_.has_value();
   if (stopping_) {
     status.read_only = "this server is about to end";
   } else if (!fault_.empty()) {
@@ -142,7 +148,7 @@ ClusterLog::Status ClusterLog::status() const {
                     why.empty() ? "" : ": ", why);
   }
   if (!fault_.empty()) {
-    status.not_ready = fault_;
+    if (!all_are_stuck()) status.not_ready = fault_;
   } else if (shorter_) {
     status.not_ready = kShorter;
   } else if (!end_.is_ready() && !begins_without_log()) {
@@ -154,6 +160,10 @@ ClusterLog::Status ClusterLog::status() const {
   }
   status.ready = status.not_ready.empty();
   return status;
+}
+
+bool ClusterLog::all_are_stuck() const {
+  return stuck_since_ && !others_go_on_ && (was_ready_ || stuck_at_end_);
 }
 
 bool ClusterLog::begins_without_log() const {
@@ -200,6 +210,10 @@ void ClusterLog::look_at_end() {
         shorter_ = false;
         shorter_since_.reset();
         end_.heard(stream->last, asked);
+        if (stuck_since_ && asked - *stuck_since_ > settings_.sure_of_stuck) {
+          if (!stuck_at_end_) stuck_at_end_ = stream->last;
+          if (stream->last > *stuck_at_end_) others_go_on_ = true;
+        }
       }
     }
   }
@@ -232,7 +246,7 @@ bool ClusterLog::stop_applying(std::string reason) {
     const std::lock_guard lock{mutex_};
     if (!fault_.empty() || ending_) return false;
     fault_ = reason;
-    parts_.log->error("cluster: {}; this server takes no edits and is not ready", fault_);
+    parts_.log->error("cluster: {}; this server takes no edits", fault_);
   }
   changed_.notify_all();
   publisher_.give_up(reason);
@@ -328,7 +342,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   }
   const auto genesis = decode_genesis((*first)->bytes);
   if (!genesis) {
-    stop_applying(describe(genesis.error(), 1));
+    stop_applying(not_applied(1, genesis.error().reason));
     return false;
   }
   if (genesis->identity.store_id != identity_.store_id) {
@@ -383,7 +397,10 @@ void ClusterLog::next_message() {
     apply(*held_);
     return;
   }
-  const StreamFailure& failure = message.error();
+  cannot_get(message.error());
+}
+
+void ClusterLog::cannot_get(const StreamFailure& failure) {
   switch (failure.kind) {
     case StreamFailure::Kind::unavailable:
       trouble(failure.reason);
@@ -408,47 +425,99 @@ void ClusterLog::next_message() {
 void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
   if (!decoded) {
-    stop_applying(describe(decoded.error(), message.sequence));
-    return;
+    const bool is_newer = decoded.error().kind == MessageFault::Kind::newer;
+    return is_newer ? get_stuck(message, decoded.error().reason) : skip(message, decoded.error().reason);
   }
-  const BatchHead& head = decoded->head;
-  edits::Batch& batch = writer_.begin(head.time_ms);
+  const auto time = time_of(decoded->head, message);
+  if (!time) return;
+  edits::Batch& batch = writer_.begin(time->ms);
   for (std::size_t i = 0; i < decoded->entries.size(); ++i) {
     const auto entry = decode_entry(decoded->entries[i], decoded->settles);
     if (!entry) {
       writer_.drop();
-      stop_applying(
-          fmt::format("message {} of the log cannot be applied: its entry {} {}", message.sequence, i + 1,
-                      entry.error() == EntryFault::newer ? "is one that this talusd does not know; upgrade it"
-                                                         : "is damaged"));
-      return;
+      const auto fault = fault_of_entries(*decoded, i);
+      return fault.kind == MessageFault::Kind::newer ? get_stuck(message, fault.reason)
+                                                     : skip(message, fault.reason);
     }
     std::visit([&](const auto& each) { batch.apply(each); }, *entry);
     if (const auto& unreadable = writer_.reading().error()) {
-      const std::string reason =
-          fmt::format("message {} of the log cannot be applied: {}", message.sequence, *unreadable);
+      const std::string reason = not_applied(message.sequence, *unreadable);
       writer_.drop();
       return cannot_read(reason);
     }
   }
   can_read();
-  std::vector<Done> done = publisher_.seen(head, message.bytes);
+  std::vector<Done> done = publisher_.seen(decoded->head, message.bytes);
   if (done.size() != decoded->entries.size()) done.clear();
-  const std::uint64_t sequence = message.sequence;
-  const BatchHead said = head;
-  const std::int64_t created_ns = parts_.database.meta().stream.created_ns;
-  const bool stored = writer_.store(std::move(done), {sequence, created_ns});
-  held_.reset();  // else the writer has it
-  compare(said);
-  if (stored) {
-    applied(sequence);
-  } else {
-    const std::string reason = *writer_.read_only();
-    trouble(reason);
-    parts_.log->error("cluster: message {} of the log cannot be written: {}; it is tried again each second",
-                      sequence, reason);
-    tell_whether_it_takes();
+  const BatchHead said = decoded->head;
+  finish(std::move(done), {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms},
+         &said);
+}
+
+void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
+  {
+    const std::lock_guard lock{mutex_};
+    ++skipped_;
   }
+  if (const auto now = SteadyClock::now(); now - skip_told_ > kBetweenWarnings) {
+    skip_told_ = now;
+    parts_.log->error("cluster: message {} of the log is no talusd's, and all servers pass over it: {}",
+                      message.sequence, reason);
+  }
+  const StreamPlace place = parts_.database.meta().stream;
+  (void)writer_.begin(parts_.state.head().time_ms);
+  finish({}, {message.sequence, place.created_ns, place.looked_ms}, nullptr);
+}
+
+void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reason) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (!stuck_since_) {
+      was_ready_ = end_.is_ready();
+      stuck_since_ = SteadyClock::now();
+    }
+  }
+  stop_applying(not_applied(message.sequence, reason));
+}
+
+void ClusterLog::finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said) {
+  const bool stored = writer_.store(std::move(done), place);
+  held_.reset();  // else the writer has it
+  if (said != nullptr) compare(*said);
+  if (stored) return applied(place.sequence);
+  const std::string reason = *writer_.read_only();
+  trouble(reason);
+  parts_.log->error("cluster: message {} of the log cannot be written: {}; it is tried again each second",
+                    place.sequence, reason);
+  tell_whether_it_takes();
+}
+
+std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const StreamMessage& message) {
+  const std::int64_t looked_ms = parts_.database.meta().stream.looked_ms;
+  if (!must_ask_stream(head.time_ms, looked_ms)) return Time{head.time_ms, looked_ms};
+  const auto stream_ms = parts_.stream.time_of(message.sequence);
+  if (!stream_ms) {
+    cannot_get(stream_ms.error());
+    return std::nullopt;
+  }
+  const std::int64_t time_ms = bounded_time(head.time_ms, *stream_ms);
+  if (time_ms < head.time_ms) {
+    {
+      const std::lock_guard lock{mutex_};
+      ++bounded_;
+    }
+    const bool is_own = publisher_.is_open(head, message.bytes);
+    if (is_own) publisher_.go_by(*stream_ms);
+    if (const auto now = SteadyClock::now(); now - clock_told_ > kBetweenWarnings) {
+      clock_told_ = now;
+      parts_.log->error(
+          "cluster: message {} of the log, of {}, was written by a clock that is {} s before that of "
+          "the host that leads the log; let all machines have their time by NTP",
+          message.sequence, is_own ? "this server" : fmt::format("server {:08x}", server_of(head.publisher)),
+          (head.time_ms - *stream_ms) / 1000);
+    }
+  }
+  return Time{time_ms, std::max(looked_ms, time_ms)};
 }
 
 void ClusterLog::cannot_read(const std::string& reason) {

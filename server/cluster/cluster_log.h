@@ -45,6 +45,8 @@ class ClusterLog final : public EditLog {
     StoreWriterSettings store{};
     edits::SettleRulesPtr settles{};  // by which this world's loose material slides; null: none does
     std::chrono::milliseconds look_interval{500};  // at the stream's end
+    /// Who is stuck publishes nothing any more; what was on its way to the stream is there after that.
+    std::chrono::milliseconds sure_of_stuck{10'000};
   };
   /// All outlive this; `database` and `state` are changed by nobody else from here on. The database has its
   /// log elsewhere.
@@ -90,6 +92,9 @@ class ClusterLog final : public EditLog {
     std::uint64_t sequence = 0;
     std::uint64_t gaps = 0;
     std::uint64_t republished = 0;
+    std::uint64_t skipped = 0;  // messages that no talusd can apply
+    std::uint64_t bounded = 0;  // batches whose time did not count as they said
+    bool stuck = false;         // the next message is for a newer talusd
   };
   /// Any thread.
   [[nodiscard]] Status status() const;
@@ -104,7 +109,20 @@ class ClusterLog final : public EditLog {
   [[nodiscard]] bool find_place();
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
   void next_message();
+  void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);
+  /// The time of the batch, and what the store is to remember of it; none: to be asked again.
+  struct Time {
+    std::int64_t ms = 0;
+    std::int64_t looked_ms = 0;
+  };
+  [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
+  /// The message is one that all servers pass over.
+  void skip(const StreamMessage& message, const std::string& reason);
+  /// It is one that this talusd does not know, and others may.
+  void get_stuck(const StreamMessage& message, const std::string& reason);
+  /// `said`: of the batch; null: it was none.
+  void finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said);
   /// What the message changes is not to be had from the disk.
   void cannot_read(const std::string& reason);
   void can_read();
@@ -124,6 +142,9 @@ class ClusterLog final : public EditLog {
   void trouble(std::string reason);
   void tell_whether_it_takes();
   [[nodiscard]] bool stopping() const;
+  /// Nobody goes on behind the message where this server is stuck, as far as is known: another would be no
+  /// better, so that players may look on here. Under the mutex.
+  [[nodiscard]] bool all_are_stuck() const;
   /// The leader has not answered since the start, and the store has its place: chunks are served as they are
   /// on the disk, as they would be if the leader had gone later. Under the mutex.
   [[nodiscard]] bool begins_without_log() const;
@@ -139,6 +160,8 @@ class ClusterLog final : public EditLog {
   std::optional<StreamMessage> held_;  // came, and could not be applied
   int unread_ = 0;                     // how often what it changes could not be read
   StateComparison comparison_;
+  TimePoint skip_told_{};  // in the log
+  TimePoint clock_told_{};
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -155,9 +178,15 @@ class ClusterLog final : public EditLog {
   std::string undecided_;   // as many say this as say that
   std::string unreadable_;  // what the next message changes, and the disk does not give
   bool differs_ = false;
-  bool stopping_ = false;   // no entries are taken
-  bool ending_ = false;     // the threads end
-  bool was_taking_ = true;  // as on_takes was told
+  std::uint64_t skipped_ = 0;
+  std::uint64_t bounded_ = 0;
+  std::optional<TimePoint> stuck_since_;       // the next message is for a newer talusd
+  bool was_ready_ = false;                     // then
+  std::optional<std::uint64_t> stuck_at_end_;  // the last message that others had published by then
+  bool others_go_on_ = false;                  // somebody published later
+  bool stopping_ = false;                      // no entries are taken
+  bool ending_ = false;                        // the threads end
+  bool was_taking_ = true;                     // as on_takes was told
 
   std::thread applier_;
   std::thread watcher_;

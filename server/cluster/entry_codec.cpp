@@ -189,7 +189,8 @@ void put(const edits::EditEntry& entry, ByteWriter& out) {
   }
   put_base(entry.base, out);
 }
-edits::EditEntry get_edit(ByteReader& in, const edits::SettleRulesPtr& settles) {
+/// `is_newer`: what it pastes is written by a codec that this talusd does not read.
+edits::EditEntry get_edit(ByteReader& in, const edits::SettleRulesPtr& settles, bool& is_newer) {
   edits::EditEntry entry;
   entry.editor = get_editor(in);
   entry.epoch = in.varint();
@@ -208,7 +209,11 @@ edits::EditEntry get_edit(ByteReader& in, const edits::SettleRulesPtr& settles) 
   if (pastes) {
     const VoxelPos origin = VoxelReader{in}.get();
     auto voxels = talus::decode(in.counted());
-    if (!voxels) in.fail();
+    if (!voxels) {
+      is_newer = in.ok() && (voxels.error() == DecodeError::unknown_version ||
+                             voxels.error() == DecodeError::unknown_encoding);
+      in.fail();
+    }
     if (in.ok()) entry.edit.paste = edits::Paste{origin, *std::move(voxels), (flags & kWithAir) != 0};
   }
   entry.base = get_base(in);
@@ -243,13 +248,14 @@ tl::expected<LogEntry, EntryFault> decode_entry(std::span<const std::byte> bytes
   const std::uint8_t kind = in.byte();
   if (!in.ok() || format == 0) return tl::unexpected{EntryFault::damaged};
   if (format > kEntryFormat) return tl::unexpected{EntryFault::newer};
+  bool is_newer = false;
   LogEntry entry;
   switch (static_cast<EntryKind>(kind)) {
     case EntryKind::attach:
       entry = get_attach(in);
       break;
     case EntryKind::edit:
-      entry = get_edit(in, settles);
+      entry = get_edit(in, settles, is_newer);
       break;
     case EntryKind::bind:
       entry = get_bind(in);
@@ -257,6 +263,7 @@ tl::expected<LogEntry, EntryFault> decode_entry(std::span<const std::byte> bytes
     default:
       return tl::unexpected{EntryFault::newer};
   }
+  if (is_newer) return tl::unexpected{EntryFault::newer};
   if (!in.ended()) return tl::unexpected{EntryFault::damaged};
   return entry;
 }

@@ -13,7 +13,8 @@
 
 namespace talus::server::cluster {
 
-/// Of entries. A server that reads a greater one applies nothing from there on.
+/// Of entries. A server that reads a greater one applies nothing from there on. What is an entry of a format
+/// stays so, and what is none: a bound that changes is a new format.
 inline constexpr std::uint8_t kEntryFormat = 1;
 
 /// Voxels as generated that an entry carries: those that an edit names, and those that may slide.
@@ -24,7 +25,7 @@ inline constexpr std::size_t kMaxBaseChunks = 128;
 inline constexpr std::size_t kMaxNames = 1'024;
 
 enum class EntryFault : std::uint8_t {
-  newer,    // its format, or its kind, is one that this talusd does not know
+  newer,    // its format, its kind, or the codec of what it pastes, is one that this talusd does not know
   damaged,  // no talusd wrote it
 };
 

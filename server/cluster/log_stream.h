@@ -70,6 +70,10 @@ class LogStream {
   /// Asks the leader. Waits about half a second at most.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
 
+  /// When the stream took a message, in milliseconds since 1970 by the clock of who led it then: the same
+  /// whoever asks, and whenever. Waits about half a second at most.
+  [[nodiscard]] virtual tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) = 0;
+
   [[nodiscard]] virtual StreamFigures figures() const { return {}; }
 
   /// next() returns soon, this time or the next.

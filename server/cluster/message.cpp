@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include "cluster/entry_codec.h"
 #include "store/bytes.h"
 
 namespace talus::server::cluster {
@@ -19,6 +20,8 @@ enum class MessageKind : std::uint8_t { genesis, batch };
 constexpr std::size_t kBatchFixedBytes = 128;
 // A number of one, and what is before an entry.
 constexpr std::size_t kLongestNumber = 10;
+// Format, kind, store, fingerprint and checksum.
+constexpr std::size_t kFrameBytes = 2 + 32 + kSealBytes;
 
 void put_identity(const StoreIdentity& identity, ByteWriter& out) {
   for (const ContentHash hash : {identity.store_id, identity.fingerprint}) {
@@ -79,36 +82,64 @@ tl::unexpected<MessageFault> damaged(std::string_view what) {
   return message_fault(MessageFault::Kind::damaged, std::string{what});
 }
 
-/// What follows format and kind, up to the checksum. The format comes first: what one that is newer has
-/// behind it, and how it is sealed, is unknown.
-tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<const std::byte> bytes,
-                                                                    MessageKind kind) {
+/// A message up to its checksum. What is checked here all formats have alike, so that a message which no
+/// talusd wrote is told from one of a newer talusd.
+tl::expected<std::span<const std::byte>, MessageFault> open_frame(std::span<const std::byte> bytes) {
   if (bytes.empty()) return damaged("it is empty");
-  const auto format = std::to_integer<std::uint8_t>(bytes.front());
+  if (bytes.size() > kMaxMessageBytes) {
+    return damaged(fmt::format("it has {} bytes; {} is the most", bytes.size(), kMaxMessageBytes));
+  }
+  if (bytes.size() < kFrameBytes || bytes.front() == std::byte{0}) {
+    return damaged("it is no message of talusd");
+  }
+  const auto body = bytes.first(bytes.size() - kSealBytes);
+  if (ByteReader{bytes.last(kSealBytes)}.fixed64() != XXH3_64bits(body.data(), body.size())) {
+    return damaged("its checksum is wrong");
+  }
+  return body;
+}
+
+tl::expected<void, MessageFault> check_identity(const StoreIdentity& held, const StoreIdentity& identity) {
+  if (held.store_id != identity.store_id) {
+    return message_fault(MessageFault::Kind::other_store,
+                         fmt::format("it is of store {}; this server has store {}", to_string(held.store_id),
+                                     to_string(identity.store_id)));
+  }
+  if (held.fingerprint != identity.fingerprint) {
+    return message_fault(
+        MessageFault::Kind::other_world,
+        fmt::format("it is of the world with fingerprint {}; this server's world has {}; all servers of a "
+                    "store must have the same world",
+                    to_string(held.fingerprint), to_string(identity.fingerprint)));
+  }
+  return {};
+}
+
+/// What follows format and kind, up to the checksum. `identity`: of the store and world that it must be of.
+tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<const std::byte> bytes,
+                                                                    MessageKind kind,
+                                                                    const StoreIdentity* identity) {
+  const auto frame = open_frame(bytes);
+  if (!frame) return frame;
+  const auto body = frame->subspan(2);
+  if (identity != nullptr) {
+    ByteReader in{body};
+    if (auto ours = check_identity(get_identity(in), *identity); !ours) return tl::unexpected{ours.error()};
+  }
+  const auto format = std::to_integer<std::uint8_t>(frame->front());
   if (format > kMessageFormat) {
     return message_fault(
         MessageFault::Kind::newer,
         fmt::format("it has format {}; this talusd reads up to {}; upgrade it", format, kMessageFormat));
   }
-  if (bytes.size() > kMaxMessageBytes) {
-    return damaged(fmt::format("it has {} bytes; {} is the most", bytes.size(), kMaxMessageBytes));
+  const auto held = std::to_integer<std::uint8_t>((*frame)[1]);
+  if (held == static_cast<std::uint8_t>(kind)) return body;
+  if (held > static_cast<std::uint8_t>(MessageKind::batch)) {
+    return message_fault(MessageFault::Kind::newer,
+                         fmt::format("it is of kind {}, which this talusd does not know; upgrade it", held));
   }
-  if (format == 0 || bytes.size() < 2 + kSealBytes) return damaged("it is no message of talusd");
-  const auto body = bytes.first(bytes.size() - kSealBytes);
-  if (ByteReader{bytes.last(kSealBytes)}.fixed64() != XXH3_64bits(body.data(), body.size())) {
-    return damaged("its checksum is wrong");
-  }
-  const auto held = std::to_integer<std::uint8_t>(body[1]);
-  if (held != static_cast<std::uint8_t>(kind)) {
-    if (held > static_cast<std::uint8_t>(MessageKind::batch)) {
-      return message_fault(
-          MessageFault::Kind::newer,
-          fmt::format("it is of kind {}, which this talusd does not know; upgrade it", held));
-    }
-    return damaged(kind == MessageKind::batch ? "it is a genesis; there is one, and it comes first"
-                                              : "it is no genesis; the first message must be one");
-  }
-  return body.subspan(2);
+  return damaged(kind == MessageKind::batch ? "it is a genesis; there is one, and it comes first"
+                                            : "it is no genesis; the first message must be one");
 }
 
 }  // namespace
@@ -128,17 +159,17 @@ tl::expected<Bytes, std::string> encode(const Genesis& genesis) {
     writer.varint(to_integer(id));
   }
   seal_message(out);
-  if (out.size() > kMaxMessageBytes) {
+  if (out.size() > kMaxGenesisBytes) {
     return tl::unexpected{
-        fmt::format("the store has {} materials, which make {} bytes; a message has at "
+        fmt::format("the store has {} materials, which make {} bytes; the first message has at "
                     "most {}; a store of fewer materials is needed",
-                    genesis.materials.size(), out.size(), kMaxMessageBytes)};
+                    genesis.materials.size(), out.size(), kMaxGenesisBytes)};
   }
   return out;
 }
 
 tl::expected<Genesis, MessageFault> decode_genesis(std::span<const std::byte> bytes) {
-  const auto body = open_message(bytes, MessageKind::genesis);
+  const auto body = open_message(bytes, MessageKind::genesis, nullptr);
   if (!body) return tl::unexpected{body.error()};
   ByteReader in{*body};
   Genesis genesis;
@@ -186,22 +217,11 @@ Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
 
 tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte> bytes,
                                                       const StoreIdentity& identity) {
-  const auto body = open_message(bytes, MessageKind::batch);
+  const auto body = open_message(bytes, MessageKind::batch, &identity);
   if (!body) return tl::unexpected{body.error()};
   ByteReader in{*body};
   BatchMessage batch;
   batch.head.identity = get_identity(in);
-  if (const StoreIdentity& held = batch.head.identity; in.ok() && held.store_id != identity.store_id) {
-    return message_fault(MessageFault::Kind::other_store,
-                         fmt::format("it is of store {}; this server has store {}", to_string(held.store_id),
-                                     to_string(identity.store_id)));
-  } else if (in.ok() && held.fingerprint != identity.fingerprint) {
-    return message_fault(
-        MessageFault::Kind::other_world,
-        fmt::format("it is of the world with fingerprint {}; this server's world has {}; all servers of a "
-                    "store must have the same world",
-                    to_string(held.fingerprint), to_string(identity.fingerprint)));
-  }
   batch.head.publisher = in.fixed64();
   batch.head.number = in.varint();
   batch.head.time_ms = static_cast<std::int64_t>(in.varint(INT64_MAX));
@@ -215,6 +235,32 @@ tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte>
   for (std::uint64_t i = 0; i < count && in.ok(); ++i) batch.entries.push_back(in.counted());
   if (!in.ended()) return damaged("its fields are damaged");
   return batch;
+}
+
+MessageFault fault_of_entries(const BatchMessage& batch, std::size_t first) {
+  for (std::size_t i = first; i < batch.entries.size(); ++i) {
+    const auto entry = decode_entry(batch.entries[i], batch.settles);
+    if (entry || entry.error() != EntryFault::newer) continue;
+    return {MessageFault::Kind::newer,
+            fmt::format("its entry {} is one that this talusd does not know; upgrade it", i + 1)};
+  }
+  return {MessageFault::Kind::damaged, fmt::format("its entry {} is damaged", first + 1)};
+}
+
+std::optional<MessageFault> fault_of(std::span<const std::byte> bytes, std::uint64_t sequence,
+                                     const StoreIdentity& identity) {
+  if (sequence == 1) {
+    const auto genesis = decode_genesis(bytes);
+    if (!genesis) return genesis.error();
+    const auto ours = check_identity(genesis->identity, identity);
+    return ours ? std::nullopt : std::optional{ours.error()};
+  }
+  const auto batch = decode_batch(bytes, identity);
+  if (!batch) return batch.error();
+  for (std::size_t i = 0; i < batch->entries.size(); ++i) {
+    if (!decode_entry(batch->entries[i], batch->settles)) return fault_of_entries(*batch, i);
+  }
+  return std::nullopt;
 }
 
 }  // namespace talus::server::cluster

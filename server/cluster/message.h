@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,11 +20,14 @@
 
 namespace talus::server::cluster {
 
-/// Of messages. A server that reads a greater one applies nothing from there on.
+/// Of messages. A server that reads a greater one applies nothing from there on. What every format has alike,
+/// and every talusd checks before it looks at the format: the size, the store, the world and the checksum.
 inline constexpr std::uint8_t kMessageFormat = 1;
 inline constexpr std::size_t kMaxEntries = 1'024;
 /// Of one message.
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{512} << 10U;
+/// Of the first one, as NATS counts a header of its publisher too.
+inline constexpr std::size_t kMaxGenesisBytes = kMaxMessageBytes - 1'024;
 /// Of the checksum at its end.
 inline constexpr std::size_t kSealBytes = 8;
 
@@ -64,8 +68,9 @@ struct BatchMessage {
 
 struct MessageFault {
   enum class Kind : std::uint8_t {
+    newer,  // its format or kind is one that this talusd does not know, and others may
+    // No talusd of whatever version applies it, so all pass over it.
     damaged,      // its checksum is wrong, or no talusd wrote it
-    newer,        // its format is one that this talusd does not know
     other_world,  // it is of another fingerprint
     other_store,
   };
@@ -84,6 +89,15 @@ struct MessageFault {
 /// all (asserted).
 [[nodiscard]] Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
                                  std::span<const Bytes> entries);
+/// What becomes of a batch whose entry number `first` is the first that decode_entry() refuses: `newer` where
+/// any of its entries is, as a talusd that knows it may find all of them right; else `damaged`.
+[[nodiscard]] MessageFault fault_of_entries(const BatchMessage& batch, std::size_t first);
+
+/// Why a server with this store and world does not apply the message, if it does not: as decode_batch() and
+/// fault_of_entries() say it. `sequence` 1 is a genesis.
+[[nodiscard]] std::optional<MessageFault> fault_of(std::span<const std::byte> bytes, std::uint64_t sequence,
+                                                   const StoreIdentity& identity);
+
 /// A batch of this world and store. What is returned refers to `bytes`.
 [[nodiscard]] tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte> bytes,
                                                                     const StoreIdentity& identity);

@@ -111,6 +111,29 @@ std::vector<EditLog::Done> Publisher::seen(const BatchHead& head, std::span<cons
   return done;
 }
 
+bool Publisher::is_open(const BatchHead& head, std::span<const std::byte> message) const {
+  if (head.publisher != id_) return false;
+  const std::lock_guard lock{mutex_};
+  const auto open = open_.find(head.number);
+  return open != open_.end() && !open->second.seen && std::ranges::equal(open->second.seal, seal_of(message));
+}
+
+void Publisher::go_by(std::int64_t time_ms) {
+  const std::lock_guard lock{mutex_};
+  right_time_ = RightTime{time_ms, std::chrono::steady_clock::now()};
+}
+
+std::int64_t Publisher::time_ms() const {
+  using std::chrono::milliseconds;
+  const std::lock_guard lock{mutex_};
+  if (right_time_) {
+    const auto since = std::chrono::steady_clock::now() - right_time_->at;
+    return right_time_->ms + std::chrono::duration_cast<milliseconds>(since).count();
+  }
+  const auto now = std::chrono::duration_cast<milliseconds>(parts_.clock.wall().time_since_epoch());
+  return std::max<std::int64_t>(now.count(), 0);
+}
+
 void Publisher::run() {
   constexpr std::chrono::hours kLong{1};
   for (;;) {
@@ -134,10 +157,7 @@ void Publisher::run() {
     }
     if (taken.empty() && !stand) continue;
     if (!stand) stand = parts_.stand();
-    const auto now =
-        std::chrono::duration_cast<std::chrono::milliseconds>(parts_.clock.wall().time_since_epoch());
-    const BatchHead head{parts_.identity, id_,        ++number_, std::max<std::int64_t>(now.count(), 0),
-                         stand->revision, stand->hash};
+    const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<Bytes> entries;
     Open open;
     for (Queue::Waiting& each : taken) {

@@ -79,6 +79,12 @@ class Publisher {
   /// thread.
   [[nodiscard]] std::vector<EditLog::Done> seen(const BatchHead& head, std::span<const std::byte> message);
 
+  /// Whether it is a batch of this server's that was not seen before. Any thread.
+  [[nodiscard]] bool is_open(const BatchHead& head, std::span<const std::byte> message) const;
+  /// This machine's clock is wrong, and `time_ms` is the right time: batches are dated from there on, by the
+  /// time that passes. Any thread.
+  void go_by(std::int64_t time_ms);
+
   /// Entries that are not answered.
   [[nodiscard]] std::size_t open() const;
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
@@ -97,6 +103,7 @@ class Publisher {
   };
 
   void run();
+  [[nodiscard]] std::int64_t time_ms() const;
   void publish(std::uint64_t number, std::span<const std::byte> message);
   /// Whether the message need not be published any more.
   [[nodiscard]] bool wait_for_retry(std::uint64_t number);
@@ -118,6 +125,11 @@ class Publisher {
   std::map<std::uint64_t, Open> open_;  // by number
   std::optional<Stand> to_say_;
   std::string trouble_;
+  struct RightTime {
+    std::int64_t ms = 0;
+    std::chrono::steady_clock::time_point at;
+  };
+  std::optional<RightTime> right_time_;
   bool stopping_ = false;
   bool gave_up_ = false;
 

@@ -9,7 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <talus/progress/progress_bar.h>
+
 #include "cluster_command/nats_greeting.h"
+#include "cluster_command/stream_contents.h"
 #include "cluster_command/stream_world.h"
 #include "jetstream/stream_admin.h"
 #include "jetstream/stream_settings.h"
@@ -27,7 +30,8 @@ constexpr std::array<std::string_view, 2> kSchemes{"nats", "tls"};
 
 class Checker {
  public:
-  Checker(const Target& target, const cluster::Genesis& genesis) : target_{target}, genesis_{genesis} {}
+  Checker(const Target& target, const cluster::Genesis& genesis, std::uint64_t messages)
+      : target_{target}, genesis_{genesis}, messages_{messages} {}
 
   std::vector<Finding> all() {
     std::shared_ptr<jetstream::Connection> connection;
@@ -199,14 +203,41 @@ class Checker {
   void check_contents() {
     if (const auto fits = check_world(*connection_, target_, genesis_); !fits) {
       add(Kind::fault, fits.error());
-    } else {
-      add(Kind::ok, fmt::format("its messages can be read, and are of world {}",
-                                to_string(genesis_.identity.fingerprint)));
+      return;
     }
+    ProgressBar bar{"reading the log", "messages"};
+    const auto contents = read_contents(*connection_, target_, genesis_.identity, messages_,
+                                        [&](std::uint64_t /*done*/, std::uint64_t all) {
+                                          bar.expect(all);
+                                          bar.advance(1);
+                                        });
+    if (!contents) {
+      add(Kind::fault, contents.error());
+      return;
+    }
+    for (const Contents::Unread& each : contents->unread) add_unread(each);
+    if (contents->unread_count > contents->unread.size()) {
+      add(Kind::note,
+          fmt::format("{} more messages cannot be read", contents->unread_count - contents->unread.size()));
+    }
+    if (contents->unread.empty() && contents->first <= contents->last) {
+      add(Kind::ok, fmt::format("messages {} to {} can be read, and are of world {}", contents->first,
+                                contents->last, to_string(genesis_.identity.fingerprint)));
+    }
+  }
+
+  void add_unread(const Contents::Unread& unread) {
+    const bool is_newer = unread.fault.kind == cluster::MessageFault::Kind::newer;
+    add(is_newer || unread.sequence == 1 ? Kind::fault : Kind::note,
+        fmt::format("message {}: {}{}", unread.sequence, unread.fault.reason,
+                    is_newer               ? "; a talusd of this version stops before it"
+                    : unread.sequence == 1 ? ""
+                                           : "; all servers pass over it"));
   }
 
   const Target& target_;
   const cluster::Genesis& genesis_;
+  const std::uint64_t messages_;
   std::shared_ptr<jetstream::Connection> connection_;
   std::vector<Finding> findings_;
 };
@@ -225,8 +256,8 @@ std::string_view word_of(Kind kind) {
 
 }  // namespace
 
-std::vector<Finding> check(const Target& target, const cluster::Genesis& genesis) {
-  return Checker{target, genesis}.all();
+std::vector<Finding> check(const Target& target, const cluster::Genesis& genesis, std::uint64_t messages) {
+  return Checker{target, genesis, messages}.all();
 }
 
 bool any_fault(const std::vector<Finding>& findings) {

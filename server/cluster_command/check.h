@@ -16,8 +16,12 @@ struct Finding {
   std::string text;  // one line
 };
 
-/// Stores nothing in the stream.
-[[nodiscard]] std::vector<Finding> check(const Target& target, const cluster::Genesis& genesis);
+/// So many messages are read where nobody says how many.
+inline constexpr std::uint64_t kCheckedMessages = 1'000;
+
+/// Stores nothing in the stream. Reads its newest messages, `messages` of them.
+[[nodiscard]] std::vector<Finding> check(const Target& target, const cluster::Genesis& genesis,
+                                         std::uint64_t messages = kCheckedMessages);
 
 [[nodiscard]] bool any_fault(const std::vector<Finding>& findings);
 [[nodiscard]] std::string finding_lines(const std::vector<Finding>& findings);

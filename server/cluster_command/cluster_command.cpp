@@ -1,5 +1,6 @@
 #include "cluster_command/cluster_command.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ struct Flags {
   std::string store;
   std::string world;
   bool json = false;
+  std::uint64_t messages = kCheckedMessages;
+  bool all = false;
 };
 
 /// What a command prints, and whether all is well.
@@ -55,12 +58,12 @@ Answer run_init(const Config& config, const Flags& /*flags*/, const MakeGenesis&
   return Said{made_lines(*target, *genesis, *made)};
 }
 
-Answer run_check(const Config& config, const Flags& /*flags*/, const MakeGenesis& make_genesis) {
+Answer run_check(const Config& config, const Flags& flags, const MakeGenesis& make_genesis) {
   const auto target = Target::of(config);
   if (!target) return tl::unexpected{target.error()};
   const auto genesis = make_genesis(config.world, target->store_id);
   if (!genesis) return tl::unexpected{genesis.error()};
-  const std::vector<Finding> findings = check(*target, *genesis);
+  const std::vector<Finding> findings = check(*target, *genesis, flags.all ? UINT64_MAX : flags.messages);
   return Said{finding_lines(findings), !any_fault(findings)};
 }
 
@@ -131,8 +134,16 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
           "makes the stream of a new world, and prints the store's id, a new one where none is given. Run "
           "again, it finds all as it should be. A store that has edits comes in by talusd store join-cluster",
           run_init));
-  add_world(
-      add("check", "looks for all that would keep this server from its log, and changes nothing", run_check));
+  CLI::App* const checking =
+      add("check", "looks for all that would keep this server from its log, and changes nothing", run_check);
+  add_world(checking);
+  CLI::Option* const messages = checking
+                                    ->add_option("--messages", flags.messages,
+                                                 "how many of the newest messages are read, to find what "
+                                                 "servers cannot apply")
+                                    ->type_name("N")
+                                    ->capture_default_str();
+  checking->add_flag("--all", flags.all, "reads all messages that the log keeps")->excludes(messages);
   add("status", "the stream, its leader and replicas, and how far this server is", run_status)
       ->add_flag("--json", flags.json, "as JSON, for programs");
 

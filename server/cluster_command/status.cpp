@@ -61,6 +61,10 @@ tl::expected<ClusterStatus, std::string> read_status(const Target& target) {
     const auto page = fetch_page(*target.admin, "/metrics", kPagePatience);
     if (page) {
       status.here = cluster_metrics(*page);
+      if (const auto ready = fetch_any_page(*target.admin, "/-/ready", kPagePatience)) {
+        status.state = ready->text.substr(0, ready->text.find('\n'));
+        status.ready = ready->status == 200;
+      }
     } else {
       status.not_here = page.error();
     }
@@ -88,11 +92,18 @@ std::string status_lines(const ClusterStatus& status) {
     return found == status.here->end() ? 0.0 : found->second;
   };
   if (status.here->empty()) return text + "this server: runs, and is in no cluster\n";
-  return text + fmt::format("this server: message {:.0f} applied, {:.0f} behind; {}, {}{}\n",
-                            value("sequence"), value("lag_messages"),
-                            value("connected") > 0 ? "connected" : "NOT connected",
-                            value("quorum") > 0 ? "the log takes edits" : "the log takes NO edits",
-                            value("state_differs") > 0 ? "; its state DIFFERS from others'" : "");
+  text += fmt::format("this server: message {:.0f} applied, {:.0f} behind; {}, {}{}\n", value("sequence"),
+                      value("lag_messages"), value("connected") > 0 ? "connected" : "NOT connected",
+                      value("quorum") > 0 ? "the log takes edits" : "the log takes NO edits",
+                      value("state_differs") > 0 ? "; its state DIFFERS from others'" : "");
+  if (!status.state.empty()) {
+    text += fmt::format("this server says: {}{}\n", status.ready ? "" : "NOT ready: ", status.state);
+  }
+  if (const double skipped = value("messages_skipped_total"); skipped > 0) {
+    text += fmt::format("this server passed over {:.0f} messages since its start that no talusd wrote\n",
+                        skipped);
+  }
+  return text;
 }
 
 std::string status_json(const ClusterStatus& status) {
@@ -116,6 +127,8 @@ std::string status_json(const ClusterStatus& status) {
   }
   json["server"] = nullptr;
   if (status.here) json["server"] = *status.here;
+  json["ready"] = status.ready;
+  json["says"] = status.state;
   return json.dump(2) + "\n";
 }
 

@@ -19,6 +19,8 @@ struct ClusterStatus {
   /// This server's metrics talus_cluster_*, without that part of their names; none where it does not run.
   std::optional<std::map<std::string, double>> here;
   std::string not_here;  // why there are none
+  std::string state{};   // what it says of itself at /-/ready
+  bool ready = false;
 };
 
 /// An error is one line.

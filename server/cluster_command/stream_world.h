@@ -10,8 +10,8 @@
 
 namespace talus::server::cluster_tool {
 
-/// Reads the oldest message that is kept. An error, in one line: it is of another world or store, or cannot
-/// be read. A stream without messages fits.
+/// Reads the oldest message that is kept. An error, in one line: it is of another world or store, or the
+/// first and cannot be read. A stream without messages fits.
 [[nodiscard]] tl::expected<void, std::string> check_world(jetstream::Connection& connection,
                                                           const Target& target,
                                                           const cluster::Genesis& genesis);

@@ -113,12 +113,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
           arrived.header("Nats-Stream") != names_.stream) {
         reading_.not_found(sequence, now);
         question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
-      } else if (arrived.bytes().size() > kStreamMessageBytes) {
-        fault_ = StreamFailure{
-            Kind::other, fmt::format("{}: message {} has {} bytes, and no batch of edits over {}",
-                                     names_.stream, sequence, arrived.bytes().size(), kStreamMessageBytes)};
       } else {
-        reading_.answered(sequence, arrived.bytes(), now);
+        // More than a message has nobody need keep: cut it is no message either.
+        constexpr std::size_t kMost = kStreamMessageBytes + 1;
+        const auto bytes = arrived.bytes();
+        reading_.answered(sequence, bytes.first(std::min(bytes.size(), kMost)), now);
       }
     }
     changed_.notify_all();
@@ -288,7 +287,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       for (const std::uint64_t sequence : messages) {
         (void)(*connection)
             ->send(names_.direct_get(), fmt::format("{}.d.{}", log.reply_, sequence),
-                   fmt::format("{{\"seq\":{}}}", sequence));
+                   StreamNames::by_number(sequence));
       }
     }
     lock.lock();
@@ -439,6 +438,29 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   }
   if (const auto same = inbox_->told(read_before, info->state); !same) return tl::unexpected{same.error()};
   return info->state;
+}
+
+tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t sequence) {
+  const auto connection = this->connection();
+  if (!connection) return tl::unexpected{connection.error()};
+  const auto reply =
+      (*connection)->request(settings_.names.direct_get(), StreamNames::by_number(sequence), kPatience);
+  if (!reply) return tl::unexpected{reply.error()};
+  const Arrived message{reply->get()};
+  if (message.status() == 0 && message.sequence() == sequence &&
+      message.header("Nats-Stream") == settings_.names.stream) {
+    if (const auto time_ns = nanoseconds_of(std::string{message.header("Nats-Time-Stamp")})) {
+      return *time_ns / 1'000'000;
+    }
+  }
+  // The replica that was asked lags behind, unless nobody has it any more.
+  const auto state = this->state();
+  if (!state) return tl::unexpected{state.error()};
+  if (state->first <= sequence) {
+    return failure(Kind::unavailable, fmt::format("NATS: message {} does not come", sequence));
+  }
+  return failure(Kind::gone, fmt::format("{} keeps messages from {} on, and the time of message {} is wanted",
+                                         settings_.names.stream, state->first, sequence));
 }
 
 StreamFigures JetStreamLog::figures() const {

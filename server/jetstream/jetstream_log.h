@@ -51,6 +51,7 @@ class JetStreamLog final : public LogStream {
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
+  [[nodiscard]] tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) override;
   [[nodiscard]] StreamFigures figures() const override;
   void wake() override;
   void stop() override;

@@ -17,7 +17,27 @@ using nlohmann::json;
 constexpr std::size_t kMaxAnswerBytes = 1U << 20;
 constexpr std::size_t kMaxReplicas = 16;
 
-/// Nanoseconds since 1970 of "2026-11-26T04:18:20.123456789Z".
+/// The member of that name, or a value of the type where it is missing or another type.
+template <typename Value>
+Value member(const json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) return {};
+  if constexpr (std::is_same_v<Value, std::string>) {
+    return found->is_string() ? found->template get<std::string>() : Value{};
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return found->is_boolean() && found->template get<bool>();
+  } else {
+    return found->is_number_integer() ? found->template get<Value>() : Value{};
+  }
+}
+
+json object_of(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_object() ? *found : json::object();
+}
+
+}  // namespace
+
 std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
   std::tm time{};
   int read = 0;
@@ -39,27 +59,6 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
   if (text.substr(at) != "Z") return std::nullopt;
   return static_cast<std::int64_t>(::timegm(&time)) * 1'000'000'000 + fraction;
 }
-
-/// The member of that name, or a value of the type where it is missing or another type.
-template <typename Value>
-Value member(const json& object, const char* name) {
-  const auto found = object.find(name);
-  if (found == object.end()) return {};
-  if constexpr (std::is_same_v<Value, std::string>) {
-    return found->is_string() ? found->template get<std::string>() : Value{};
-  } else if constexpr (std::is_same_v<Value, bool>) {
-    return found->is_boolean() && found->template get<bool>();
-  } else {
-    return found->is_number_integer() ? found->template get<Value>() : Value{};
-  }
-}
-
-json object_of(const json& object, const char* name) {
-  const auto found = object.find(name);
-  return found != object.end() && found->is_object() ? *found : json::object();
-}
-
-}  // namespace
 
 tl::expected<json, ApiError> parse_answer(std::string_view text) {
   if (text.size() > kMaxAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "cluster/log_stream.h"
 
 namespace talus::server::jetstream {
+
+/// Since 1970, of "2026-11-26T04:18:20.123456789Z", as NATS writes times; nothing where it is none.
+[[nodiscard]] std::optional<std::int64_t> nanoseconds_of(const std::string& text);
 
 struct ReplicaState {
   std::string name;

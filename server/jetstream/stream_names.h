@@ -1,6 +1,7 @@
 // What a store's stream and its subjects are called.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
@@ -17,6 +18,11 @@ struct StreamNames {
   /// Where its leader says what it is, and any replica gives a message by its number.
   [[nodiscard]] std::string info() const { return "$JS.API.STREAM.INFO." + stream; }
   [[nodiscard]] std::string direct_get() const { return "$JS.API.DIRECT.GET." + stream; }
+
+  /// What is asked there.
+  [[nodiscard]] static std::string by_number(std::uint64_t sequence) {
+    return fmt::format("{{\"seq\":{}}}", sequence);
+  }
 
   [[nodiscard]] static StreamNames of(const ContentHash& store_id) {
     const std::string id = to_string(store_id);

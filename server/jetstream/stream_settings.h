@@ -8,12 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cluster/message.h"
 #include "jetstream/stream_names.h"
 
 namespace talus::server::jetstream {
 
-/// Of one message: a batch has half of it.
-inline constexpr std::int64_t kStreamMessageBytes = 1 << 20;
+/// Of one message.
+inline constexpr auto kStreamMessageBytes = static_cast<std::int64_t>(cluster::kMaxMessageBytes);
 
 /// As NATS takes them ($JS.API.STREAM.CREATE).
 [[nodiscard]] nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas);

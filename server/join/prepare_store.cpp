@@ -10,6 +10,7 @@
 #include <talus/files/read_file.h>
 
 #include "cluster/message.h"
+#include "cluster/server_number.h"
 #include "join/start_plan.h"
 #include "log/escape.h"
 #include "store/acknowledged_file.h"
@@ -61,6 +62,10 @@ class Preparation {
         auto taken = take_for(plan, (*facts)->stream);
         if (!taken) return tl::unexpected{std::move(taken.error())};
         if (*taken) continue;
+        if (own_goes_on_) {
+          if (auto own = use_own(); !own) return tl::unexpected{std::move(own.error())};
+          continue;
+        }
         if (local_) return Prepared{*std::move(stream), joins_};
       }
       if (auto begun = begin_empty(); !begun) return tl::unexpected{std::move(begun.error())};
@@ -159,21 +164,51 @@ class Preparation {
   /// False: no peer has a store, and this server goes on without.
   [[nodiscard]] tl::expected<bool, std::string> take_for(const StartPlan& plan, const StreamState& stream) {
     give_up_ = plan.may_do_without;
+    // Messages that are missing between a store and the stream make it of no use whatever others have.
+    if (local_ && !rejoin_.empty() && local_->stream.sequence + 1 >= stream.first) {
+      aside_ = AsideStore{local_->stream.sequence, local_->stream.created_ns,
+                          cluster::server_number(parts_.directory.path())};
+    }
+    parts_.on_aside(aside_);
     auto taken = take(WantedPlace{stream.created_ns, stream.first});
+    if (!taken && own_goes_on_) return false;
+    aside_.reset();
+    parts_.on_aside(aside_);
     if (taken) return true;
     if (!give_up_ || !gave_up_) return tl::unexpected{std::move(taken.error())};
     parts_.log->info("joining: reading the stream instead");
     return false;
   }
 
+  /// The store that was put aside is used after all: no peer has another.
+  [[nodiscard]] Done use_own() {
+    parts_.log->error(
+        "joining: all servers that answer have put their stores aside, so that voices in the log must have "
+        "been "
+        "false. This one, at message {}, has read most: it goes on with its own, and the others take it from "
+        "here. See who may publish to the log (NATS' permissions, \"talusd cluster check\"). It was put "
+        "aside "
+        "for this: {}",
+        local_->stream.sequence, rejoin_);
+    if (auto forgotten = forget_rejoin(parts_.directory.path()); !forgotten) return forgotten;
+    rejoin_.clear();
+    own_goes_on_ = false;
+    aside_.reset();
+    parts_.on_aside(aside_);
+    return {};
+  }
+
   [[nodiscard]] Done take(const WantedPlace& place) {
-    const Pause pause = [this](std::chrono::milliseconds wait) {
+    const auto began = SteadyClock::now();
+    const AfterRound after_round = [this, began](std::chrono::milliseconds wait, const Round& round) {
       gave_up_ = give_up_;
-      return !give_up_ && parts_.pause(wait);
+      const bool patient = SteadyClock::now() - began < parts_.silent_patience;
+      own_goes_on_ = aside_ && goes_on(*aside_, round, patient);
+      return !own_goes_on_ && !give_up_ && parts_.pause(wait);
     };
     const fs::path& path = parts_.directory.path();
     const auto meta = take_from_peers(parts_.peers, path, {parts_.fingerprint, id_, place}, parts_.log,
-                                      parts_.on_joining, pause);
+                                      parts_.on_joining, after_round);
     if (!meta) return tl::unexpected{meta.error()};
     const auto replaced = swap_in(path);
     if (!replaced) return tl::unexpected{replaced.error()};
@@ -190,8 +225,12 @@ class Preparation {
     const bool of_value = local_ && (!is_ancestor(*local_, now) || !rejoin_.empty());
     std::error_code code;
     if (!replaced.empty() && of_value) {
-      parts_.log->warn("joining: the store that was here is kept as {}; delete it when nobody wants it back",
-                       replaced.string());
+      const auto kept = keep_rejoined(parts_.directory.path(), replaced);
+      if (!kept) return tl::unexpected{kept.error()};
+      parts_.log->warn(
+          "joining: the store that was here is kept as {}, until two more were replaced so; delete it when "
+          "nobody wants it back",
+          kept->string());
     } else if (!replaced.empty()) {
       fs::remove_all(replaced, code);
     }
@@ -217,6 +256,8 @@ class Preparation {
   std::string rejoin_;
   bool give_up_ = false;  // where no peer has a store
   bool gave_up_ = false;
+  std::optional<AsideStore> aside_;  // the local store, while it must not be used
+  bool own_goes_on_ = false;         // it is used after all
   std::uint64_t joins_ = 0;
 };
 

@@ -2,6 +2,7 @@
 // read from the stream, or taken from a peer. A store is never begun empty where the cluster's is not.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -30,7 +31,11 @@ struct Parts {
   Logger log;
   OnJoining on_joining;
   /// Sleeps; false: the start is given up.
-  Pause pause;
+  std::function<bool(std::chrono::milliseconds)> pause;
+  /// The store that is here must not be used, for who asks meanwhile; none: there is no such any more.
+  std::function<void(const std::optional<AsideStore>&)> on_aside = [](const auto&) {};
+  /// So long peers that do not answer are waited for before those that do decide.
+  std::chrono::milliseconds silent_patience = std::chrono::minutes{2};
 };
 
 struct Prepared {

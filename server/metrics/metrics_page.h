@@ -44,7 +44,10 @@ struct RuntimeGauges {
     std::uint64_t republished = 0;
     std::uint64_t gaps = 0;
     const LatencyHistogram* publishing = nullptr;
-    std::uint64_t joins = 0;  // checkpoints of other servers' stores that were taken at this start
+    std::uint64_t joins = 0;    // checkpoints of other servers' stores that were taken at this start
+    std::uint64_t skipped = 0;  // messages that no talusd can apply
+    std::uint64_t bounded = 0;  // batches whose time did not count as they said
+    bool stuck = false;         // the next message is for a newer talusd
   };
   std::optional<Cluster> cluster{};  // none: this server is alone
   struct Columns {

@@ -302,6 +302,7 @@ void encode(const StoreMeta& meta, Bytes& out) {
   writer.fixed64(meta.flushed_link);
   writer.fixed64(meta.stream.sequence);
   writer.fixed64(static_cast<std::uint64_t>(meta.stream.created_ns));
+  writer.fixed64(static_cast<std::uint64_t>(meta.stream.looked_ms));
   seal(hash_of(meta_key()), out);
 }
 
@@ -395,6 +396,7 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.flushed_link = in.fixed64();
   meta.stream.sequence = in.fixed64();
   meta.stream.created_ns = static_cast<std::int64_t>(in.fixed64());
+  meta.stream.looked_ms = static_cast<std::int64_t>(in.fixed64());
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;
 }

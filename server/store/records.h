@@ -25,6 +25,7 @@ inline constexpr std::uint8_t kStoreFormat = 1;
 struct StreamPlace {
   std::uint64_t sequence = 0;   // of the last message that is applied; 0: the store is in no cluster
   std::int64_t created_ns = 0;  // when the stream was made: another time is another stream
+  std::int64_t looked_ms = 0;   // the time of messages up to which the stream's own clock was asked
   bool operator==(const StreamPlace&) const = default;
 };
 

@@ -1,6 +1,8 @@
 #include "store/store_swap.h"
 
 #include <array>
+#include <charconv>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -114,6 +116,31 @@ tl::expected<fs::path, std::string> swap_in(const fs::path& directory) {
     return tl::unexpected{named.error()};
   }
   return finish(directory);
+}
+
+tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, const fs::path& replaced) {
+  constexpr std::size_t kMostRejoined = 2;
+  constexpr std::string_view kRejoined = "rejoined-";
+  std::set<std::uint64_t> numbers;
+  std::error_code code;
+  for (fs::directory_iterator at{directory, code}, end; !code && at != end; at.increment(code)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(kRejoined)) continue;
+    std::uint64_t number = 0;
+    const char* const last = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + kRejoined.size(), last, number);
+    if (error == std::errc{} && stop == last && number < UINT64_MAX) numbers.insert(number);
+  }
+  if (code) return swap_failure(directory, code);
+  const std::uint64_t next = numbers.empty() ? 1 : *numbers.rbegin() + 1;
+  const fs::path kept = directory / fmt::format("{}{}", kRejoined, next);
+  if (auto moved = rename_now(replaced, kept); !moved) return tl::unexpected{moved.error()};
+  for (; numbers.size() >= kMostRejoined; numbers.erase(numbers.begin())) {
+    const fs::path oldest = directory / fmt::format("{}{}", kRejoined, *numbers.begin());
+    fs::remove_all(oldest, code);
+    if (code) return swap_failure(oldest, code);
+  }
+  return kept;
 }
 
 Done tidy_up(const fs::path& directory) {

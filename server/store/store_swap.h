@@ -24,6 +24,11 @@ namespace talus::server {
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(
     const std::filesystem::path& directory);
 
+/// `replaced`, which swap_in() returned, was replaced because its server took another's store: a server may
+/// do that again and again, so of such no more than the newest two are kept. Returns where it is then.
+[[nodiscard]] tl::expected<std::filesystem::path, std::string> keep_rejoined(
+    const std::filesystem::path& directory, const std::filesystem::path& replaced);
+
 /// Ends a swap that was interrupted, and removes what was not finished: staging, and checkpoints.
 [[nodiscard]] tl::expected<void, std::string> tidy_up(const std::filesystem::path& directory);
 

@@ -71,11 +71,10 @@ tl::expected<void, std::string> check_world(const DataDirectory& directory, cons
       to_string(world.fingerprint()))};
 }
 
-Text enter(const DataDirectory& directory, ContentHash id, const Cluster& settings,
-           const terrain::World& world, const ClusterTools& tools) {
-  const auto stream = tools.open(settings, id, true);
-  if (!stream) return tl::unexpected{stream.error()};
-  const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), **stream);
+/// `stream` is that of the id, and is there.
+Text enter(const DataDirectory& directory, ContentHash id, const terrain::World& world,
+           const ClusterTools& tools, LogStream& stream) {
+  const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), stream);
   if (!entered) return tl::unexpected{entered.error()};
   if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
     return tl::unexpected{forgotten.error()};
@@ -98,7 +97,9 @@ Text join_cluster(const DataDirectory& directory, const Cluster& settings, const
         fmt::format("cluster.store: it names store {}, and {} has store {}; name that, or \"\"",
                     settings.store, directory.path().string(), id)};
   }
-  return enter(directory, directory.store_id(), settings, world, tools);
+  const auto stream = tools.open(settings, directory.store_id(), true);
+  if (!stream) return tl::unexpected{stream.error()};
+  return enter(directory, directory.store_id(), world, tools, **stream);
 }
 
 Text leave_cluster(const DataDirectory& directory, const Cluster& settings, const ClusterTools& tools,
@@ -140,8 +141,18 @@ Text fork_cluster(const DataDirectory& directory, const Cluster& settings, const
                     place_of(*meta), behind.text)};
   }
   const ContentHash id = random_store_id();
-  if (const auto given = give_identity(directory.path(), id); !given) return tl::unexpected{given.error()};
-  auto entered = enter(directory, id, settings, world, tools);
+  // What may fail for a while comes first: the store is what it was until there is something else.
+  const auto stream = tools.open(settings, id, true);
+  if (!stream) {
+    return tl::unexpected{
+        fmt::format("nothing is changed: the new stream cannot be made: {}", stream.error())};
+  }
+  if (const auto given = give_identity(directory.path(), id); !given) {
+    return tl::unexpected{
+        fmt::format("{}; the stream TALUS_{} is there for nothing, and may be deleted in NATS", given.error(),
+                    to_string(id))};
+  }
+  auto entered = enter(directory, id, world, tools, **stream);
   if (entered) return entered;
   return tl::unexpected{
       fmt::format("the store is {} and in no cluster now, but its stream was not begun: {}; run \"talusd "

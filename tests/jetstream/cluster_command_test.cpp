@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 
+#include <xxhash.h>
 #include <catch2/catch.hpp>
 
 #include "cluster_command/check.h"
@@ -12,6 +13,7 @@
 #include "jetstream/stream_settings.h"
 #include "opened_stream.h"
 #include "scratch_directory.h"
+#include "store/bytes.h"
 
 using namespace talus::nats_test;
 using namespace talus::server;
@@ -179,6 +181,35 @@ TEST_CASE("check names each missing permission, and one too many") {
   SECTION("publishing to the tail") {
     CHECK_THAT(faults("\">\"", tail), Catch::Contains("note: may publish to " + id + ".tail"));
   }
+}
+
+TEST_CASE("check reads the newest messages, and names those that servers pass over or stop at") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  REQUIRE(init(target, genesis_of()));
+  const auto connection = connected_to(servers.url_list());
+  const auto publish = [&](std::span<const std::byte> bytes) {
+    REQUIRE(connection->publish(target.names.log, bytes, std::chrono::seconds{10}));
+  };
+  const cluster::BatchHead head{genesis_of().identity, 1, 1, 0, 0, {}};
+  publish(bytes_of("hello"));
+  publish(cluster::encode_batch(head, nullptr, {}));
+  std::string lines = lines_of(target, genesis_of());
+  CHECK_THAT(lines,
+             Catch::Contains("note: message 2: it is no message of talusd; all servers pass over it") &&
+                 !Catch::Contains("fault: "));
+  // None but the newest.
+  CHECK_THAT(finding_lines(check(target, genesis_of(), 1)),
+             Catch::Contains("ok: messages 3 to 3 can be read") && !Catch::Contains("note: message"));
+  Bytes newer = cluster::encode_batch(head, nullptr, {});
+  newer[0] = std::byte{9};
+  newer.resize(newer.size() - cluster::kSealBytes);
+  ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
+  publish(newer);
+  CHECK_THAT(faults_of(target),
+             Catch::StartsWith("fault: message 4: it has format 9; this talusd reads up to 1"));
+  for (int i = 0; i < 12; ++i) publish(bytes_of("hello"));
+  CHECK_THAT(lines_of(target, genesis_of()), Catch::Contains("note: 4 more messages cannot be read"));
 }
 
 TEST_CASE("of three servers, one lost is a note and two are a fault") {

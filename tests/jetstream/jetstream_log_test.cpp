@@ -229,6 +229,60 @@ TEST_CASE("a server that is deleted with its files, and comes back empty, is not
   CHECK(read_failure(*log, 1).kind == Kind::refused);
 }
 
+TEST_CASE("when the stream took a message is the same for all who ask, and is not the publisher's to say") {
+  OneServer one;
+  auto settings = wanted_settings(one.names, 1);
+  settings["max_msgs"] = 3;
+  ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
+  const auto log = open_log(one.servers.url_list(), one.names);
+  const auto time_of = [](LogStream& of, std::uint64_t sequence) {
+    const auto until = from_now(kPatience);
+    for (;;) {
+      const auto time_ms = of.time_of(sequence);
+      if (time_ms || time_ms.error().kind != Kind::unavailable) return time_ms;
+      REQUIRE(std::chrono::steady_clock::now() < until);
+    }
+  };
+  const auto now_ms = [] {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+  };
+  const std::int64_t before_ms = now_ms();
+  publish(*log, "a");
+  send_as_stream(one.servers, one.names.log, one.names.stream, 999, "b");
+  publish(*log, "c");
+  const std::int64_t after_ms = now_ms();
+  std::int64_t last_ms = before_ms;
+  const auto other = open_log(one.servers.url_list(), one.names);
+  for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
+    const auto time_ms = time_of(*log, sequence);
+    REQUIRE(time_ms.has_value());
+    CHECK(*time_ms >= last_ms);
+    CHECK(*time_ms <= after_ms);
+    CHECK(time_of(*other, sequence).value_or(0) == *time_ms);
+    last_ms = *time_ms;
+  }
+  CHECK(log->time_of(4).error().kind == Kind::unavailable);
+  publish(*log, "d");
+  CHECK(time_of(*log, 1).error().kind == Kind::gone);
+}
+
+TEST_CASE("a message of any size reaches all who read, cut where no talusd would read on") {
+  OneServer one("max_payload: 4MB");
+  auto settings = wanted_settings(one.names, 1);
+  settings["max_msg_size"] = -1;
+  ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
+  const auto log = open_log(one.servers.url_list(), one.names);
+  publish(*log, "a");
+  CHECK(read(*log, 0) == "a");
+  const auto somebody = connected_to(one.servers.url_list());
+  REQUIRE(somebody->publish(one.names.log, bytes_of(std::string(3U << 20U, 'x')), 5s));
+  publish(*log, "c");
+  CHECK(read(*log, 1).size() == kStreamMessageBytes + 1);
+  CHECK(read(*log, 2) == "c");
+}
+
 TEST_CASE("messages that the stream no longer keeps are gone") {
   OneServer one;
   auto settings = wanted_settings(one.names, 1);

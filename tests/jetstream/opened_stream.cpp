@@ -76,6 +76,7 @@ void send_as_stream(const NatsServers& servers, const std::string& subject, cons
   const NatsMessage message{made};
   must(natsMsgHeader_Set(made, "Nats-Stream", stream.c_str()));
   must(natsMsgHeader_Set(made, "Nats-Sequence", std::to_string(sequence).c_str()));
+  must(natsMsgHeader_Set(made, "Nats-Time-Stamp", "2099-01-01T00:00:00Z"));
   must(natsMsgHeader_Set(made, "Status", "404"));
   must(natsConnection_PublishMsg(connection, made));
   must(natsConnection_FlushTimeout(connection, 10'000));

@@ -1,6 +1,9 @@
 // Servers that have no store, or one that is too old or wrong, and get one.
 #include <random>
 
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+
 #include "joining_servers.h"
 
 using namespace talus;
@@ -54,7 +57,7 @@ TEST_CASE("a server that was away for longer than the stream keeps takes a peer'
   const auto b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   servers.await_same("a", "b");
-  CHECK_FALSE(fs::exists((servers.scratch / "b") / "replaced-1"));
+  CHECK_FALSE(fs::exists((servers.scratch / "b") / "rejoined-1"));
 }
 
 TEST_CASE("a running server that the stream has left behind ends with a status of its own, and joins anew") {
@@ -77,6 +80,43 @@ TEST_CASE("a running server that the stream has left behind ends with a status o
   b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
   servers.await_same("a", "b");
+}
+
+/// A port that nobody has now.
+std::uint16_t free_port() {
+  asio::io_context io;
+  return asio::ip::tcp::acceptor{io, {asio::ip::address_v4::loopback(), 0}}.local_endpoint().port();
+}
+
+TEST_CASE("servers that were all talked out of their stores recover by themselves") {
+  JoiningServers servers;
+  servers.begin("a");
+  const auto ports = std::vector<std::uint16_t>{free_port(), free_port()};
+  const auto start = [&](const std::string& data, std::size_t own) {
+    return std::make_unique<ServerProcess>(
+        servers.joiner(data, ports),
+        std::vector<std::string>{"--admin", "127.0.0.1:" + std::to_string(ports[own])});
+  };
+  {
+    const auto a = start("a", 0);
+    const auto b = start("b", 1);
+    await("readiness", [&] { return JoiningServers::is_ready(*b); });
+    servers.build(a->port(), 5);
+    servers.await_same("a", "b");
+  }
+  servers.scratch.write("a/rejoin", "most have another state");
+  servers.scratch.write("b/rejoin", "most have another state");
+  // Each prints where it listens once it has a store.
+  std::unique_ptr<ServerProcess> a;
+  std::thread first{[&] { a = start("a", 0); }};
+  const auto b = start("b", 1);
+  first.join();
+  await("readiness", [&] { return JoiningServers::is_ready(*a) && JoiningServers::is_ready(*b); });
+  servers.await_same("a", "b");
+  servers.build(a->port(), 5);
+  servers.await_same("a", "b");
+  CHECK_FALSE(fs::exists((servers.scratch / "a") / "rejoin"));
+  CHECK_FALSE(fs::exists((servers.scratch / "b") / "rejoin"));
 }
 
 TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the next attempt succeeds") {

@@ -143,6 +143,31 @@ TEST_CASE("a server that starts while NATS is away serves what it has, and takes
   CHECK(JoiningServers::is_ready(*a));
 }
 
+TEST_CASE("a fork whose stream cannot be made leaves the store in its cluster") {
+  JoiningServers servers;
+  servers.begin("a");
+  const json before = servers.stat("a");
+  SECTION("NATS is away") {
+    servers.nats->kill(0);
+  }
+  SECTION("NATS refuses") {
+    // There are not so many hosts.
+    Settings wants_more = servers.settings("a");
+    wants_more["TALUS_CLUSTER_REPLICAS"] = "3";
+    const Ended refused = run_talusd({"store", "fork", "--yes"}, wants_more);
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err,
+               Catch::Contains("nothing is changed") && Catch::Contains("replicas > 1 not supported"));
+    CHECK(servers.stat("a") == before);
+    servers.nats->kill(0);
+  }
+  const Ended away = servers.store("a", {"fork", "--yes"});
+  CHECK(away.status == 1);
+  CHECK(away.err.find('\n') == away.err.size() - 1);
+  CHECK_THAT(away.err, Catch::Contains("nothing is changed"));
+  CHECK(servers.stat("a") == before);
+}
+
 TEST_CASE("without NATS a store does not move, and stays as it is") {
   JoiningServers servers;
   {

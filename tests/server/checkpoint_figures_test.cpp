@@ -109,7 +109,7 @@ TEST_CASE("take a store from TALUS_PEER with TALUS_TOKEN", "[.figures]") {
   };
   auto download =
       CheckpointDownload::open(setting("TALUS_PEER", ""), {setting("TALUS_TOKEN", ""), {}, {}, {}});
-  INFO((download ? "" : download.error()));
+  INFO((download ? "" : download.error().reason));
   REQUIRE(download.has_value());
   std::cout << "first byte after " << seconds() << " s\n";
   double last = 0;

@@ -62,7 +62,7 @@ struct Peer {
   [[nodiscard]] PeerAccess admin() const { return {signed_token({Right::read, Right::admin}), {}, {}, {}}; }
   [[nodiscard]] std::string error_with(const std::string& token) const {
     const auto download = CheckpointDownload::open(url, {token, {}, {}, {}});
-    return download ? "" : download.error();
+    return download ? "" : download.error().reason;
   }
   /// A request of a client that reads nothing.
   [[nodiscard]] tcp::socket ask() {

@@ -53,7 +53,7 @@ TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next wher
   auto directory = DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
   const WantedStore wanted{{1, 2}, peer.store.id()};
-  const auto give_up = [](std::chrono::milliseconds) { return false; };
+  const auto give_up = [](std::chrono::milliseconds, const Round&) { return false; };
   for (int i = 0; i < 8; ++i) {
     const auto meta = take_from_peers({{foreign.url, "http://127.0.0.1:9", peer.url}, peer.admin()}, data,
                                       wanted, kSilentLog, kNobodyAsks, give_up);
@@ -71,7 +71,9 @@ TEST_CASE("a joiner that finds no store asks again, longer apart, and leaves not
   Peer foreign{8};
   ScratchDirectory scratch{ScratchDirectory::memory()};
   std::vector<std::chrono::milliseconds> pauses;
-  const auto pause = [&](std::chrono::milliseconds wait) {
+  const auto pause = [&](std::chrono::milliseconds wait, const Round& round) {
+    CHECK(round.peers == 1);
+    CHECK(round.silent == 0);
     pauses.push_back(wait);
     CHECK(fs::is_empty(scratch / "talus-staging"));
     return pauses.size() < 7;
@@ -84,6 +86,63 @@ TEST_CASE("a joiner that finds no store asks again, longer apart, and leaves not
   CHECK(pauses.back() == std::chrono::seconds{30});
   CHECK_THAT(take_from_peers({{}, {}}, scratch.path(), {{1, 2}, {}}, kSilentLog, kNobodyAsks, pause).error(),
              Catch::Contains("cluster.peers: nobody is named"));
+}
+
+TEST_CASE("a peer that sends next to nothing is left for the next one") {
+  asio::io_context io;
+  tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
+  std::thread slow{[&] {
+    tcp::socket socket = acceptor.accept();
+    std::error_code gone;
+    asio::write(socket, asio::buffer(std::string{"HTTP/1.1 200 OK\r\nContent-Length: 1000000\r\n\r\n"}),
+                gone);
+    while (!gone) {
+      asio::write(socket, asio::buffer("x", 1), gone);
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+  }};
+  PeerAccess access;
+  access.patience = std::chrono::seconds{2};
+  const auto download = CheckpointDownload::open(
+      "http://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()), access);
+  REQUIRE(download.has_value());
+  const auto began = std::chrono::steady_clock::now();
+  std::string error;
+  while (error.empty()) {
+    const auto piece = (*download)->read();
+    if (!piece) error = piece.error();
+    REQUIRE(std::chrono::steady_clock::now() - began < std::chrono::seconds{60});
+  }
+  CHECK_THAT(error, Catch::Contains("Less than 16384 bytes/sec"));
+  acceptor.close();
+  const_cast<std::unique_ptr<CheckpointDownload>&>(*download).reset();
+  slow.join();
+}
+
+TEST_CASE("of servers that have all put their stores aside the one that has read most goes on") {
+  const AsideStore own{40, 77, 5};
+  CHECK(to_string(own) == "40 77 00000005");
+  CHECK(parse_aside("40 77 00000005") == own);
+  for (const char* const wrong : {"", "40", "40 77", "40 77 x", "40 77 5 6", "-1 77 5", "40 77 100000000"}) {
+    CHECK_FALSE(parse_aside(wrong).has_value());
+  }
+  const AsideStore less{39, 77, 9};
+  const AsideStore more{41, 77, 1};
+  CHECK(goes_on(own, {2, 0, {own, less}}, true));
+  CHECK_FALSE(goes_on(own, {2, 0, {own, more}}, true));
+  // As far, by number.
+  CHECK(goes_on(own, {1, 0, {{40, 77, 4}}}, true));
+  CHECK_FALSE(goes_on(own, {1, 0, {{40, 77, 6}}}, true));
+  // Of another stream nothing can be said.
+  CHECK_FALSE(goes_on(own, {1, 0, {{39, 78, 9}}}, true));
+  // One has no store, or sends it to others, or refuses.
+  CHECK_FALSE(goes_on(own, {3, 0, {own, less}}, false));
+  // One is dead: most of all decide, later.
+  CHECK_FALSE(goes_on(own, {3, 1, {own, less}}, true));
+  CHECK(goes_on(own, {3, 1, {own, less}}, false));
+  CHECK_FALSE(goes_on(own, {3, 2, {own}}, false));
+  CHECK_FALSE(goes_on(own, {2, 1, {own}}, false));
+  CHECK_FALSE(goes_on(own, {1, 1, {}}, false));
 }
 
 TEST_CASE("the third at once is told to come back") {

@@ -130,6 +130,21 @@ TEST_CASE("a checkpoint's tar becomes the same store, whatever pieces it comes i
   }
 }
 
+TEST_CASE("a store of whatever time has a tar") {
+  CheckpointStore peer{7, 3};
+  peer.store.close();
+  REQUIRE(peer.store.open_without_log() == "");
+  {
+    const EditState::Reading reading{peer.store.state()};
+    edits::Batch batch{reading, peer.store.state().editors(), peer.store.state().head(), INT64_MAX};
+    batch.apply(edits::AttachEntry{{8, 9}, 1, "of the end of time"});
+    REQUIRE(peer.store.database().append(batch, {}).has_value());
+  }
+  const Taken taken = take(TextSource{peer.tar()}, {{1, 2}, peer.id()}, peer.scratch / "staging");
+  REQUIRE(taken.error == "");
+  CHECK(taken.meta.head.time_ms == INT64_MAX);
+}
+
 TEST_CASE("a checkpoint while edits go on is of one moment") {
   CheckpointStore peer;
   std::atomic<bool> stop = false;

@@ -7,14 +7,17 @@
 #include <thread>
 
 #include <rocksdb/db.h>
+#include <xxhash.h>
 #include <catch2/catch.hpp>
 
+#include "cluster/batch_time.h"
 #include "cluster/entry_codec.h"
 #include "cluster/server_number.h"
 #include "cluster_node.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
 #include "shared_stream.h"
+#include "store/bytes.h"
 #include "store/rocks.h"
 
 namespace talus::server {
@@ -95,6 +98,13 @@ Bytes bytes_of_entry(const LogEntry& entry) {
   Bytes bytes;
   cluster::encode(entry, bytes);
   return bytes;
+}
+
+/// With the checksum that its bytes have by now.
+Bytes sealed_again(Bytes message) {
+  message.resize(message.size() - cluster::kSealBytes);
+  ByteWriter{message}.fixed64(XXH3_64bits(message.data(), message.size()));
+  return message;
 }
 
 cluster::BatchHead foreign_head() {
@@ -254,44 +264,35 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
   }
 }
 
-TEST_CASE("a message that cannot be read stops a server there, and it says why") {
+TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
   Cluster cluster{1};
   std::string why;
   const std::vector<Bytes> good{bytes_of_entry(attach(8))};
-  SECTION("damaged") {
-    Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
-    message[40] ^= std::byte{1};
-    cluster.stream.append(message);
-    why = "message 2 of the log cannot be applied: its checksum is wrong";
-  }
-  SECTION("of a newer talusd") {
+  SECTION("a format") {
     Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
     message[0] = std::byte{9};
-    cluster.stream.append(message);
+    cluster.stream.append(sealed_again(message));
     why = "message 2 of the log cannot be applied: it has format 9; this talusd reads up to 1; upgrade it";
   }
-  SECTION("of another store") {
-    cluster::BatchHead head = foreign_head();
-    head.identity.store_id = {9, 9};
-    cluster.stream.append(cluster::encode_batch(head, nullptr, good));
-    why = "message 2 of the log cannot be applied: it is of store 00000000000000090000000000000009";
+  SECTION("a kind") {
+    Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
+    message[1] = std::byte{9};
+    cluster.stream.append(sealed_again(message));
+    why = "message 2 of the log cannot be applied: it is of kind 9, which this talusd does not know";
   }
-  SECTION("of another world") {
-    cluster::BatchHead head = foreign_head();
-    head.identity.fingerprint = {9, 9};
-    cluster.stream.append(cluster::encode_batch(head, nullptr, good));
-    why = "message 2 of the log cannot be applied: it is of the world with fingerprint";
-  }
-  SECTION("an entry that is newer") {
+  SECTION("an entry") {
     std::vector<Bytes> entries = good;
     entries.push_back(bytes_of_entry(attach(9)));
     entries[1][0] = std::byte{7};
     cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
     why = "message 2 of the log cannot be applied: its entry 2 is one that this talusd does not know";
   }
-  SECTION("no message at all") {
-    cluster.stream.append(Bytes(100, std::byte{1}));
-    why = "message 2 of the log cannot be applied: its checksum is wrong";
+  SECTION("an entry behind one that is damaged") {
+    std::vector<Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
+    entries[0].pop_back();
+    entries[1][1] = std::byte{7};
+    cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
+    why = "message 2 of the log cannot be applied: its entry 2 is one that this talusd does not know";
   }
   // What is behind it is sound, and must not be applied.
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, good));
@@ -300,13 +301,162 @@ TEST_CASE("a message that cannot be read stops a server there, and it says why")
   const auto status = cluster.log(0).status();
   CAPTURE(status.not_ready);
   CHECK(status.not_ready.starts_with(why));
-  CHECK_FALSE(status.ready);
+  CHECK(status.stuck);
   CHECK(status.head.position == 0);
+  CHECK(status.skipped == 0);
   Answers answers;
   const auto refused = answers.send(cluster.log(0), attach());
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().reason.starts_with(why));
   CHECK_FALSE(cluster.lost_of(0).has_value());  // another store would not help
+}
+
+TEST_CASE("a message that no talusd wrote is passed over by all servers alike") {
+  Cluster cluster{2};
+  const std::vector<Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
+  const Bytes good = cluster::encode_batch(foreign_head(), nullptr, entries);
+  Bytes bad = good;
+  SECTION("damaged") {
+    bad[40] ^= std::byte{1};
+  }
+  SECTION("nothing") {
+    bad.clear();
+  }
+  SECTION("a word of somebody's") {
+    bad.assign(5, std::byte{'h'});
+  }
+  SECTION("of no format") {
+    bad.assign(100, std::byte{0});
+  }
+  SECTION("of a newer one, without the checksum that all have") {
+    bad[0] = std::byte{9};
+  }
+  SECTION("too large") {
+    bad.assign(cluster::kMaxMessageBytes + 1, std::byte{1});
+  }
+  SECTION("of another store") {
+    cluster::BatchHead head = foreign_head();
+    head.identity.store_id = {9, 9};
+    bad = cluster::encode_batch(head, nullptr, entries);
+  }
+  SECTION("of another world") {
+    cluster::BatchHead head = foreign_head();
+    head.identity.fingerprint = {9, 9};
+    bad = cluster::encode_batch(head, nullptr, entries);
+  }
+  SECTION("a second genesis") {
+    bad = empty_genesis();
+  }
+  SECTION("fields that end early") {
+    bad.resize(bad.size() - 20);
+    bad = sealed_again(bad);
+  }
+  SECTION("an entry that is damaged behind one that is not") {
+    std::vector<Bytes> damaged = entries;
+    damaged[1].pop_back();
+    bad = cluster::encode_batch(foreign_head(), nullptr, damaged);
+  }
+  cluster.stream.append(bad);
+  cluster.stream.append(good);
+  cluster.open();
+  cluster.until_applied();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()));
+  cluster.until_applied();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto status = cluster.log(i).status();
+    CAPTURE(i, status.not_ready, status.read_only.value_or(""));
+    CHECK(status.skipped == 1);
+    CHECK(status.head.position == 3);  // of the three that attached
+    CHECK_FALSE(status.read_only.has_value());
+  }
+  // It is behind them when they start again.
+  for (auto& node : cluster.nodes) node->close();
+  cluster.open();
+  cluster.until_applied();
+  CHECK(cluster.log(0).status().skipped == 0);
+}
+
+TEST_CASE("players may look on while no server can read the next message, and not where others can") {
+  Cluster cluster{2};
+  for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;
+  cluster.open();
+  until([&] { return cluster.log(0).status().ready && cluster.log(1).status().ready; });
+  Bytes message = cluster::encode_batch(foreign_head(), nullptr, {});
+  message[0] = std::byte{9};
+  cluster.stream.append(sealed_again(message));
+  until([&] { return cluster.log(0).status().stuck && cluster.log(1).status().stuck; });
+  const auto began = std::chrono::steady_clock::now();
+  // Well over the time in which it would be too far behind the end, if it were looked at so.
+  while (std::chrono::steady_clock::now() - began < 600ms) {
+    const auto status = cluster.log(0).status();
+    if (!status.ready) FAIL(status.not_ready);
+    CHECK(status.read_only.value_or("").find("it has format 9") != std::string::npos);
+    std::this_thread::sleep_for(20ms);
+  }
+  // Started again it serves as well, once it knows that it is no worse than others.
+  cluster.nodes[1]->close();
+  REQUIRE(cluster.nodes[1]->open() == "");
+  until([&] { return cluster.log(1).status().stuck; });
+  until([&] { return cluster.log(1).status().ready; });
+  // A newer talusd goes on.
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, {}));
+  until([&] { return !cluster.log(0).status().ready && !cluster.log(1).status().ready; });
+}
+
+TEST_CASE("a batch that says a time far ahead is dated by the stream, alike everywhere") {
+  Cluster cluster{2};
+  cluster.open();
+  const auto now_ms = [] {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+  };
+  const std::int64_t began_ms = now_ms();
+  std::uint64_t number = 0;
+  const auto publish = [&](std::int64_t time_ms) {
+    cluster::BatchHead head = foreign_head();
+    head.number = ++number;
+    head.time_ms = time_ms;
+    cluster.stream.append(
+        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+    cluster.until_applied();
+    return cluster.log(0).status().head.time_ms;
+  };
+  CHECK(publish(5) == 5);
+  CHECK(publish(began_ms) == began_ms);  // it was long quiet, and the time is right
+  for (const std::int64_t ahead : {std::int64_t{50'000}, std::int64_t{200'000}, INT64_MAX - began_ms}) {
+    CHECK(publish(began_ms + ahead) <= now_ms() + cluster::kClocksDifferMs);
+  }
+  // Nor by steps that are small each.
+  std::int64_t time_ms = 0;
+  for (int i = 0; i < 20; ++i) time_ms = publish(cluster.log(0).status().head.time_ms + 50'000);
+  CHECK(time_ms <= now_ms() + 2 * cluster::kClocksDifferMs);
+  CHECK(cluster.log(0).status().bounded > 0);
+  // A server that reads all of it later comes to the same.
+  cluster.nodes.push_back(
+      std::make_unique<ClusterNode>(cluster.scratch / "late", ends_of(cluster.stream, 900), 900));
+  REQUIRE(cluster.nodes.back()->open() == "");
+  cluster.until_applied();
+  CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
+  CHECK(cluster.log(2).status().head == cluster.log(0).status().head);
+  CHECK(cluster.nodes[2]->database().meta().stream == cluster.nodes[0]->database().meta().stream);
+}
+
+TEST_CASE("a server whose clock is far ahead dates what it writes by the stream, once it knows") {
+  Cluster cluster{1};
+  cluster.nodes[0]->clock.ahead = 24h * 365;
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach(8)));
+  CHECK(cluster.log(0).status().bounded == 1);
+  const std::int64_t right_ms = *cluster.stream.time_of(2);
+  REQUIRE(answers.apply(cluster.log(0), attach(9)));
+  const auto batch = cluster::decode_batch(cluster.stream.all().back(), kClusterIdentity);
+  REQUIRE(batch.has_value());
+  CHECK(batch->head.time_ms >= right_ms);
+  CHECK(batch->head.time_ms <= right_ms + 30'000);
+  CHECK(cluster.log(0).status().bounded == 1);
 }
 
 TEST_CASE("a server whose place the stream does not keep, or whose stream is another, is lost") {
@@ -388,7 +538,9 @@ TEST_CASE("what waits when a server stops for good is answered, and not publishe
   REQUIRE(doubtful.has_value());
   until([&] { return cluster.stream.attempts > before; });
   const auto queued = answers.send(cluster.log(0), write_at(2, 6));
-  cluster.stream.append(Bytes(100, std::byte{1}));
+  Bytes newer = cluster::encode_batch(foreign_head(), nullptr, {});
+  newer[0] = std::byte{9};
+  cluster.stream.append(sealed_again(newer));
   const auto open = answers.await(*doubtful);
   REQUIRE_FALSE(open.has_value());
   CHECK(open.error().kind == LogFailure::Kind::unwritable);

@@ -1,14 +1,17 @@
 // The bytes that servers of one world write to each other: what is written is read back, and anything else is
 // refused.
+#include <algorithm>
 #include <memory>
 #include <random>
 
 #include <talus/voxel/codec.h>
+#include <xxhash.h>
 #include <catch2/catch.hpp>
 
 #include "cluster/entry_codec.h"
 #include "cluster/message.h"
 #include "edits/model.h"
+#include "store/bytes.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -139,7 +142,7 @@ TEST_CASE("a genesis is read back, and damage is seen") {
   }
   const auto refused = encode(large);
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().find("message has at most 524288") != std::string::npos);
+  CHECK(refused.error().find("message has at most 523264") != std::string::npos);
 }
 
 TEST_CASE("a batch is read back by those whose store and world it is of, and damage is seen") {
@@ -168,7 +171,11 @@ TEST_CASE("a batch is read back by those whose store and world it is of, and dam
   CHECK(other_world.error().reason.find("the same world") != std::string::npos);
   Bytes newer = bytes;
   newer.front() = std::byte{kMessageFormat + 1};
+  CHECK(decode_batch(newer, kIdentity).error().kind == Kind::damaged);
+  newer.resize(newer.size() - kSealBytes);
+  ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
   CHECK(decode_batch(newer, kIdentity).error().kind == Kind::newer);
+  CHECK(decode_batch(newer, {{1, 1}, kIdentity.fingerprint}).error().kind == Kind::other_store);
   CHECK(decode_batch(*encode(small_genesis()), kIdentity).error().kind == Kind::damaged);
   CHECK(decode_genesis(bytes).error().kind == Kind::damaged);
   CHECK(decode_batch(Bytes(kMaxMessageBytes + 1, std::byte{1}), kIdentity).error().kind == Kind::damaged);
@@ -216,6 +223,16 @@ TEST_CASE("entries that are newer are told from those that are damaged") {
   bytes[1] = std::byte{9};
   CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::newer);
   CHECK(decode_entry({}, nullptr).error() == EntryFault::damaged);
+  // What it pastes: the payload of a chunk of one material, by its codec.
+  edits::EditEntry pastes;
+  pastes.edit.paste = edits::Paste{{0, 0, 0}, Chunk::uniform(MaterialId{7}), false};
+  Bytes pasted = bytes_of_entry(pastes);
+  Bytes payload;
+  talus::encode(pastes.edit.paste->voxels, payload);
+  const auto at = std::search(pasted.begin(), pasted.end(), payload.begin(), payload.end());
+  REQUIRE(at != pasted.end());
+  *at = std::byte{200};
+  CHECK(decode_entry(pasted, nullptr).error() == EntryFault::newer);
 }
 
 TEST_CASE("an entry that names more voxels than it has bytes for takes no memory") {

@@ -43,6 +43,15 @@ class ClusterNode {
   }
   ~ClusterNode() { close(); }
 
+  /// The machine's.
+  struct WrongClock final : Clock {
+    std::chrono::seconds ahead{0};
+    [[nodiscard]] time_point now() const override { return right.now(); }
+    [[nodiscard]] std::chrono::sys_seconds wall() const override { return right.wall() + ahead; }
+    [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return right.thread_cpu(); }
+    SystemClock right;
+  };
+  WrongClock clock;
   cluster::ClusterLog::Settings settings;
   /// On the log's thread, after each batch that changed something.
   std::function<void(const edits::Head&)> on_changed = [](const edits::Head&) {};
@@ -60,7 +69,7 @@ class ClusterNode {
         *end_,
         *database_,
         *state_,
-        clock_,
+        clock,
         make_logger("off", "text"),
         [this](const auto&) { on_changed(state_->head()); },
         [this] { on_takes(); },
@@ -111,7 +120,6 @@ class ClusterNode {
   const OpenStream open_stream_;
   const std::shared_ptr<UnsafeDisk> disk_;
   const std::unique_ptr<rocksdb::Env> env_;
-  SystemClock clock_;
   std::unique_ptr<EditDatabase> database_;
   std::unique_ptr<EditState> state_;
   std::unique_ptr<LogStream> end_;

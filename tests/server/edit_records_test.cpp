@@ -76,7 +76,7 @@ TEST_CASE("the record of the store's state is read back, and damage is seen") {
   meta.link = 10;
   meta.flushed = 4;
   meta.flushed_link = 11;
-  meta.stream = {12, 1'700'000'000'000'000'013};
+  meta.stream = {12, 1'700'000'000'000'000'013, 14};
   Bytes value;
   encode(meta, value);
   CHECK(decode_meta(value) == meta);

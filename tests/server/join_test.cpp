@@ -1,11 +1,13 @@
 // What a server of a cluster does with the store that it finds, and where it gets one that it has not.
 #include <deque>
 #include <fstream>
+#include <set>
 
 #include <catch2/catch.hpp>
 
 #include "checkpoint_peer.h"
 #include "cluster/message.h"
+#include "cluster/server_number.h"
 #include "join/prepare_store.h"
 #include "join/start_plan.h"
 #include "store/read_only_store.h"
@@ -54,6 +56,7 @@ class ScriptedStream final : public LogStream {
     script_.failures.pop_front();
     return tl::unexpected{failure};
   }
+  tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t) override { return 0; }
   void wake() override {}
   void stop() override {}
 
@@ -76,6 +79,7 @@ struct Joiner {
   ScriptedStream::Script script;
   std::optional<ContentHash> id;
   Peers peers;
+  std::vector<std::optional<AsideStore>> shown;
   int pauses = 0;
   int patience = 3;
 
@@ -94,7 +98,9 @@ struct Joiner {
                        },
                        kSilentLog,
                        [](std::uint64_t, std::uint64_t) {},
-                       [this](std::chrono::milliseconds) { return ++pauses < patience; }});
+                       [this](std::chrono::milliseconds) { return ++pauses < patience; },
+                       [this](const std::optional<AsideStore>& aside) { shown.push_back(aside); },
+                       std::chrono::milliseconds{0}});
     if (!prepared) {
       CHECK(prepared.error().find('\n') == std::string::npos);
       return prepared.error();
@@ -106,7 +112,7 @@ struct Joiner {
     const auto store = ReadOnlyStore::open(path);
     return store ? std::optional{(*store)->meta()} : std::nullopt;
   }
-  [[nodiscard]] bool kept_the_old_one() const { return fs::exists(path / "replaced-1"); }
+  [[nodiscard]] bool kept_the_old_one() const { return fs::exists(path / "rejoined-1"); }
 
   ContentHash opened;
 };
@@ -242,6 +248,30 @@ TEST_CASE("a store that was away for too long is replaced, and one that is wrong
   CHECK(joiner.meta()->stream.sequence == 60);
 }
 
+TEST_CASE("of stores that were replaced by joining two are kept, and all that a person had replaced") {
+  Peer peer;
+  peer.store.enter({60, kMade});
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  joiner.script.state = {1, 90, kMade};
+  joiner.peers = {{peer.url}, peer.admin()};
+  copy_store(peer.store, joiner.path);
+  for (const char* const own : {"replaced-1", "replaced-2", "replaced-3", "rejoined-x"}) {
+    fs::create_directory(joiner.path / own);
+  }
+  for (int i = 0; i < 5; ++i) {
+    REQUIRE(want_rejoin(joiner.path, "S differs").has_value());
+    CHECK(joiner.start() == "");
+  }
+  std::set<std::string> kept;
+  for (const auto& entry : fs::directory_iterator{joiner.path}) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("re")) kept.insert(name);
+  }
+  CHECK(kept == std::set<std::string>{"rejoined-4", "rejoined-5", "rejoined-x", "replaced-1", "replaced-2",
+                                      "replaced-3"});
+}
+
 TEST_CASE("a store that must not be used is not used where no peer has another") {
   Peer peer;
   peer.store.enter({20, kMade});
@@ -254,6 +284,70 @@ TEST_CASE("a store that must not be used is not used where no peer has another")
   CHECK(joiner.start() == "joining was given up");
   CHECK(joiner.start() == "joining was given up");
   CHECK(joiner.meta()->head == peer.store.head());
+}
+
+/// A server that has put its store aside, as it answers who asks.
+struct AsidePeer {
+  explicit AsidePeer(const AsideStore& aside) {
+    const auto listening = server.listen({"127.0.0.1", 0});
+    REQUIRE(listening.has_value());
+    url = "http://" + *listening;
+    server.start({[] { return ""; }, [] { return true; }, [] { return Readiness{}; },
+                  [] { return FlowsReport{}; },
+                  [aside](const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
+                    http::Response response{503};
+                    response.fields.push_back({kAsideHeader, to_string(aside)});
+                    co_return response;
+                  }});
+  }
+  ~AsidePeer() { server.stop(); }
+  SystemClock clock;
+  AdminServer server{clock, kSilentLog};
+  std::string url;
+};
+
+TEST_CASE("where all have put their stores aside the one that has read most uses its own again") {
+  Peer before;
+  before.store.enter({20, kMade});
+  Joiner joiner;
+  joiner.id = before.store.id();
+  copy_store(before.store, joiner.path);
+  joiner.script.state = {1, 90, kMade};
+  REQUIRE(want_rejoin(joiner.path, "S differs").has_value());
+  const std::uint32_t number = cluster::server_number(joiner.path);
+  const auto peer_at = [&](std::uint64_t sequence) {
+    return std::make_unique<AsidePeer>(AsideStore{sequence, kMade, number + 1});
+  };
+  SECTION("all others less") {
+    const auto a = peer_at(18);
+    const auto b = peer_at(19);
+    joiner.peers = {{a->url, b->url}, {}};
+    CHECK(joiner.start() == "");
+    CHECK_FALSE(fs::exists(joiner.path / "rejoin"));
+    CHECK_FALSE(joiner.kept_the_old_one());
+    CHECK(joiner.pauses == 0);
+    REQUIRE(joiner.shown.size() == 2);
+    CHECK(joiner.shown[0] == AsideStore{20, kMade, number});
+    CHECK_FALSE(joiner.shown[1].has_value());
+  }
+  SECTION("another as far, with a higher number") {
+    const auto a = peer_at(20);
+    joiner.peers = {{a->url}, {}};
+    CHECK(joiner.start() == "joining was given up");
+    CHECK(fs::exists(joiner.path / "rejoin"));
+  }
+  SECTION("one is dead, and the rest is most of all") {
+    const auto a = peer_at(18);
+    const auto b = peer_at(19);
+    joiner.peers = {{a->url, b->url, "http://127.0.0.1:9"}, {}};
+    CHECK(joiner.start() == "");
+  }
+  SECTION("one is dead, and the rest is half of all") {
+    const auto a = peer_at(18);
+    joiner.peers = {{a->url, "http://127.0.0.1:9"}, {}};
+    CHECK(joiner.start() == "joining was given up");
+  }
+  CHECK(joiner.meta()->head == before.store.head());
 }
 
 TEST_CASE("a store that is far behind reads the stream where no peer answers") {

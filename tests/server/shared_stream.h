@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,10 +31,20 @@ class SharedStream {
     {
       const std::lock_guard lock{mutex_};
       messages_.emplace_back(message.begin(), message.end());
+      const std::int64_t now_ms = std::chrono::duration_cast<std::chrono::milliseconds>(
+                                      std::chrono::system_clock::now().time_since_epoch())
+                                      .count();
+      times_ms_[messages_.size()] = now_ms;
       sequence = messages_.size();
     }
     changed_.notify_all();
     return sequence;
+  }
+  /// When it came; nothing where there is none.
+  [[nodiscard]] std::optional<std::int64_t> time_of(std::uint64_t sequence) const {
+    const std::lock_guard lock{mutex_};
+    const auto at = times_ms_.find(sequence);
+    return at == times_ms_.end() ? std::nullopt : std::optional{at->second};
   }
   void set_quorum(bool quorum) { quorum_ = quorum; }
   [[nodiscard]] bool has_quorum() const { return quorum_; }
@@ -89,6 +100,7 @@ class SharedStream {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<std::vector<std::byte>> messages_;
+  std::map<std::uint64_t, std::int64_t> times_ms_;
   std::uint64_t first_ = 1;
   std::atomic<bool> quorum_{true};
   std::atomic<std::int64_t> created_ns_{1};
@@ -148,6 +160,13 @@ class StreamEnd final : public LogStream {
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
     return stream_.state();
+  }
+  [[nodiscard]] tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) override {
+    if (stopped_ || !connected_) return unavailable();
+    if (reading_() % 256 < faults_.holes) return unavailable();
+    const auto time_ms = stream_.time_of(sequence);
+    if (!time_ms) return unavailable();
+    return *time_ms;
   }
   [[nodiscard]] StreamFigures figures() const override { return {connected_, 0, 0}; }
   void wake() override {
