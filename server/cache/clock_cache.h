@@ -8,35 +8,30 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <limits>
 #include <new>
 #include <type_traits>
 #include <utility>
-#include <vector>
+
+#include "cache/slot_table.h"
 
 namespace talus::server {
 
 template <typename Key, typename Value>
 class ClockCache {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = SlotTable::kNone;
+  static constexpr std::size_t kNotFound = SlotTable::kNotFound;
   struct Slot {
     Key key{};
     Value value{};
     std::size_t cost = 0;
-    std::uint32_t tag = 0;  // its bucket's
+    std::uint32_t tag = 0;  // in the table
     bool used = false;
-  };
-  /// Where a key is found. The tag is the low half of its hash, so that most others are told apart without
-  /// their slots.
-  struct Bucket {
-    std::uint32_t tag = 0;
-    std::uint32_t slot = kNone;
   };
 
  public:
-  /// What an entry costs beside the bytes of its value: its slot, and buckets of a table up to three quarters
+  /// What an entry costs beside the bytes of its value: its slot, and places of a table up to three quarters
   /// full.
-  static constexpr std::size_t kEntryOverheadBytes = sizeof(Slot) + 2 * sizeof(Bucket);
+  static constexpr std::size_t kEntryOverheadBytes = sizeof(Slot) + 2 * sizeof(SlotTable::Place);
 
   explicit ClockCache(std::size_t capacity_bytes) : capacity_bytes_{capacity_bytes} {}
 
@@ -44,16 +39,16 @@ class ClockCache {
   [[nodiscard]] const Value* find(const Key& key) { return find(key, std::hash<Key>{}(key)); }
   /// For who knows the key's hash already.
   [[nodiscard]] const Value* find(const Key& key, std::size_t hash) {
-    const std::size_t at = bucket_of(key, static_cast<std::uint32_t>(hash));
+    const std::size_t at = place_of(key, static_cast<std::uint32_t>(hash));
     if (at == kNotFound) return nullptr;
-    Slot& slot = slots_[buckets_[at].slot];
+    Slot& slot = slots_[table_.slot(at)];
     // A write where it is set already would take the cache line from every other core that reads it.
     if (!slot.used) slot.used = true;
     return &slot.value;
   }
 
   /// Not a use.
-  [[nodiscard]] bool holds(const Key& key) const { return bucket_of(key, tag_of(key)) != kNotFound; }
+  [[nodiscard]] bool holds(const Key& key) const { return place_of(key, tag_of(key)) != kNotFound; }
 
   /// Keeps `value`, which costs `value_bytes`, in place of what the key had. A value that is larger than the
   /// whole capacity is not kept. Calls evicted(key, value) for each entry that is evicted for it, which must
@@ -67,16 +62,16 @@ class ClockCache {
   void put(const Key& key, Value value, std::size_t value_bytes, Evicted&& evicted) {
     const std::size_t cost = value_bytes + kEntryOverheadBytes;
     const std::uint32_t tag = tag_of(key);
-    const std::size_t before = bucket_of(key, tag);
+    const std::size_t before = place_of(key, tag);
     if (cost > capacity_bytes_) {
-      if (before != kNotFound) remove(buckets_[before].slot);
+      if (before != kNotFound) remove(table_.slot(before));
       return;
     }
-    // An entry in place of another, replaced or evicted, needs no slot or bucket beside that one's.
+    // An entry in place of another, replaced or evicted, needs no slot or place beside that one's.
     const std::size_t most = std::max(capacity_bytes_, bytes_);
     std::uint32_t index = kNone;
     if (before != kNotFound) {
-      index = buckets_[before].slot;
+      index = table_.slot(before);
       bytes_ -= slots_[index].cost;
     } else if (bytes_ + cost <= most) {
       index = add_slot(tag);
@@ -84,8 +79,8 @@ class ClockCache {
       index = next_victim(kNone);
       Slot& victim = slots_[index];
       bytes_ -= victim.cost;
-      close_gap(bucket_at(index));
-      insert({tag, index});
+      table_.erase(table_.place_of(victim.tag, index));
+      table_.insert({tag, index});
       evicted(std::as_const(victim.key), std::move(victim.value));
     }
     slots_[index] = {key, std::move(value), cost, tag, false};
@@ -104,8 +99,8 @@ class ClockCache {
 
   /// No effect where there is none.
   void erase(const Key& key) {
-    const std::size_t at = bucket_of(key, tag_of(key));
-    if (at != kNotFound) remove(buckets_[at].slot);
+    const std::size_t at = place_of(key, tag_of(key));
+    if (at != kNotFound) remove(table_.slot(at));
   }
 
   /// Calls visit(key, value) for each entry. Not a use; `visit` must not use this cache.
@@ -133,60 +128,29 @@ class ClockCache {
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
  private:
-  static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
-  static constexpr std::size_t kMinBuckets = 16;
   // So that nothing but an allocation can throw.
   static_assert(std::is_nothrow_copy_constructible_v<Key> && std::is_nothrow_copy_assignable_v<Key> &&
                 std::is_nothrow_move_constructible_v<Value> && std::is_nothrow_move_assignable_v<Value> &&
                 std::is_nothrow_default_constructible_v<Value>);
 
   static std::uint32_t tag_of(const Key& key) { return static_cast<std::uint32_t>(std::hash<Key>{}(key)); }
-  [[nodiscard]] std::size_t home_of(std::uint32_t tag) const { return tag & (buckets_.size() - 1); }
-  [[nodiscard]] std::size_t after(std::size_t at) const { return (at + 1) & (buckets_.size() - 1); }
-
-  [[nodiscard]] std::size_t bucket_of(const Key& key, std::uint32_t tag) const {
-    if (buckets_.empty()) return kNotFound;
-    for (std::size_t at = home_of(tag); buckets_[at].slot != kNone; at = after(at)) {
-      if (buckets_[at].tag == tag && slots_[buckets_[at].slot].key == key) return at;
-    }
-    return kNotFound;
-  }
-  [[nodiscard]] std::size_t bucket_at(std::uint32_t slot) const {
-    std::size_t at = home_of(slots_[slot].tag);
-    while (buckets_[at].slot != slot) at = after(at);
-    return at;
+  [[nodiscard]] std::size_t place_of(const Key& key, std::uint32_t tag) const {
+    return table_.find(tag, [&](std::uint32_t slot) { return slots_[slot].key == key; });
   }
 
-  void insert(Bucket bucket) noexcept {
-    std::size_t at = home_of(bucket.tag);
-    while (buckets_[at].slot != kNone) at = after(at);
-    buckets_[at] = bucket;
-  }
-
-  /// A slot and a bucket for one entry more. All that put() allocates.
+  /// A slot and a place for one entry more. All that put() allocates.
   std::uint32_t add_slot(std::uint32_t tag) {
-    if (4 * (slots_.size() + 1) > 3 * buckets_.size()) rehash(std::max(kMinBuckets, 2 * buckets_.size()));
+    table_.grow_for(slots_.size() + 1);
     slots_.emplace_back();
     const auto index = static_cast<std::uint32_t>(slots_.size() - 1);
-    insert({tag, index});
+    table_.insert({tag, index});
     return index;
-  }
-
-  void rehash(std::size_t buckets) {
-    std::vector<Bucket> before(buckets);
-    before.swap(buckets_);
-    for (const Bucket bucket : before) {
-      if (bucket.slot != kNone) insert(bucket);
-    }
   }
 
   /// Where the table is much larger than its entries need, and there is memory for a smaller one.
   void shrink_table() {
-    std::size_t needed = slots_.empty() ? 0 : kMinBuckets;
-    while (4 * slots_.size() > 3 * needed) needed *= 2;
-    if (buckets_.size() <= 2 * needed) return;
     try {
-      rehash(needed);
+      table_.shrink_for(slots_.size());
     } catch (const std::bad_alloc&) {
       return;  // the next fit() tries again
     }
@@ -211,10 +175,10 @@ class ClockCache {
     Slot& slot = slots_[index];
     bytes_ -= slot.cost;
     Value value = std::move(slot.value);
-    close_gap(bucket_at(index));
+    table_.erase(table_.place_of(slot.tag, index));
     const auto last = static_cast<std::uint32_t>(slots_.size() - 1);
     if (index != last) {
-      buckets_[bucket_at(last)].slot = index;
+      table_.set_slot(table_.place_of(slots_[last].tag, last), index);
       slot = std::move(slots_[last]);
     }
     slots_.pop_back();
@@ -222,23 +186,11 @@ class ClockCache {
     return value;
   }
 
-  /// What stands behind the gap and could not be found any more moves up.
-  void close_gap(std::size_t gap) {
-    for (std::size_t at = after(gap); buckets_[at].slot != kNone; at = after(at)) {
-      const std::size_t way_from_home = (at - home_of(buckets_[at].tag)) & (buckets_.size() - 1);
-      const std::size_t way_from_gap = (at - gap) & (buckets_.size() - 1);
-      if (way_from_home < way_from_gap) continue;
-      buckets_[gap] = buckets_[at];
-      gap = at;
-    }
-    buckets_[gap] = {};
-  }
-
   std::size_t capacity_bytes_;
   std::size_t bytes_ = 0;
   std::uint32_t hand_ = 0;
-  std::deque<Slot> slots_;       // a deque, so that growing moves nothing
-  std::vector<Bucket> buckets_;  // a power of two of them, or none
+  std::deque<Slot> slots_;  // a deque, so that growing moves nothing
+  SlotTable table_;
 };
 
 }  // namespace talus::server

@@ -39,10 +39,10 @@ std::uint64_t ChunkIndex::revision(ChunkKey key) const {
   const ChunkKey column = column_of(key);
   const Shard& shard = shards_[shard_of(column, kShards)];
   const std::shared_lock lock{shard.mutex};
-  const auto found = shard.columns.find(column);
-  if (found == shard.columns.end()) return 0;
-  const auto at = std::ranges::lower_bound(found->second, key.coord.y, {}, &Chunk::row);
-  return at == found->second.end() || at->row != key.coord.y ? 0 : at->revision;
+  const auto* const found = shard.columns.find(column);
+  if (found == nullptr) return 0;
+  const auto at = std::ranges::lower_bound(*found, key.coord.y, {}, &Chunk::row);
+  return at == found->end() || at->row != key.coord.y ? 0 : at->revision;
 }
 
 ChunkRange ChunkIndex::rows(ChunkKey key) const {
@@ -50,9 +50,9 @@ ChunkRange ChunkIndex::rows(ChunkKey key) const {
   const ChunkKey column = column_of(key);
   const Shard& shard = shards_[shard_of(column, kShards)];
   const std::shared_lock lock{shard.mutex};
-  const auto found = shard.columns.find(column);
-  if (found == shard.columns.end()) return {};
-  return {found->second.front().row, found->second.back().row};
+  const auto* const found = shard.columns.find(column);
+  if (found == nullptr) return {};
+  return {found->front().row, found->back().row};
 }
 
 std::uint64_t ChunkIndex::column_revision(ChunkKey key) const {
@@ -60,11 +60,11 @@ std::uint64_t ChunkIndex::column_revision(ChunkKey key) const {
   const ChunkKey region = region_of(key);
   const Regions& regions = columns_by_region_[shard_of(region, kShards)];
   const std::shared_lock lock{regions.mutex};
-  const auto found = regions.columns.find(region);
-  if (found == regions.columns.end()) return 0;
+  const auto* const found = regions.columns.find(region);
+  if (found == nullptr) return 0;
   const std::uint16_t place = place_of(key);
-  const auto at = std::ranges::lower_bound(found->second, place, {}, &EditedColumn::place);
-  return at == found->second.end() || at->place != place ? 0 : at->revision;
+  const auto at = std::ranges::lower_bound(*found, place, {}, &EditedColumn::place);
+  return at == found->end() || at->place != place ? 0 : at->revision;
 }
 
 std::vector<EditedColumn> ChunkIndex::edited_columns(ChunkKey key) const {
@@ -72,17 +72,16 @@ std::vector<EditedColumn> ChunkIndex::edited_columns(ChunkKey key) const {
   const ChunkKey region = region_of(key);
   const Regions& regions = columns_by_region_[shard_of(region, kShards)];
   const std::shared_lock lock{regions.mutex};
-  const auto found = regions.columns.find(region);
-  return found == regions.columns.end() ? std::vector<EditedColumn>{} : found->second;
+  const auto* const found = regions.columns.find(region);
+  return found == nullptr ? std::vector<EditedColumn>{} : *found;
 }
 
 void ChunkIndex::raise_column(ChunkKey key, std::uint64_t revision) {
   const ChunkKey region = region_of(key);
   Regions& regions = columns_by_region_[shard_of(region, kShards)];
   const std::lock_guard lock{regions.mutex};
-  const auto [found, new_region] = regions.columns.try_emplace(region);
+  const auto [columns, new_region] = regions.columns.emplace(region);
   if (new_region) bytes_.fetch_add(kRegionBytes, std::memory_order_relaxed);
-  std::vector<EditedColumn>& columns = found->second;
   const std::uint16_t place = place_of(key);
   auto at = std::ranges::lower_bound(columns, place, {}, &EditedColumn::place);
   if (at == columns.end() || at->place != place) at = columns.insert(at, {place, 0});
@@ -93,8 +92,7 @@ std::uint64_t ChunkIndex::raise(ChunkKey key, std::uint64_t revision) {
   const ChunkKey column = column_of(key);
   Shard& shard = shards_[shard_of(column, kShards)];
   const std::lock_guard lock{shard.mutex};
-  const auto [found, new_column] = shard.columns.try_emplace(column);
-  Column& chunks = found->second;
+  const auto [chunks, new_column] = shard.columns.emplace(column);
   auto at = std::ranges::lower_bound(chunks, key.coord.y, {}, &Chunk::row);
   if (at == chunks.end() || at->row != key.coord.y) {
     at = chunks.insert(at, {key.coord.y, 0});

@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <shared_mutex>
-#include <unordered_map>
 #include <vector>
 
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
+#include "cache/flat_map.h"
 #include "chunks/edited_land.h"
 
 namespace talus::server {
@@ -51,12 +51,12 @@ class ChunkIndex {
   using Column = std::vector<Chunk>;  // by rising row
   struct Shard {
     mutable std::shared_mutex mutex;
-    std::unordered_map<ChunkKey, Column> columns;  // by the key of row 0
+    FlatMap<ChunkKey, Column> columns;  // by the key of row 0
   };
   struct Regions {
     mutable std::shared_mutex mutex;
     // By the key of the region's first column, at row 0; columns by rising place.
-    std::unordered_map<ChunkKey, std::vector<EditedColumn>> columns;
+    FlatMap<ChunkKey, std::vector<EditedColumn>> columns;
   };
   static constexpr std::size_t kShards = 16;
   static constexpr std::size_t kRegionBits = 1U << 16U;

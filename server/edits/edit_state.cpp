@@ -89,9 +89,9 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
   if (wanted == 0) return EditedChunk{};
   {
     const std::shared_lock lock{dirty_mutex_};
-    if (const auto found = dirty_.find(key); found != dirty_.end()) {
-      found->second.is_shared.store(true, std::memory_order_relaxed);  // the lock orders it
-      return found->second.chunk;
+    if (Dirty* const found = dirty_.find(key)) {
+      found->share();
+      return found->chunk;
     }
   }
   if (const auto cached = cache_.find(key); cached && cached->revision >= wanted) return *cached;
@@ -180,8 +180,8 @@ void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::Staged
   std::vector<EditedChunk> made(changed.size());
   for (std::size_t i = 0; i < changed.size(); ++i) {
     const edits::StagedChunk& chunk = staged.at(changed[i].key);
-    const auto held = dirty_.find(changed[i].key);
-    const bool in_place = held != dirty_.end() && is_own(held->second) && chunk.writes.size() <= kFewWrites;
+    Dirty* const held = dirty_.find(changed[i].key);
+    const bool in_place = held != nullptr && is_own(*held) && chunk.writes.size() <= kFewWrites;
     if (!in_place) made[i] = edited_chunk(changed[i].revision, chunk.after());
   }
   const std::lock_guard lock{dirty_mutex_};
@@ -198,8 +198,8 @@ void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::Staged
   }
 }
 
-bool EditState::is_own(const Dirty& held) {
-  return held.chunk.overrides != nullptr && !held.is_shared.load(std::memory_order_relaxed);
+bool EditState::is_own(Dirty& held) {
+  return held.chunk.overrides != nullptr && !std::atomic_ref{held.is_shared}.load(std::memory_order_relaxed);
 }
 
 void EditState::write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision) {
@@ -216,7 +216,7 @@ void EditState::put_dirty(Dirty& held, EditedChunk chunk) {
   if (held.chunk.revision != 0) dirty_bytes_ -= dirty_bytes_of(held.chunk);
   dirty_bytes_ += dirty_bytes_of(chunk);
   held.chunk = std::move(chunk);
-  held.is_shared.store(false, std::memory_order_relaxed);
+  held.is_shared = false;
 }
 
 std::vector<ChunkKey> EditState::dirty_chunks() const {
@@ -233,18 +233,18 @@ std::vector<edits::EditorId> EditState::take_dirty_editors() {
 }
 
 const EditedChunk* EditState::dirty(ChunkKey key) const {
-  const auto found = dirty_.find(key);
-  return found == dirty_.end() ? nullptr : &found->second.chunk;
+  const Dirty* const found = dirty_.find(key);
+  return found == nullptr ? nullptr : &found->chunk;
 }
 
 void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
   const std::lock_guard lock{dirty_mutex_};
-  const auto found = dirty_.find(key);
-  if (found == dirty_.end() || found->second.chunk.revision != revision) return;
-  const EditedChunk& chunk = found->second.chunk;
+  const Dirty* const found = dirty_.find(key);
+  if (found == nullptr || found->chunk.revision != revision) return;
+  const EditedChunk& chunk = found->chunk;
   dirty_bytes_ -= dirty_bytes_of(chunk);
   cache_.put(key, chunk, bytes_of_edited(chunk));
-  dirty_.erase(found);
+  dirty_.erase(key);
 }
 
 const edits::ChunkOverrides* EditState::Reading::find(ChunkKey key) const {

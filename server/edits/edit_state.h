@@ -18,6 +18,7 @@
 
 #include <talus/edits/batch.h>
 
+#include "cache/flat_map.h"
 #include "cache/sharded_cache.h"
 #include "edits/applied_edits.h"
 #include "edits/chunk_index.h"
@@ -84,14 +85,16 @@ class EditState final : public AppliedEdits {
 
   struct Dirty {
     EditedChunk chunk;
-    mutable std::atomic<bool> is_shared{false};  // others may read these overrides
+    /// Others may read these overrides: they say so through share(), under the shared lock.
+    bool is_shared = false;
+    void share() { std::atomic_ref{is_shared}.store(true, std::memory_order_relaxed); }  // the lock orders it
   };
   void put_dirty(Dirty& held, EditedChunk chunk);
   /// Makes the overrides those of the batch; `changed` has each of its chunks.
   void write_overrides(const std::unordered_map<ChunkKey, edits::StagedChunk>& staged,
                        std::span<const ChunkChange> changed);
   /// Whether the chunk's overrides may be written where they are.
-  [[nodiscard]] static bool is_own(const Dirty& held);
+  [[nodiscard]] static bool is_own(Dirty& held);
   /// Writes there; under the lock.
   void write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision);
 
@@ -101,7 +104,7 @@ class EditState final : public AppliedEdits {
   RecentChanges recent_;
   mutable ShardedCache<ChunkKey, EditedChunk> cache_;
   mutable std::shared_mutex dirty_mutex_;
-  std::unordered_map<ChunkKey, Dirty> dirty_;  // the log's thread reads it without the lock
+  mutable FlatMap<ChunkKey, Dirty> dirty_;  // the log's thread reads it without the lock
   std::size_t dirty_bytes_ = 0;
   edits::Head head_;
   std::atomic<std::uint64_t> revision_{0};  // the head's

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <deque>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -40,10 +39,10 @@ class EntryQueue {
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return tl::unexpected{LogFailure{Kind::busy, "this server is about to end"}};
-      if (queue_.size() >= limits_.entries || bytes_ + waiting.bytes > limits_.bytes) {
+      if (waiting_now() >= limits_.entries || bytes_ + waiting.bytes > limits_.bytes) {
         return tl::unexpected{LogFailure{Kind::busy, "as many edits wait to be written as may"}};
       }
-      wakes = queue_.empty();
+      wakes = waiting_now() == 0;
       bytes_ += waiting.bytes;
       queue_.push_back(std::move(waiting));
     }
@@ -57,18 +56,27 @@ class EntryQueue {
     std::vector<Waiting> taken;
     std::unique_lock lock{mutex_};
     if (until != TimePoint::min()) {
-      wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || !queue_.empty(); });
+      wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || waiting_now() != 0; });
     }
     woken_ = false;
-    taken.reserve(std::min(queue_.size(), most));
+    if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // mostly all
+      queue_.swap(taken);
+      queue_.reserve(taken.size());
+      bytes_ = 0;
+      return taken;
+    }
+    taken.reserve(std::min(waiting_now(), most));
     std::size_t bytes = 0;
-    while (!queue_.empty() && taken.size() < most) {
-      const std::size_t size = queue_.front().bytes;
+    while (waiting_now() != 0 && taken.size() < most) {
+      const std::size_t size = queue_[first_].bytes;
       if (!taken.empty() && bytes + size > most_bytes) break;
       bytes += size;
       bytes_ -= size;
-      taken.push_back(std::move(queue_.front()));
-      queue_.pop_front();
+      taken.push_back(std::move(queue_[first_++]));
+    }
+    if (2 * first_ >= queue_.size()) {
+      queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(first_));
+      first_ = 0;
     }
     return taken;
   }
@@ -93,18 +101,21 @@ class EntryQueue {
   /// It stops, and all was taken.
   [[nodiscard]] bool ended() const {
     const std::lock_guard lock{mutex_};
-    return stopping_ && queue_.empty();
+    return stopping_ && waiting_now() == 0;
   }
   [[nodiscard]] std::size_t size() const {
     const std::lock_guard lock{mutex_};
-    return queue_.size();
+    return waiting_now();
   }
 
  private:
+  [[nodiscard]] std::size_t waiting_now() const { return queue_.size() - first_; }
+
   const Limits limits_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<Waiting> queue_;
+  std::vector<Waiting> queue_;
+  std::size_t first_ = 0;  // of the queue that was not taken yet
   std::size_t bytes_ = 0;
   bool stopping_ = false;
   bool woken_ = false;

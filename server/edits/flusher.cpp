@@ -11,12 +11,17 @@ void Flusher::start() {
   editors_ = state_.take_dirty_editors();
   editors_left_ = editors_.size();
   written_.clear();
+  flushed_ = false;
   // Keys in order cost the database less.
   std::ranges::sort(chunks_, std::greater{});
   running_ = true;
 }
 
 EditDatabase::Done Flusher::step() {
+  if (flushed_) {
+    clean_some();
+    return {};
+  }
   EditDatabase::Slice slice;
   const auto has_place = [&] { return slice.count() < kSliceValues && slice.bytes() < kSliceBytes; };
   const std::size_t written_before = written_.size();
@@ -48,10 +53,18 @@ EditDatabase::Done Flusher::step() {
   editors_left_ = editors_left;
   if (chunks_left > 0 || editors_left > 0) return {};
   if (auto marked = database_.mark_flushed(position_); !marked) return marked;
-  for (const auto& [key, revision] : written_) state_.mark_clean(key, revision);
-  written_.clear();
-  running_ = false;
+  flushed_ = true;
+  clean_some();
   return {};
+}
+
+void Flusher::clean_some() {
+  for (std::size_t left = kSliceValues; left > 0 && !written_.empty(); --left) {
+    const auto [key, revision] = written_.back();
+    state_.mark_clean(key, revision);
+    written_.pop_back();
+  }
+  running_ = !written_.empty();
 }
 
 void Flusher::abandon() {

@@ -31,9 +31,13 @@ class Flusher {
   void abandon();
 
  private:
+  /// As many as a slice has, of those that are on the disk for sure.
+  void clean_some();
+
   EditState& state_;
   EditDatabase& database_;
   bool running_ = false;
+  bool flushed_ = false;          // all is written, and is made clean
   std::uint64_t position_ = 0;    // all that is dirty up to it is flushed at the end
   std::vector<ChunkKey> chunks_;  // those left
   std::vector<edits::EditorId> editors_;

@@ -47,8 +47,10 @@ void LocalLog::stop() {
 
 tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
   if (auto fits = keep_to_index(state_, entry); !fits) return fits;
-  if (auto read_only = writer_.status().read_only) {
-    return log_failure(LogFailure::Kind::unwritable, *std::move(read_only));
+  if (writer_.is_read_only()) {
+    if (auto read_only = writer_.status().read_only) {
+      return log_failure(LogFailure::Kind::unwritable, *std::move(read_only));
+    }
   }
   const std::size_t bytes = bytes_of(entry);
   return queue_.put({std::move(entry), std::move(done), bytes});

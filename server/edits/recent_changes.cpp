@@ -32,8 +32,8 @@ void RecentChanges::add(std::vector<Change> changes) {
 void RecentChanges::forget_oldest() {
   const Change& change = changes_.front().change;
   bytes_ -= bytes_of_change(change);
-  const auto newest = newest_.find(change.key);
-  if (newest != newest_.end() && newest->second == oldest_) newest_.erase(newest);
+  const std::uint64_t* const newest = newest_.find(change.key);
+  if (newest != nullptr && *newest == oldest_) newest_.erase(change.key);
   changes_.pop_front();
   ++oldest_;
 }
@@ -41,12 +41,12 @@ void RecentChanges::forget_oldest() {
 std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, std::uint64_t since,
                                                           std::size_t most) const {
   const std::shared_lock lock{mutex_};
-  const auto newest = newest_.find(key);
-  if (newest == newest_.end()) return std::nullopt;
-  AppliedEdits::Changes all{.revision = changes_[newest->second - oldest_].change.revision, .voxels = {}};
+  const std::uint64_t* const newest = newest_.find(key);
+  if (newest == nullptr) return std::nullopt;
+  AppliedEdits::Changes all{.revision = changes_[*newest - oldest_].change.revision, .voxels = {}};
   if (all.revision <= since) return std::nullopt;
   // From the newest change to the first after `since`.
-  for (std::uint64_t number = newest->second;;) {
+  for (std::uint64_t number = *newest;;) {
     if (number < oldest_) return std::nullopt;
     const auto& [change, before] = changes_[number - oldest_];
     // Voxels that change again and again count once, but not for ever.

@@ -7,12 +7,12 @@
 #include <deque>
 #include <optional>
 #include <shared_mutex>
-#include <unordered_map>
 #include <vector>
 
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/coords.h>
 
+#include "cache/flat_map.h"
 #include "edits/applied_edits.h"
 
 namespace talus::server {
@@ -47,9 +47,9 @@ class RecentChanges {
 
   std::size_t capacity_bytes_;
   mutable std::shared_mutex mutex_;
-  std::deque<Remembered> changes_;                      // of all chunks, by age
-  std::uint64_t oldest_ = 1;                            // number of the first of them
-  std::unordered_map<ChunkKey, std::uint64_t> newest_;  // number of a chunk's last change
+  std::deque<Remembered> changes_;           // of all chunks, by age
+  std::uint64_t oldest_ = 1;                 // number of the first of them
+  FlatMap<ChunkKey, std::uint64_t> newest_;  // number of a chunk's last change
   std::size_t bytes_ = 0;
 };
 

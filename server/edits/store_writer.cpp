@@ -73,7 +73,7 @@ void StoreWriter::look() {
   }
   if (!broken_) flush_some();
   // Small edits of chunks with many may dirty more than a slice each time.
-  while (!broken_ && state_.dirty_bytes() > 16 * settings_.flush_bytes) flush_some();
+  while (!broken_ && state_.dirty_bytes() > 4 * settings_.flush_bytes) flush_some();
 }
 
 void StoreWriter::flush_some() {
@@ -104,6 +104,7 @@ void StoreWriter::check_disk() {
     const std::lock_guard lock{mutex_};
     status_.read_only = fmt::format("edits {}: the disk has {} bytes free; edits are taken again from {} on",
                                     database_.path().string(), free, settings_.free_bytes);
+    is_read_only_ = true;
   }
 }
 
@@ -112,6 +113,7 @@ void StoreWriter::refuse(std::string reason) {
   next_check_ = std::chrono::steady_clock::now() + settings_.retry_interval;
   const std::lock_guard lock{mutex_};
   status_.read_only = std::move(reason);
+  is_read_only_ = true;
 }
 
 void StoreWriter::retry() {
@@ -129,7 +131,10 @@ void StoreWriter::publish() {
   const std::lock_guard lock{mutex_};
   status_.head = state_.head();
   status_.stream = database_.meta().stream;
-  if (!broken_ && !disk_full_) status_.read_only.reset();
+  if (!broken_ && !disk_full_) {
+    status_.read_only.reset();
+    is_read_only_ = false;
+  }
 }
 
 }  // namespace talus::server

@@ -2,6 +2,7 @@
 // dirty, and minds the disk.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -19,7 +20,7 @@
 namespace talus::server {
 
 struct StoreWriterSettings {
-  std::size_t flush_bytes = std::size_t{8} << 20U;  // of what is not flushed
+  std::size_t flush_bytes = std::size_t{32} << 20U;  // of what is not flushed
   std::chrono::milliseconds flush_interval{4'000};
   std::chrono::milliseconds retry_interval{1'000};       // between syncs, too, where batches are not
   std::uint64_t free_bytes = std::uint64_t{256} << 20U;  // of the disk: with less no edits are taken
@@ -44,6 +45,8 @@ class StoreWriter {
   };
   /// Any thread.
   [[nodiscard]] Status status() const;
+  /// Any thread: whether status() says why, without a lock.
+  [[nodiscard]] bool is_read_only() const { return is_read_only_.load(std::memory_order_acquire); }
   [[nodiscard]] const std::optional<std::string>& read_only() const { return status_.read_only; }
 
   /// A batch on the state as it is. REQUIRES: there is none.
@@ -101,6 +104,7 @@ class StoreWriter {
 
   mutable std::mutex mutex_;
   Status status_;
+  std::atomic<bool> is_read_only_{false};  // changes with status_
 };
 
 }  // namespace talus::server

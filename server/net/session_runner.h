@@ -20,6 +20,7 @@
 
 #include "log/logger.h"
 #include "net/accepted_connection.h"
+#include "net/mail_rounds.h"
 #include "net/registry.h"
 #include "net/stream.h"
 #include "net/timed_event.h"
@@ -84,6 +85,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   /// Reads nothing while too_much() is true.
   [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] asio::awaitable<void> write();
+  /// Where write() waits and there are answers alone, few bytes of them: writes them without a coroutine's
+  /// turn. What the stream does not take at once is left to write().
+  void write_answers();
   [[nodiscard]] asio::awaitable<void> watch();
   void spawn(asio::awaitable<void> (SessionRunner::*loop)());
 
@@ -126,6 +130,11 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   ViewThrottle view_throttle_;
   ViewTurns& view_turns_;  // of the stream's thread
   WriteBatchSize batch_size_;
+  struct Unsent {
+    Output output;
+    std::size_t from = 0;  // so much of it was written
+  };
+  std::optional<Unsent> unsent_;  // goes before all that the session has to say
   bool reading_paused_ = false;
   bool input_ended_ = false;
   bool output_ended_ = false;

@@ -24,30 +24,37 @@ namespace talus::server {
 // What it takes a thread to find a chunk in memory and put it into the outbox: some cache misses.
 inline constexpr std::chrono::nanoseconds kFoundChunk{2000};
 
+// Answers of so many bytes and less are written at once, by who made them.
+inline constexpr std::size_t kMostAnswerBytes = 4096;
+
 inline constexpr std::string_view kClosedByClient = "closed by the client";
 
 /// The mailbox is made before the runner, and knows it weakly.
 template <Stream S>
-struct SessionRunner<S>::Owner {
-  asio::any_io_executor executor;
-  std::weak_ptr<SessionRunner> runner;
+struct SessionRunner<S>::Owner final : MailRounds::Reader {
+  explicit Owner(asio::any_io_executor of)
+      : executor{std::move(of)},
+        rounds{asio::use_service<MailRounds>(asio::query(executor, asio::execution::context))} {}
 
+  void read_mail() override {
+    if (const auto alive = runner.lock()) {
+      alive->dispatch([](Session& session) { session.take_mail(); });
+    }
+  }
   static MailboxPtr mailbox(ConnectionId id, FlowUsePtr flow, const std::shared_ptr<Owner>& owner) {
-    const auto wake = [owner] {
-      asio::post(owner->executor, [owner] {
-        if (const auto alive = owner->runner.lock()) {
-          alive->dispatch([](Session& session) { session.take_mail(); });
-        }
-      });
-    };
+    const auto wake = [owner] { owner->rounds.enter(owner, owner->executor); };
     return std::make_shared<Mailbox>(ClientId{id}, wake, std::move(flow));
   }
+
+  asio::any_io_executor executor;
+  MailRounds& rounds;
+  std::weak_ptr<SessionRunner> runner;
 };
 
 template <Stream S>
 std::shared_ptr<SessionRunner<S>> SessionRunner<S>::make(S stream, ConnectionInfo connection,
                                                          Admission::Slot slot, RunnerContextPtr context) {
-  const auto owner = std::make_shared<Owner>(Owner{stream.get_executor(), {}});
+  const auto owner = std::make_shared<Owner>(stream.get_executor());
   const auto runner = std::make_shared<SessionRunner>(std::move(stream), std::move(connection),
                                                       std::move(slot), std::move(context), owner);
   owner->runner = runner;
@@ -256,27 +263,31 @@ asio::awaitable<void> SessionRunner<S>::write() {
     return asio::const_buffer{piece.data(), piece.size()};
   };
   while (open_) {
-    if (const auto due = session_.sendable_at(); due > now()) {
+    if (const auto due = unsent_ ? now() : session_.sendable_at(); due > now()) {
       if (session_.closing() && due == Clock::time_point::max()) break;
       co_await output_waits_.wait_until(due);
       continue;
     }
-    const Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
+    const Unsent unsent = unsent_ ? *std::exchange(unsent_, std::nullopt)
+                                  : Unsent{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
+    const Output& output = unsent.output;
     if (output.size() == 0) {  // another session of the address was faster
       session_.written();
       pump();
       continue;
     }
-    const std::vector<std::span<const std::byte>> pieces = output.pieces();
+    std::vector<std::span<const std::byte>> pieces = output.pieces();
+    pieces.front() = pieces.front().subspan(unsent.from);
+    const std::size_t left = output.size() - unsent.from;
     pump();
 
     watchdog_.writing(now());
-    bool in_one_piece = true;
+    bool in_one_piece = unsent.from == 0;
     const std::size_t waits = stream_.write_waits();
     const auto progress = [&](const std::error_code& error, std::size_t bytes) -> std::size_t {
       watchdog_.writing(now());
-      in_one_piece = in_one_piece && (bytes == 0 || bytes == output.size());
-      return error ? 0 : output.size();
+      in_one_piece = in_one_piece && (bytes == 0 || bytes == left);
+      return error ? 0 : left;
     };
     std::error_code failed;
     auto token = asio::redirect_error(asio::use_awaitable, failed);
@@ -300,6 +311,26 @@ asio::awaitable<void> SessionRunner<S>::write() {
   }
   if (open_) co_await stream_.say_end();
   if (open_) output_ended();
+}
+
+template <Stream S>
+void SessionRunner<S>::write_answers() {
+  if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
+    // Nothing is being written, and nothing waits to be.
+    const bool idle = output_waits_.deadline() != Clock::time_point::min() && !unsent_;
+    if (!idle || session_.closing() || !session_.has_answers_alone(kMostAnswerBytes)) return;
+    Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
+    const auto pieces = output.pieces();
+    std::size_t sent = 0;
+    if (pieces.size() == 1) sent = stream_.write_now({pieces.front().data(), pieces.front().size()});
+    context_.session.metrics.sent_bytes.add(sent);
+    session_.flow().add(FlowMeasure::sent, sent);
+    if (sent == output.size()) {
+      session_.written();
+    } else {
+      unsent_.emplace(Unsent{std::move(output), sent});
+    }
+  }
 }
 
 template <Stream S>
@@ -344,9 +375,12 @@ template <Stream S>
 std::size_t SessionRunner<S>::pump() {
   if (!open_) return 0;
   const std::size_t found = session_.pump();
+  write_answers();
   if (session_.closing() && watchdog_.closes(now())) watch_waits_.notify();
   // Also for what a rate still holds: write() may wait without a deadline, and must learn of this one.
-  if (session_.closing() || session_.sendable_at() < output_waits_.deadline()) output_waits_.notify();
+  if (session_.closing() || unsent_ || session_.sendable_at() < output_waits_.deadline()) {
+    output_waits_.notify();
+  }
   if (reading_paused_) input_waits_.notify();
   return found;
 }

@@ -1,6 +1,7 @@
 // Bytes of the store's values, written and read from the front. What is read may be anything.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,8 +22,11 @@ class ByteWriter {
   void fixed64(std::uint64_t value) { fixed(value, 8); }
   /// LEB128.
   void varint(std::uint64_t value) {
-    for (; value >= 128; value >>= 7) byte(static_cast<std::uint8_t>(128 | (value & 127)));
-    byte(static_cast<std::uint8_t>(value));
+    std::array<std::byte, 10> number;
+    std::size_t count = 0;
+    for (; value >= 128; value >>= 7) number[count++] = static_cast<std::byte>(128 | (value & 127));
+    number[count++] = static_cast<std::byte>(value);
+    bytes(std::span{number}.first(count));
   }
   /// Small numbers of either sign as small ones.
   void zigzag(std::int64_t value) {
@@ -37,8 +41,10 @@ class ByteWriter {
   void counted(std::string_view text) { counted(std::as_bytes(std::span{text})); }
 
  private:
-  void fixed(std::uint64_t value, int count) {
-    for (int i = 0; i < count; ++i) byte(static_cast<std::uint8_t>(value >> (8 * i)));
+  void fixed(std::uint64_t value, std::size_t count) {
+    std::array<std::byte, 8> number;
+    for (std::size_t i = 0; i < count; ++i) number[i] = static_cast<std::byte>(value >> (8 * i));
+    bytes(std::span{number}.first(count));
   }
 
   std::vector<std::byte>& out_;

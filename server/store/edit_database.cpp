@@ -24,6 +24,9 @@ namespace {
 constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
 
+/// About what a record of a small edit takes with its key.
+constexpr std::size_t kRecordBytes = 104;
+
 /// Whether files are there that only a database has which was in use.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
   std::vector<std::string> names;
@@ -187,7 +190,7 @@ EditDatabase::Done EditDatabase::drop_records_beyond() {
   if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   if (!any) return {};
   rocksdb::WriteBatch batch;
-  batch.DeleteRange(log_key(meta_.head.position + 1), log_key(UINT64_MAX));
+  batch.DeleteRange(behind_log_key(meta_.head.position), log_key(UINT64_MAX));
   return write(batch, true);
 }
 
@@ -251,7 +254,7 @@ EditDatabase::HeldFiles::~HeldFiles() {
 }
 
 EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {
-  rocksdb::WriteBatch batch;
+  rocksdb::WriteBatch batch{(applied.applied().size() + 4) * kRecordBytes};
   StoreMeta meta = meta_;
   meta.head = applied.head();
   meta.stream = place;
@@ -325,7 +328,7 @@ void EditDatabase::extend_history(const Unflushed& flushed, std::uint64_t first,
   };
   while (!history_.empty() && (history_bytes_ > settings_.history_bytes || too_old(history_.front()))) {
     const HistorySegment& oldest = history_.front();
-    batch.DeleteRange(log_key(oldest.first), log_key(oldest.last + 1));
+    batch.DeleteRange(behind_log_key(oldest.first - 1), log_key(oldest.last + 1));
     batch.Delete(history_key(oldest.first));
     history_bytes_ -= oldest.bytes;
     history_.pop_front();

@@ -1,6 +1,7 @@
 #include "store/records.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <talus/edits/runs.h>
@@ -42,7 +43,10 @@ ByteWriter begin(Bytes& out) {
 
 /// Big endian, so that keys are in the numbers' order.
 void put_ordered(std::uint64_t value, int bytes, std::string& key) {
-  for (int i = bytes - 1; i >= 0; --i) key.push_back(static_cast<char>(value >> (8 * i)));
+  std::array<char, 8> all;
+  for (int i = 0; i < bytes; ++i)
+    all[static_cast<std::size_t>(i)] = static_cast<char>(value >> (8 * (bytes - 1 - i)));
+  key.append(all.data(), static_cast<std::size_t>(bytes));
 }
 std::uint64_t get_ordered(std::string_view bytes) {
   std::uint64_t value = 0;
@@ -114,6 +118,7 @@ void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
   for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
   std::vector<Override> voxels(changes.voxels.size());
   Bytes runs;
+  runs.reserve(16);  // of a voxel; more grows
   for (const auto material :
        {&edits::VoxelChange::before, &edits::VoxelChange::after, &edits::VoxelChange::base}) {
     std::ranges::transform(changes.voxels, voxels.begin(), [material](const edits::VoxelChange& voxel) {
@@ -249,6 +254,9 @@ std::string log_key(std::uint64_t position) {
   std::string key = begin_key(KeyKind::log);
   put_ordered(position, 8, key);
   return key;
+}
+std::string behind_log_key(std::uint64_t position) {
+  return log_key(position) + '\0';
 }
 std::string chunk_key(ChunkKey chunk) {
   std::string key = begin_key(KeyKind::chunk);

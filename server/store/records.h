@@ -93,6 +93,8 @@ enum class KeyKind : char { meta = 'm', editor = 'e', log = 'l', chunk = 'c', ma
 [[nodiscard]] std::string meta_key();
 [[nodiscard]] std::string editor_key(edits::EditorId id);
 [[nodiscard]] std::string log_key(std::uint64_t position);
+/// The least key behind that: where a range of records begins that is deleted (rocks.cpp says why).
+[[nodiscard]] std::string behind_log_key(std::uint64_t position);
 [[nodiscard]] std::string chunk_key(ChunkKey chunk);
 [[nodiscard]] std::string material_key(std::string_view name);
 [[nodiscard]] std::string history_key(std::uint64_t first);

@@ -1,6 +1,7 @@
 // How many edits a second the log of one machine takes, beside RocksDB's own synced batches of the same bytes
 // in the same run; how long a store takes to open; what applying costs. bench_edits [DIRECTORY [settle |
-// open]]: where the stores lie, on the disk to be measured; what settling costs alone, or opening.
+// open | rate [8 | 100000]]]: where the stores lie, on the disk to be measured; what settling costs alone, or
+// opening, or edits a second.
 #include <time.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <mutex>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rocksdb/db.h>
@@ -420,6 +422,13 @@ int main(int argc, char** argv) {
   settle_costs();
   const std::string only = argc > 2 ? argv[2] : "";
   if (only == "settle") return 0;
+  if (only == "rate") {
+    const bool few = argc <= 3 || std::string_view{argv[3]} == "8";
+    if (few) compare(directory, "8 chunks", 8);
+    if (argc <= 3 || !few) compare(directory, "100,000 chunks", 100'000);
+    fs::remove_all(directory);
+    return 0;
+  }
   open_store(directory / "open");
   open_many_chunks(directory / "many");
   fs::remove_all(directory / "many");

@@ -1,6 +1,7 @@
 #include <talus/edits/runs.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 #include <utility>
@@ -122,10 +123,14 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
          voxels.end());
   assert(voxels.empty() || voxels.back().index < kChunkVolume);
   if (voxels.size() == 1) {  // as most edits are
-    for (const std::uint32_t number :
+    std::array<std::byte, 16> block;
+    std::size_t count = 0;
+    for (std::uint32_t number :
          {1U, std::uint32_t{to_integer(voxels[0].material)}, 1U, std::uint32_t{voxels[0].index}, 0U}) {
-      put_varint(number, out);
+      for (; number >= 128; number >>= 7) block[count++] = static_cast<std::byte>(128 | (number & 127));
+      block[count++] = static_cast<std::byte>(number);
     }
+    out.insert(out.end(), block.begin(), block.begin() + count);
     return;
   }
   const std::vector<MaterialId> materials = materials_of(voxels);
