@@ -127,6 +127,7 @@ void EditIntake::stop() {
 
 void EditIntake::start() {
   thread_ = std::thread{[this] { work(); }};
+  started_ = true;
 }
 
 // ---- from other threads
@@ -142,6 +143,7 @@ void EditIntake::attach(const MailboxPtr& mailbox, AttachRequest request) {
 }
 
 void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
+  if (log_at_once(mailbox, request)) return;
   {
     const std::lock_guard lock{mutex_};
     came_.emplace_back(mailbox, Editing{std::move(request), parts_.clock.now()});
@@ -149,6 +151,30 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
     called_ = true;
   }
   comes_.notify_one();
+}
+
+bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
+  if (!started_ || named_voxels(request.edit) > kSmallVoxels || (settles() && request.settles)) return false;
+  const std::unique_lock working{work_, std::try_to_lock};
+  if (!working) return false;
+  {
+    const std::lock_guard lock{mutex_};
+    if (called_ || stopping_) return false;  // something came before it
+  }
+  const Lane* const lane = find_lane(session->owner());
+  if (lane == nullptr || lane->attaching || lane->first || !lane->waiting.empty() || *lane->in_log != 0) {
+    return false;
+  }
+  auto touched = edits::touched_voxels(request.edit);
+  if (!touched || !edits::check(request.edit, {rules_.rows, rules_.materials})) return false;
+  edits::BaseVoxels base;
+  for (const edits::TouchedChunk& each : *touched) {
+    const DecodedChunkPtr chunk = bases_.find(each.chunk);
+    if (chunk == nullptr) return false;
+    base.emplace(each.chunk, voxels_at(*chunk, each.voxels));
+  }
+  log_edit(*lane, Prepared{{std::move(request), parts_.clock.now()}, {}, std::move(base), {}, {}});
+  return true;
 }
 
 bool EditIntake::knows(edits::EditorId id, const std::string& subject) const {
@@ -188,6 +214,7 @@ void EditIntake::work() {
       // No memory. Sessions whose edits may be among what was taken in end, and their clients send them
       // again.
       log_->error("edits: {}", error.what());
+      const std::lock_guard working{work_};
       for (const auto& [client, lane] : lanes_) lane.session->lose();
       lanes_.clear();
       attaching_as_.clear();
@@ -200,6 +227,7 @@ void EditIntake::work() {
 }
 
 void EditIntake::do_what_waits() {
+  const std::lock_guard working{work_};
   // What comes is taken in before each turn: the turn may be that of who came.
   while (take_in() && take_turn()) {
   }

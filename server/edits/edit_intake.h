@@ -6,6 +6,8 @@
 // waits for his own, and not others for him.
 //
 // One thread. Chunks that are not in memory are made by the generators, in the turns of the session's flow.
+// A small edit whose session has no other under way, of chunks that are at hand decoded, needs no turn, nor
+// that thread: while it rests the edit goes to the log on the thread that brought it.
 #pragma once
 
 #include <atomic>
@@ -131,6 +133,8 @@ class EditIntake final : public EditTaker {
     EditorSession as;  // where it is attached; but for `known`
   };
 
+  /// On the thread that brings it. False: it must go through the intake's thread, and nothing has happened.
+  [[nodiscard]] bool log_at_once(const MailboxPtr& session, EditRequest& request);
   /// From any thread: the intake's looks what is there.
   void call();
 
@@ -186,7 +190,10 @@ class EditIntake final : public EditTaker {
   std::atomic<std::size_t> log_bytes_{0};
   std::atomic<bool> wants_room_{false};
 
-  // Of the thread alone.
+  std::atomic<bool> started_{false};
+  std::mutex work_;  // held while the thread works; locked before mutex_
+
+  // Of who holds that.
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
   EditTurns turns_;

@@ -1,10 +1,14 @@
 // What the intake makes of sessions' edits, in the test's own thread: bases looked up, order kept, refusals.
 #include "edits/edit_intake.h"
 
+#include <condition_variable>
 #include <functional>
 #include <future>
+#include <mutex>
 #include <new>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -419,7 +423,7 @@ TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted o
   };
   const MailboxPtr first = std::make_shared<Mailbox>(ClientId{1}, [] {});
   const MailboxPtr second = std::make_shared<Mailbox>(ClientId{2}, [] {});
-  log.meanwhile = [&] { send(second); };
+  log.meanwhile = [&] { std::thread{[&] { send(second); }}.join(); };
   intake.start();
   send(first);
   log.logged.get_future().get();
@@ -492,6 +496,46 @@ TEST_CASE("of two that attach as one editor the earlier does not try again") {
   bench.log.entries[1].done(&superseded);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 3);
+}
+
+TEST_CASE("a small edit goes to the log on the thread that brings it, while the intake rests") {
+  struct TellingLog final : EditLog {
+    std::mutex mutex;
+    std::condition_variable came;
+    std::vector<std::pair<std::uint64_t, std::thread::id>> sequences;
+    tl::expected<void, LogFailure> append(LogEntry entry, Done done) override {
+      edits::Applied applied;
+      applied.kind = edits::Applied::Kind::done;
+      done(&applied);
+      const std::lock_guard lock{mutex};
+      sequences.emplace_back(std::get<edits::EditEntry>(entry).sequence, std::this_thread::get_id());
+      came.notify_one();
+      return {};
+    }
+  } log;
+  ScriptedSource source;
+  source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
+  ManualClock clock;
+  Metrics metrics;
+  EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; }, clock, metrics},
+                    {{0, 100}, {kAir, kStone, kGlass}},
+                    make_logger("off", "text")};
+  intake.start();
+  const MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
+  const auto edit = [&](std::uint32_t number, VoxelPos voxel) {
+    EditRequest request{number, kEditor, 3, number, {}};
+    request.edit.writes.push_back({voxel, kGlass});
+    intake.edit(session, std::move(request));
+    std::unique_lock lock{log.mutex};
+    log.came.wait(lock, [&] { return log.sequences.size() == number; });
+    return log.sequences.back().second == std::this_thread::get_id();
+  };
+  CHECK_FALSE(edit(1, {0, 0, 0}));  // nobody has decoded the chunk
+  std::uint32_t number = 2;
+  // The intake's thread may not have come to rest yet.
+  while (!edit(number, {1, 0, 0}) && number < 1'000'000) ++number;
+  CHECK(number < 1'000'000);
+  for (std::uint32_t i = 0; i < number; ++i) CHECK(log.sequences[i].first == i + 1);
 }
 
 }  // namespace talus::server

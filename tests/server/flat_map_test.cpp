@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 
 using talus::server::FlatMap;
 
