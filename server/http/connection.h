@@ -92,8 +92,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   // answered without any: each would cost as much as finding the chunk.
   static constexpr bool kWritesNow = requires(S & stream) { stream.write_now(asio::const_buffer{}); };
 
-  /// What has to come before the connection goes on.
-  enum class Next : std::uint8_t { input, room, response, body, turn, hand_over, end };
+  /// What has to come before the connection goes on; `request`: nothing, if what was read has another.
+  enum class Next : std::uint8_t { request, input, room, response, body, turn, hand_over, end };
 
   void go_on(Next next) {
     if constexpr (kWritesNow) {
@@ -143,6 +143,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   [[nodiscard]] asio::awaitable<void> serve(Next next) {
     while (open_) {
       switch (next) {
+        case Next::request:
+          next = answer();
+          break;
         case Next::input:
           if (kWritesNow) co_return go_on(next);
           begin_reading();
@@ -194,12 +197,11 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       }
       response_ = respond_now(parser_.request());
       if (!response_) return Next::response;
-      if (const Next next = take_response(); next != Next::input) return next;
+      if (const Next next = take_response(); next != Next::request) return next;
     }
     return Next::end;
   }
 
-  /// Next::input: what has been read may have another request.
   [[nodiscard]] Next take_response() {
     if (!open_) return Next::end;
     const Request& request = parser_.request();
@@ -213,7 +215,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if (open_ && upgraded_) return Next::hand_over;
     if (!open_ || !more_) return Next::end;
     parser_.pop();
-    if (++in_turn_ < kTurn) return Next::input;
+    if (++in_turn_ < kTurn) return Next::request;
     in_turn_ = 0;
     return Next::turn;
   }

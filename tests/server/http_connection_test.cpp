@@ -16,12 +16,14 @@ using namespace std::chrono_literals;
 
 namespace {
 
+/// Of streams that take bytes when they are waited for, and of those that take them at once.
+template <typename S>
 struct Bench {
   ManualClock clock;
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
   http::Service service{clock, std::make_shared<spdlog::logger>("silent")};
-  http::Connections<LoopbackStream> connections{service, 2};
+  http::Connections<S> connections{service, 2};
 
   Bench() {
     connections.set_handler(
@@ -33,7 +35,7 @@ struct Bench {
 
   std::shared_ptr<Loopback> connect() {
     auto client = std::make_shared<Loopback>(io);
-    connections.add(LoopbackStream{client});
+    connections.add(S{client});
     io.poll();
     return client;
   }
@@ -63,8 +65,8 @@ std::string statuses(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("a request is answered and the connection kept") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a request is answered and the connection kept", "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, get("/a"));
   CHECK_THAT(std::string{client->text()},
@@ -74,8 +76,9 @@ TEST_CASE("a request is answered and the connection kept") {
   CHECK(statuses(client->text()) == "200 200 ");
 }
 
-TEST_CASE("pipelined requests are answered in their order, however they are cut") {
-  Bench bench;
+TEMPLATE_TEST_CASE("pipelined requests are answered in their order, however they are cut", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Bench<TestType> bench;
   const std::string text = get("/a") + get("/b") + get("/c", "Connection: close\r\n");
   for (const std::size_t piece : {std::size_t{1}, std::size_t{11}, SIZE_MAX}) {
     const auto client = bench.connect();
@@ -89,31 +92,35 @@ TEST_CASE("pipelined requests are answered in their order, however they are cut"
   }
 }
 
-TEST_CASE("what follows the last request of a connection is not answered") {
-  Bench bench;
+TEMPLATE_TEST_CASE("what follows the last request of a connection is not answered", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, get("/a", "Connection: close\r\n") + get("/b"));
   CHECK(statuses(client->text()) == "200 ");
 }
 
-TEST_CASE("a connection that asked for an upgrade and got none ends with the answer") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a connection that asked for an upgrade and got none ends with the answer", "",
+                   LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, get("/a", "Connection: Upgrade\r\nUpgrade: websocket\r\n") + get("/b"));
   CHECK(statuses(client->text()) == "200 ");
   CHECK(client->text().find("Connection: close") != std::string::npos);
 }
 
-TEST_CASE("HEAD gets the length of GET's body and no body") {
-  Bench bench;
+TEMPLATE_TEST_CASE("HEAD gets the length of GET's body and no body", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, "HEAD /path HTTP/1.1\r\nHost: a\r\n\r\n");
   CHECK_THAT(std::string{client->text()},
              Catch::Contains("Content-Length: 6\r\n") && Catch::EndsWith("\r\n\r\n"));
 }
 
-TEST_CASE("a request that is no request gets its error, and the connection ends when the client has") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a request that is no request gets its error, and the connection ends when the client has",
+                   "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, "nonsense\r\n\r\n" + get("/a"));
   CHECK(statuses(client->text()) == "400 ");
@@ -125,15 +132,17 @@ TEST_CASE("a request that is no request gets its error, and the connection ends 
   CHECK(client->closed);
 }
 
-TEST_CASE("a handler that throws is a 500, and the next request is answered") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a handler that throws is a 500, and the next request is answered", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, get("/throw") + get("/a"));
   CHECK(statuses(client->text()) == "500 200 ");
 }
 
-TEST_CASE("who has asked no whole request in time is closed, however steadily its bytes come") {
-  Bench bench;
+TEMPLATE_TEST_CASE("who has asked no whole request in time is closed, however steadily its bytes come", "",
+                   LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   for (const char* const byte : {"G", "E", "T", " ", "/"}) {
     CHECK_FALSE(client->closed);
@@ -144,8 +153,9 @@ TEST_CASE("who has asked no whole request in time is closed, however steadily it
   CHECK(client->received.empty());
 }
 
-TEST_CASE("a response begins the time for the next request anew") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a response begins the time for the next request anew", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   bench.advance(4s);
   bench.send(*client, get("/a"));
@@ -155,8 +165,8 @@ TEST_CASE("a response begins the time for the next request anew") {
   CHECK(client->closed);
 }
 
-TEST_CASE("who takes no response in time is closed") {
-  Bench bench;
+TEMPLATE_TEST_CASE("who takes no response in time is closed", "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   client->room = 10;
   bench.send(*client, get("/a"));
@@ -166,16 +176,16 @@ TEST_CASE("who takes no response in time is closed") {
   CHECK(client->closed);
 }
 
-TEST_CASE("a response goes on after each short write") {
-  Bench bench;
+TEMPLATE_TEST_CASE("a response goes on after each short write", "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto client = bench.connect();
   client->write_bytes = 3;
   bench.send(*client, get("/a"));
   CHECK_THAT(std::string{client->text()}, Catch::EndsWith("\r\n\r\n/a\n"));
 }
 
-TEST_CASE("an error of the stream ends the connection") {
-  Bench bench;
+TEMPLATE_TEST_CASE("an error of the stream ends the connection", "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto reader = bench.connect();
   reader->read_error = asio::error::connection_reset;
   reader->changed();
@@ -189,8 +199,9 @@ TEST_CASE("an error of the stream ends the connection") {
   CHECK(reader->closed);
 }
 
-TEST_CASE("one connection too many takes the place of the one that was quiet longest") {
-  Bench bench;
+TEMPLATE_TEST_CASE("one connection too many takes the place of the one that was quiet longest", "",
+                   LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto first = bench.connect();
   const auto second = bench.connect();
   bench.advance(1s);
@@ -202,8 +213,9 @@ TEST_CASE("one connection too many takes the place of the one that was quiet lon
   CHECK(statuses(third->text()) == "200 ");
 }
 
-TEST_CASE("room is made by closing the one that was quiet longest, as long as one is open") {
-  Bench bench;
+TEMPLATE_TEST_CASE("room is made by closing the one that was quiet longest, as long as one is open", "",
+                   LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto first = bench.connect();
   bench.advance(1s);
   const auto second = bench.connect();
@@ -215,8 +227,8 @@ TEST_CASE("room is made by closing the one that was quiet longest, as long as on
   CHECK_FALSE(bench.connections.make_room());
 }
 
-TEST_CASE("connections that have ended hold no place") {
-  Bench bench;
+TEMPLATE_TEST_CASE("connections that have ended hold no place", "", LoopbackStream, EagerLoopbackStream) {
+  Bench<TestType> bench;
   const auto first = bench.connect();
   for (int other = 0; other < 3; ++other) {
     const auto gone = bench.connect();

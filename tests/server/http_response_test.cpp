@@ -28,6 +28,18 @@ TEST_CASE("further fields stand in the head") {
                        Catch::Contains("\r\nConnection: close\r\n") && Catch::EndsWith("\r\n\r\n"));
 }
 
+TEST_CASE("a tag and leave for every page stand in the head, and only where they are given") {
+  Response response{200, kPlainText, "a"};
+  CHECK_THAT(head_of(response, true, {}), !Catch::Contains("ETag") && !Catch::Contains("Access-Control"));
+  response.any_origin = true;
+  response.etag.emplace().fill('7');
+  CHECK_THAT(head_of(response, true, {}),
+             Catch::Contains("\r\nETag: 7777777777777777777777777777777777\r\n") &&
+                 Catch::Contains("\r\nAccess-Control-Allow-Origin: *\r\n"));
+  response.any_origin = false;  // the lines before it are kept for the next answer
+  CHECK_THAT(head_of(response, true, {}), !Catch::Contains("Access-Control"));
+}
+
 TEST_CASE("a request that is no request gets its error as one line") {
   const Response response = response_to({431, "too much"});
   CHECK(response.status == 431);

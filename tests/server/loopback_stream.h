@@ -113,6 +113,9 @@ class LoopbackStream {
   }
   [[nodiscard]] std::size_t write_waits() const { return loopback_->write_waits_; }
 
+ protected:
+  [[nodiscard]] std::size_t try_write(asio::const_buffer from) { return write(*loopback_, {from}).bytes; }
+
  private:
   struct Done {
     bool done = false;
@@ -168,5 +171,14 @@ class LoopbackStream {
   std::shared_ptr<Loopback> loopback_;
 };
 static_assert(Stream<LoopbackStream>);
+
+/// One that also takes at once what it has room for, as a TcpStream does.
+class EagerLoopbackStream : public LoopbackStream {
+ public:
+  using LoopbackStream::LoopbackStream;
+
+  [[nodiscard]] std::size_t write_now(asio::const_buffer from) { return try_write(from); }
+};
+static_assert(Stream<EagerLoopbackStream>);
 
 }  // namespace talus::server
