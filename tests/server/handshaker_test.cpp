@@ -68,10 +68,10 @@ asio::awaitable<void> echo(std::shared_ptr<AcceptedConnection> accepted) {
 
 /// A listening socket on loopback, with one thread behind it. The clock stands still.
 struct Bench {
-  explicit Bench(const HandshakeSettings& settings = ::settings(), bool with_tls = false,
+  explicit Bench(const HandshakeSettings& chosen = settings(), bool with_tls = false,
                  std::size_t max_per_address = 256)
       : admission{{2048, max_per_address}, clock},
-        handshaker{settings,
+        handshaker{chosen,
                    admission,
                    access,
                    flows,

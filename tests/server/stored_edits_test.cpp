@@ -38,7 +38,7 @@ void make_directory(const fs::path& path, EditStore& store) {
 }
 
 /// Level 0's overrides, by the chunks of overrides_of().
-std::map<VoxelPos, MaterialId> overrides_of(const StoredEdits& edits) {
+std::map<VoxelPos, MaterialId> stored_overrides(const StoredEdits& edits) {
   std::map<VoxelPos, MaterialId> voxels;
   for (std::int32_t x = -4; x <= 4; ++x) {
     for (std::int32_t y = -2; y <= 2; ++y) {
@@ -87,7 +87,7 @@ TEST_CASE("a store is read as its server left it, flushed or not, and stays as i
         REQUIRE(edits);
         CHECK((*edits)->revision() == revision);
         CHECK((*edits)->materials().at("planks") == MaterialId{300});
-        CHECK(overrides_of(**edits) == expected);
+        CHECK(stored_overrides(**edits) == expected);
         CHECK((*edits)->edited_rows({{1000, 0, 0}, Lod{}}).size() == 0);
         for (const auto& [at, material] : expected) {
           CHECK((*edits)->edited_rows(*chunk_holding(at, Lod{})).contains(floor_div(at.y, kChunkSize)));

@@ -1,0 +1,28 @@
+# cmake -DOUTPUT=FILE -DSOURCES=FILE;... -P join_tests.cmake: test sources as one, so that what they include is parsed and
+# instantiated once. What a source names stays its own: its text stands in a namespace of its name, below the lines by which
+# it includes others. Messages name the lines of the sources.
+set(includes "")
+set(texts "")
+foreach(source IN LISTS SOURCES)
+  get_filename_component(folder ${source} DIRECTORY)
+  get_filename_component(own ${source} NAME_WE)
+  file(READ ${source} text)
+  string(PREPEND text "\n")
+  string(REGEX MATCHALL "\n#include [<\"][^>\"]*[>\"]" lines "${text}")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE ".*\"(.*)\"" "${folder}/\\1" beside "${line}")
+    if(EXISTS ${beside})
+      set(line "\n#include \"${beside}\"")
+    endif()
+    string(APPEND includes "${line}")
+  endforeach()
+  string(REGEX REPLACE "\n#include [^\n]*" "\n" text "${text}")
+  string(REGEX REPLACE "\nnamespace ([a-z_:]+) {" "\nnamespace \\1::of_${own} {" inside "${text}")
+  # The text begins with the line end that was put before it.
+  if(inside STREQUAL text)
+    string(APPEND texts "\nnamespace of_${own} {\n#line 1 \"${source}\"${text}}\n")
+  else()
+    string(APPEND texts "\n#line 1 \"${source}\"${inside}")
+  endif()
+endforeach()
+file(WRITE ${OUTPUT} "${includes}\n${texts}")
