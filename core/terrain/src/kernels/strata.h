@@ -9,7 +9,7 @@
 namespace talus::terrain {
 
 /// Columns that are looked at together: ground that is full pays for no more layers.
-inline constexpr std::size_t kSegment = 32;
+inline constexpr std::size_t kSegment = 64;
 
 /// How the noise of a layer becomes its thickness: min(mean_fx * max(0, 1 + swing * noise), max_fx).
 struct LayerShape {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <talus/terrain/strata.h>
+#include <talus/vectors/tables.h>
 
 #include "noise/lattice_place.h"
 
