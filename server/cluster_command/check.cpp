@@ -11,6 +11,7 @@
 
 #include <talus/progress/progress_bar.h>
 
+#include "cluster_command/connection_words.h"
 #include "cluster_command/nats_greeting.h"
 #include "cluster_command/stream_contents.h"
 #include "cluster_command/stream_world.h"
@@ -66,10 +67,7 @@ class Checker {
     auto connection = jetstream::Connection::open(*ServerUrls::parse(url, kSchemes), target_.credentials,
                                                   nullptr, jetstream::Retry::never);
     if (!connection) {
-      std::string reason = connection.error().reason;
-      if (greeting->tls && !target_.credentials->tls)
-        reason += "; it wants TLS: write tls:// in cluster.nats";
-      add(Kind::fault, std::move(reason));
+      add(Kind::fault, connection_words(url, connection.error().reason, *greeting, *target_.credentials));
       return nullptr;
     }
     add(Kind::ok, fmt::format("{}: nats-server {}, {}", url, greeting->version, greeting->name));

@@ -29,30 +29,49 @@ Value greeting_member(const nlohmann::json& object, const char* name) {
   }
 }
 
+/// What comes there by itself, or to a question. Empty: nothing does.
+tl::expected<std::string, std::string> first_line_of(const protocol::Endpoint& endpoint,
+                                                     std::string_view question,
+                                                     std::chrono::milliseconds patience) {
+  asio::ip::tcp::iostream stream;
+  stream.expires_after(patience);
+  stream.connect(endpoint.host, std::to_string(endpoint.port));
+  if (!stream) return tl::unexpected{fmt::format("cannot connect: {}", stream.error().message())};
+  stream << question << std::flush;
+  std::string line;
+  for (char c = 0; line.size() < kMaxGreetingBytes && stream.get(c) && c != '\n';) line += c;
+  return line;
+}
+
 }  // namespace
 
 tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
   constexpr std::string_view kInfo = "INFO ";
-  if (!line.starts_with(kInfo)) return tl::unexpected{std::string{"answers, but is no NATS server"}};
+  if (!line.starts_with(kInfo)) {
+    return tl::unexpected{fmt::format(
+        "what answers is no NATS server: it says \"{}\"; give the port of NATS for clients, 4222 as a rule",
+        escaped(line.substr(0, line.find('\r')), 60))};
+  }
   const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
   if (!info.is_object()) return tl::unexpected{std::string{"answers, but is no NATS server"}};
-  return Greeting{greeting_member<std::string>(info, "server_name"),
-                  greeting_member<std::string>(info, "version"), greeting_member<bool>(info, "jetstream"),
-                  greeting_member<bool>(info, "tls_required"),
-                  greeting_member<std::int64_t>(info, "max_payload")};
+  return Greeting{
+      greeting_member<std::string>(info, "server_name"), greeting_member<std::string>(info, "version"),
+      greeting_member<bool>(info, "jetstream"),          greeting_member<bool>(info, "tls_required"),
+      greeting_member<bool>(info, "tls_verify"),         greeting_member<std::int64_t>(info, "max_payload")};
 }
 
 tl::expected<Greeting, std::string> greeting_of(std::string_view url, std::chrono::milliseconds patience) {
   const auto endpoint = protocol::parse_endpoint(url.substr(url.find("://") + 3));
   if (!endpoint) return tl::unexpected{endpoint.error()};
-  asio::ip::tcp::iostream stream;
-  stream.expires_after(patience);
-  stream.connect(endpoint->host, std::to_string(endpoint->port));
-  if (!stream) return tl::unexpected{fmt::format("cannot connect: {}", stream.error().message())};
-  std::string line;
-  for (char c = 0; line.size() < kMaxGreetingBytes && stream.get(c) && c != '\n';) line += c;
-  if (line.empty()) return tl::unexpected{std::string{"does not answer, though it takes connections"}};
-  return parse_greeting(line);
+  auto line = first_line_of(*endpoint, "", patience);
+  if (!line) return tl::unexpected{line.error()};
+  // NATS speaks first. Many others wait to be asked, and then say what they are.
+  if (line->empty()) line = first_line_of(*endpoint, "GET / HTTP/1.0\r\n\r\n", patience);
+  if (!line || line->empty()) {
+    return tl::unexpected{std::string{
+        "does not answer, though it takes connections; give the port of NATS for clients, 4222 as a rule"}};
+  }
+  return parse_greeting(*line);
 }
 
 bool at_least(std::string_view version, int major, int minor) {

@@ -14,7 +14,8 @@ struct Greeting {
   std::string name;
   std::string version;  // "2.9.10"
   bool jetstream = false;
-  bool tls = false;  // asked for
+  bool tls = false;         // asked for
+  bool tls_verify = false;  // of clients, too
   std::int64_t max_payload = 0;
 };
 

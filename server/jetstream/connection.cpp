@@ -49,11 +49,17 @@ bool is_refusal(natsStatus status) {
          status == NATS_SECURE_CONNECTION_WANTED;
 }
 
+/// Of NATS and libnats, in one line for people: quotes stay readable.
+std::string words_of(std::string_view text) {
+  std::string plain{text.substr(0, 300)};
+  std::ranges::replace(plain, '"', '\'');
+  return escaped(plain, 300);
+}
+
 /// What libnats said last on this thread, or what the status means.
 std::string last_words(natsStatus status) {
   const char* const said = nats_GetLastError(nullptr);
-  const std::string_view text = said == nullptr || *said == '\0' ? natsStatus_GetText(status) : said;
-  return escaped(text, 300);
+  return words_of(said == nullptr || *said == '\0' ? natsStatus_GetText(status) : said);
 }
 
 }  // namespace
@@ -116,9 +122,13 @@ struct Connection::Callbacks {
     link.events->connected(false);
     // It tries for ever, but for servers that refuse it twice; then it has forgotten why.
     const bool refused = is_refusal(status) || status == NATS_NO_SERVER;
-    link.events->closed({refused ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
-                         refused ? "NATS refuses the credentials (Authorization Violation)"
-                                 : fmt::format("NATS: {}", escaped(text == nullptr ? "closed" : text, 300))});
+    link.events->closed(
+        {refused ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
+         refused
+             ? "no server of cluster.nats lets this one in: the credentials are not right "
+               "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
+               "no NATS server; \"talusd cluster check\" says which"
+             : fmt::format("NATS: {}", words_of(text == nullptr ? "closed" : text))});
   }
   static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
                     void* closure) {
@@ -126,7 +136,7 @@ struct Connection::Callbacks {
     const char* text = nullptr;
     natsConnection_GetLastError(connection, &text);
     Link& of = link(closure);
-    const std::string what = escaped(text == nullptr ? "" : text, 300);
+    const std::string what = words_of(text == nullptr ? "" : text);
     {
       const std::lock_guard lock{of.mutex};
       of.denied = what;
@@ -206,7 +216,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   }
   if (set.failed()) {
     return tl::unexpected{
-        StreamFailure{StreamFailure::Kind::refused, fmt::format("NATS: {}", escaped(set.text(), 300))}};
+        StreamFailure{StreamFailure::Kind::refused, fmt::format("NATS: {}", words_of(set.text()))}};
   }
 
   std::shared_ptr<Connection> connection{new Connection{link}};

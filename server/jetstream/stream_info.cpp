@@ -112,11 +112,13 @@ StreamFailure failure_of(const ApiError& error, std::string_view stream) {
   using Kind = StreamFailure::Kind;
   switch (error.code) {
     case kStreamNotFound:
-      return {Kind::refused,
-              fmt::format(
-                  "NATS has no stream {}; make it by \"talusd cluster init\", or name the NATS servers that "
-                  "have it",
-                  stream)};
+      return {
+          Kind::refused,
+          fmt::format(
+              "NATS has no stream {}; name the NATS servers that have it in cluster.nats, or make it: by "
+              "\"talusd cluster init\" for a new world, by \"talusd store join-cluster\" for a store that "
+              "has edits",
+              stream)};
     case kNotEnabled:
     case kNotEnabledForAccount:
       return {Kind::refused,

@@ -123,7 +123,11 @@ class Preparation {
       const auto state = stream.state();
       auto facts = state ? facts_of(*state, stream) : tl::unexpected{state.error()};
       if (facts) return *std::move(facts);
-      if (facts.error().kind != Kind::unavailable) return refused(without_stream(facts.error().reason));
+      if (facts.error().kind != Kind::unavailable) {
+        // Whatever the stream is: it cannot be this store's.
+        if (local_ && local_->stream.sequence == 0) return refused(plan_start({local_, {}}).reason);
+        return refused(without_stream(facts.error().reason));
+      }
       if (local_ && local_->stream.sequence > 0 && rejoin_.empty()) {
         parts_.log->warn(
             "cluster: {}; until it can be reached this server has what is on its disk, and takes no edits",

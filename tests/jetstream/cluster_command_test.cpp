@@ -2,11 +2,16 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <thread>
 
 #include <xxhash.h>
+#include <asio/ip/tcp.hpp>
+#include <asio/read_until.hpp>
+#include <asio/write.hpp>
 #include <catch2/catch.hpp>
 
 #include "cluster_command/check.h"
+#include "cluster_command/connection_words.h"
 #include "cluster_command/init.h"
 #include "cluster_command/nats_greeting.h"
 #include "cluster_command/status.h"
@@ -251,6 +256,57 @@ TEST_CASE("a NATS server's greeting is read, and nothing else is taken for one")
   CHECK_FALSE(at_least("x", 2, 9));
   for (const auto* line : {"", "HTTP/1.1 200 OK", "INFO", "INFO []", "INFO {"})
     CHECK_FALSE(parse_greeting(line));
+}
+
+TEST_CASE("check says what answers in place of NATS") {
+  asio::io_context io;
+  asio::ip::tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
+  std::thread http{[&] {
+    // Nothing until it is asked, as HTTP has it: who asks first gets no answer.
+    for (std::error_code failed; !failed;) {
+      asio::ip::tcp::socket socket = acceptor.accept(failed);
+      if (failed) return;
+      std::string request;
+      asio::read_until(socket, asio::dynamic_buffer(request, 1'000), "\r\n\r\n", failed);
+      if (!failed) asio::write(socket, asio::buffer(std::string{"HTTP/1.0 200 OK\r\n\r\n"}), failed);
+      failed.clear();
+      if (!request.empty()) return;
+    }
+  }};
+  const auto url = "nats://127.0.0.1:" + std::to_string(acceptor.local_endpoint().port());
+  const auto answer = greeting_of(url, std::chrono::milliseconds{500});
+  http.join();
+  REQUIRE_FALSE(answer);
+  CHECK_THAT(answer.error(),
+             Catch::Contains("no NATS server: it says \"HTTP/1.0 200 OK\"") && Catch::Contains("4222"));
+}
+
+TEST_CASE("what keeps TLS from coming about names the key that is concerned") {
+  using jetstream::Credentials;
+  Greeting greeting;
+  greeting.tls = greeting.tls_verify = true;
+  Credentials who;
+  who.tls = true;
+  who.certificate = "a certificate";
+  const auto words = [&](std::string_view reason) {
+    return connection_words("tls://a:1", "tls://a:1: " + std::string{reason}, greeting, who);
+  };
+  CHECK_THAT(words("SSL handshake error: 20:unable to get local issuer certificate:depth=0"),
+             Catch::StartsWith("tls://a:1: cluster.ca: ") && Catch::EndsWith("depth=0)"));
+  CHECK_THAT(words("SSL handshake error: 64:IP address mismatch"),
+             Catch::StartsWith("tls://a:1: cluster.nats: "));
+  CHECK_THAT(words("Error using private key: key values mismatch"),
+             Catch::StartsWith("tls://a:1: cluster.key: "));
+  CHECK_THAT(words("Expected 'PONG', got ''"), Catch::StartsWith("tls://a:1: cluster.certificate: "));
+  CHECK(words("Authorization Violation") == "tls://a:1: Authorization Violation");
+  who.certificate.clear();
+  CHECK_THAT(words("Expected 'PONG', got ''"),
+             Catch::Contains("cluster.certificate, cluster.key: are not set"));
+  who.tls = false;
+  CHECK_THAT(words("unable to get local issuer certificate"), Catch::Contains("write tls://"));
+  greeting.tls = false;
+  who.tls = true;
+  CHECK_THAT(words("whatever"), Catch::Contains("write nats://"));
 }
 
 TEST_CASE("metrics of the cluster are found in a page") {

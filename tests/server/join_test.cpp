@@ -146,6 +146,12 @@ TEST_CASE("a server starts with what it has, from the stream alone, from a peer,
 
 TEST_CASE("a start that a person has to decide on is refused by name") {
   CHECK_THAT(plan(std::nullopt, {1, 0, kMade}).reason, Catch::Contains("talusd cluster init"));
+  // A store of one machine where NATS has no stream: what has edits must not begin a new world.
+  CheckpointStore alone;
+  Joiner joiner;
+  copy_store(alone, joiner.path);
+  joiner.script.failures = {{StreamFailure::Kind::refused, "NATS has no stream"}};
+  CHECK_THAT(joiner.start(), Catch::Contains("talusd store join-cluster") && !Catch::Contains("init"));
   CHECK_THAT(plan(store_at(0), {1, 5, kMade}).reason, Catch::Contains("talusd store join-cluster"));
   for (const auto& refused : {plan(store_at(5), {1, 9, kMade + 1}), plan(store_at(5), {1, 4, kMade})}) {
     CHECK(refused.kind == Kind::refused);
