@@ -1,4 +1,6 @@
 // Servers that have no store, or one that is too old or wrong, and get one.
+#include <unistd.h>
+
 #include <random>
 
 #include <asio/io_context.hpp>
@@ -218,11 +220,14 @@ TEST_CASE("while a server joins its operators' port says so") {
   const std::uint16_t port = a->admin_port();
   a->signal(SIGKILL);
   (void)a->wait();
+  // Known before it listens, another one for each process of tests that run at once, and none that the system
+  // gives out.
+  const auto own = static_cast<std::uint16_t>(10'000 + ::getpid() % 10'000);
   std::unique_ptr<ServerProcess> again;
   const auto look = [&](const ServerProcess& joiner) {
     auto& b = const_cast<ServerProcess&>(joiner);
     (void)b.await_line("all are asked again");
-    HttpClient operators{17'431};
+    HttpClient operators{own};
     CHECK(operators.get("/-/healthy").status == 200);
     const Answer ready = operators.get("/-/ready");
     CHECK(ready.status == 503);
@@ -232,7 +237,7 @@ TEST_CASE("while a server joins its operators' port says so") {
     again = std::make_unique<ServerProcess>(
         servers.settings("a"), std::vector<std::string>{"--admin", "127.0.0.1:" + std::to_string(port)});
   };
-  ServerProcess b{servers.joiner("b", {port}), {"--admin", "127.0.0.1:17431"}, look};
+  ServerProcess b{servers.joiner("b", {port}), {"--admin", "127.0.0.1:" + std::to_string(own)}, look};
   await("readiness", [&] { return JoiningServers::is_ready(b); });
   CHECK_THAT(HttpClient{b.admin_port()}.get("/metrics").body, Catch::Contains("talus_cluster_joins_total 1"));
   servers.await_same("a", "b");
