@@ -112,8 +112,8 @@ void SimulatedClient::connect(Time now) {
   const bool slow = profile_.role == Role::slow;
   read_due_ = slow ? now + kBetweenReads : Time::max();
   const Plan& plan = worker_.plan();
-  link_.open({plan.servers[server()], profile_.from, slow, plan.tls,
-              plan.options.connect.tls, plan.options.connect.websocket});
+  link_.open({plan.servers[server()], profile_.from, slow, plan.tls, plan.options.connect.tls,
+              plan.options.connect.websocket});
 }
 
 void SimulatedClient::opened() {

@@ -24,6 +24,10 @@ constexpr auto kPatience = 500ms;
 constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
+// A server that is connected, and by which no leader answers, may be cut off from those that have one. An
+// election takes less.
+constexpr auto kNoLeader = 10s;
+constexpr auto kLongestNoLeader = 80s;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
@@ -76,13 +80,23 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     }
   }
   void closed(const StreamFailure& why) override {
+    bool wanted = false;
     {
       const std::lock_guard lock{mutex_};
       if (stopped_) return;
       closed_ = why;
+      wanted = std::exchange(leaves_, false);
     }
     changed_.notify_all();
-    log_->error("{}; trying again", why.reason);
+    if (!wanted) log_->error("{}; trying again", why.reason);
+  }
+  /// The connection is closed next, to make it anew.
+  void leaves() {
+    {
+      const std::lock_guard lock{mutex_};
+      leaves_ = true;
+    }
+    log_->warn("NATS: no leader of the log answers by this server; trying any of cluster.nats");
   }
   void denied(std::string_view what) override {
     {
@@ -302,6 +316,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   bool connected_ = false;
   bool woken_ = false;
   bool stopped_ = false;
+  bool leaves_ = false;
   std::optional<StreamFailure> closed_;   // the connection, for good
   std::optional<StreamFailure> trouble_;  // told once
   std::optional<StreamFailure> fault_;    // told from now on
@@ -317,7 +332,8 @@ JetStreamLog::JetStreamLog(Settings settings, std::shared_ptr<const Credentials>
       credentials_{std::move(credentials)},
       log_{std::move(log)},
       reply_{new_reply_subject()},
-      inbox_{std::make_shared<Inbox>(settings_, log_)} {}
+      inbox_{std::make_shared<Inbox>(settings_, log_)},
+      patience_{kNoLeader} {}
 
 JetStreamLog::~JetStreamLog() {
   stop();
@@ -418,6 +434,29 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 }
 
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
+  auto stream = ask_leader();
+  leader_answers(stream || stream.error().kind != Kind::unavailable);
+  return stream;
+}
+
+void JetStreamLog::leader_answers(bool does) {
+  const std::lock_guard lock{connection_mutex_};
+  const auto now = Clock::now();
+  if (does) patience_ = kNoLeader;
+  // What is not connected is tried at all servers by libnats.
+  if (does || settings_.urls.size() < 2 || !connection_ || !connection_->connected()) {
+    silent_since_.reset();
+    return;
+  }
+  if (!silent_since_) silent_since_ = now;
+  if (now - *silent_since_ < patience_) return;
+  silent_since_.reset();
+  patience_ = std::min<Clock::duration>(2 * patience_, kLongestNoLeader);
+  inbox_->leaves();
+  connection_->close();  // connection() makes another
+}
+
+tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   const std::uint64_t read_before = inbox_->after();

@@ -63,6 +63,9 @@ class JetStreamLog final : public LogStream {
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
   /// The connection there is. One that was closed for good is made anew, each second at most.
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
+  [[nodiscard]] tl::expected<StreamState, StreamFailure> ask_leader();
+  /// Where it does not for long, though a NATS server is connected, another is tried.
+  void leader_answers(bool does);
 
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;
@@ -73,6 +76,8 @@ class JetStreamLog final : public LogStream {
   std::mutex connection_mutex_;
   std::shared_ptr<Connection> connection_;
   TimePoint connected_at_{};  // when it was made
+  std::optional<TimePoint> silent_since_{};
+  TimePoint::duration patience_{};
 };
 
 }  // namespace talus::server::jetstream

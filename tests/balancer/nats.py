@@ -47,6 +47,10 @@ class NatsServer:
     def page(self, path):
         return json.loads(fetch(f"http://{self.address}:{self.monitor}{path}", timeout_s=2)[1])
 
+    def serves(self, address):
+        """Whether somebody from there is connected."""
+        return any(each["ip"] == address for each in self.page("/connz")["connections"])
+
     def leads(self, stream):
         """Whether it says that it leads it: only the leader's word counts."""
         try:

@@ -88,6 +88,10 @@ class Network:
         _run(*self.command(name), "iptables", "-A", "INPUT", "-p", "tcp", "-m", "multiport", "--sports", ",".join(map(str, ports)), "-j",
              "DROP")
 
+    def silence(self, name, ports):
+        """Whatever comes there from or to these ports is lost."""
+        _run(*self.command(name), "iptables", "-A", "INPUT", "-p", "tcp", "-m", "multiport", "--ports", ",".join(map(str, ports)), "-j", "DROP")
+
     def let_hear(self, name):
         _run(*self.command(name), "iptables", "-F", "INPUT")
 

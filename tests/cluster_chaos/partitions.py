@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Hosts of a cluster are cut from the others for a time, under editors and flying viewers on both sides: a talusd with its
-nats-server, a talusd alone, a nats-server alone; the nats-server is the one that leads the log. Wants root.
+nats-server, a talusd alone, a nats-server alone; the nats-server is the one that leads the log. At last the routes of a nats-server
+alone, which its talusd does not see. Wants root.
 
 Prints what went on meanwhile and how soon all was well after. Ends with 1 where an edit was answered otherwise than it had to be, is
 lost or happened twice, chunks stopped, or S was not equal on all in time."""
@@ -96,6 +97,28 @@ def cut(cluster, name, talusd, nats, sides, tail):
         side.go()
 
 
+def cut_routes(cluster, talusd, sides):
+    """Of the nats-server to which this talusd is connected, that to the other nats-servers alone: the talusd reaches all of them."""
+    nats = next(each for each in cluster.nats.servers if each.serves(cluster.network.inner(talusd.name)))
+    before = sides[0].figures()
+    cluster.network.silence(nats.name, [each.route for each in cluster.nats.servers])
+    began = time.monotonic()
+    time.sleep(options.seconds)
+    between = sides[0].figures()
+    until(lambda: sides[0].figures()["done"] > between["done"], "edits flow", 60)
+    flow = time.monotonic() - began
+    cluster.network.let_hear(nats.name)
+    until(cluster.is_well, "all are ready and have the quorum")
+    wrong, revision = cluster.agreed(sides)
+    say(f"a nats-server's routes: {nats.name} cut off from the other nats-servers, {talusd.name} from none")
+    say(f"  {talusd.name}'s side: {between['done'] - before['done']} edits answered in {options.seconds:.0f} s, longest pause "
+        f"{between['longest_pause_ms'] / 1000:.1f} s; they flow {flow:.1f} s after")
+    say(f"  then every server has all voxels as acknowledged, one revision an edit ({revision}), and one S: {'no' if wrong else 'yes'}")
+    failures.extend(f"routes: {line}" for line in wrong)
+    for side in sides:
+        side.go()
+
+
 with Cluster(folder) as cluster:
     tail = cluster.tail()
     common = ["--editors", 4, "--lanes", 8, "--rate", options.rate, "--alone", "--seed", options.seed]
@@ -111,6 +134,8 @@ with Cluster(folder) as cluster:
     cut(cluster, "a talusd alone", cluster.servers[0], None, sides, tail)
     time.sleep(3)
     cut(cluster, "a nats-server alone", None, cluster.nats.leader(), sides, tail)
+    time.sleep(3)
+    cut_routes(cluster, cluster.servers[0], sides)
     for each in viewers:
         seen = each.stop()
         if seen["wrong"] or seen["unanswered"] or seen["disconnects"]:
