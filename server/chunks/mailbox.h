@@ -102,7 +102,7 @@ class Mailbox {
     const std::lock_guard lock{mutex_};
     if (any_changed_) return;
     const bool any = changes == nullptr || changes_ + changes->size() > kMaxChanges;
-    mail_.emplace_back(std::in_place_type<ChunksChanged>, any ? nullptr : changes);
+    mail_.push_back(ChunksChanged{any ? nullptr : changes});
     if (any) {
       any_changed_ = true;
       std::erase_if(mail_, [](const Mail& mail) {
