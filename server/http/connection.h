@@ -212,6 +212,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     return add(*response_, request.method == Method::head, more_) ? after_response() : Next::body;
   }
   [[nodiscard]] Next after_response() {
+    response_.reset();  // a checkpoint, or a chunk, is not kept while the client rests
     if (open_ && upgraded_) return Next::hand_over;
     if (!open_ || !more_) return Next::end;
     parser_.pop();

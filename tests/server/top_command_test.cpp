@@ -111,8 +111,7 @@ TEST_CASE("talusd top takes no part of an answer for the whole, and no answer wi
        {"HTTP/1.1 200 OK\r\n\r\na row\n", "is not the answer of a talusd"},
        {"HTTP/1.1 200 OK\r\nContent-Length: 1x\r\n\r\na", "is not the answer of a talusd"},
        {"HTTP/1.1 200 OK\r\nContent-Length: 7\r\n", "is not the answer of a talusd"},
-       {"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n",
-        "\"HTTP/1.1 404 Not Found\" is not the answer"},
+       {"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n", "status 404 is not the answer"},
        {"", ": "}}));
   const auto page = fetched(answer);
   REQUIRE_FALSE(page.has_value());
