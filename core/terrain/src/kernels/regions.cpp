@@ -144,6 +144,55 @@ HWY_INLINE RegionVector value_of(Sloped a) {
   return a.v;
 }
 
+/// Two vectors' numbers. A height is one long chain of operations, and the other vector's runs beside it.
+struct Two {
+  RegionVector a;
+  RegionVector b;
+};
+
+HWY_INLINE Two add(Two m, Two n) {
+  return {hn::Add(m.a, n.a), hn::Add(m.b, n.b)};
+}
+HWY_INLINE Two sub(Two m, Two n) {
+  return {hn::Sub(m.a, n.a), hn::Sub(m.b, n.b)};
+}
+HWY_INLINE Two mul(Two m, Two n) {
+  return {hn::Mul(m.a, n.a), hn::Mul(m.b, n.b)};
+}
+HWY_INLINE Two quotient(Two m, Two n) {
+  return {hn::Div(m.a, n.a), hn::Div(m.b, n.b)};
+}
+HWY_INLINE Two root(Two m) {
+  return {hn::Sqrt(m.a), hn::Sqrt(m.b)};
+}
+HWY_INLINE Two size_of(Two m) {
+  return {hn::Abs(m.a), hn::Abs(m.b)};
+}
+HWY_INLINE Two larger(Two m, Two n) {
+  return {hn::Max(m.a, n.a), hn::Max(m.b, n.b)};
+}
+HWY_INLINE Two times(Two m, float factor) {
+  return {times(m.a, factor), times(m.b, factor)};
+}
+HWY_INLINE Two plus(Two m, float more) {
+  return {plus(m.a, more), plus(m.b, more)};
+}
+HWY_INLINE Two less(float whole, Two m) {
+  return {less(whole, m.a), less(whole, m.b)};
+}
+HWY_INLINE Two unit(Two m) {
+  return {unit(m.a), unit(m.b)};
+}
+HWY_INLINE Two where_above(Two m, Two n, Two yes, Two no) {
+  return {where_above(m.a, n.a, yes.a, no.a), where_above(m.b, n.b, yes.b, no.b)};
+}
+HWY_INLINE Two at_least(Two m, float least) {
+  return {at_least(m.a, least), at_least(m.b, least)};
+}
+HWY_INLINE Two at_most(Two m, float most) {
+  return {at_most(m.a, most), at_most(m.b, most)};
+}
+
 /// From 0 at `none` to 1 at `all`.
 template <class N>
 HWY_INLINE N ramp(float none, float all, N v) {
@@ -422,6 +471,9 @@ void spread(const float* samples, const Cells& cells, float* out, float* rise) {
 HWY_INLINE bool none(RegionVector v) {
   return hn::AllTrue(RegionTag{}, hn::Eq(v, constant(0)));
 }
+HWY_INLINE bool none(Two m) {
+  return none(hn::Or(hn::Abs(m.a), hn::Abs(m.b)));
+}
 HWY_INLINE bool none(Sloped a) {
   return none(hn::Or(hn::Or(hn::Abs(a.v), hn::Abs(a.x)), hn::Abs(a.z)));
 }
@@ -439,6 +491,21 @@ struct PlainAt {
     return hn::LoadU(RegionTag{}, row.shape[k] + i);
   }
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
+};
+struct TwoAt {
+  using Number = Two;
+  const RegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const { return both(row.*values + i); }
+  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return both(row.shape[k] + i); }
+  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
+
+ private:
+  [[nodiscard]] static HWY_INLINE Two both(const float* values) {
+    const RegionTag f;
+    return {hn::LoadU(f, values), hn::LoadU(f, values + hn::Lanes(f))};
+  }
 };
 struct SlopedAt {
   using Number = Sloped;
@@ -594,9 +661,15 @@ template <class N>
 HWY_INLINE bool all_above(N a, N b) {
   return hn::AllTrue(RegionTag{}, hn::Gt(value_of(a), value_of(b)));
 }
+HWY_INLINE bool all_above(Two m, Two n) {
+  return hn::AllTrue(RegionTag{}, hn::And(hn::Gt(m.a, n.a), hn::Gt(m.b, n.b)));
+}
 template <class N>
 HWY_INLINE bool all_at_least(N a, float least) {
   return hn::AllTrue(RegionTag{}, hn::Ge(value_of(a), constant(least)));
+}
+HWY_INLINE bool all_at_least(Two m, float least) {
+  return all_at_least(hn::Min(m.a, m.b), least);
 }
 
 /// How far from their middles rivers and tributaries are felt, or further: no column beyond is cut.
@@ -707,11 +780,24 @@ HWY_INLINE void store_height(RegionVector over_sea, const RegionShape& shape, fl
 
 void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
              std::int32_t* heights_fx, const RegionDetails& details) {
-  for (std::size_t i = 0; i < width; i += hn::Lanes(RegionTag{})) {
-    const auto uncut = uncut_at(PlainAt{row, i}, shape);
-    const auto at = cut(uncut, shape, 0);
-    store_details(at, uncut.mesa, details, i);
+  const std::size_t lanes = hn::Lanes(RegionTag{});
+  const auto store = [&](const Height<RegionVector>& at, RegionVector mesa, std::size_t i) HWY_ATTR {
+    store_details(at, mesa, details, i);
     store_height(at.height, shape, highest_fx, heights_fx + i);
+  };
+  // Processors with vectors of 16 columns have the registers for two.
+  if constexpr (hn::MaxLanes(RegionTag{}) == 16) {
+    for (std::size_t i = 0; i < width; i += 2 * lanes) {
+      const auto uncut = uncut_at(TwoAt{row, i}, shape);
+      const auto at = cut(uncut, shape, 0);
+      store({at.height.a, at.terraces.a, at.small.a}, uncut.mesa.a, i);
+      store({at.height.b, at.terraces.b, at.small.b}, uncut.mesa.b, i + lanes);
+    }
+  } else {
+    for (std::size_t i = 0; i < width; i += lanes) {
+      const auto uncut = uncut_at(PlainAt{row, i}, shape);
+      store(cut(uncut, shape, 0), uncut.mesa, i);
+    }
   }
 }
 
