@@ -147,10 +147,16 @@ const sheet = (name) => async (path) => {
 /** The viewer, when all that it asked for is there. */
 const inBrowser = (where, width, height, ready) => async (path) => {
   const server = await serve('default');
-  const shown = await page(width, height);
-  shown.setDefaultTimeout(600_000);
+  // Small until all is there: frames would take the time that chunks need.
+  const shown = await page(width / 5, height / 5);
+  shown.setDefaultTimeout(1_200_000);
   await shown.goto(`http://${server.http}/${where}`);
   await shown.waitForFunction(ready);
+  await shown.setViewportSize({ width, height });
+  await shown.waitForFunction(ready);
+  await shown.evaluate(async () => {
+    for (let frame = 0; frame < 8; frame++) await new Promise(requestAnimationFrame);
+  });
   await shown.screenshot({ path });
   await shown.close();
   server.stop();
@@ -233,7 +239,8 @@ const pictures = {
   'sheet-archipelago.png': sheet('archipelago'),
   'sheet-mesas.png': sheet('mesas'),
   'sheet-alpine.png': sheet('alpine'),
-  'views-default.png': views('default', [['', undefined, 40], ['-2743,-2198', 300, 40], ['-2400,-3880', 110, 40]]),
+  'view.png': (path) => lookIn('default', ['-2743,-2198', 250, 45], path),
+  'views-default.png': views('default', [['', 0, 40], ['-2743,-2198', 300, 40], ['-2400,-3880', 110, 40]]),
   'views-archipelago.png': views('archipelago', [['', undefined, 40], ['-2480,-680', 200, 40], ['400,-1040', 10, 40]]),
   'views-mesas.png': views('mesas', [['', undefined, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
   'views-alpine.png': views('alpine', [['', undefined, 40], ['-800,-680', 285, 45], ['-2500,-600', 115, 50]]),
