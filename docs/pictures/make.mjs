@@ -144,11 +144,10 @@ const sheet = (name) => async (path) => {
   await row([whole], Math.round(bytes.readUInt32BE(16) * 0.55), Math.round(bytes.readUInt32BE(20) * 0.55), path);
 };
 
-/** The viewer, when all that it asked for is there. */
-const inBrowser = (where, width, height, ready) => async (path) => {
+/** The viewer, when all that it asked for is there. Until then it is so many times smaller: frames would take the time that chunks need. */
+const inBrowser = (where, width, height, ready, smaller = 1) => async (path) => {
   const server = await serve('default');
-  // Small until all is there: frames would take the time that chunks need.
-  const shown = await page(width / 5, height / 5);
+  const shown = await page(width / smaller, height / smaller);
   shown.setDefaultTimeout(1_200_000);
   await shown.goto(`http://${server.http}/${where}`);
   await shown.waitForFunction(ready);
@@ -244,7 +243,7 @@ const pictures = {
   'views-archipelago.png': views('archipelago', [['', undefined, 40], ['-2480,-680', 200, 40], ['400,-1040', 10, 40]]),
   'views-mesas.png': views('mesas', [['', undefined, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
   'views-alpine.png': views('alpine', [['', undefined, 40], ['-800,-680', 285, 45], ['-2500,-600', 115, 50]]),
-  'viewer.png': inBrowser('#at=-2743,190,-2198&look=300,-8&time=8.5&mode=fly&radius=8&horizon=2048', 1280, 640, viewFilled),
+  'viewer.png': inBrowser('#at=-2743,190,-2198&look=300,-8&time=8.5&mode=fly&radius=8&horizon=2048', 1280, 640, viewFilled, 5),
   'viewer-map.png': inBrowser('map.html', 1280, 720, () => window.talusMap?.missing === 0),
 };
 
