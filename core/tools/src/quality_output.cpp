@@ -14,9 +14,13 @@ class Lines {
  public:
   template <typename... Values>
   void add(const char* format, Values... values) {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    text_ += line.data();
+    if constexpr (sizeof...(values) == 0) {
+      text_ += format;
+    } else {
+      std::array<char, 256> line{};
+      std::snprintf(line.data(), line.size(), format, values...);
+      text_ += line.data();
+    }
     text_ += '\n';
   }
   [[nodiscard]] std::string take() { return std::move(text_); }
