@@ -1,5 +1,7 @@
 #include "quality.h"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -12,8 +14,14 @@ namespace {
 
 Quality measured(const terrain::World& world, int threads) {
   ProgressBar progress{"quality", "columns"};
-  return measure_quality(
-      world, {.threads = threads, .spectra = 3, .blocks = 12, .windows = 3, .window_side = 128}, progress);
+  return measure_quality(world,
+                         {.threads = threads,
+                          .spectra = 3,
+                          .blocks = 12,
+                          .windows = 3,
+                          .window_side = 128,
+                          .lattice_places = 700},
+                         progress);
 }
 
 }  // namespace
@@ -51,7 +59,41 @@ TEST_CASE("Figures of a world agree with each other and with its bounds") {
   CHECK(quality.steep[1] >= quality.steep[2]);
   CHECK(quality.highest.voxels <= (world.highest_fx() - *world.sea_fx()) / 256.0);
   CHECK(quality.highest.voxels > quality.deepest.voxels);
-  CHECK(quality.wishes.size() == 4);
+  CHECK(quality.largest_step.voxels >= quality.other_step.voxels);
+  CHECK(quality.lattices.size() == 6);
+  for (const QualityLattice& lattice : quality.lattices) {
+    CAPTURE(lattice.noise);
+    // The error of 700 independent places; those near each other are not.
+    CHECK(lattice.error == Approx(std::sqrt(2.0 / 700)).epsilon(0.1));
+    CHECK(lattice.apart < 4 * lattice.error);
+    CHECK(lattice.at_points > quality.deepest.voxels);
+    CHECK(lattice.at_points < quality.highest.voxels);
+  }
+  CHECK(quality.wishes.size() == 7);
+}
+
+TEST_CASE("Of a world of another kind the figures of regions are left out") {
+  const auto world = terrain::World::parse(terrain::classic_world_toml(), "classic.toml");
+  REQUIRE(world);
+  const Quality quality = measured(*world, 2);
+  CHECK(quality.lattices.empty());
+  CHECK(quality.wishes.size() == 5);
+  CHECK_THAT(to_text(quality), !Catch::Contains("Lattices"));
+}
+
+TEST_CASE("A wish that a world does not meet is told so") {
+  const terrain::World world = test::world_with_looks();
+  const auto verdict = [](const Quality& quality, const std::string& of) {
+    for (const QualityWish& wish : quality.wishes) {
+      if (wish.what.find(of) != std::string::npos) return wish.met;
+    }
+    FAIL("no wish is about " + of);
+    return false;
+  };
+  const Quality few = measured(world, 2);
+  CHECK_FALSE(verdict(few, "kinds of ground"));  // it has three
+  CHECK(verdict(few, "step"));
+  CHECK(verdict(few, "bed"));
 }
 
 TEST_CASE("The figures of the default world are text and JSON") {
@@ -59,6 +101,6 @@ TEST_CASE("The figures of the default world are text and JSON") {
   CHECK_THAT(to_text(quality), Catch::Contains("Power of heights"));
   const auto json = nlohmann::json::parse(to_json(quality));
   CHECK(json["bands"].size() == 6);
-  CHECK(json["wanted"].size() == 4);
+  CHECK(json["wanted"].size() == 7);
   CHECK(json["land_steeper_than"][2]["degrees"] == 60);
 }

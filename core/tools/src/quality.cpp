@@ -4,182 +4,44 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
-#include <optional>
+#include <utility>
 
-#include <talus/terrain/boundary_row.h>
-#include <talus/terrain/slope.h>
-
-#include <talus/map/column_grid.h>
 #include "ordered_work.h"
+#include "quality_places.h"
 #include "spread.h"
-#include "water_pieces.h"
 
 namespace talus::tools {
 namespace {
 
-constexpr std::array kBandsFrom{16, 32, 64, 128, 256, 512};
-constexpr int kSamplesAWave = 8;  // of a band's shortest
-constexpr std::int64_t kReach = std::int64_t{1} << 24;
 constexpr double kEvenWithin = 0.1;
 constexpr double kErrors = 2.5;
 constexpr double kWaterDeviation = 0.25;
 constexpr int kKinds = 8;
 constexpr double kLoneWater = 0.01;
-
-// SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t mixed(std::uint64_t state) {
-  state += 0x9E3779B97F4A7C15U;
-  state = (state ^ (state >> 30U)) * 0xBF58476D1CE4E5B9U;
-  state = (state ^ (state >> 27U)) * 0x94D049BB133111EBU;
-  return state ^ (state >> 31U);
-}
-
-std::int64_t coordinate(std::uint64_t purpose, std::uint64_t index, std::uint64_t axis) {
-  return static_cast<std::int64_t>(mixed(mixed(purpose * 2 + axis) + index) % (2 * kReach)) - kReach;
-}
-
-map::ColumnGrid grid_at_random(std::uint64_t purpose, std::size_t index, std::int64_t every, int side) {
-  return {coordinate(purpose, index, 0), coordinate(purpose, index, 1), every, side, side};
-}
-
-struct Extreme {
-  std::int32_t fx = 0;
-  std::int64_t x = 0;
-  std::int64_t z = 0;
-};
-
-// What one place gives; parts of it are empty, by its kind.
-struct PlaceResult {
-  enum class Kind : std::uint8_t { spectrum, block, window };
-  Kind kind = Kind::spectrum;
-  std::size_t band = 0;
-  std::optional<BandPower> power;
-  std::vector<std::int64_t> by_look;  // columns of land
-  std::int64_t columns = 0;
-  std::int64_t water = 0;
-  WaterPieces pieces;
-  Extreme step;
-  std::array<std::int64_t, kSlopeDegrees.size()> steep{};
-  Extreme highest{INT32_MIN};
-  Extreme deepest{INT32_MAX};
-};
-
-class Places {
- public:
-  Places(const terrain::World& world, const QualityOptions& options) : world_{world}, options_{options} {}
-
-  [[nodiscard]] std::size_t count() const {
-    return spectra() + static_cast<std::size_t>(options_.blocks) + static_cast<std::size_t>(options_.windows);
-  }
-  [[nodiscard]] std::uint64_t columns() const {
-    const auto block = static_cast<std::uint64_t>(kBlockSide / kBlockEvery);
-    const auto side = static_cast<std::uint64_t>(options_.window_side);
-    return spectra() * kSpectrumSide * kSpectrumSide +
-           static_cast<std::uint64_t>(options_.blocks) * block * block +
-           static_cast<std::uint64_t>(options_.windows) * side * side;
-  }
-
-  [[nodiscard]] PlaceResult look_at(std::size_t index) const {
-    if (index < spectra()) return spectrum(index % kBandsFrom.size(), index / kBandsFrom.size());
-    index -= spectra();
-    const auto blocks = static_cast<std::size_t>(options_.blocks);
-    return index < blocks ? block(index) : window(index - blocks);
-  }
-
- private:
-  [[nodiscard]] std::size_t spectra() const {
-    return kBandsFrom.size() * static_cast<std::size_t>(options_.spectra);
-  }
-  [[nodiscard]] bool is_wet(std::int32_t height_fx) const {
-    return world_.sea_fx() && terrain::boundary_row(height_fx) < terrain::boundary_row(*world_.sea_fx());
-  }
-
-  static void note_extremes(const map::ColumnGrid& grid, const terrain::Field& heights_fx,
-                            PlaceResult& result) {
-    result.columns = static_cast<std::int64_t>(grid.columns());
-    for (int k = 0; k < grid.depth; ++k) {
-      for (int i = 0; i < grid.width; ++i) {
-        const std::int32_t fx = heights_fx.at(i, k);
-        if (fx > result.highest.fx) result.highest = {fx, grid.x_of(i), grid.z_of(k)};
-        if (fx < result.deepest.fx) result.deepest = {fx, grid.x_of(i), grid.z_of(k)};
-      }
-    }
-  }
-
-  [[nodiscard]] PlaceResult spectrum(std::size_t band, std::size_t index) const {
-    const map::ColumnGrid grid =
-        grid_at_random(1 + band, index, kBandsFrom[band] / kSamplesAWave, kSpectrumSide);
-    const terrain::Field heights_fx = map::sample_columns(world_, grid).heights_fx;
-    PlaceResult result;
-    result.band = band;
-    result.power = band_power(std::vector<double>(heights_fx.values.begin(), heights_fx.values.end()));
-    note_extremes(grid, heights_fx, result);
-    return result;
-  }
-
-  [[nodiscard]] PlaceResult block(std::size_t index) const {
-    const map::ColumnGrid grid = grid_at_random(100, index, kBlockEvery, kBlockSide / kBlockEvery);
-    const map::ColumnSamples samples = map::sample_columns(world_, grid);
-    PlaceResult result;
-    result.kind = PlaceResult::Kind::block;
-    result.by_look.resize(world_.look_names().size());
-    for (std::size_t i = 0; i < samples.looks.values.size(); ++i) {
-      const bool wet = is_wet(samples.heights_fx.values[i]);
-      ++(wet ? result.water : result.by_look[samples.looks.values[i]]);
-    }
-    note_extremes(grid, samples.heights_fx, result);
-    return result;
-  }
-
-  // Slopes need a ring around the window; the rest does without.
-  [[nodiscard]] PlaceResult window(std::size_t index) const {
-    const int side = options_.window_side;
-    const map::ColumnGrid grid = grid_at_random(200, index, 1, side);
-    const terrain::Field ringed = map::sample_columns(world_, grid.expanded(1)).heights_fx;
-    const terrain::Field slope = slope_inside(ringed);
-    const terrain::Field heights_fx = ringed.cropped(1);
-    PlaceResult result;
-    result.kind = PlaceResult::Kind::window;
-    note_extremes(grid, heights_fx, result);
-    std::vector<std::uint8_t> wet(grid.columns());
-    std::array<std::int32_t, kSlopeDegrees.size()> limits{};
-    for (std::size_t d = 0; d < limits.size(); ++d) {
-      limits[d] = static_cast<std::int32_t>(terrain::kSubvoxels *
-                                            std::tan(kSlopeDegrees[d] * std::numbers::pi / 180));
-    }
-    for (int z = 0; z < side; ++z) {
-      for (int x = 0; x < side; ++x) {
-        const std::int32_t here = heights_fx.at(x, z);
-        const bool is_water = is_wet(here);
-        wet[static_cast<std::size_t>(z * side + x)] = is_water ? 1 : 0;
-        const std::int32_t step =
-            std::max(std::abs(ringed.at(x + 2, z + 1) - here), std::abs(ringed.at(x + 1, z + 2) - here));
-        if (step > result.step.fx) result.step = {step, grid.x_of(x), grid.z_of(z)};
-        for (std::size_t d = 0; d < limits.size() && !is_water; ++d) {
-          result.steep[d] += slope.at(x, z) > limits[d] ? 1 : 0;
-        }
-      }
-    }
-    result.pieces = water_pieces(wet, side, side);
-    return result;
-  }
-
-  const terrain::World& world_;
-  const QualityOptions& options_;
-};
+constexpr double kLatticeWithin = 0.05;  // standard deviations
+constexpr double kStep = 15;             // voxels
 
 class Tally {
  public:
-  Tally(const terrain::World& world, const QualityOptions& options)
-      : world_{world}, by_kind_(world.look_names().size() + 1), dominated_(by_kind_.size()) {
+  Tally(const terrain::World& world, const QualityOptions& options, const std::vector<std::string>& lattices)
+      : world_{world},
+        lattices_(lattices.size()),
+        by_kind_(world.look_names().size() + 1),
+        dominated_(by_kind_.size()) {
     quality_.options = options;
+    quality_.regions = world.spec().surface.regions.has_value();
+    for (const std::string& name : lattices) quality_.lattices.push_back({name});
   }
 
   void add(const PlaceResult& place) {
-    if (place.power) powers_[place.band].push_back(*place.power);
+    if (place.power) powers_[place.of].push_back(*place.power);
     if (place.kind == PlaceResult::Kind::block) add_block(place);
     if (place.kind == PlaceResult::Kind::window) add_window(place);
+    if (place.kind == PlaceResult::Kind::lattice) {
+      lattices_[place.of].at_points.add(place.at_points);
+      lattices_[place.of].at_middles.add(place.at_middles);
+      return;
+    }
     if (place.highest.fx > highest_.fx) highest_ = place.highest;
     if (place.deepest.fx < deepest_.fx) deepest_ = place.deepest;
   }
@@ -191,6 +53,7 @@ class Tally {
     take_blocks();
     take_windows();
     const std::int32_t sea_fx = world_.sea_fx().value_or(0);
+    take_lattices(sea_fx);
     quality_.highest = place_of(highest_, sea_fx);
     quality_.deepest = place_of(deepest_, sea_fx);
     judge();
@@ -198,7 +61,7 @@ class Tally {
   }
 
  private:
-  static QualityPlace place_of(const Extreme& extreme, std::int32_t zero_fx) {
+  static QualityPlace place_of(const PlaceResult::Extreme& extreme, std::int32_t zero_fx) {
     return {static_cast<double>(extreme.fx - zero_fx) / terrain::kSubvoxels, extreme.x, extreme.z};
   }
 
@@ -218,6 +81,11 @@ class Tally {
     pieces_.inland += place.pieces.inland;
     for (std::size_t d = 0; d < steep_.size(); ++d) steep_[d] += place.steep[d];
     if (place.step.fx > step_.fx) step_ = place.step;
+    if (place.other_step.fx > other_step_.fx) other_step_ = place.other_step;
+    beds_ += place.beds;
+    fading_beds_ += place.fading_beds;
+    if (place.bed.fx > bed_.fx) bed_ = place.bed;
+    if (place.fading_bed.fx > fading_bed_.fx) fading_bed_ = place.fading_bed;
   }
 
   void take_blocks() {
@@ -255,6 +123,28 @@ class Tally {
       quality_.steep[d] = share(steep_[d], window_columns_ - pieces_.water);
     }
     quality_.largest_step = place_of(step_, 0);
+    quality_.other_step = place_of(other_step_, 0);
+    quality_.beds = share(beds_, window_columns_);
+    quality_.fading_beds = share(fading_beds_, beds_);
+    if (beds_ > fading_beds_) quality_.highest_bed = place_of(bed_, 0);
+    if (fading_beds_ > 0) quality_.highest_fading_bed = place_of(fading_bed_, 0);
+  }
+
+  void take_lattices(std::int32_t sea_fx) {
+    const double sea = static_cast<double>(sea_fx) / terrain::kSubvoxels;
+    for (std::size_t i = 0; i < lattices_.size(); ++i) {
+      const Moments& points = lattices_[i].at_points;
+      const Moments& middles = lattices_[i].at_middles;
+      if (points.count == 0 || middles.count == 0) continue;
+      Moments all = points;
+      all.add(middles);
+      const double deviation = std::sqrt(all.variance());
+      QualityLattice& lattice = quality_.lattices[i];
+      lattice.at_points = points.mean() - sea;
+      lattice.at_middles = middles.mean() - sea;
+      lattice.apart = deviation == 0 ? 0 : std::abs(points.mean() - middles.mean()) / deviation;
+      lattice.error = std::sqrt(1 / points.count + 1 / middles.count);
+    }
   }
 
   template <typename... Numbers>
@@ -281,10 +171,29 @@ class Tally {
          "%d kinds", quality_.kinds_somewhere);
     wish("less than 1 % of water in lone pieces", quality_.lone_water < kLoneWater, "%.3f %%",
          100 * quality_.lone_water);
+    if (!quality_.regions) {
+      wish("no step between neighbours above 15 voxels", quality_.largest_step.voxels <= kStep, "%.1f voxels",
+           quality_.largest_step.voxels);
+      return;
+    }
+    wish("no step between neighbours above 15 voxels but on walls of terraces",
+         quality_.other_step.voxels <= kStep, "%.1f voxels", quality_.other_step.voxels);
+    double apart = 0;
+    for (const QualityLattice& lattice : quality_.lattices) apart = std::max(apart, lattice.apart);
+    wish("heights at lattice points within 0.05 standard deviations of those at middles of cells",
+         apart <= kLatticeWithin, "%.3f at most", apart);
+    wish("no bed of a whole river above its flood plain, 1.2 over the sea and more in high land",
+         quality_.highest_bed.voxels <= 0, "%.2f voxels at most", quality_.highest_bed.voxels);
   }
+
+  struct LatticeHeights {
+    Moments at_points;
+    Moments at_middles;
+  };
 
   const terrain::World& world_;
   Quality quality_;
+  std::vector<LatticeHeights> lattices_;
   std::array<std::vector<BandPower>, kBandsFrom.size()> powers_;
   std::vector<double> water_shares_;
   std::vector<std::int64_t> by_kind_;  // columns by look, then water
@@ -292,20 +201,30 @@ class Tally {
   std::int64_t window_columns_ = 0;
   WaterPieces pieces_;
   std::array<std::int64_t, kSlopeDegrees.size()> steep_{};
-  Extreme step_;
-  Extreme highest_{INT32_MIN};
-  Extreme deepest_{INT32_MAX};
+  PlaceResult::Extreme step_;
+  PlaceResult::Extreme other_step_;
+  PlaceResult::Extreme bed_{INT32_MIN};
+  PlaceResult::Extreme fading_bed_{INT32_MIN};
+  std::int64_t beds_ = 0;
+  std::int64_t fading_beds_ = 0;
+  PlaceResult::Extreme highest_{INT32_MIN};
+  PlaceResult::Extreme deepest_{INT32_MAX};
 };
 
 }  // namespace
 
 QualityOptions QualityOptions::quick(int threads) {
-  return {.threads = threads, .spectra = 24, .blocks = 20, .windows = 6, .window_side = 512};
+  return {.threads = threads,
+          .spectra = 24,
+          .blocks = 20,
+          .windows = 6,
+          .window_side = 512,
+          .lattice_places = 4'000};
 }
 
 Quality measure_quality(const terrain::World& world, const QualityOptions& options, ProgressBar& progress) {
-  const Places places{world, options};
-  Tally tally{world, options};
+  const QualityPlaces places{world, options};
+  Tally tally{world, options, places.lattices()};
   progress.expect(places.columns());
   work_in_order(
       places.count(), thread_count(options.threads), [&](std::size_t index) { return places.look_at(index); },

@@ -21,6 +21,7 @@ struct QualityOptions {
   int blocks = 200;   // of kBlockSide base columns a side
   int windows = 64;   // of every base column
   int window_side = 1024;
+  int lattice_places = 40'000;  // points and middles of cells, of each noise
 
   /// A tenth of them, for a first look.
   [[nodiscard]] static QualityOptions quick(int threads);
@@ -42,6 +43,15 @@ struct QualityKind {
   bool ground = true;  // not water
   int blocks = 0;
   double share = 0;
+};
+
+/// Heights where a noise has the lattice points of its first octave, and in the middles of its cells.
+struct QualityLattice {
+  std::string noise;
+  double at_points = 0;  // means, voxels
+  double at_middles = 0;
+  double apart = 0;  // in standard deviations of heights
+  double error = 0;  // standard, of that, if the places were independent
 };
 
 struct QualityPlace {
@@ -73,6 +83,15 @@ struct Quality {
   double inland_water = 0;                           // in pieces that touch no window's edge
   QualityPlace largest_step;                         // between two columns that share an edge
   std::array<double, kSlopeDegrees.size()> steep{};  // of land
+  // Of surfaces of kind "regions" alone:
+  bool regions = false;
+  std::vector<QualityLattice> lattices;
+  QualityPlace other_step;   // the largest that no terrace makes
+  double beds = 0;           // share of columns in windows that are a river's bed, half a voxel deep or more
+  double fading_beds = 0;    // share of those where the river fades away in the hills
+  QualityPlace highest_bed;  // of whole rivers, over their flood plain
+  QualityPlace highest_fading_bed;  // of others
+
   QualityPlace highest;
   QualityPlace deepest;
 

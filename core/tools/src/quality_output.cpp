@@ -14,9 +14,13 @@ class Lines {
  public:
   template <typename... Values>
   void add(const char* format, Values... values) {
-    std::array<char, 256> line{};
-    std::snprintf(line.data(), line.size(), format, values...);
-    text_ += line.data();
+    if constexpr (sizeof...(values) == 0) {
+      text_ += format;
+    } else {
+      std::array<char, 256> line{};
+      std::snprintf(line.data(), line.size(), format, values...);
+      text_ += line.data();
+    }
     text_ += '\n';
   }
   [[nodiscard]] std::string take() { return std::move(text_); }
@@ -65,6 +69,20 @@ std::string to_text(const Quality& quality) {
               static_cast<long long>(place.z));
   };
   add_place("largest step to a neighbour", quality.largest_step);
+  if (quality.regions) {
+    add_place("largest without a terrace", quality.other_step);
+    lines.add("  beds of rivers               %6.2f %% of columns; %.2f %% of those fade away in the hills",
+              100 * quality.beds, 100 * quality.fading_beds);
+    add_place("highest over its flood plain", quality.highest_bed);
+    add_place("the same of a fading one", quality.highest_fading_bed);
+    lines.add("");
+    lines.add("Lattices of first octaves, %d places each: mean heights at their points and between",
+              options.lattice_places);
+    for (const QualityLattice& lattice : quality.lattices) {
+      lines.add("  %-28s %6.1f, %6.1f voxels: %.3f +- %.3f standard deviations apart", lattice.noise.c_str(),
+                lattice.at_points, lattice.at_middles, lattice.apart, lattice.error);
+    }
+  }
   lines.add("");
   lines.add("Of all columns looked at");
   add_place("highest", quality.highest);
@@ -112,6 +130,22 @@ std::string to_json(const Quality& quality) {
     json["land_steeper_than"].push_back({{"degrees", kSlopeDegrees[d]}, {"share", quality.steep[d]}});
   }
   json["largest_step"] = json_of(quality.largest_step);
+  if (quality.regions) {
+    json["largest_step_without_a_terrace"] = json_of(quality.other_step);
+    json["beds_of_columns"] = quality.beds;
+    json["fading_beds_of_beds"] = quality.fading_beds;
+    json["highest_bed_over_its_flood_plain"] = json_of(quality.highest_bed);
+    json["highest_fading_bed_over_its_flood_plain"] = json_of(quality.highest_fading_bed);
+    json["lattice_places"] = quality.options.lattice_places;
+    json["lattices"] = QualityJson::array();
+    for (const QualityLattice& lattice : quality.lattices) {
+      json["lattices"].push_back({{"noise", lattice.noise},
+                                  {"height_at_points", lattice.at_points},
+                                  {"height_at_middles", lattice.at_middles},
+                                  {"standard_deviations_apart", lattice.apart},
+                                  {"standard_error", lattice.error}});
+    }
+  }
   json["highest"] = json_of(quality.highest);
   json["deepest"] = json_of(quality.deepest);
   json["wanted"] = QualityJson::array();

@@ -653,6 +653,7 @@ template <class N>
 struct Cut {
   N left;               // of what stands over the flood plain: 0 in the bed, 1 outside the valley
   N bed;                // how deep under the flood plain
+  N share;              // of Stream; 0 where it is not near
   bool near = false;    // of all columns of a vector: else `left` is 1
   bool in_bed = false;  // else `bed` is 0
 };
@@ -693,7 +694,7 @@ template <class N, class StreamAt>
 HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stream_at, N lifted, float depth,
                          float widened) {
   const N none_of_it = times(distance, 0);
-  Cut<N> cut{plus(none_of_it, 1), none_of_it};
+  Cut<N> cut{plus(none_of_it, 1), none_of_it, none_of_it};
   if (all_above(distance, reach)) return cut;
   const Stream<N> stream = stream_at();
   const N half_width = at_least(stream.width, widened);
@@ -701,6 +702,7 @@ HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stre
   const N t = unit(quotient(sub(distance, half_width), sub(valley, half_width)));
   const N flank = add(times(smooth(t), 0.72F), times(mul(t, t), 0.28F));
   cut.near = true;
+  cut.share = stream.share;
   cut.left = less(1, mul(stream.share, less(1, flank)));
   if (all_above(distance, half_width)) return cut;
   const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
@@ -716,6 +718,10 @@ struct Height {
   N height;  // over the sea
   N terraces;
   N small;
+  N stepped;      // by how much terraces raise the land
+  N bed;          // by how much a river lowers it
+  N river;        // of what share of one that is
+  N flood_plain;  // the height of one
 };
 
 template <class N>
@@ -737,25 +743,30 @@ HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float wide
   }
   N height = where_above(u.land, flood_plain, add(flood_plain, over), u.land);
   N terraces = times(u.land, 0);
+  N stepped = terraces;
+  N bed = terraces;
+  N river = terraces;
   if (!none(u.mesa)) {
     // A valley lowers the field of the terraces, not the land: so canyons are stepped.
     N field = plus(u.terrace_field, 0.1F);
     if (near) field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
     terraces = on_spline(shape.terraces, field);
-    N stepped = mul(times(u.mesa, shape.mesa_height), terraces);
+    stepped = mul(times(u.mesa, shape.mesa_height), terraces);
     if (near) stepped = mul(stepped, smooth(unit(times(left, 4))));
     height = add(height, stepped);
   }
   // The floor of the sea has none.
   if (main.in_bed || side.in_bed) {
-    height = sub(height, mul(larger(main.bed, side.bed), ramp(-9, -1, u.land)));
+    bed = mul(larger(main.bed, side.bed), ramp(-9, -1, u.land));
+    river = where_above(side.bed, main.bed, side.share, main.share);
+    height = sub(height, bed);
   }
   // Beaches: at the shore the land is flatter.
   const N from_shore = times(size_of(height), 1.0F / 7);
   if (!all_at_least(from_shore, 1)) {
     height = mul(height, plus(times(smooth(unit(from_shore)), 0.7F), 0.3F));
   }
-  return {height, terraces, u.small};
+  return {height, terraces, u.small, stepped, bed, river, flood_plain};
 }
 
 /// Without `mesa` country there are no terraces.
@@ -798,6 +809,18 @@ void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, 
       const auto uncut = uncut_at(PlainAt{row, i}, shape);
       store(cut(uncut, shape, 0), uncut.mesa, i);
     }
+  }
+}
+
+void part(const RegionRow& row, const RegionShape& shape, std::size_t width, const LandParts& parts) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto at = cut(uncut_at(PlainAt{row, i}, shape), shape, 0);
+    hn::StoreU(at.height, f, parts.height + i);
+    hn::StoreU(at.stepped, f, parts.terraces + i);
+    hn::StoreU(at.bed, f, parts.bed + i);
+    hn::StoreU(at.river, f, parts.river + i);
+    hn::StoreU(at.flood_plain, f, parts.flood_plain + i);
   }
 }
 
@@ -848,9 +871,9 @@ void equalize_sloped(const Equalizer& equalizer, const SlopedRow& noise, std::si
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace,       distances, lay,     lay_sloped,     bend,
-                                 blend_lines,    spread,    compose, compose_sloped, equalize,
-                                 equalize_sloped};
+constexpr RegionKernels kRegions{displace,       distances,   lay,      lay_sloped,
+                                 bend,           blend_lines, spread,   compose,
+                                 compose_sloped, part,        equalize, equalize_sloped};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

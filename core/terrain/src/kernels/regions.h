@@ -43,6 +43,15 @@ struct RegionDetails {
   float* small = nullptr;     // small hills
 };
 
+/// What heights are made of, in terrain units over the sea. Padded.
+struct LandParts {
+  float* height = nullptr;       // before it is rounded
+  float* terraces = nullptr;     // by how much they raise it; at the shore a little less than that
+  float* bed = nullptr;          // by how much a river's bed lies under its banks; 0 beside it
+  float* river = nullptr;        // in a bed, how much of a river there is, 0 to 1
+  float* flood_plain = nullptr;  // what a river cuts the land down to: 1.2, and more in high land
+};
+
 /// A line of samples: the noises of the slow fields, not equalized. Padded.
 struct SlowNoises {
   const float* continents = nullptr;
@@ -119,6 +128,8 @@ struct RegionKernels {
   void (*compose_sloped)(const SlopedRegionRow& row, const RegionShape& shape, float widened,
                          std::size_t width, float highest_fx, std::int32_t* heights_fx,
                          std::int32_t* slopes_fx, const RegionDetails& details);
+  /// The parts of what compose() says. For measurements: slower than it, and of no weight in what it costs.
+  void (*part)(const RegionRow& row, const RegionShape& shape, std::size_t width, const LandParts& parts);
   /// A noise made uniform.
   void (*equalize)(const Equalizer& equalizer, const float* noise, std::size_t width, float* out);
   void (*equalize_sloped)(const Equalizer& equalizer, const SlopedRow& noise, std::size_t width,

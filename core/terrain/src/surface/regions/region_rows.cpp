@@ -148,13 +148,22 @@ RegionRow RegionRows::row_of(const std::vector<float*>& at) const {
   return row;
 }
 
-void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
+RegionRow RegionRows::plain_row(std::int64_t z) {
   spread_row(z);
   RegionRow at = row_of(at_columns_);
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
     shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
     at.shape[k] = octaves_[k].data();
   }
+  return at;
+}
+
+void RegionRows::parts_row(std::int64_t z, const LandParts& parts) {
+  kernels_->part(plain_row(z), regions_->at_columns, width_, parts);
+}
+
+void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
+  const RegionRow at = plain_row(z);
   const RegionDetails details =
       places_ ? RegionDetails{details_[0].data(), details_[1].data(), details_[2].data()} : RegionDetails{};
   kernels_->compose(at, regions_->at_columns, width_, highest_fx_, heights_.data(), details);

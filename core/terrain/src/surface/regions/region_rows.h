@@ -30,12 +30,15 @@ class RegionRows final : public SurfaceRows {
   void sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) override;
   void quantities(std::int64_t z, std::span<const float*> rows) override;
 
+  /// What the heights of row z are made of.
+  void parts_row(std::int64_t z, const LandParts& parts);
   /// What a slow field says at the columns of the last row.
   [[nodiscard]] const float* slow(Slow slow) const { return at_columns_[static_cast<std::size_t>(slow)]; }
 
  private:
   void begin(std::span<const std::int64_t> xs, bool at_samples, bool sloped);
   void spread_row(std::int64_t z);
+  [[nodiscard]] RegionRow plain_row(std::int64_t z);
   void blend_lines(std::int64_t z);
   void copy_sloped_line(std::int64_t z);
   [[nodiscard]] RegionRow row_of(const std::vector<float*>& at) const;

@@ -1,0 +1,91 @@
+// The places of a world that its quality is measured at, and what is found at each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <talus/terrain/field.h>
+#include <talus/terrain/land_measures.h>
+#include <talus/terrain/world.h>
+
+#include <talus/map/column_grid.h>
+#include "band_power.h"
+#include "quality.h"
+#include "water_pieces.h"
+
+namespace talus::tools {
+
+inline constexpr std::array kBandsFrom{16, 32, 64, 128, 256, 512};  // columns
+
+/// How many numbers there are, and what their mean and variance follow from.
+struct Moments {
+  double count = 0;
+  double sum = 0;
+  double squares = 0;
+
+  void add(double value);
+  void add(const Moments& more);
+  [[nodiscard]] double mean() const { return count == 0 ? 0 : sum / count; }
+  [[nodiscard]] double variance() const;
+};
+
+/// What one place gives; parts of it are empty, by its kind.
+struct PlaceResult {
+  struct Extreme {
+    std::int32_t fx = 0;
+    std::int64_t x = 0;
+    std::int64_t z = 0;
+  };
+  enum class Kind : std::uint8_t { spectrum, block, window, lattice };
+
+  Kind kind = Kind::spectrum;
+  std::size_t of = 0;  // spectrum: the band; lattice: the noise
+  std::optional<BandPower> power;
+  std::vector<std::int64_t> by_look;  // columns of land
+  std::int64_t columns = 0;
+  std::int64_t water = 0;
+  WaterPieces pieces;
+  Extreme step;
+  Extreme other_step;             // that terraces do not make
+  Extreme bed{INT32_MIN};         // how high over its flood plain a whole river's bed lies
+  Extreme fading_bed{INT32_MIN};  // and that of one that fades away in the hills
+  std::int64_t beds = 0;          // columns
+  std::int64_t fading_beds = 0;
+  std::array<std::int64_t, kSlopeDegrees.size()> steep{};
+  Extreme highest{INT32_MIN};
+  Extreme deepest{INT32_MAX};
+  Moments at_points;  // heights in voxels
+  Moments at_middles;
+};
+
+class QualityPlaces {
+ public:
+  /// Both outlive it.
+  QualityPlaces(const terrain::World& world, const QualityOptions& options);
+
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] std::uint64_t columns() const;
+  /// Any thread may call.
+  [[nodiscard]] PlaceResult look_at(std::size_t index) const;
+  /// Noises whose lattices are looked at; none where the surface is not of regions.
+  [[nodiscard]] std::vector<std::string> lattices() const;
+
+ private:
+  [[nodiscard]] std::size_t spectra() const;
+  [[nodiscard]] std::size_t batches() const;  // of the places of one lattice
+  [[nodiscard]] bool is_wet(std::int32_t height_fx) const;
+  [[nodiscard]] PlaceResult spectrum(std::size_t band, std::size_t index) const;
+  [[nodiscard]] PlaceResult block(std::size_t index) const;
+  [[nodiscard]] PlaceResult window(std::size_t index) const;
+  [[nodiscard]] PlaceResult lattice(std::size_t noise, std::size_t batch) const;
+  void look_at_parts(const map::ColumnGrid& grid, PlaceResult& result) const;
+
+  const terrain::World& world_;
+  const QualityOptions& options_;
+  std::optional<terrain::ShapingLattices> lattices_;
+};
+
+}  // namespace talus::tools
