@@ -82,11 +82,10 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
   StreamInfo info;
   info.settings = object_of(*answer, "config");
   info.messages = member<std::uint64_t>(state, "messages");
-  info.bytes = member<std::uint64_t>(state, "bytes");
   info.first_time = escaped(member<std::string>(state, "first_ts"));
   const auto last = member<std::uint64_t>(state, "last_seq");
   const std::uint64_t first = info.messages == 0 ? last + 1 : member<std::uint64_t>(state, "first_seq");
-  info.state = {first, last, *created};
+  info.state = {first, last, *created, member<std::uint64_t>(state, "bytes")};
   const json cluster = object_of(*answer, "cluster");
   info.leader = escaped(member<std::string>(cluster, "leader"));
   if (const auto replicas = cluster.find("replicas"); replicas != cluster.end() && replicas->is_array()) {
