@@ -85,7 +85,8 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
   info.first_time = escaped(member<std::string>(state, "first_ts"));
   const auto last = member<std::uint64_t>(state, "last_seq");
   const std::uint64_t first = info.messages == 0 ? last + 1 : member<std::uint64_t>(state, "first_seq");
-  info.state = {first, last, *created, member<std::uint64_t>(state, "bytes")};
+  info.state = {first, last, *created, member<std::uint64_t>(state, "bytes"),
+                cluster::enabled_format(member<std::string>(info.settings, "description"))};
   const json cluster = object_of(*answer, "cluster");
   info.leader = escaped(member<std::string>(cluster, "leader"));
   if (const auto replicas = cluster.find("replicas"); replicas != cluster.end() && replicas->is_array()) {
