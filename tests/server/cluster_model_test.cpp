@@ -264,6 +264,7 @@ class ClusterModel {
     std::uint64_t position = 0;
     const auto messages = stream_.all();
     for (std::size_t i = 1; i < messages.size(); ++i) {
+      if (messages[i] == of_a_format_to_come()) continue;
       const auto batch = cluster::decode_batch(messages[i], kClusterIdentity);
       if (!batch) return batch.error().reason;
       for (const auto bytes : batch->entries) {
