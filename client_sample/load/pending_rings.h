@@ -21,6 +21,7 @@ class PendingRings {
   void move_to(const client::ViewShape& shape);
   /// Of level 1 and up.
   [[nodiscard]] Verdict arrive(ChunkKey chunk);
+  [[nodiscard]] bool covers(ChunkKey chunk) const { return shape_.covers(chunk); }
   [[nodiscard]] ChunkRange rows(std::int32_t x, std::int32_t z, Lod lod) const {
     return shape_.rows(x, z, lod);
   }

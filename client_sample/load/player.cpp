@@ -66,6 +66,7 @@ void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
   pending_ = {};
   rings_ = {};
+  revisions_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
   look_around(now, now, true);
@@ -111,6 +112,9 @@ void Player::look_around(Time due, Time now, bool first) {
        pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due, now)) {
     record_missed(missed, due);
   }
+  revisions_.forget([&](const ChunkKey& key) {
+    return key.lod == Lod{} ? !pending_.box().contains(to_vec(key.coord)) : !rings_.covers(key);
+  });
   near_.step(due, pending_);
   record_near();
   count_new_patches(before, due);
@@ -177,13 +181,19 @@ void Player::take(const wire::Chunk& chunk) {
   const auto key = chunk.id() == 0 ? key_of(chunk.key()) : std::nullopt;
   if (!key) return wrong(tally().outside, "a chunk for a request, or without a key");
   (void)verify(chunk);
-  arrive(*key, Clock::now(), true);
+  arrive(*key, Clock::now(), {true, chunk.revision()});
 }
 
 void Player::take(const wire::Unchanged& unchanged) {
   const auto key = unchanged.id() == 0 ? key_of(unchanged.key()) : std::nullopt;
   if (!key) return wrong(tally().outside, "an Unchanged for a request, or without a key");
-  arrive(*key, Clock::now(), true);
+  arrive(*key, Clock::now(), {true, unchanged.revision()});
+}
+
+void Player::take(const wire::EditBroadcast& broadcast) {
+  const auto key = key_of(broadcast.key());
+  if (!key) return wrong(tally().outside, "an EditBroadcast without a key");
+  revisions_.raise(*key, broadcast.revision());
 }
 
 void Player::take(const wire::UniformColumn& column) {
@@ -202,48 +212,54 @@ void Player::take(const wire::UniformColumn& column) {
       wrong(tally().bad_chunks, fmt::format("a UniformColumn of the unknown material {}", run->material()));
     const ChunkRange named = overlap(rows, {run->first_y(), run->last_y()});
     for (std::int64_t y = named.first; y <= named.last; ++y) {
-      arrive({{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod}, now, false);
+      arrive({{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod}, now, {});
     }
   }
 }
 
-bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, bool alone) {
+bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how) {
+  const bool is_newer = revisions_.raise(chunk, how.revision);
   // A run may cover rows that are held: it says nothing of how they came.
   switch (verdict) {
     case PendingChunks::Verdict::stale:
       ++tally().stale;
       return false;
     case PendingChunks::Verdict::repeated:
-      if (alone) ++tally().repeated;
+      if (how.alone) ++tally().repeated;
       return false;
     case PendingChunks::Verdict::duplicate:
-      if (alone) wrong(tally().duplicates, fmt::format("chunk {} came twice", to_string(chunk)));
+      if (is_newer) {
+        ++tally().updated;
+      } else if (how.alone) {
+        wrong(tally().duplicates,
+              fmt::format("chunk {} came twice, of revision {}", to_string(chunk), how.revision));
+      }
       return false;
     case PendingChunks::Verdict::outside:
-      if (alone) wrong(tally().outside, fmt::format("chunk {} is in no View of it", to_string(chunk)));
+      if (how.alone) wrong(tally().outside, fmt::format("chunk {} is in no View of it", to_string(chunk)));
       return false;
     case PendingChunks::Verdict::came:
       break;
   }
-  if (!alone) {
+  if (!how.alone) {
     ++tally().uniform;
     Live::add(worker().live().uniform, 1);
   }
   return true;
 }
 
-void Player::arrive(ChunkKey chunk, Time now, bool alone) {
+void Player::arrive(ChunkKey chunk, Time now, const Coming& how) {
   if (chunk.lod == Lod{}) {
-    arrive_near(chunk.coord, now, alone);
-  } else if (came(rings_.arrive(chunk), chunk, alone)) {
+    arrive_near(chunk.coord, now, how);
+  } else if (came(rings_.arrive(chunk), chunk, how)) {
     look_whether_full(now);
   }
 }
 
-void Player::arrive_near(ChunkCoord chunk, Time now, bool alone) {
+void Player::arrive_near(ChunkCoord chunk, Time now, const Coming& how) {
   const PendingChunks::Arrival arrival = pending_.arrive(chunk);
-  if (!came(arrival.verdict, {chunk, Lod{}}, alone)) return;
-  if (alone && arrival.ring_gap >= 0) {
+  if (!came(arrival.verdict, {chunk, Lod{}}, how)) return;
+  if (how.alone && arrival.ring_gap >= 0) {
     ++tally().ordered;
     tally().worst_ring_gap = std::max(tally().worst_ring_gap, arrival.ring_gap);
     if (arrival.ring_gap > worker().plan().options.ring_tolerance) ++tally().disordered;

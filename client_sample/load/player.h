@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "held_revisions.h"
 #include "movement.h"
 #include "near_waits.h"
 #include "pending_chunks.h"
@@ -24,6 +25,7 @@ class Player final : public SimulatedClient {
   void take(const wire::Chunk& chunk) override;
   void take(const wire::UniformColumn& column) override;
   void take(const wire::Unchanged& unchanged) override;
+  void take(const wire::EditBroadcast& broadcast) override;
   void give_up() override;
 
   void look_around(Time due, Time now, bool first);
@@ -31,11 +33,15 @@ class Player final : public SimulatedClient {
   void record_near();
   void count_new_patches(const Box& before, Time due);
   void record_missed(const PendingChunks::Missed& missed, Time now);
-  /// A chunk of the View came by whatever message. `alone`: by one that was for it alone.
-  void arrive(ChunkKey chunk, Time now, bool alone);
-  void arrive_near(ChunkCoord chunk, Time now, bool alone);
+  /// How a chunk of the View came: in a UniformColumn with others, or by a message for it alone.
+  struct Coming {
+    bool alone = false;
+    std::uint64_t revision = 0;
+  };
+  void arrive(ChunkKey chunk, Time now, const Coming& how);
+  void arrive_near(ChunkCoord chunk, Time now, const Coming& how);
   /// Counts a verdict; true where the chunk was waited for.
-  [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, bool alone);
+  [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how);
   /// A chunk came, perhaps the last of the View.
   void look_whether_full(Time now);
 
@@ -47,6 +53,7 @@ class Player final : public SimulatedClient {
   Pose pose_;              // of the last View
   PendingChunks pending_;  // of level 0
   PendingRings rings_;
+  HeldRevisions revisions_;
   NearWaits near_;
   std::optional<Time> lost_;      // when its connection was, where its nearest rings have not come since
   std::optional<Time> lost_all_;  // the same of its View

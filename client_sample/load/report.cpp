@@ -141,6 +141,7 @@ nlohmann::json tally_json(const Tally& tally) {
           {"unchanged", tally.unchanged},
           {"stale", tally.stale},
           {"repeated", tally.repeated},
+          {"updated", tally.updated},
           {"missed", tally.missed},
           {"unconfirmed", tally.unconfirmed},
           {"verified", tally.verified},

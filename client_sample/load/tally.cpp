@@ -33,12 +33,12 @@ void Tally::merge(const Tally& other) {
   for (std::size_t i = 0; i < late_steps.size(); ++i) late_steps[i] += other.late_steps[i];
   constexpr std::uint64_t Tally::*kCounts[] = {
       &Tally::chunks,        &Tally::chunk_bytes,   &Tally::uniform,       &Tally::unchanged,
-      &Tally::stale,         &Tally::repeated,      &Tally::missed,        &Tally::unconfirmed,
-      &Tally::verified,      &Tally::bad_chunks,    &Tally::outside,       &Tally::duplicates,
-      &Tally::unanswered,    &Tally::ordered,       &Tally::disordered,    &Tally::joins,
-      &Tally::cuts,          &Tally::bad_messages,  &Tally::reconnects,    &Tally::new_patches,
-      &Tally::edits,         &Tally::edited_voxels, &Tally::edit_arrivals, &Tally::edits_unknown,
-      &Tally::edits_missing,
+      &Tally::stale,         &Tally::repeated,      &Tally::updated,       &Tally::missed,
+      &Tally::unconfirmed,   &Tally::verified,      &Tally::bad_chunks,    &Tally::outside,
+      &Tally::duplicates,    &Tally::unanswered,    &Tally::ordered,       &Tally::disordered,
+      &Tally::joins,         &Tally::cuts,          &Tally::bad_messages,  &Tally::reconnects,
+      &Tally::new_patches,   &Tally::edits,         &Tally::edited_voxels, &Tally::edit_arrivals,
+      &Tally::edits_unknown, &Tally::edits_missing,
   };
   for (const auto count : kCounts) this->*count += other.*count;
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);

@@ -39,6 +39,7 @@ struct Tally {
   std::uint64_t unchanged = 0;
   std::uint64_t stale = 0;        // left the View when they were on their way
   std::uint64_t repeated = 0;     // came twice after leaving and coming back: allowed
+  std::uint64_t updated = 0;      // came whole again, as it was edited
   std::uint64_t missed = 0;       // left the View before they came
   std::uint64_t unconfirmed = 0;  // left and came back, and the server said no more: allowed
   std::uint64_t verified = 0;     // decoded, and hashed

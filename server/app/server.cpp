@@ -523,8 +523,9 @@ void Server::end_sessions() {
 void Server::balancer_says(const std::string& state, const std::string& query) {
   if (draining_) return;
   BalanceSettings settings = balance_settings(config_);
-  settings.above_percent = read_above_percent(query).value_or(settings.above_percent);
-  const std::size_t sent = departures_.balancer_says(state, settings);
+  const BalancerQuery asked = read_balancer_query(query);
+  settings.above_percent = asked.above_percent.value_or(settings.above_percent);
+  const std::size_t sent = departures_.balancer_says(state, settings, asked.ports);
   if (sent == 0) return;
   metrics_.sent_elsewhere.add(sent);
   log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));

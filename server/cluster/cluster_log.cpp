@@ -426,7 +426,7 @@ void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
   if (!decoded) {
     const bool is_newer = decoded.error().kind == MessageFault::Kind::newer;
-    return is_newer ? get_stuck(message, decoded.error().reason) : skip(message, decoded.error().reason);
+    return is_newer ? meet_unknown(message, decoded.error().reason) : skip(message, decoded.error().reason);
   }
   const auto time = time_of(decoded->head, message);
   if (!time) return;
@@ -436,7 +436,7 @@ void ClusterLog::apply(const StreamMessage& message) {
     if (!entry) {
       writer_.drop();
       const auto fault = fault_of_entries(*decoded, i);
-      return fault.kind == MessageFault::Kind::newer ? get_stuck(message, fault.reason)
+      return fault.kind == MessageFault::Kind::newer ? meet_unknown(message, fault.reason)
                                                      : skip(message, fault.reason);
     }
     std::visit([&](const auto& each) { batch.apply(each); }, *entry);
@@ -461,12 +461,32 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   }
   if (const auto now = SteadyClock::now(); now - skip_told_ > kBetweenWarnings) {
     skip_told_ = now;
-    parts_.log->error("cluster: message {} of the log is no talusd's, and all servers pass over it: {}",
+    parts_.log->error("cluster: message {} of the log counts for no talusd, and all servers pass over it: {}",
                       message.sequence, reason);
   }
   const StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
   finish({}, {message.sequence, place.created_ns, place.looked_ms}, nullptr);
+}
+
+void ClusterLog::meet_unknown(const StreamMessage& message, const std::string& reason) {
+  if (message.sequence > none_newer_to_) {
+    const auto stream = parts_.stream.state();
+    if (!stream) return cannot_get(stream.error());
+    if (stream->last < message.sequence) {
+      // A leader that was deposed: it may not know either what was enabled.
+      trouble(
+          fmt::format("message {} of the log is one that this talusd does not know, and the leader does "
+                      "not know the message",
+                      message.sequence));
+      (void)pause(kSoon);
+      return;
+    }
+    if (stream->enabled.is_newer_at(message.sequence)) return get_stuck(message, reason);
+    // What is enabled later begins behind what there is then.
+    none_newer_to_ = stream->enabled.number > kLogFormat ? stream->enabled.from - 1 : stream->last;
+  }
+  skip(message, reason);
 }
 
 void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reason) {
@@ -477,7 +497,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
       stuck_since_ = SteadyClock::now();
     }
   }
-  stop_applying(not_applied(message.sequence, reason));
+  stop_applying(not_applied(message.sequence, reason + "; upgrade it"));
 }
 
 void ClusterLog::finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said) {

@@ -119,7 +119,9 @@ class ClusterLog final : public EditLog {
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
   /// The message is one that all servers pass over.
   void skip(const StreamMessage& message, const std::string& reason);
-  /// It is one that this talusd does not know, and others may.
+  /// This talusd does not know it: passes over it, unless the stream may have such from there on.
+  void meet_unknown(const StreamMessage& message, const std::string& reason);
+  /// It is one that others may know.
   void get_stuck(const StreamMessage& message, const std::string& reason);
   /// `said`: of the batch; null: it was none.
   void finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said);
@@ -160,7 +162,8 @@ class ClusterLog final : public EditLog {
   std::optional<StreamMessage> held_;  // came, and could not be applied
   int unread_ = 0;                     // how often what it changes could not be read
   StateComparison comparison_;
-  TimePoint skip_told_{};  // in the log
+  std::uint64_t none_newer_to_ = 0;  // up to this message the stream has none for a newer talusd
+  TimePoint skip_told_{};            // in the log
   TimePoint clock_told_{};
 
   mutable std::mutex mutex_;

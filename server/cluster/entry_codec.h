@@ -13,8 +13,8 @@
 
 namespace talus::server::cluster {
 
-/// Of entries. A server that reads a greater one applies nothing from there on. What is an entry of a format
-/// stays so, and what is none: a bound that changes is a new format.
+/// Of entries: part of kLogFormat. What is an entry of a format stays so, and what is none: a bound that
+/// changes is a new format.
 inline constexpr std::uint8_t kEntryFormat = 1;
 
 /// Voxels as generated that an entry carries: those that an edit names, and those that may slide.

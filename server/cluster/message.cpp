@@ -128,15 +128,14 @@ tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<co
   }
   const auto format = std::to_integer<std::uint8_t>(frame->front());
   if (format > kMessageFormat) {
-    return message_fault(
-        MessageFault::Kind::newer,
-        fmt::format("it has format {}; this talusd reads up to {}; upgrade it", format, kMessageFormat));
+    return message_fault(MessageFault::Kind::newer,
+                         fmt::format("it has format {}; this talusd reads up to {}", format, kMessageFormat));
   }
   const auto held = std::to_integer<std::uint8_t>((*frame)[1]);
   if (held == static_cast<std::uint8_t>(kind)) return body;
   if (held > static_cast<std::uint8_t>(MessageKind::batch)) {
     return message_fault(MessageFault::Kind::newer,
-                         fmt::format("it is of kind {}, which this talusd does not know; upgrade it", held));
+                         fmt::format("it is of kind {}, which this talusd does not know", held));
   }
   return damaged(kind == MessageKind::batch ? "it is a genesis; there is one, and it comes first"
                                             : "it is no genesis; the first message must be one");
@@ -242,7 +241,7 @@ MessageFault fault_of_entries(const BatchMessage& batch, std::size_t first) {
     const auto entry = decode_entry(batch.entries[i], batch.settles);
     if (entry || entry.error() != EntryFault::newer) continue;
     return {MessageFault::Kind::newer,
-            fmt::format("its entry {} is one that this talusd does not know; upgrade it", i + 1)};
+            fmt::format("its entry {} is one that this talusd does not know", i + 1)};
   }
   return {MessageFault::Kind::damaged, fmt::format("its entry {} is damaged", first + 1)};
 }

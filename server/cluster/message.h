@@ -20,8 +20,8 @@
 
 namespace talus::server::cluster {
 
-/// Of messages. A server that reads a greater one applies nothing from there on. What every format has alike,
-/// and every talusd checks before it looks at the format: the size, the store, the world and the checksum.
+/// Of messages: part of kLogFormat. What every format has alike, and every talusd checks before it looks at
+/// the format: the size, the store, the world and the checksum.
 inline constexpr std::uint8_t kMessageFormat = 1;
 inline constexpr std::size_t kMaxEntries = 1'024;
 /// Of one message.
@@ -68,7 +68,9 @@ struct BatchMessage {
 
 struct MessageFault {
   enum class Kind : std::uint8_t {
-    newer,  // its format or kind is one that this talusd does not know, and others may
+    // Its format or kind is one that this talusd does not know, and others may, where the stream has enabled
+    // such (log_format.h).
+    newer,
     // No talusd of whatever version applies it, so all pass over it.
     damaged,      // its checksum is wrong, or no talusd wrote it
     other_world,  // it is of another fingerprint

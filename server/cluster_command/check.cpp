@@ -213,7 +213,7 @@ class Checker {
       add(Kind::fault, contents.error());
       return;
     }
-    for (const Contents::Unread& each : contents->unread) add_unread(each);
+    for (const Contents::Unread& each : contents->unread) add_unread(each, contents->enabled);
     if (contents->unread_count > contents->unread.size()) {
       add(Kind::note,
           fmt::format("{} more messages cannot be read", contents->unread_count - contents->unread.size()));
@@ -224,11 +224,12 @@ class Checker {
     }
   }
 
-  void add_unread(const Contents::Unread& unread) {
-    const bool is_newer = unread.fault.kind == cluster::MessageFault::Kind::newer;
-    add(is_newer || unread.sequence == 1 ? Kind::fault : Kind::note,
+  void add_unread(const Contents::Unread& unread, const cluster::EnabledFormat& enabled) {
+    const bool stops =
+        unread.fault.kind == cluster::MessageFault::Kind::newer && enabled.is_newer_at(unread.sequence);
+    add(stops || unread.sequence == 1 ? Kind::fault : Kind::note,
         fmt::format("message {}: {}{}", unread.sequence, unread.fault.reason,
-                    is_newer               ? "; a talusd of this version stops before it"
+                    stops                  ? "; a talusd of this version stops before it; upgrade it"
                     : unread.sequence == 1 ? ""
                                            : "; all servers pass over it"));
   }

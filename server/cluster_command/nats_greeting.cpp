@@ -9,6 +9,7 @@
 
 #include <talus/protocol/endpoint.h>
 
+#include "jetstream/json_member.h"
 #include "log/escape.h"
 
 namespace talus::server::cluster_tool {
@@ -16,17 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxGreetingBytes = 64U << 10U;
 
-template <typename Value>
-Value greeting_member(const nlohmann::json& object, const char* name) {
-  const auto found = object.find(name);
-  if (found == object.end()) return {};
-  if constexpr (std::is_same_v<Value, std::string>) {
-    return found->is_string() ? escaped(found->get<std::string>(), 100) : Value{};
-  } else if constexpr (std::is_same_v<Value, bool>) {
-    return found->is_boolean() && found->get<bool>();
-  } else {
-    return found->is_number_integer() ? found->get<Value>() : Value{};
-  }
+std::string greeting_text(const nlohmann::json& greeting, const char* name) {
+  return escaped(jetstream::json_member<std::string>(greeting, name), 100);
 }
 
 /// What comes there by itself, or to a question. Empty: nothing does.
@@ -54,10 +46,12 @@ tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
   }
   const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
   if (!info.is_object()) return tl::unexpected{std::string{"answers, but is no NATS server"}};
-  return Greeting{
-      greeting_member<std::string>(info, "server_name"), greeting_member<std::string>(info, "version"),
-      greeting_member<bool>(info, "jetstream"),          greeting_member<bool>(info, "tls_required"),
-      greeting_member<bool>(info, "tls_verify"),         greeting_member<std::int64_t>(info, "max_payload")};
+  return Greeting{greeting_text(info, "server_name"),
+                  greeting_text(info, "version"),
+                  jetstream::json_member<bool>(info, "jetstream"),
+                  jetstream::json_member<bool>(info, "tls_required"),
+                  jetstream::json_member<bool>(info, "tls_verify"),
+                  jetstream::json_member<std::int64_t>(info, "max_payload")};
 }
 
 tl::expected<Greeting, std::string> greeting_of(std::string_view url, std::chrono::milliseconds patience) {

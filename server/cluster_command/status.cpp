@@ -75,7 +75,7 @@ tl::expected<ClusterStatus, std::string> read_status(const Target& target) {
 std::string status_lines(const ClusterStatus& status) {
   const jetstream::StreamInfo& info = status.info;
   std::string text = fmt::format("stream {}\n", status.stream);
-  text += fmt::format("messages {} to {}, {} bytes", info.state.first, info.state.last, info.bytes);
+  text += fmt::format("messages {} to {}, {} bytes", info.state.first, info.state.last, info.state.bytes);
   text += info.messages == 0 ? "\n" : fmt::format(", the oldest of {}\n", info.first_time);
   if (!info.leader.empty()) text += fmt::format("leader {}\n", info.leader);
   if (!has_majority(info)) text += "NO majority of its servers: the log takes no edits\n";
@@ -114,7 +114,7 @@ std::string status_json(const ClusterStatus& status) {
                               {"last", info.state.last},
                               {"created_ns", info.state.created_ns},
                               {"messages", info.messages},
-                              {"bytes", info.bytes},
+                              {"bytes", info.state.bytes},
                               {"leader", info.leader},
                               {"majority", has_majority(info)},
                               {"replicas", nlohmann::ordered_json::array()}};

@@ -53,6 +53,7 @@ tl::expected<Contents, std::string> read_contents(
   const StreamState state = info->state;
   Contents contents;
   contents.last = state.last;
+  contents.enabled = state.enabled;
   contents.first = std::max(state.first, state.last - std::min(state.last, most) + 1);
   for (std::uint64_t sequence = contents.first; sequence <= state.last; ++sequence) {
     const auto message = message_of(connection, target, sequence);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "jetstream/json_member.h"
 #include "log/escape.h"
 
 namespace talus::server::jetstream {
@@ -16,20 +17,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxAnswerBytes = 1U << 20;
 constexpr std::size_t kMaxReplicas = 16;
-
-/// The member of that name, or a value of the type where it is missing or another type.
-template <typename Value>
-Value member(const json& object, const char* name) {
-  const auto found = object.find(name);
-  if (found == object.end()) return {};
-  if constexpr (std::is_same_v<Value, std::string>) {
-    return found->is_string() ? found->template get<std::string>() : Value{};
-  } else if constexpr (std::is_same_v<Value, bool>) {
-    return found->is_boolean() && found->template get<bool>();
-  } else {
-    return found->is_number_integer() ? found->template get<Value>() : Value{};
-  }
-}
 
 json object_of(const json& object, const char* name) {
   const auto found = object.find(name);
@@ -65,8 +52,8 @@ tl::expected<json, ApiError> parse_answer(std::string_view text) {
   json answer = json::parse(text, nullptr, false);
   if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is no JSON object"}};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {
-    return tl::unexpected{
-        ApiError{member<int>(*error, "err_code"), escaped(member<std::string>(*error, "description"), 300)}};
+    return tl::unexpected{ApiError{json_member<int>(*error, "err_code"),
+                                   escaped(json_member<std::string>(*error, "description"), 300)}};
   }
   return answer;
 }
@@ -75,26 +62,27 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
   const auto answer = parse_answer(text);
   if (!answer) return tl::unexpected{answer.error()};
   const json state = object_of(*answer, "state");
-  const auto created = nanoseconds_of(member<std::string>(*answer, "created"));
+  const auto created = nanoseconds_of(json_member<std::string>(*answer, "created"));
   if (!created || !state.contains("last_seq")) {
     return tl::unexpected{ApiError{0, "the answer lacks the stream's state"}};
   }
   StreamInfo info;
   info.settings = object_of(*answer, "config");
-  info.messages = member<std::uint64_t>(state, "messages");
-  info.bytes = member<std::uint64_t>(state, "bytes");
-  info.first_time = escaped(member<std::string>(state, "first_ts"));
-  const auto last = member<std::uint64_t>(state, "last_seq");
-  const std::uint64_t first = info.messages == 0 ? last + 1 : member<std::uint64_t>(state, "first_seq");
-  info.state = {first, last, *created};
+  info.messages = json_member<std::uint64_t>(state, "messages");
+  info.first_time = escaped(json_member<std::string>(state, "first_ts"));
+  const auto last = json_member<std::uint64_t>(state, "last_seq");
+  const std::uint64_t first = info.messages == 0 ? last + 1 : json_member<std::uint64_t>(state, "first_seq");
+  info.state = {first, last, *created, json_member<std::uint64_t>(state, "bytes"),
+                cluster::enabled_format(json_member<std::string>(info.settings, "description"))};
   const json cluster = object_of(*answer, "cluster");
-  info.leader = escaped(member<std::string>(cluster, "leader"));
+  info.leader = escaped(json_member<std::string>(cluster, "leader"));
   if (const auto replicas = cluster.find("replicas"); replicas != cluster.end() && replicas->is_array()) {
     for (const json& each : *replicas) {
       if (!each.is_object() || info.replicas.size() == kMaxReplicas) break;
-      info.replicas.push_back({escaped(member<std::string>(each, "name")), member<bool>(each, "current"),
-                               member<bool>(each, "offline"), member<std::uint64_t>(each, "lag"),
-                               std::chrono::nanoseconds{member<std::int64_t>(each, "active")}});
+      info.replicas.push_back({escaped(json_member<std::string>(each, "name")),
+                               json_member<bool>(each, "current"), json_member<bool>(each, "offline"),
+                               json_member<std::uint64_t>(each, "lag"),
+                               std::chrono::nanoseconds{json_member<std::int64_t>(each, "active")}});
     }
   }
   return info;

@@ -29,7 +29,6 @@ struct ReplicaState {
 struct StreamInfo {
   StreamState state;
   std::uint64_t messages = 0;
-  std::uint64_t bytes = 0;
   std::string first_time;  // of the oldest message, RFC 3339
   nlohmann::json settings;
   std::string leader;                  // empty: there is none, or there is one server

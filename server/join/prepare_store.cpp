@@ -15,6 +15,7 @@
 #include "log/escape.h"
 #include "store/acknowledged_file.h"
 #include "store/read_only_store.h"
+#include "store/regular_files.h"
 #include "store/store_swap.h"
 
 namespace talus::server::join {
@@ -141,7 +142,12 @@ class Preparation {
 
   [[nodiscard]] tl::expected<StartFacts, StreamFailure> facts_of(const StreamState& state,
                                                                  LogStream& stream) const {
-    StartFacts facts{local_, state, false, !parts_.peers.urls.empty(), rejoin_};
+    StartFacts facts{local_,
+                     state,
+                     false,
+                     !parts_.peers.urls.empty(),
+                     local_ ? bytes_of_files(parts_.directory.path() / "db") : 0,
+                     rejoin_};
     if (local_ || state.last == 0 || state.first > 1) return facts;
     const auto first = stream.next(0, SteadyClock::now() + kGenesisPatience);
     if (!first) {

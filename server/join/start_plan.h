@@ -10,9 +10,10 @@
 
 namespace talus::server::join {
 
-/// So many messages are read from the stream in about the time that a peer's checkpoint takes; more are not
-/// worth it where there is a peer.
-inline constexpr std::uint64_t kFarMessages = 100'000;
+/// Whether a store of `store_bytes` is sooner here as a peer's checkpoint than by so many messages, of
+/// `message_bytes` in all, which it lacks. Who is wrong about it waits longer, no more.
+[[nodiscard]] bool checkpoint_is_quicker(std::uint64_t messages, std::uint64_t message_bytes,
+                                         std::uint64_t store_bytes);
 
 struct StartFacts {
   std::optional<StoreMeta> local;  // none: the disk has no store, or one without any entry
@@ -20,7 +21,8 @@ struct StartFacts {
   /// Whether the stream's first message is there and begins with an empty state: all of it can be read.
   bool from_nothing = false;
   bool has_peers = false;
-  std::string rejoin{};  // why the store on the disk must not be used any more; empty: it may
+  std::uint64_t local_bytes = 0;  // of the store on the disk
+  std::string rejoin{};           // why the store on the disk must not be used any more; empty: it may
 };
 
 struct StartPlan {

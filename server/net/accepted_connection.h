@@ -1,6 +1,7 @@
 // A connection that came through the acceptor and the handshaker.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 
@@ -16,7 +17,8 @@ struct ConnectionInfo {
   ConnectionId id{};
   std::string address;  // as the log names it; the client's own, where a proxy speaks for it
   Clock::time_point accepted;
-  bool through_proxy = false;  // a proxy's own: each request says whose it is
+  bool through_proxy = false;    // a proxy's own: each request says whose it is
+  std::uint16_t proxy_port = 0;  // to which it came at a proxy; 0: none says
 };
 
 struct AcceptedConnection {

@@ -21,6 +21,12 @@ std::optional<std::uint64_t> read_balancer_count(std::string_view text) {
   return count;
 }
 
+bool take_balancer_name(std::string_view& text, std::string_view name) {
+  if (!text.starts_with(name)) return false;
+  text.remove_prefix(name.size());
+  return true;
+}
+
 /// "NAME=OWN/ALL" among the parts that "; " separates.
 std::optional<BalancerShare> read_balancer_share(std::string_view text, std::string_view name) {
   while (!text.empty()) {
@@ -28,8 +34,7 @@ std::optional<BalancerShare> read_balancer_share(std::string_view text, std::str
     std::string_view part = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
-    if (!part.starts_with(name)) continue;
-    part.remove_prefix(name.size());
+    if (!take_balancer_name(part, name)) continue;
     const std::size_t slash = std::min(part.find('/'), part.size());
     const auto own = read_balancer_count(part.substr(0, slash));
     const auto all = read_balancer_count(part.substr(std::min(slash + 1, part.size())));
@@ -50,12 +55,27 @@ std::optional<BalancerState> read_balancer_state(std::string_view text) {
   return BalancerState{weight->own, weight->all, sessions->own, sessions->all};
 }
 
-std::optional<std::uint64_t> read_above_percent(std::string_view query) {
-  constexpr std::string_view kName = "above_percent=";
-  constexpr std::uint64_t kMostPercent = 1000;
-  if (!query.starts_with(kName)) return std::nullopt;
-  const auto percent = read_balancer_count(query.substr(kName.size()));
-  return percent && *percent <= kMostPercent ? percent : std::nullopt;
+BalancerQuery read_balancer_query(std::string_view query) {
+  BalancerQuery read;
+  while (!query.empty()) {
+    const std::size_t end = std::min(query.find('&'), query.size());
+    std::string_view part = query.substr(0, end);
+    query.remove_prefix(std::min(end + 1, query.size()));
+    if (take_balancer_name(part, "above_percent=")) {
+      constexpr std::uint64_t kMostPercent = 1000;
+      read.above_percent = read_balancer_count(part);
+      if (!read.above_percent || *read.above_percent > kMostPercent) return {};
+    } else if (take_balancer_name(part, "ports=")) {
+      const std::size_t dash = std::min(part.find('-'), part.size());
+      const auto first = read_balancer_count(part.substr(0, dash));
+      const auto last = dash == part.size() ? first : read_balancer_count(part.substr(dash + 1));
+      if (!first || !last || *first > *last || *last > UINT16_MAX) return {};
+      read.ports = {static_cast<std::uint16_t>(*first), static_cast<std::uint16_t>(*last)};
+    } else {
+      return {};
+    }
+  }
+  return read;
 }
 
 std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent) {

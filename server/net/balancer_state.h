@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "net/registry.h"
+
 namespace talus::server {
 
 struct BalancerState {
@@ -21,9 +23,14 @@ inline constexpr std::string_view kBalancerStateField = "X-Haproxy-Server-State"
 /// None: it is no such text, or this server is not up there.
 [[nodiscard]] std::optional<BalancerState> read_balancer_state(std::string_view text);
 
-/// What the check's address asks for in place of the setting: "above_percent=25", at most 1,000. None: it
-/// does not.
-[[nodiscard]] std::optional<std::uint64_t> read_above_percent(std::string_view query);
+/// What the check's address says beside: "above_percent=25&ports=4800-4863", each or none.
+struct BalancerQuery {
+  std::optional<std::uint64_t> above_percent;  // in place of the setting; at most 1,000
+  PortRange ports;                             // of the balancer, by which the sessions come that it counts
+  bool operator==(const BalancerQuery&) const = default;
+};
+/// Nothing of one that has anything else.
+[[nodiscard]] BalancerQuery read_balancer_query(std::string_view query);
 
 /// How many sessions this server has beyond its share and `percent` more of it.
 [[nodiscard]] std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent);

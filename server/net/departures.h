@@ -32,9 +32,10 @@ class Departures {
   /// All sessions, evenly within `time`, and then who still comes; HTTP connections at once.
   void send_all(std::chrono::milliseconds time);
 
-  /// A balancer has said this. Returns how many sessions were sent elsewhere: as many as are too many, the
-  /// longest connected first, unless that would be too fast, or they have not been here for long.
-  std::size_t balancer_says(std::string_view state, const BalanceSettings& settings);
+  /// A balancer has said this of the sessions that came by its `ports`. Returns how many of them were sent
+  /// elsewhere: as many as are too many, the longest connected first, unless that would be too fast, or they
+  /// have not been here for long.
+  std::size_t balancer_says(std::string_view state, const BalanceSettings& settings, PortRange ports = {});
 
  private:
   void send_some();

@@ -72,6 +72,7 @@ struct Handshaker::PendingConnection {
   MemoryReservation memory;
   std::optional<Admission::Slot> slot;
   bool through_proxy = false;  // it sent no PROXY header
+  std::uint16_t proxy_port = 0;
   bool late = false;
   bool done = false;  // accepted or failed
 };
@@ -218,6 +219,7 @@ asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) 
     co_return false;
   }
   pending.client = proxied_client(*prefix, body).value_or(pending.peer);
+  pending.proxy_port = proxied_port(*prefix, body);
   co_return true;
 }
 
@@ -268,7 +270,8 @@ bool Handshaker::admit(PendingConnection& pending) {
 
 void Handshaker::accept(PendingConnection& pending) {
   pending.memory.hold(0);  // from here on it is the session's
-  ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy};
+  ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy,
+                      pending.proxy_port};
   if (pending.secured) {
     pending.secured->transport().prefer_latency();
     on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.secured)});

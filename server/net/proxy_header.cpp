@@ -52,6 +52,18 @@ tl::expected<ProxyPrefix, std::string_view> read_proxy_prefix(
   return prefix;
 }
 
+std::uint16_t proxied_port(const ProxyPrefix& prefix, std::span<const std::byte> body) {
+  switch (prefix.origin) {
+    case ProxyPrefix::Origin::tcp4:
+      return big_endian(body.subspan(kTcp4Bytes - 2, 2));
+    case ProxyPrefix::Origin::tcp6:
+      return big_endian(body.subspan(kTcp6Bytes - 2, 2));
+    case ProxyPrefix::Origin::peer:
+      break;
+  }
+  return 0;
+}
+
 std::optional<asio::ip::tcp::endpoint> proxied_client(const ProxyPrefix& prefix,
                                                       std::span<const std::byte> body) {
   switch (prefix.origin) {

@@ -36,4 +36,7 @@ struct ProxyPrefix {
 [[nodiscard]] std::optional<asio::ip::tcp::endpoint> proxied_client(const ProxyPrefix& prefix,
                                                                     std::span<const std::byte> body);
 
+/// The port to which that client came at the proxy; 0 where the proxy speaks for itself.
+[[nodiscard]] std::uint16_t proxied_port(const ProxyPrefix& prefix, std::span<const std::byte> body);
+
 }  // namespace talus::server

@@ -15,7 +15,7 @@ std::vector<std::shared_ptr<Peer>> Registry::leave(std::size_t most, Which which
   std::vector<std::shared_ptr<Peer>> leaving;
   for (auto& [id, entry] : peers_) {
     if (leaving.size() >= most) break;
-    if (entry.told || !which(entry.session_since)) continue;
+    if (entry.told || !which(entry)) continue;
     auto peer = entry.peer.lock();
     if (peer == nullptr) continue;
     entry.told = true;
@@ -29,7 +29,7 @@ void Registry::add(ConnectionId id, const std::shared_ptr<Peer>& peer) {
   {
     const std::lock_guard lock{mutex_};
     farewell = farewell_;
-    peers_.insert_or_assign(id, Entry{peer, peer->session_since(), farewell.has_value()});
+    peers_.insert_or_assign(id, Entry{peer, peer->session_since(), peer->proxy_port(), farewell.has_value()});
   }
   if (farewell) peer->go_away(farewell->reason, farewell->retry_after);
 }
@@ -63,27 +63,30 @@ void Registry::tell_others_to_go(const std::string& reason) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
-    peers = leave(kEverybody, [](const auto& since) { return !since; });
+    peers = leave(kEverybody, [](const Entry& entry) { return !entry.session_since; });
   }
   for (const auto& peer : peers) peer->go_away(reason, {});
 }
 
-std::size_t Registry::tell_to_go(std::size_t most, Clock::time_point began_before, const std::string& reason,
-                                 std::chrono::milliseconds retry_after) {
+std::size_t Registry::tell_to_go(std::size_t most, PortRange ports, Clock::time_point began_before,
+                                 const std::string& reason, std::chrono::milliseconds retry_after) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
-    peers = leave(most, [&](const auto& since) { return since && *since < began_before; });
+    peers = leave(most, [&](const Entry& entry) {
+      return entry.session_since && *entry.session_since < began_before && ports.contains(entry.proxy_port);
+    });
   }
   for (const auto& peer : peers) peer->go_away(reason, retry_after);
   return peers.size();
 }
 
-Registry::Sessions Registry::sessions() const {
+Registry::Sessions Registry::sessions(PortRange ports) const {
   Sessions sessions;
   const std::lock_guard lock{mutex_};
   for (const auto& [id, entry] : peers_) {
-    if (entry.session_since) ++(entry.told ? sessions.leaving : sessions.staying);
+    if (entry.session_since && ports.contains(entry.proxy_port))
+      ++(entry.told ? sessions.leaving : sessions.staying);
   }
   return sessions;
 }

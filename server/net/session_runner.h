@@ -62,6 +62,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override {
     return connection_.accepted;
   }
+  [[nodiscard]] std::uint16_t proxy_port() const override { return connection_.proxy_port; }
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
   void access_changed() override;
   void rates_changed() override;
@@ -82,6 +83,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   /// When the View that waits is to be applied; max() where none does, or it is not its turn.
   [[nodiscard]] Clock::time_point view_due();
   void apply_view();
+  /// Now, or, where that is not its turn, by watch() in time.
+  void apply_view_when_due();
   /// Reads nothing while too_much() is true.
   [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] asio::awaitable<void> write();
@@ -110,6 +113,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
            (queued > kQueuedBytesAnyway && !context_.session.memory.takes_work());
   }
   [[nodiscard]] bool too_many_views() const { return session_.views_pile_up(); }
+  /// Also what was read already waits, which may be dozens of Views of a client that this server kept
+  /// waiting.
+  [[nodiscard]] bool takes_no_frame() const { return too_much_queued() || session_.views_full(); }
   void end(std::string_view reason);
   [[nodiscard]] Clock::time_point now() const { return clock_.now(); }
 

@@ -171,12 +171,7 @@ asio::awaitable<void> SessionRunner<S>::read() {
     if (session_.closing()) continue;
     co_await on_bytes(std::span{input_}.first(bytes));
     pump();
-    if (!session_.view_waits()) continue;
-    if (view_due() <= now()) {
-      apply_view();
-    } else {
-      watch_waits_.notify();  // watch() applies it in time; what else the client says is heard meanwhile
-    }
+    apply_view_when_due();
     if (too_many_views()) co_await pause_reading(&SessionRunner::too_many_views);
   }
 }
@@ -213,10 +208,10 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
     frames_.pop();
     session_.holds_input(frames_.held_bytes());
     note_greeting();
-    if (too_much_queued()) {
+    if (takes_no_frame()) {
       pump();
-      if (session_.view_waits()) watch_waits_.notify();  // as read() would
-      co_await pause_reading(&SessionRunner::too_much_queued);
+      apply_view_when_due();
+      co_await pause_reading(&SessionRunner::takes_no_frame);
     }
   }
 }
@@ -244,6 +239,16 @@ void SessionRunner<S>::apply_view() {
   const auto cost = std::max(used - found * kFoundChunk, used / 8) + dropped * kFoundChunk;
   view_throttle_.applied(began, cost);
   view_turns_.applied(watch_waits_, began, cost);
+}
+
+template <Stream S>
+void SessionRunner<S>::apply_view_when_due() {
+  if (!session_.view_waits()) return;
+  if (view_due() <= now()) {
+    apply_view();
+  } else {
+    watch_waits_.notify();  // what else the client says is heard meanwhile
+  }
 }
 
 template <Stream S>

@@ -96,6 +96,8 @@ class Session {
   /// Whether the client sends Views faster than they are applied. Each costs something, also one that is
   /// replaced: until apply_view() the caller reads no more.
   [[nodiscard]] bool views_pile_up() const { return delivery_.view().piles_up(); }
+  /// Whether so many wait that not one more may be received before apply_view(), or chunks were sent twice.
+  [[nodiscard]] bool views_full() const { return delivery_.view().is_full(); }
 
   /// Starts as much work as the bounds allow. Returns how many chunks it found in memory.
   std::size_t pump();

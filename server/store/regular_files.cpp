@@ -97,4 +97,15 @@ tl::expected<void, std::string> check_regular_files(const fs::path& directory) {
   return {};
 }
 
+std::uint64_t bytes_of_files(const fs::path& directory) {
+  std::uint64_t bytes = 0;
+  std::error_code code;
+  for (fs::directory_iterator at{directory, code}, end; !code && at != end; at.increment(code)) {
+    std::error_code vanished;
+    const std::uint64_t each = at->file_size(vanished);
+    if (!vanished) bytes += each;
+  }
+  return bytes;
+}
+
 }  // namespace talus::server

@@ -42,4 +42,7 @@ class RegularFile {
 /// nothing.
 [[nodiscard]] tl::expected<void, std::string> check_regular_files(const std::filesystem::path& directory);
 
+/// Of all files that `directory` holds; those that vanish meanwhile, or are none, count nothing.
+[[nodiscard]] std::uint64_t bytes_of_files(const std::filesystem::path& directory);
+
 }  // namespace talus::server

@@ -1,28 +1,16 @@
 #include "store_command/reports.h"
 
-#include <filesystem>
-#include <system_error>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "log/escape.h"
+#include "store/regular_files.h"
 #include "store_command/moments.h"
 
 namespace talus::server {
 namespace {
 
 using ReportJson = nlohmann::ordered_json;
-
-std::uint64_t bytes_on_disk(const std::filesystem::path& path) {
-  std::uint64_t bytes = 0;
-  std::error_code code;
-  for (std::filesystem::directory_iterator at{path / "db", code}, end; !code && at != end;
-       at.increment(code)) {
-    bytes += at->file_size(code);
-  }
-  return bytes;
-}
 
 std::uint64_t history_bytes(const ReadOnlyStore& store) {
   std::uint64_t bytes = 0;
@@ -93,7 +81,7 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
                       ? "none"
                       : fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
                                     readable_bytes(history_bytes(store))));
-  line("disk", readable_bytes(bytes_on_disk(opened.path())));
+  line("disk", readable_bytes(bytes_of_files(opened.path() / "db")));
   const MaterialNames names{store.materials()};
   for (const auto& [material, voxels] : figures.materials) {
     line(counted(voxels, "voxel"), names.of(material));
@@ -125,7 +113,7 @@ std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
   json["history"] = {{"first_position", store.first_record()},
                      {"last_position", meta.head.position},
                      {"bytes", history_bytes(store)}};
-  json["disk_bytes"] = bytes_on_disk(opened.path());
+  json["disk_bytes"] = bytes_of_files(opened.path() / "db");
   const MaterialNames names{store.materials()};
   json["materials"] = ReportJson::object();
   for (const auto& [material, voxels] : figures.materials) json["materials"][names.of(material)] = voxels;

@@ -19,8 +19,8 @@ namespace talus::server {
 
 class ViewSubscription {
  public:
-  /// Views of different chunks that may be replaced unseen between two apply(); with more, every chunk is
-  /// sent again.
+  /// Views of different chunks that may be replaced unseen between two apply(). With more every chunk would
+  /// be sent again: the caller asks is_full().
   static constexpr std::size_t kMaxUnseenViews = 8;
   /// Chunks that the client may say it holds; those beyond are sent.
   static constexpr std::size_t kMaxKnownChunks = 8192;
@@ -36,6 +36,8 @@ class ViewSubscription {
   [[nodiscard]] bool waits() const { return requested_.has_value(); }
   /// Whether that View replaced one which waited too: they come faster than they are applied.
   [[nodiscard]] bool piles_up() const { return piles_up_; }
+  /// Whether no other View may be requested before apply().
+  [[nodiscard]] bool is_full() const { return unseen_.size() == kMaxUnseenViews; }
   /// Puts the newest View in force. Chunks that were in flight may be so no more.
   void apply();
   /// Ends the subscription: no View, nothing known, nothing in flight.

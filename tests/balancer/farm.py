@@ -207,6 +207,8 @@ class Farm:
         for there, here in (
             ("bind :4780\n", f"bind 127.0.0.1:{self.port}\n"),
             ("bind :4800-4863\n", f"bind 127.0.0.1:{self.places}-{self.places + PLACES - 1}\n"),
+            ("?ports=4780 ", f"?ports={self.port} "),
+            ("&ports=4800-4863 ", f"&ports={self.places}-{self.places + PLACES - 1} "),
             ("bind :80\n", f"bind 127.0.0.1:{self.http}\n"),
             ("tcp-ut 10s\n", f"tcp-ut 10s source {self.proxy}\n"),
             ("log stdout format raw local0\n", f"log stdout format raw local0\n    stats socket {self.stats} level admin\n"),

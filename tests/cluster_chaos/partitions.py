@@ -10,10 +10,13 @@ import argparse
 import pathlib
 import sys
 import tempfile
+import threading
 import time
 
 from cluster import Cluster, until
 from farm import say
+from nats import STORE
+from nats_client import NatsClient, Refused, status
 
 arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("--seconds", type=float, default=60)
@@ -27,6 +30,40 @@ options = arguments.parse_args()
 folder = options.out or pathlib.Path(tempfile.mkdtemp(prefix="talus-partitions-"))
 folder.mkdir(parents=True, exist_ok=True)
 failures = []
+
+
+class Bare(threading.Thread):
+    """A client of one nats-server with nothing of talusd: after which time the message of that number can be read there, and one be
+    published. What it publishes is empty: all servers pass over it."""
+
+    def __init__(self, nats, sequence):
+        super().__init__(daemon=True)
+        self.nats, self.sequence, self.began = nats, sequence, time.monotonic()
+        self.read_s = self.published_s = None
+        self.start()
+
+    def run(self):
+        while self.published_s is None or self.read_s is None:
+            try:
+                with NatsClient(self.nats.port, host=self.nats.address, timeout=0.5) as client:
+                    while self.read_s is None and not self._reads(client):
+                        time.sleep(0.02)
+                    while self.published_s is None and not self._publishes(client):
+                        time.sleep(0.02)
+            except (OSError, Refused):  # nothing within half a second: asked again, as talusd does
+                pass
+
+    def _reads(self, client):
+        head, _ = client.request(f"$JS.API.DIRECT.GET.TALUS_{STORE}", b'{"seq":%d}' % self.sequence)
+        if status(head) is None:
+            self.read_s = time.monotonic() - self.began
+        return self.read_s is not None
+
+    def _publishes(self, client):
+        head, ack = client.request(f"talus.{STORE}.log")
+        if status(head) is None and b'"seq"' in ack:
+            self.published_s = time.monotonic() - self.began
+        return self.published_s is not None
 
 
 class Chunks:
@@ -60,6 +97,7 @@ def cut(cluster, name, talusd, nats, sides, tail):
     revision = max(each["talus_edits_revision"] for each in metrics)
     cluster.network.heal()
     healed = time.monotonic()
+    bare = [Bare(each, int(sequence)) for each in cluster.nats.servers]
 
     def after():
         return time.monotonic() - healed
@@ -76,6 +114,8 @@ def cut(cluster, name, talusd, nats, sides, tail):
     until(cluster.is_well, "all are ready and have the quorum", beat_s=0.02)
     well = after()
     chunks.look()
+    for each in bare:
+        each.join()
     differs = sum(server.metrics()["talus_cluster_state_differs"] for server in cluster.servers)
     wrong, revision = cluster.agreed(sides)
     say(f"{name}: {' and '.join(cut_off)} cut off for {options.seconds:.0f} s")
@@ -85,6 +125,8 @@ def cut(cluster, name, talusd, nats, sides, tail):
     for server, text in texts.items():
         say(f"  {server} /-/ready at the end: {text}")
     say(f"  after it: all have what was in the log after {caught_up:.2f} s, an equal S after {equal_after:.2f} s, take edits after {well:.2f} s")
+    say(f"  a client with nothing of talusd has that after {', '.join(f'{each.read_s:.2f} s at {each.nats.name}' for each in bare)}, and publishes after "
+        f"{', '.join(f'{each.published_s:.2f} s' for each in bare)}")
     say(f"  then every server has all voxels as acknowledged, one revision an edit ({revision}), and one S: {'no' if wrong else 'yes'}")
     if differs or tail.unlike:
         wrong.append("servers have said that S differs")

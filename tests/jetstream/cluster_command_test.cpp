@@ -211,8 +211,17 @@ TEST_CASE("check reads the newest messages, and names those that servers pass ov
   newer.resize(newer.size() - cluster::kSealBytes);
   ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
   publish(newer);
+  CHECK_THAT(
+      lines_of(target, genesis_of()),
+      Catch::Contains("note: message 4: it has format 9; this talusd reads up to 1; all servers pass") &&
+          !Catch::Contains("fault: "));
+  nlohmann::json settings = jetstream::wanted_settings(target.names, 1);
+  settings["description"] = "log format 2 from message 4";
+  REQUIRE(connection->request("$JS.API.STREAM.UPDATE." + target.names.stream, settings.dump(),
+                              std::chrono::seconds{10}));
   CHECK_THAT(faults_of(target),
-             Catch::StartsWith("fault: message 4: it has format 9; this talusd reads up to 1"));
+             Catch::StartsWith("fault: message 4: it has format 9; this talusd reads up to 1; a talusd of "
+                               "this version stops before it"));
   for (int i = 0; i < 12; ++i) publish(bytes_of("hello"));
   CHECK_THAT(lines_of(target, genesis_of()), Catch::Contains("note: 4 more messages cannot be read"));
 }

@@ -36,13 +36,21 @@ TEST_CASE("what is no state of a server that is up says nothing") {
   }
 }
 
-TEST_CASE("a check may ask for another tolerance") {
-  CHECK(read_above_percent("above_percent=25") == 25U);
-  CHECK(read_above_percent("above_percent=0") == 0U);
-  CHECK(read_above_percent("above_percent=1000") == 1000U);
-  for (const char* none : {"", "above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
-                           "above_percent=25&x=1", "above=25", "x&above_percent=25"}) {
-    CHECK_FALSE(read_above_percent(none).has_value());
+TEST_CASE("a check may ask for another tolerance, and be about the sessions of some ports") {
+  CHECK(read_balancer_query("above_percent=25").above_percent == 25U);
+  CHECK(read_balancer_query("above_percent=0").above_percent == 0U);
+  CHECK(read_balancer_query("above_percent=1000").above_percent == 1000U);
+  CHECK(read_balancer_query("above_percent=25").ports == PortRange{});
+  CHECK(read_balancer_query("ports=0") == BalancerQuery{std::nullopt, {0, 0}});
+  CHECK(read_balancer_query("ports=4780") == BalancerQuery{std::nullopt, {4780, 4780}});
+  CHECK(read_balancer_query("above_percent=25&ports=4800-4863") == BalancerQuery{25, {4800, 4863}});
+  CHECK(read_balancer_query("ports=4800-65535&above_percent=25") == BalancerQuery{25, {4800, 65535}});
+  for (const char* none :
+       {"", "above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
+        "above_percent=25&x=1", "above=25", "x&above_percent=25", "ports=", "ports=-", "ports=4800-",
+        "ports=-4800", "ports=4801-4800", "ports=4800-65536", "ports=4800-4863-4900", "ports=1&ports=x"}) {
+    CAPTURE(none);
+    CHECK(read_balancer_query(none) == BalancerQuery{});
   }
 }
 

@@ -264,8 +264,72 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
   }
 }
 
+/// Messages that this talusd does not know, and those to come may.
+std::vector<Bytes> unknown_messages() {
+  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  std::vector<Bytes> messages(2, cluster::encode_batch(foreign_head(), nullptr, good));
+  messages[0][0] = std::byte{9};
+  messages[1][1] = std::byte{9};
+  for (Bytes& each : messages) each = sealed_again(each);
+  std::vector<Bytes> entries{good[0], bytes_of_entry(attach(9))};
+  entries[1][0] = std::byte{7};
+  messages.push_back(cluster::encode_batch(foreign_head(), nullptr, entries));
+  return messages;
+}
+
+TEST_CASE("a message of a format that the stream has not enabled is passed over by all servers alike") {
+  Cluster cluster{2};
+  SECTION("nor any other") {}
+  SECTION("but that which is known") {
+    cluster.stream.enable({cluster::kLogFormat, 1});
+  }
+  SECTION("but from a later message on") {
+    cluster.stream.enable({cluster::kLogFormat + 1, 6});
+  }
+  cluster.open();
+  cluster.until_applied();
+  for (const Bytes& each : unknown_messages()) cluster.stream.append(each);
+  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, good));
+  cluster.until_applied();
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(cluster.log(i).status().skipped == 3);
+    CHECK(cluster.log(i).status().head.position == 1);
+    CHECK_FALSE(cluster.log(i).status().stuck);
+  }
+  // From where it is enabled on nobody passes over such.
+  cluster.stream.enable({cluster::kLogFormat + 1, 6});
+  cluster.stream.append(unknown_messages().front());
+  until([&] { return cluster.log(0).status().stuck && cluster.log(1).status().stuck; });
+  // Who reads all of it later does as they did.
+  cluster.nodes.push_back(
+      std::make_unique<ClusterNode>(cluster.scratch / "late", ends_of(cluster.stream, 900), 900));
+  REQUIRE(cluster.nodes.back()->open() == "");
+  until([&] { return cluster.log(2).status().stuck; });
+  CHECK(cluster.log(2).status().skipped == 3);
+  CHECK(cluster.log(2).status().head.hash == cluster.log(0).status().head.hash);
+}
+
+TEST_CASE("a message that is not known waits for a leader that knows it") {
+  Cluster cluster{1};
+  cluster.open();
+  cluster.until_applied();
+  cluster.stream.say_fewer(1);
+  cluster.stream.append(unknown_messages().front());
+  until([&] {
+    return cluster.log(0).status().not_ready.find("the leader does not know") != std::string::npos ||
+           cluster.log(0).status().read_only.value_or("").find("does not know") != std::string::npos;
+  });
+  CHECK(cluster.log(0).status().skipped == 0);
+  cluster.stream.enable({cluster::kLogFormat + 1, 2});
+  cluster.stream.say_fewer(0);
+  until([&] { return cluster.log(0).status().stuck; });
+  CHECK(cluster.log(0).status().skipped == 0);
+}
+
 TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
   Cluster cluster{1};
+  cluster.stream.enable({cluster::kLogFormat + 1, 2});
   std::string why;
   const std::vector<Bytes> good{bytes_of_entry(attach(8))};
   SECTION("a format") {
@@ -379,6 +443,7 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
 
 TEST_CASE("players may look on while no server can read the next message, and not where others can") {
   Cluster cluster{2};
+  cluster.stream.enable({cluster::kLogFormat + 1, 2});
   for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;
   cluster.open();
   until([&] { return cluster.log(0).status().ready && cluster.log(1).status().ready; });
@@ -538,13 +603,11 @@ TEST_CASE("what waits when a server stops for good is answered, and not publishe
   REQUIRE(doubtful.has_value());
   until([&] { return cluster.stream.attempts > before; });
   const auto queued = answers.send(cluster.log(0), write_at(2, 6));
-  Bytes newer = cluster::encode_batch(foreign_head(), nullptr, {});
-  newer[0] = std::byte{9};
-  cluster.stream.append(sealed_again(newer));
+  cluster.stream.fail_next_as(StreamFailure::Kind::other);
   const auto open = answers.await(*doubtful);
   REQUIRE_FALSE(open.has_value());
   CHECK(open.error().kind == LogFailure::Kind::unwritable);
-  CHECK_THAT(open.error().reason, Catch::Contains("cannot be applied"));
+  CHECK_THAT(open.error().reason, Catch::Contains("it is another"));
   if (queued) CHECK(answers.await(*queued).error().kind == LogFailure::Kind::cut_off);
   const std::size_t messages = cluster.stream.all().size();
   cluster.stream.set_quorum(true);

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "cluster/entry_codec.h"
+#include "cluster/log_format.h"
 #include "cluster/message.h"
 #include "edits/model.h"
 #include "store/bytes.h"
@@ -212,6 +213,21 @@ TEST_CASE("entries of every kind are read back") {
   const auto attach = decode_entry(bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}), nullptr);
   REQUIRE(attach.has_value());
   CHECK(std::get<edits::AttachEntry>(*attach).epoch == 2);
+}
+
+TEST_CASE("a stream's description says from where on messages may be newer") {
+  CHECK(enabled_format("log format 2 from message 1000000") == EnabledFormat{2, 1'000'000});
+  for (const char* const none :
+       {"", "log format", "log format 2", "log format 2 from message ", "log format 2 from message 5.",
+        "log format -2 from message 5", "log format 2 from message 99999999999999999999",
+        " log format 2 from message 5", "log format 4294967296 from message 5", "the log of a world"}) {
+    CAPTURE(none);
+    CHECK(enabled_format(none) == EnabledFormat{1, 0});
+  }
+  CHECK_FALSE(EnabledFormat{}.is_newer_at(1));
+  CHECK_FALSE(EnabledFormat{kLogFormat, 5}.is_newer_at(9));
+  CHECK_FALSE(EnabledFormat{kLogFormat + 1, 5}.is_newer_at(4));
+  CHECK(EnabledFormat{kLogFormat + 1, 5}.is_newer_at(5));
 }
 
 TEST_CASE("entries that are newer are told from those that are damaged") {

@@ -14,8 +14,9 @@ using namespace std::chrono_literals;
 namespace {
 
 struct Player final : Peer {
-  explicit Player(Clock::time_point began) : since{began} {}
+  Player(Clock::time_point began, std::uint16_t proxy_port) : since{began}, port{proxy_port} {}
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override { return since; }
+  [[nodiscard]] std::uint16_t proxy_port() const override { return port; }
   void go_away(const std::string&, std::chrono::milliseconds retry_after) override {
     ++told;
     wait = retry_after;
@@ -23,6 +24,7 @@ struct Player final : Peer {
   void access_changed() override {}
   void rates_changed() override {}
   Clock::time_point since;
+  std::uint16_t port;
   int told = 0;
   std::chrono::milliseconds wait{-1};
 };
@@ -34,9 +36,9 @@ struct Bench {
   Departures departures{io, registry, clock};
   std::vector<std::shared_ptr<Player>> players;
 
-  void join(std::size_t count) {
+  void join(std::size_t count, std::uint16_t port = 4780) {
     for (std::size_t i = 0; i < count; ++i) {
-      players.push_back(std::make_shared<Player>(clock.now()));
+      players.push_back(std::make_shared<Player>(clock.now(), port));
       registry.add(players.size(), players.back());
     }
   }
@@ -125,6 +127,22 @@ TEST_CASE("sessions that leave are not counted twice, and young ones stay") {
   bench.join(9);  // as many come, and are the last to be sent on
   CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings) == 9);
   CHECK(bench.players.back()->told == 0);
+}
+
+TEST_CASE("of several ways through a balancer that which has too many players here sends some of its own") {
+  Bench bench;
+  bench.join(20, 4780);
+  bench.join(20, 4810);
+  bench.clock.advance(61s);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 40), kSettings, {4780, 4780}) == 0);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, {4800, 4863}) == 9);
+  for (std::size_t i = 0; i < 20; ++i) CHECK(bench.players[i]->told == 0);
+  CHECK(bench.told() == 9);
+  // Those leave, and are none of the other way's.
+  bench.clock.advance(1s);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, {4780, 4780}) == 9);
+  CHECK(bench.told() == 18);
+  CHECK(bench.departures.balancer_says(of_balancer(5, 5), kSettings, {0, 0}) == 0);
 }
 
 TEST_CASE("a balancer that says nothing of use sends nobody away") {

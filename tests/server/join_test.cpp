@@ -30,7 +30,7 @@ StoreMeta store_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
 
 StartPlan plan(std::optional<StoreMeta> local, StreamState stream, bool from_nothing = true,
                bool has_peers = true) {
-  return plan_start({local, stream, from_nothing, has_peers, {}});
+  return plan_start({local, stream, from_nothing, has_peers, 0, {}});
 }
 
 /// A stream of one process.
@@ -133,15 +133,41 @@ TEST_CASE("a server starts with what it has, from the stream alone, from a peer,
         Kind::as_it_is);  // the stream has forgotten all that it read
   CHECK(plan(store_at(5), {6, 9, kMade}).kind == Kind::as_it_is);
   CHECK(plan(store_at(5), {7, 9, kMade}).kind == Kind::from_peer);
-  CHECK(plan(store_at(5), {1, 5 + kFarMessages, kMade}).kind == Kind::as_it_is);
-  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}).kind == Kind::from_peer);
-  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}).may_do_without);
-  CHECK(plan(store_at(5), {1, 6 + kFarMessages, kMade}, true, false).kind == Kind::as_it_is);
   CHECK(plan(std::nullopt, {1, 9, kMade}).kind == Kind::from_stream);
   CHECK(plan(std::nullopt, {1, 9, kMade}, false).kind == Kind::from_peer);
   CHECK_FALSE(plan(std::nullopt, {1, 9, kMade}, false).may_do_without);
-  CHECK(plan(std::nullopt, {1, kFarMessages + 1, kMade}).kind == Kind::from_peer);
-  CHECK(plan(std::nullopt, {1, kFarMessages + 1, kMade}, true, false).kind == Kind::from_stream);
+}
+
+TEST_CASE("a server that lacks many messages takes a checkpoint, if a peer has one") {
+  constexpr std::uint64_t kMany = 20'000;
+  const StreamState stream{1, kMany, kMade, kMany * 150};
+  CHECK(plan(std::nullopt, stream).kind == Kind::from_peer);
+  CHECK(plan(std::nullopt, stream).may_do_without);
+  CHECK(plan(std::nullopt, stream, true, false).kind == Kind::from_stream);
+  CHECK(plan(store_at(5), stream).kind == Kind::from_peer);
+  CHECK(plan(store_at(5), stream).may_do_without);
+  CHECK(plan(store_at(5), stream, true, false).kind == Kind::as_it_is);
+  CHECK(plan(store_at(kMany - 1'000), stream).kind == Kind::as_it_is);
+  // Few messages full of pastes are as many edits.
+  CHECK(plan(std::nullopt, {1, 1'000, kMade, 1'000 * 150}).kind == Kind::from_stream);
+  CHECK(plan(std::nullopt, {1, 1'000, kMade, 1'000 * 100'000}).kind == Kind::from_peer);
+}
+
+TEST_CASE("the larger a store is, the more messages are read before it is taken anew") {
+  constexpr std::uint64_t kMegabyte = 1 << 20;
+  // 150 us a message against one second and 32 MiB/s.
+  CHECK_FALSE(checkpoint_is_quicker(6'000, 0, 0));
+  CHECK(checkpoint_is_quicker(7'000, 0, 0));
+  CHECK_FALSE(checkpoint_is_quicker(50'000, 0, 320 * kMegabyte));
+  CHECK(checkpoint_is_quicker(80'000, 0, 320 * kMegabyte));
+  CHECK_FALSE(checkpoint_is_quicker(2'000'000, 0, 10'240 * kMegabyte));
+  CHECK(checkpoint_is_quicker(2'200'000, 0, 10'240 * kMegabyte));
+  const StreamState stream{1, 100'000, kMade, 100'000 * 100};
+  const auto behind = [&](std::uint64_t bytes) {
+    return plan_start({store_at(50'000), stream, true, true, bytes, {}}).kind;
+  };
+  CHECK(behind(64 * kMegabyte) == Kind::from_peer);
+  CHECK(behind(1'024 * kMegabyte) == Kind::as_it_is);
 }
 
 TEST_CASE("a start that a person has to decide on is refused by name") {
@@ -158,8 +184,8 @@ TEST_CASE("a start that a person has to decide on is refused by name") {
     CHECK_THAT(refused.reason, Catch::Contains("talusd store fork"));
   }
   // Not even a store that is wrong is given up for a stream that is another.
-  CHECK(plan_start({store_at(5), {1, 9, kMade + 1}, true, true, "S differs"}).kind == Kind::refused);
-  CHECK(plan_start({store_at(5), {1, 9, kMade}, true, true, "S differs"}).kind == Kind::from_peer);
+  CHECK(plan_start({store_at(5), {1, 9, kMade + 1}, true, true, 0, "S differs"}).kind == Kind::refused);
+  CHECK(plan_start({store_at(5), {1, 9, kMade}, true, true, 0, "S differs"}).kind == Kind::from_peer);
 }
 
 TEST_CASE("an empty disk begins from a stream that goes back to nothing, and only of this store and world") {
@@ -362,7 +388,7 @@ TEST_CASE("a store that is far behind reads the stream where no peer answers") {
   Joiner joiner;
   joiner.id = peer.store.id();
   copy_store(peer.store, joiner.path);
-  joiner.script.state = {1, 2 * kFarMessages, kMade};
+  joiner.script.state = {1, 200'000, kMade};
   joiner.peers = {{"http://127.0.0.1:9"}, {}};
   CHECK(joiner.start() == "");
   CHECK(joiner.pauses == 0);

@@ -59,6 +59,14 @@ TEST_CASE("a PROXY header says which IPv4 address and port it speaks for") {
   CHECK(client.value() == asio::ip::tcp::endpoint{asio::ip::make_address("192.0.2.7"), 49153});
 }
 
+TEST_CASE("a PROXY header says to which port of the proxy the client came") {
+  using Origin = ProxyPrefix::Origin;
+  CHECK(proxied_port({Origin::tcp4, 12}, std::as_bytes(std::span{kTcp4Body})) == 4780);
+  const Bytes tcp6 = tcp6_body();
+  CHECK(proxied_port({Origin::tcp6, 36}, std::as_bytes(std::span{tcp6})) == 4780);
+  CHECK(proxied_port({Origin::peer, 12}, std::as_bytes(std::span{kTcp4Body})) == 0);
+}
+
 TEST_CASE("a PROXY header says which IPv6 address and port it speaks for") {
   const auto client = read(header(0x21, 0x21, tcp6_body()));
   REQUIRE(client.has_value());

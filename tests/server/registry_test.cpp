@@ -63,9 +63,9 @@ TEST_CASE("of some that are told to go the longest connected are first, and nobo
     return counts;
   };
   CHECK(registry.sessions().staying == 3);
-  CHECK(registry.tell_to_go(1, Clock::time_point::max(), "more room", 0ms) == 1);
+  CHECK(registry.tell_to_go(1, {}, Clock::time_point::max(), "more room", 0ms) == 1);
   CHECK(told() == std::vector<std::size_t>{0, 1, 0});
-  CHECK(registry.tell_to_go(9, Clock::time_point{30s}, "more room", 0ms) == 1);
+  CHECK(registry.tell_to_go(9, {}, Clock::time_point{30s}, "more room", 0ms) == 1);
   CHECK(told() == std::vector<std::size_t>{0, 1, 1});
   CHECK(registry.sessions().staying == 1);
   CHECK(registry.sessions().leaving == 2);

@@ -2,6 +2,7 @@
 // test moves it: everything happens in the test's own thread, and nothing waits.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <string>
 
 #include <talus/protocol/limits.h>
@@ -519,6 +520,35 @@ TEST_CASE("a client whose View waits to be applied is heard, until it sends anot
   const auto kinds = bench.kinds(*client);
   CHECK(kinds.front() == wire::Body::UniformColumn);
   CHECK(std::count(kinds.begin(), kinds.end(), wire::Body::Pong) == 1);
+}
+
+TEST_CASE("of many Views that come at once no chunk that stayed in all of them comes twice") {
+  Bench bench;
+  const auto client = bench.greeted();
+  std::map<std::int32_t, int> came;  // by x
+  const auto receive_all = [&] {
+    while (!bench.source.waiting.empty()) bench.answer_all();
+    for (const auto& frame : bench.frames(*client)) {
+      const auto message = protocol::read_message(frame);
+      if ((*message)->body_type() == wire::Body::Chunk) ++came[(*message)->body_as_Chunk()->key()->x()];
+    }
+  };
+  bench.send(*client, view_at(0));
+  receive_all();
+  CHECK(came == std::map<std::int32_t, int>{{-1, 3}, {0, 3}, {1, 3}});
+  protocol::Frame at_once;
+  for (int i = 1; i <= 40; ++i) {
+    const protocol::Frame frame = view_at(i % 2);
+    at_once.insert(at_once.end(), frame.begin(), frame.end());
+  }
+  bench.send(*client, at_once);
+  for (int i = 0; i < 40; ++i) {
+    bench.advance(20ms);
+    receive_all();
+  }
+  CHECK(came[-1] > 3);  // left, and came back
+  CHECK(came[0] == 3);
+  CHECK(came[1] == 3);
 }
 
 TEST_CASE("a View that waits when its client shuts its sending side is applied and served") {

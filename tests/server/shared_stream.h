@@ -54,6 +54,10 @@ class SharedStream {
     first_ = first;
   }
   void make_anew() { created_ns_ = 2; }
+  void enable(cluster::EnabledFormat format) {
+    const std::lock_guard lock{mutex_};
+    enabled_ = format;
+  }
   /// What every publish() and next() says from now on.
   void fail_publish_as(StreamFailure::Kind kind) { fails_publish_ = kind; }
   void fail_next_as(StreamFailure::Kind kind) { fails_next_ = kind; }
@@ -66,7 +70,7 @@ class SharedStream {
 
   [[nodiscard]] StreamState state() const {
     const std::lock_guard lock{mutex_};
-    return {first_, messages_.size() - fewer_, created_ns_};
+    return {first_, messages_.size() - fewer_, created_ns_, 0, enabled_};
   }
   [[nodiscard]] std::vector<std::vector<std::byte>> all() const {
     const std::lock_guard lock{mutex_};
@@ -102,6 +106,7 @@ class SharedStream {
   std::vector<std::vector<std::byte>> messages_;
   std::map<std::uint64_t, std::int64_t> times_ms_;
   std::uint64_t first_ = 1;
+  cluster::EnabledFormat enabled_;
   std::atomic<bool> quorum_{true};
   std::atomic<std::int64_t> created_ns_{1};
   std::atomic<std::uint64_t> fewer_{0};
