@@ -24,14 +24,20 @@ void seal(std::uint64_t seed, Bytes& out) {
   ByteWriter{out}.fixed64(XXH3_64bits_withSeed(out.data(), out.size(), seed));
 }
 
-/// What seal() sealed behind its number of the format, or nothing.
-std::optional<std::span<const std::byte>> sealed(std::uint64_t seed, std::span<const std::byte> value) {
+/// What seal() sealed, of whatever format, or nothing.
+std::optional<std::span<const std::byte>> sealed_bytes(std::uint64_t seed, std::span<const std::byte> value) {
   if (value.size() <= kChecksumBytes) return std::nullopt;
   const auto body = value.first(value.size() - kChecksumBytes);
   const std::uint64_t held = ByteReader{value.last(kChecksumBytes)}.fixed64();
   if (held != XXH3_64bits_withSeed(body.data(), body.size(), seed)) return std::nullopt;
-  if (std::to_integer<std::uint8_t>(body.front()) != kStoreFormat) return std::nullopt;
-  return body.subspan(1);
+  return body;
+}
+
+/// The same behind its number of the format, where that is this one.
+std::optional<std::span<const std::byte>> sealed(std::uint64_t seed, std::span<const std::byte> value) {
+  const auto body = sealed_bytes(seed, value);
+  if (!body || std::to_integer<std::uint8_t>(body->front()) != kStoreFormat) return std::nullopt;
+  return body->subspan(1);
 }
 
 ByteWriter begin(Bytes& out) {
@@ -407,6 +413,11 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.stream.looked_ms = static_cast<std::int64_t>(in.fixed64());
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;
+}
+
+bool is_other_meta(std::span<const std::byte> value) {
+  const auto body = sealed_bytes(hash_of(meta_key()), value);
+  return body && (std::to_integer<std::uint8_t>(body->front()) != kStoreFormat || value.size() != kMetaBytes);
 }
 
 std::optional<StoredChunk> decode_chunk_value(std::string_view key, std::span<const std::byte> value) {
