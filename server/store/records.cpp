@@ -107,12 +107,6 @@ bool has_result(edits::Applied::Kind kind) {
   return kind == Kind::done || kind == Kind::conflict || kind == Kind::repeat;
 }
 
-/// `runs` is memory for them.
-void put_runs(std::span<const Override> voxels, Bytes& runs, ByteWriter& out) {
-  runs.clear();
-  edits::encode_runs(voxels, runs);
-  out.counted(runs);
-}
 std::vector<Override> get_runs(ByteReader& in) {
   auto voxels = edits::decode_runs(in.counted());
   if (!voxels) in.fail();
@@ -122,15 +116,20 @@ std::vector<Override> get_runs(ByteReader& in) {
 /// What changed, as three sets of the same voxels: before, after, and as generated.
 void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
   for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
-  std::vector<Override> voxels(changes.voxels.size());
-  Bytes runs;
-  runs.reserve(16);  // of a voxel; more grows
+  std::array<Override, 8> few;  // mostly
+  std::vector<Override> many;
+  std::span<Override> voxels{few};
+  if (changes.voxels.size() > few.size()) {
+    many.resize(changes.voxels.size());
+    voxels = many;
+  }
+  voxels = voxels.first(changes.voxels.size());
   for (const auto material :
        {&edits::VoxelChange::before, &edits::VoxelChange::after, &edits::VoxelChange::base}) {
     std::ranges::transform(changes.voxels, voxels.begin(), [material](const edits::VoxelChange& voxel) {
       return Override{voxel.index, voxel.*material};
     });
-    put_runs(voxels, runs, out);
+    out.counted_by([&](Bytes& bytes) { edits::encode_runs(voxels, bytes); });
   }
 }
 edits::ChunkChanges get_changes(ByteReader& in) {
