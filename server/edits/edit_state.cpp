@@ -134,21 +134,21 @@ std::size_t EditState::editor_count() const {
 
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   std::vector<ChunkChange> changed;
-  std::unordered_map<ChunkKey, std::size_t> places;  // in `changed`
+  FlatMap<ChunkKey, std::size_t> places;  // in `changed`
   changed.reserve(batch.chunks().size());
-  places.reserve(batch.chunks().size());
   std::vector<RecentChanges::Change> recent;
   recent.reserve(batch.applied().size());
   for (const edits::Applied& applied : batch.applied()) {
     for (std::size_t i = 0; i < applied.writes.size(); ++i) {
       const ChunkKey key = applied.writes[i].key;
-      const auto [place, added] = places.try_emplace(key, changed.size());
+      const auto [place, added] = places.emplace(key);
       if (added) {
+        place = changed.size();
         const EditedChunk* const held = dirty(key);
         const std::uint64_t before = held != nullptr ? held->revision : index_.revision(key);
         changed.push_back({key, before, before});
       }
-      ChunkChange& change = changed[place->second];
+      ChunkChange& change = changed[place];
       recent.push_back({key, change.revision, applied.revision, voxels_now(applied, i)});
       change.revision = applied.revision;
     }
@@ -177,23 +177,29 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
 void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::StagedChunk>& staged,
                                 std::span<const ChunkChange> changed) {
   // What is copied, or takes its time, is done before anybody waits for the lock.
-  std::vector<EditedChunk> made(changed.size());
+  struct Write {
+    const edits::StagedChunk* staged = nullptr;
+    Dirty* held = nullptr;  // null: it is not dirty yet
+    EditedChunk made;       // where it is not written in place
+  };
+  std::vector<Write> writes(changed.size());
   for (std::size_t i = 0; i < changed.size(); ++i) {
-    const edits::StagedChunk& chunk = staged.at(changed[i].key);
-    Dirty* const held = dirty_.find(changed[i].key);
-    const bool in_place = held != nullptr && is_own(*held) && chunk.writes.size() <= kFewWrites;
-    if (!in_place) made[i] = edited_chunk(changed[i].revision, chunk.after());
+    auto& [chunk, held, made] = writes[i];
+    chunk = &staged.at(changed[i].key);
+    held = dirty_.find(changed[i].key);
+    const bool in_place = held != nullptr && is_own(*held) && chunk->writes.size() <= kFewWrites;
+    if (!in_place) made = edited_chunk(changed[i].revision, chunk->after());
   }
   const std::lock_guard lock{dirty_mutex_};
   for (std::size_t i = 0; i < changed.size(); ++i) {
-    Dirty& held = dirty_[changed[i].key];
-    const edits::StagedChunk& chunk = staged.at(changed[i].key);
-    if (made[i].revision != 0) {
-      put_dirty(held, std::move(made[i]));
+    auto& [chunk, found, made] = writes[i];
+    Dirty& held = found == nullptr ? dirty_[changed[i].key] : *found;
+    if (made.revision != 0) {
+      put_dirty(held, std::move(made));
     } else if (is_own(held)) {
-      write_in_place(held, chunk, changed[i].revision);
+      write_in_place(held, *chunk, changed[i].revision);
     } else {  // somebody read it meanwhile
-      put_dirty(held, edited_chunk(changed[i].revision, chunk.after()));
+      put_dirty(held, edited_chunk(changed[i].revision, chunk->after()));
     }
   }
 }

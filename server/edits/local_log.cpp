@@ -90,6 +90,7 @@ void LocalLog::apply(std::vector<Queue::Waiting> entries) {
 bool LocalLog::stage(std::vector<Queue::Waiting>& entries, bool careful, std::vector<Done>& done) {
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
   edits::Batch& batch = writer_.begin(now.count());
+  batch.expect(entries.size());
   const EditState::Reading& reading = writer_.reading();
   for (Queue::Waiting& each : entries) {
     const auto* const edit = std::get_if<edits::EditEntry>(&each.entry);
@@ -102,6 +103,7 @@ bool LocalLog::stage(std::vector<Queue::Waiting>& entries, bool careful, std::ve
     std::visit([&](const auto& entry) { batch.apply(entry); }, each.entry);
     if (reading.error() && !careful) return false;
   }
+  done.reserve(entries.size());
   for (Queue::Waiting& each : entries) {
     if (each.done != nullptr) done.push_back(std::move(each.done));
   }

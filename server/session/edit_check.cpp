@@ -9,6 +9,8 @@
 #include <talus/edits/settle.h>
 #include <talus/voxel/codec.h>
 
+#include "log/escape.h"
+
 namespace talus::server {
 namespace {
 
@@ -52,6 +54,11 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool set
   if (checked.subject.size() > edits::kMaxSubjectBytes) {
     return rejected(wire::ErrorCode::too_large, fmt::format("Edit.subject has {} bytes, over the limit {}",
                                                             checked.subject.size(), edits::kMaxSubjectBytes));
+  }
+  // History shows it in a terminal, and who rolls it back types it.
+  if (on_one_line(checked.subject) != checked.subject) {
+    return rejected(wire::ErrorCode::out_of_range,
+                    "Edit.subject has control characters, or is no UTF-8; give a name that can be printed");
   }
   edits::Edit& edit = checked.edit;
   edit.guards = writes_of(wire.guards());

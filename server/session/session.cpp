@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "log/escape.h"
 #include "session/edit_check.h"
 #include "session/edit_rules.h"
 #include "session/heights_check.h"
@@ -373,6 +374,11 @@ void Session::on(const wire::Attach& attach) {
     return replies_.error(subject, ErrorCode::forbidden,
                           fmt::format("the token's subject has {} bytes; who edits may have one of {}",
                                       greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
+  }
+  if (on_one_line(greeting_->grant.subject) != greeting_->grant.subject) {
+    return replies_.error(
+        subject, ErrorCode::forbidden,
+        "the token's subject has control characters; who edits may have one that can be printed");
   }
   if (greeting_->grant.subject == edits::kOperatorSubject) {
     return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);

@@ -39,6 +39,20 @@ class ByteWriter {
     bytes(all);
   }
   void counted(std::string_view text) { counted(std::as_bytes(std::span{text})); }
+  /// What `write` appends to the vector that it is given.
+  template <typename Write>
+  void counted_by(const Write& write) {
+    const std::size_t at = out_.size();
+    out_.push_back(std::byte{0});  // as long as a count up to 127
+    write(out_);
+    const std::size_t count = out_.size() - at - 1;
+    out_[at] = static_cast<std::byte>(count & 127);
+    if (count < 128) return;
+    out_[at] |= std::byte{128};
+    std::vector<std::byte> rest;
+    ByteWriter{rest}.varint(count >> 7);
+    out_.insert(out_.begin() + static_cast<std::ptrdiff_t>(at) + 1, rest.begin(), rest.end());
+  }
 
  private:
   void fixed(std::uint64_t value, std::size_t count) {

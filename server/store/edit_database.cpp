@@ -95,7 +95,7 @@ EditDatabase::Done EditDatabase::open_database() {
   db_.reset(db);
   if (status.ok()) return {};
   if (status.IsCorruption() || used) {
-    return failure(fmt::format("the database does not open: {}; {}", status.ToString(), kStoreLost));
+    return failure(fmt::format("the database does not open: {}; {}", status.ToString(), remedy_for(status)));
   }
   return failure(fmt::format("{}; give --data a directory that talusd may write", status.ToString()));
 }

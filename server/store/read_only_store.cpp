@@ -29,7 +29,7 @@ tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
   store->db_.reset(db);
   if (!status.ok()) {
     return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
-                                      status.ToString(), kStoreLost)};
+                                      status.ToString(), remedy_for(status))};
   }
   const StoreReader reader = store->reader();
   const auto meta = reader.meta();

@@ -24,14 +24,20 @@ void seal(std::uint64_t seed, Bytes& out) {
   ByteWriter{out}.fixed64(XXH3_64bits_withSeed(out.data(), out.size(), seed));
 }
 
-/// What seal() sealed behind its number of the format, or nothing.
-std::optional<std::span<const std::byte>> sealed(std::uint64_t seed, std::span<const std::byte> value) {
+/// What seal() sealed, of whatever format, or nothing.
+std::optional<std::span<const std::byte>> sealed_bytes(std::uint64_t seed, std::span<const std::byte> value) {
   if (value.size() <= kChecksumBytes) return std::nullopt;
   const auto body = value.first(value.size() - kChecksumBytes);
   const std::uint64_t held = ByteReader{value.last(kChecksumBytes)}.fixed64();
   if (held != XXH3_64bits_withSeed(body.data(), body.size(), seed)) return std::nullopt;
-  if (std::to_integer<std::uint8_t>(body.front()) != kStoreFormat) return std::nullopt;
-  return body.subspan(1);
+  return body;
+}
+
+/// The same behind its number of the format, where that is this one.
+std::optional<std::span<const std::byte>> sealed(std::uint64_t seed, std::span<const std::byte> value) {
+  const auto body = sealed_bytes(seed, value);
+  if (!body || std::to_integer<std::uint8_t>(body->front()) != kStoreFormat) return std::nullopt;
+  return body->subspan(1);
 }
 
 ByteWriter begin(Bytes& out) {
@@ -101,12 +107,6 @@ bool has_result(edits::Applied::Kind kind) {
   return kind == Kind::done || kind == Kind::conflict || kind == Kind::repeat;
 }
 
-/// `runs` is memory for them.
-void put_runs(std::span<const Override> voxels, Bytes& runs, ByteWriter& out) {
-  runs.clear();
-  edits::encode_runs(voxels, runs);
-  out.counted(runs);
-}
 std::vector<Override> get_runs(ByteReader& in) {
   auto voxels = edits::decode_runs(in.counted());
   if (!voxels) in.fail();
@@ -116,15 +116,20 @@ std::vector<Override> get_runs(ByteReader& in) {
 /// What changed, as three sets of the same voxels: before, after, and as generated.
 void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
   for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
-  std::vector<Override> voxels(changes.voxels.size());
-  Bytes runs;
-  runs.reserve(16);  // of a voxel; more grows
+  std::array<Override, 8> few;  // mostly
+  std::vector<Override> many;
+  std::span<Override> voxels{few};
+  if (changes.voxels.size() > few.size()) {
+    many.resize(changes.voxels.size());
+    voxels = many;
+  }
+  voxels = voxels.first(changes.voxels.size());
   for (const auto material :
        {&edits::VoxelChange::before, &edits::VoxelChange::after, &edits::VoxelChange::base}) {
     std::ranges::transform(changes.voxels, voxels.begin(), [material](const edits::VoxelChange& voxel) {
       return Override{voxel.index, voxel.*material};
     });
-    put_runs(voxels, runs, out);
+    out.counted_by([&](Bytes& bytes) { edits::encode_runs(voxels, bytes); });
   }
 }
 edits::ChunkChanges get_changes(ByteReader& in) {
@@ -407,6 +412,11 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.stream.looked_ms = static_cast<std::int64_t>(in.fixed64());
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;
+}
+
+bool is_other_meta(std::span<const std::byte> value) {
+  const auto body = sealed_bytes(hash_of(meta_key()), value);
+  return body && (std::to_integer<std::uint8_t>(body->front()) != kStoreFormat || value.size() != kMetaBytes);
 }
 
 std::optional<StoredChunk> decode_chunk_value(std::string_view key, std::span<const std::byte> value) {

@@ -20,6 +20,8 @@ using Bytes = std::vector<std::byte>;
 /// The number that every value begins with. What is read has this one; meta alone may have another, which is
 /// then told.
 inline constexpr std::uint8_t kStoreFormat = 1;
+/// Of meta's value, with its number and its checksum.
+inline constexpr std::size_t kMetaBytes = 133;
 
 /// Where a store stands in the stream that it shares with those of other servers.
 struct StreamPlace {
@@ -124,6 +126,9 @@ void encode(std::span<const edits::ChunkChanges> changes, Bytes& out);
 
 // Nothing where the bytes are damaged, or are not what encode() wrote for this key.
 [[nodiscard]] std::optional<StoreMeta> decode_meta(std::span<const std::byte> value);
+/// Whether the value is whole, and of another format or length: not damaged, but none that decode_meta()
+/// knows.
+[[nodiscard]] bool is_other_meta(std::span<const std::byte> value);
 [[nodiscard]] std::optional<StoredChunk> decode_chunk_value(std::string_view key,
                                                             std::span<const std::byte> value);
 /// Its checksum holds; its voxels are not looked at.

@@ -7,6 +7,7 @@
 #include <rocksdb/table.h>
 
 #include "store/no_info_log.h"
+#include "store/store_reader.h"
 
 namespace talus::server {
 namespace {
@@ -61,6 +62,10 @@ rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
   table.block_cache = rocksdb::NewLRUCache(settings.block_cache_bytes);
   options.table_factory.reset(rocksdb::NewBlockBasedTableFactory(table));
   return options;
+}
+
+std::string_view remedy_for(const rocksdb::Status& status) {
+  return status.IsNoSpace() ? "its disk is full: nothing is damaged; free space" : kStoreLost;
 }
 
 rocksdb::ReadOptions for_scans() {

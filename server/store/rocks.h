@@ -24,6 +24,9 @@ struct RocksSettings {
 
 [[nodiscard]] rocksdb::Options rocks_options(const RocksSettings& settings, bool create);
 
+/// What one may do where a database does not open, or is not read.
+[[nodiscard]] std::string_view remedy_for(const rocksdb::Status& status);
+
 /// Reads in order, which leave the cache to others.
 [[nodiscard]] rocksdb::ReadOptions for_scans();
 

@@ -24,9 +24,19 @@ StoreReader::Result<std::optional<StoreMeta>> StoreReader::meta() const {
                     "--data another directory",
                     static_cast<std::uint8_t>(value.front()), kStoreFormat));
   }
-  const auto meta = decode_meta(std::as_bytes(std::span{value}));
-  if (!meta) return failure(fmt::format("its record of the store's state is damaged; {}", kStoreLost));
-  return meta;
+  const auto bytes = std::as_bytes(std::span{value});
+  const auto meta = decode_meta(bytes);
+  if (meta) return meta;
+  // A backup would be of that format too, as likely as not.
+  if (is_other_meta(bytes)) {
+    return failure(fmt::format(
+        "another version of talusd wrote the store: its record of the store's state is whole, with format "
+        "{} and {} bytes; this talusd reads format {} with {}; run the talusd that wrote it, carry the edits "
+        "over by its `talusd store export` and this one's `talusd store import`, or give --data another "
+        "directory",
+        static_cast<std::uint8_t>(value.front()), value.size(), kStoreFormat, kMetaBytes));
+  }
+  return failure(fmt::format("its record of the store's state is damaged; {}", kStoreLost));
 }
 
 StoreReader::Result<std::map<std::string, MaterialId>> StoreReader::materials() const {

@@ -9,20 +9,24 @@
 #include "store/rocks.h"
 #include "store/store_builder.h"
 #include "store/store_reader.h"
+#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
 
-tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path) {
+/// On a disk with place for so many further bytes: on a full one RocksDB may abort the process.
+tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path,
+                                                                      std::uint64_t bytes) {
   if (const auto regular = check_regular_files(path / "db"); !regular) {
     return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
   }
+  if (const auto enough = check_space(path, bytes); !enough) return tl::unexpected{enough.error()};
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
   std::unique_ptr<rocksdb::DB> opened{db};
   if (status.ok()) return opened;
   return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
-                                    status.ToString(), kStoreLost)};
+                                    status.ToString(), remedy_for(status))};
 }
 
 tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, const rocksdb::Status& status) {
@@ -32,7 +36,7 @@ tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, con
 /// Changes where the store stands, and nothing else; on the disk when it returns.
 template <typename Change>
 tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
-  const auto db = open_to_write(path);
+  const auto db = open_to_write(path, 0);
   if (!db) return tl::unexpected{db.error()};
   const StoreReader reader{**db, path};
   const auto read = reader.meta();
@@ -69,7 +73,7 @@ tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, 
 }
 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
-  const auto db = open_to_write(path);
+  const auto db = open_to_write(path, bytes_below(path / "db"));  // the old files go when the new are there
   if (!db) return tl::unexpected{db.error()};
   // What is lost would not be found out any more: the end of the log goes with its records.
   const StoreReader reader{**db, path};

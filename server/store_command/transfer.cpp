@@ -31,15 +31,6 @@ tl::unexpected<std::string> of_file(const fs::path& file, std::string_view what)
   return tl::unexpected{fmt::format("{}: {}", file.string(), what)};
 }
 
-std::uint64_t bytes_below(const fs::path& path) {
-  std::uint64_t bytes = 0;
-  std::error_code code;
-  for (fs::directory_iterator at{path, code}, end; !code && at != end; at.increment(code)) {
-    bytes += at->is_regular_file(code) ? at->file_size(code) : 0;
-  }
-  return bytes;
-}
-
 /// The store in a directory that nobody else uses, with all that was acknowledged.
 tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
   auto store = ReadOnlyStore::open(directory.path());

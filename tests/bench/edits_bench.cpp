@@ -419,8 +419,8 @@ int main(int argc, char** argv) {
   const fs::path directory = (argc > 1 ? fs::path{argv[1]} : fs::temp_directory_path()) / "talus-bench-edits";
   fs::create_directories(directory);
   std::printf("64 waiting editors, one voxel an edit, each batch synced\n");
-  settle_costs();
   const std::string only = argc > 2 ? argv[2] : "";
+  if (only != "rate" && only != "open") settle_costs();
   if (only == "settle") return 0;
   if (only == "rate") {
     const bool few = argc <= 3 || std::string_view{argv[3]} == "8";

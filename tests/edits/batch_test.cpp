@@ -1,5 +1,6 @@
 // The log's entries, applied exactly once: random attaches and edits of several editors against a model that
 // keeps everything for ever; and the same log in any batches.
+#include <algorithm>
 #include <map>
 #include <set>
 #include <variant>
@@ -34,7 +35,7 @@ struct Store {
     state.hash = head.hash;
     for (auto& [id, editor] : std::move(batch).take_editors()) {
       if (editor) {
-        editors.put(id, *editor);
+        editors.put(id, *std::move(editor));
       } else {
         editors.erase(id);
       }
@@ -188,6 +189,46 @@ TEST_CASE("results are kept of the newest edits, and older ones are told apart a
   }
   CHECK(store.apply({EditEntry{{1, 1}, 1, 1, {}, {}}}, 5).front().kind == Kind::not_applied);
   CHECK(store.apply({EditEntry{{1, 1}, 1, 2, {}, {}}}, 5).front().kind == Kind::repeat);
+}
+
+TEST_CASE("which results are kept does not depend on how a log is cut into batches") {
+  const EditorId id{1, 2};
+  const auto edit = [&](std::uint64_t epoch, std::uint64_t sequence) {
+    EditEntry entry{id, epoch, sequence, {}, {}};
+    entry.edit.writes.push_back({{3, 4, static_cast<std::int64_t>(sequence % 7)}, MaterialId{9}});
+    entry.base = base_of(entry.edit);
+    return Entry{entry};
+  };
+  std::vector<Entry> log{AttachEntry{id, 1, "a"}};
+  std::uint64_t sequence = 0;
+  for (int round = 0; round < 6; ++round) {
+    // Fewer than are kept, as many, and more; then each of them again, and what came before them.
+    for (const std::uint64_t last = sequence + kKeptResults / 2 + 20 * static_cast<std::uint64_t>(round);
+         sequence < last;) {
+      log.push_back(edit(1, ++sequence));
+    }
+    for (std::uint64_t back = 0; back < std::min<std::uint64_t>(sequence, 2 * kKeptResults); ++back) {
+      log.push_back(edit(1, sequence - back));
+    }
+  }
+  Store one_by_one;
+  std::vector<Applied> expected;
+  for (const Entry& entry : log) expected.push_back(one_by_one.apply({entry}, 5).at(0));
+  CHECK(std::ranges::count(expected, Kind::repeat, &Applied::kind) > 300);
+  CHECK(std::ranges::count(expected, Kind::not_applied, &Applied::kind) > 100);
+  for (const std::size_t batch : {2U, 3U, 7U, 50U, 64U, 65U, 129U, 400U}) {
+    CAPTURE(batch);
+    Store store;
+    std::vector<Applied> applied;
+    for (std::size_t first = 0; first < log.size(); first += batch) {
+      const auto begin = log.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = begin + static_cast<std::ptrdiff_t>(std::min(batch, log.size() - first));
+      for (Applied& each : store.apply({begin, end}, 5)) applied.push_back(std::move(each));
+    }
+    const auto same = [](const Applied& a, const Applied& b) { return a == b; };
+    CHECK(std::ranges::equal(applied, expected, same));
+    CHECK(store.editors.all() == one_by_one.editors.all());
+  }
 }
 
 TEST_CASE("an editor that was idle for a day is forgotten at the next attach, by the log's time") {

@@ -1,7 +1,10 @@
 // Which stores are opened, and the table of materials.
 #include <sys/stat.h>
 
+#include <memory>
+
 #include <rocksdb/db.h>
+#include <xxhash.h>
 #include <catch2/catch.hpp>
 
 #include "scratch_directory.h"
@@ -46,6 +49,39 @@ TEST_CASE("a store of a newer format is refused by its number") {
   REQUIRE(db->Put({}, meta_key(), std::string("\x02whatever")).ok());
   delete db;
   CHECK(store.open().find("the store has format 2; this talusd reads format 1") != std::string::npos);
+}
+
+TEST_CASE("a store that another version wrote under this format's number is not called damaged") {
+  Store store;
+  REQUIRE(store.open() == "");
+  const auto rewrite = [&](std::size_t fields, char format) {
+    rocksdb::DB* opened = nullptr;
+    REQUIRE(rocksdb::DB::Open({}, (store.settings.path / "db").string(), &opened).ok());
+    const std::unique_ptr<rocksdb::DB> db{opened};
+    std::string value;
+    REQUIRE(db->Get({}, meta_key(), &value).ok());
+    value.resize(fields);
+    value[0] = format;
+    const std::string key = meta_key();
+    const std::uint64_t sum =
+        XXH3_64bits_withSeed(value.data(), value.size(), XXH3_64bits(key.data(), key.size()));
+    for (int byte = 0; byte < 8; ++byte) value += static_cast<char>(sum >> (8 * byte));
+    REQUIRE(db->Put({}, key, value).ok());
+  };
+  // As talusd wrote it before it knew up to which time of batches a stream's clock was asked.
+  rewrite(kMetaBytes - 16, 1);
+  const std::string length =
+      "with format 1 and 125 bytes; this talusd reads format 1 with 133; run the talusd";
+  CHECK_THAT(store.open(), Catch::Contains("another version of talusd wrote the store") &&
+                               Catch::Contains(length) && !Catch::Contains("damaged"));
+  const auto read = ReadOnlyStore::open(store.settings.path);
+  REQUIRE_FALSE(read.has_value());
+  CHECK_THAT(read.error(), Catch::Contains(length) && !Catch::Contains("damaged"));
+  const auto compacted = compact(store.settings.path);
+  REQUIRE_FALSE(compacted.has_value());
+  CHECK_THAT(compacted.error(), Catch::Contains(length));
+  rewrite(kMetaBytes - 16, 0);
+  CHECK_THAT(store.open(), Catch::Contains("with format 0 and 125 bytes"));
 }
 
 TEST_CASE("a database without the store's state is refused") {

@@ -80,7 +80,10 @@ TEST_CASE("the record of the store's state is read back, and damage is seen") {
   Bytes value;
   encode(meta, value);
   CHECK(decode_meta(value) == meta);
+  CHECK(value.size() == kMetaBytes);
+  CHECK_FALSE(is_other_meta(value));
   check_damage(value, [](const Bytes& bytes) { return decode_meta(bytes).has_value(); });
+  check_damage(value, [](const Bytes& bytes) { return is_other_meta(bytes); });
   CHECK(hex_of(value) ==
         "0101000000000000000200000000000000030000000000000004000000000000000100000009000000000000"
         "0008000000000000000700000000000000050000000000000006000000000000000a00000000000000040000"

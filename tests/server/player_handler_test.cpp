@@ -486,6 +486,20 @@ TEST_CASE("the edited columns of a region are told, to be asked for again each t
   CHECK(site.ask(kStore + "/edits/0/-1/0", has).status == 200);
 }
 
+TEST_CASE("the edited columns of a region count in the rates of bytes, however often they are asked for") {
+  Site site;
+  for (std::uint16_t place = 0; place < 1024; ++place) site.land.region.push_back({place, 7});
+  constexpr std::size_t kBytes = 4 + 1024 * 10;
+  site.rates.set({{{}, {kBytes, kBytes}, {}}, {}, 1s});
+  const auto client = site.connect();
+  // A client may owe as much as a burst.
+  CHECK(site.ask(*client, kStore + "/edits/0/-1/0").body.size() == kBytes);
+  int answered = 0;
+  while (site.ask(*client, kStore + "/edits/0/-1/0").status == 200) REQUIRE(++answered < 5);
+  site.clock.advance(5s);
+  CHECK(site.ask(*client, kStore + "/edits/0/-1/0").status == 200);
+}
+
 TEST_CASE("paths of another store of edits are none, as all of them where none are stored") {
   for (const bool stored : {false, true}) {
     Site site;
@@ -646,7 +660,9 @@ TEST_CASE("what a client writes itself before a proxy's X-Forwarded-For names no
 }
 
 TEST_CASE("whatever is answered counts as a request") {
-  for (const char* const target : {"/v1/world", "/v1/nothing", "/v1/heights?columns=x", "/"}) {
+  const std::string region = kStore + "/edits/0/-1/0";
+  for (const std::string& target : {std::string{"/v1/world"}, std::string{"/v1/nothing"},
+                                    std::string{"/v1/heights?columns=x"}, std::string{"/"}, region}) {
     Site each;
     each.rates.set({{{}, {}, {1, 1}}, {}, 1s});
     const auto client = each.connect();

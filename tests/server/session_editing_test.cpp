@@ -7,6 +7,8 @@
 
 #include <talus/voxel/codec.h>
 
+#include "access/signed_token.h"
+#include "scratch_directory.h"
 #include "session/edit_check.h"
 #include "session_bench.h"
 
@@ -274,6 +276,54 @@ TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
   REQUIRE(refused.size() == 1);
   CHECK(refused[0].code == ErrorCode::too_large);
   CHECK(gateway.bench.session.state() == State::joined);
+}
+
+TEST_CASE("a gateway names players whose names can be printed, and an odd name costs it that edit alone") {
+  using namespace std::string_view_literals;
+  Bench gateway{{}, gateways(), {{}, true}};
+  gateway.attached();
+  std::uint32_t id = 10;
+  for (const std::string_view odd : {"\0"sv, "a\0b"sv, "line\nbreak"sv, "\x1b[2J"sv, "\x7f"sv, "\xc2\x9b"sv,
+                                     "\xff\xfe"sv, "cut \xc3"sv, "\xc0\x80"sv, "\xed\xa0\x80"sv}) {
+    ++id;
+    gateway.bench.write_voxel(id, id, {}, 1, std::string{odd});
+    const auto said = gateway.bench.output();
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].code == ErrorCode::out_of_range);
+    CHECK_THAT(said[0].text, Catch::Contains("Edit.subject has control characters"));
+  }
+  CHECK(gateway.taker.edits.empty());
+  const std::string longest(edits::kMaxSubjectBytes, 'x');
+  for (const std::string& good : {std::string{"J\u00f6rg \u2603"}, std::string{" "}, longest}) {
+    ++id;
+    gateway.bench.write_voxel(id, id, {}, 1, good);
+  }
+  CHECK(gateway.bench.output().empty());
+  CHECK(gateway.taker.edits.size() == 3);
+}
+
+TEST_CASE("a token whose subject cannot be printed does not let edit") {
+  const ScratchDirectory scratch;
+  const std::string key = "0123456789abcdef0123456789abcdef";
+  Access access;
+  access.signing_key_file = scratch.write("key", key);
+  ScriptedTaker taker;
+  for (const auto& [name, lets] :
+       {std::pair{"J\u00f6rg", true}, std::pair{"a\x1b[2Jb", false}, std::pair{"a\nb", false}}) {
+    SessionBench bench{
+        {.access = access, .greet = false, .edits = &taker, .protocol = protocol::kEditsProtocol}};
+    bench.hello(*make_signed_token(Secret{key}, {name, {Right::read, Right::edit}, bench.clock.wall() + 1h},
+                                   bench.clock.wall()));
+    (void)bench.output();
+    taker.attaches.clear();
+    bench.attach();
+    CHECK(taker.attaches.empty() != lets);
+    if (lets) continue;
+    const auto said = bench.output();
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].code == ErrorCode::forbidden);
+    CHECK_THAT(said[0].text, Catch::Contains("the token's subject has control characters"));
+  }
 }
 
 TEST_CASE("a gateway has rates of its own, in place of those of a player and of its address") {

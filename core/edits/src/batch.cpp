@@ -19,7 +19,26 @@ Batch::Batch(const OverrideSource& overrides, const Editors& editors, const Head
 const Editor* Batch::find(EditorId id) const {
   const auto touched = touched_.find(id);
   if (touched == touched_.end()) return editors_.find(id);
-  return touched->second ? &*touched->second : nullptr;
+  return touched->second ? &touched->second->editor : nullptr;
+}
+
+const EditResult* Batch::result_of(EditorId id, std::uint64_t sequence) const {
+  const auto touched = touched_.find(id);
+  std::size_t newer = 0;
+  if (touched != touched_.end()) {
+    if (!touched->second) return nullptr;
+    const EditorChange& change = *touched->second;
+    if (const EditResult* const kept = change.editor.result_of(sequence)) return kept;
+    if (change.is_new) return nullptr;
+    newer = change.editor.results.size();
+  }
+  const Editor* const before = editors_.find(id);
+  if (before == nullptr) return nullptr;
+  const EditResult* const kept = before->result_of(sequence);
+  if (kept == nullptr) return nullptr;
+  // The newer ones take the places of the oldest.
+  const auto behind = static_cast<std::size_t>(before->results.data() + before->results.size() - kept);
+  return behind + newer <= kKeptResults ? kept : nullptr;
 }
 
 void Batch::forget_idle() {
@@ -49,11 +68,19 @@ std::optional<EditorId> Batch::forget_never_used() {
   return first;
 }
 
-Editor& Batch::touch(EditorId id, const Editor& editor) {
-  std::optional<Editor>& touched = touched_[id];
-  if (!touched) touched = editor;
-  touched->used_ms = head_.time_ms;
-  return *touched;
+Editor& Batch::touch(EditorId id, const Editor* editor) {
+  std::optional<EditorChange>& touched = touched_[id];
+  if (!touched) {
+    touched.emplace();
+    touched->is_new = editor == nullptr;
+    if (editor != nullptr) {  // its results stay where they are: they are 2 KiB
+      touched->editor.epoch = editor->epoch;
+      touched->editor.last_sequence = editor->last_sequence;
+      touched->editor.subject = editor->subject;
+    }
+  }
+  touched->editor.used_ms = head_.time_ms;
+  return touched->editor;
 }
 
 Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
@@ -81,7 +108,7 @@ const Applied& Batch::apply(const AttachEntry& entry) {
     forgotten = forget_never_used();
     if (!forgotten) return begin(entry.editor, Kind::editors_full);
   }
-  Editor& after = touch(entry.editor, before == nullptr ? Editor{} : *before);
+  Editor& after = touch(entry.editor, before);
   if (before == nullptr) {
     after.subject = entry.subject;
     ++count_;
@@ -100,7 +127,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
   const Editor* const editor = find(entry.editor);
   if (editor == nullptr || editor->epoch != entry.epoch) return begin(entry.editor, Kind::expired);
   if (entry.sequence <= editor->last_sequence) {
-    const EditResult* const kept = editor->result_of(entry.sequence);
+    const EditResult* const kept = result_of(entry.editor, entry.sequence);
     Applied& repeated = begin(entry.editor, kept == nullptr ? Kind::not_applied : Kind::repeat);
     if (kept != nullptr) repeated.result = *kept;
     return repeated;
@@ -123,7 +150,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
   applied.changes = std::move(outcome->chunks);
   applied.subject = entry.subject.empty() ? editor->subject : entry.subject;
 
-  touch(entry.editor, *editor).keep(applied.result);
+  touch(entry.editor, editor).keep(applied.result);
   new_.erase({head_.time_ms, entry.editor});
   return applied;
 }

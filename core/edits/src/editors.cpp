@@ -1,6 +1,7 @@
 #include <talus/edits/editors.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::edits {
 
@@ -32,6 +33,20 @@ void Editors::put(EditorId id, Editor editor) {
   if (!added && !at->second.is_used()) never_used_.erase({at->second.used_ms, id});
   if (!editor.is_used()) never_used_.emplace(editor.used_ms, id);
   at->second = std::move(editor);
+}
+
+void Editors::put(EditorId id, EditorChange change) {
+  const auto at = editors_.find(id);
+  if (!change.is_new && at != editors_.end()) {
+    std::vector<EditResult> all = std::move(at->second.results);
+    const std::vector<EditResult>& newer = change.editor.results;
+    all.reserve(kKeptResults);
+    const std::size_t kept = std::min(all.size(), kKeptResults - newer.size());
+    all.erase(all.begin(), all.end() - static_cast<std::ptrdiff_t>(kept));
+    all.insert(all.end(), newer.begin(), newer.end());
+    change.editor.results = std::move(all);
+  }
+  put(id, std::move(change.editor));
 }
 
 void Editors::erase(EditorId id) {

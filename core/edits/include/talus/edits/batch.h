@@ -91,6 +91,8 @@ class Batch {
   Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms,
         const MaterialIds* materials = nullptr);
 
+  /// So many entries are about to be applied.
+  void expect(std::size_t entries) { applied_.reserve(entries); }
   /// Each takes the next position, whatever becomes of it. What is returned lives as long as this.
   const Applied& apply(const AttachEntry& entry);
   const Applied& apply(const EditEntry& entry);
@@ -98,22 +100,26 @@ class Batch {
 
   /// Of the state after all of it.
   [[nodiscard]] const Head& head() const { return head_; }
-  /// The editors that it touched as they are now; none: forgotten.
-  [[nodiscard]] const std::map<EditorId, std::optional<Editor>>& editors() const { return touched_; }
-  [[nodiscard]] std::map<EditorId, std::optional<Editor>> take_editors() && { return std::move(touched_); }
+  /// The editors that it touched; none: forgotten.
+  [[nodiscard]] std::map<EditorId, std::optional<EditorChange>> take_editors() && {
+    return std::move(touched_);
+  }
   /// One for each entry, in order.
   [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
   /// Every chunk that it changed, of any level, and how.
   [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return staging_.chunks(); }
 
  private:
+  /// As it is now, but for its results.
   [[nodiscard]] const Editor* find(EditorId id) const;
+  /// Null where it is not kept.
+  [[nodiscard]] const EditResult* result_of(EditorId id, std::uint64_t sequence) const;
   /// Forgets who was idle for too long.
   void forget_idle();
   /// Forgets the editor that attached first of those that never edited, and returns it, if there is one.
   std::optional<EditorId> forget_never_used();
-  /// As it is now, to be changed.
-  Editor& touch(EditorId id, const Editor& editor);
+  /// What find() returned, to be changed; null: a new one.
+  Editor& touch(EditorId id, const Editor* editor);
   Applied& begin(EditorId editor, Applied::Kind kind);
 
   const Editors& editors_;
@@ -121,7 +127,7 @@ class Batch {
   std::optional<MaterialIds> bound_;  // after this batch; none: as before it
   Head head_;
   Staging staging_;
-  std::map<EditorId, std::optional<Editor>> touched_;
+  std::map<EditorId, std::optional<EditorChange>> touched_;
   std::size_t count_ = 0;  // of editors
   bool forgot_idle_ = false;
   Editors::ByUse::const_iterator never_used_;  // before it the batch has touched all of the state's

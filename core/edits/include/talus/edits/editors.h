@@ -58,6 +58,12 @@ struct Editor {
   [[nodiscard]] const EditResult* result_of(std::uint64_t sequence) const;
 };
 
+/// What a batch made of an editor.
+struct EditorChange {
+  Editor editor;        // its results are those that it got in the batch
+  bool is_new = false;  // there was none, or it was forgotten: it has no others
+};
+
 /// All editors. For one thread.
 class Editors {
  public:
@@ -66,6 +72,8 @@ class Editors {
   [[nodiscard]] const std::map<EditorId, Editor>& all() const { return editors_; }
 
   void put(EditorId id, Editor editor);
+  /// Where the editor is not new its results follow those that it has, as far as they are kept.
+  void put(EditorId id, EditorChange change);
   void erase(EditorId id);
 
   /// By when they were used last, those of one time by their ids.
