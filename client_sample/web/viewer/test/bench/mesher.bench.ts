@@ -1,5 +1,6 @@
-// Meshing real land: node --import tsx, or `npx vite-node test/bench/mesher.bench.ts DIR`, where DIR is what
-// `talus-gen export --origin 0,0 --size 320,320 -o DIR` wrote.
+// Meshing real land, in one file as in dist/ (vite-node would look imports up at each use):
+//   npx esbuild --bundle --platform=node --format=esm test/bench/mesher.bench.ts --outfile=/tmp/mesher.mjs && node /tmp/mesher.mjs DIR
+// where DIR is what `talus-gen export --origin 0,0 --size 320,320 -o DIR` wrote.
 import { readFileSync } from 'node:fs';
 import { LIQUID, SOLID, meshChunk } from '../../src/engine/mesh/mesher.js';
 import { PADDED_VOXELS, SIDE, paddedIndex } from '../../src/engine/mesh/volume.js';
