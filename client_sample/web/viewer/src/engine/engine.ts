@@ -23,6 +23,8 @@ export type * from './api.js';
 const VIEW_EVERY_MS = 250;
 /** Chunks that may wait for workers before the server is let know that no more are taken. */
 const WAITING_MAX = 3000;
+/** The first picture waits so long for land: one of the sky alone would only hold it up. */
+const SKY_AFTER_MS = 3000;
 
 export class Engine {
   /** Resolves once the server has said what its world is; rejects with a TalusError, or an Error whose text says
@@ -538,6 +540,7 @@ export class Engine {
       underWater: here !== undefined && this.isLiquid(here),
       hideBuried: this.land.slice === null && eye.y > roof - 4,
       groundBase: this.groundBase,
+      onlyWithLand: this.firstFrameMs === null && !this.complete && performance.now() - this.started < SKY_AFTER_MS,
     });
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
