@@ -296,10 +296,10 @@ export class Engine {
     });
   }
 
+  /** Percentiles are sorted out when they are read. */
   stats(): Stats {
     const now = performance.now();
-    const latency = this.latency.percentiles(0.5, 0.95, 0.99);
-    const cpu = this.cpu.percentiles(0.5, 0.95);
+    const { latency, cpu } = this;
     return {
       state: this.state,
       chunks: this.land.held,
@@ -311,12 +311,18 @@ export class Engine {
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
       receivedBytes: this.client.stats.receivedBytes,
-      latency: latency && { p50: latency[0]!, p95: latency[1]!, p99: latency[2]! },
+      get latency() {
+        const of = latency.percentiles(0.5, 0.95, 0.99);
+        return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };
+      },
       chunkRate: this.rate.at(now),
       nearestMissing: this.land.nearestMissing(this.eye.x, this.eye.z),
       gpuBytes: this.frames.gpuBytes,
       heapBytes: this.pool.heldBytes + this.voxels.bytes + this.land.payloadBytes,
-      frameCpu: { p50: cpu?.[0] ?? 0, p95: cpu?.[1] ?? 0 },
+      get frameCpu() {
+        const [p50, p95] = cpu.percentiles(0.5, 0.95) ?? [0, 0];
+        return { p50: p50!, p95: p95! };
+      },
       meshMs: this.pool.meanMs,
       firstFrameMs: this.firstFrameMs,
       completeMs: this.completeMs,
