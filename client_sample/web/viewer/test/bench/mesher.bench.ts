@@ -30,7 +30,7 @@ for (let round = 0; round < 3; round++) {
           for (let z = -1; z <= SIDE; z++)
             for (let x = -1; x <= SIDE; x++) padded[paddedIndex(x, y, z)] = at(cx * 32 + x, cy * 32 + y, cz * 32 + z);
         const start = process.cpuUsage().user;
-        const mesh = meshChunk(padded, { kinds, places, slot: 1, occlusion: true, kept: null });
+        const mesh = meshChunk(padded, { kinds, places, slot: 1, occlusion: true, grounded: false, kept: null });
         if (round === 0) continue;
         times.push((process.cpuUsage().user - start) / 1000);
         chunks++;

@@ -19,6 +19,8 @@ export interface MeshOptions {
   readonly places: Uint16Array;
   readonly slot: number;
   readonly occlusion: boolean;
+  /** Single voxels that float right above the ground, as crowns whose trunks are thinner than a voxel, stand on it. */
+  readonly grounded: boolean;
   /** Of each row z the voxels x that a slice leaves, as bits; null: all. Of 34 rows, -1 to 32, bit 0 of which is x = 0;
    *  aprons west and east have arrays of their own. */
   readonly kept: Kept | null;
@@ -162,6 +164,26 @@ function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { 
     }
   }
   return { solids: anySolid !== 0, liquids: anyLiquid !== 0 };
+}
+
+/** Puts a voxel of its own material under each single one that has room for one between itself and what is solid. */
+function ground(padded: Uint16Array): void {
+  for (let y = 1; y < SIDE; y++) {
+    for (let z = 0; z < SIDE; z++) {
+      const r = row(y, z);
+      const under = r - PADDED;
+      const beside = westOf(solidRow, solidEnds, r) | eastOf(solidRow, solidEnds, r) | solidRow[r - 1]! | solidRow[r + 1]!;
+      const floats = solidRow[r]! & ~(beside | solidRow[r + PADDED]! | blockRow[under]! | liquidRow[under]!);
+      const stands = floats & solidRow[under - PADDED]!;
+      solidRow[under]! |= stands;
+      blockRow[under]! |= stands;
+      for (let rest = stands; rest !== 0; rest &= rest - 1) {
+        const at = paddedIndex(31 - Math.clz32(rest & -rest), y, z);
+        padded[at - DY] = padded[at]!;
+        solid[at - DY] = 1;
+      }
+    }
+  }
 }
 
 /** Bits of the voxels one step west, so that bit x says what is at x - 1. */
@@ -356,6 +378,7 @@ function topsOf(rows: Uint32Array): Uint8Array<ArrayBuffer> {
   return tops;
 }
 
+/** What `padded` holds may change. */
 export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh {
   used = 0;
   low = SIDE;
@@ -364,6 +387,7 @@ export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh 
   const { solids, liquids } = classify(padded, options.kinds, options.kept);
   let before = 0;
   if (solids) {
+    if (options.grounded) ground(padded);
     facesOf(solidRow, blockRow, blockEnds);
     for (let face = 0; face < 6; face++) {
       for (let plane = 0; plane < SIDE; plane++) coverPlane(padded, face, plane, options, options.occlusion);

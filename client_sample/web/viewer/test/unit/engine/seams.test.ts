@@ -5,7 +5,7 @@ import { GAS, SOLID, meshChunk } from '../../../src/engine/mesh/mesher.js';
 import { EAST, FACES, SKIRTS, WEST, unpack } from '../../../src/engine/mesh/quad.js';
 import { PADDED_VOXELS, SIDE, UNKNOWN, paddedIndex } from '../../../src/engine/mesh/volume.js';
 
-const options = { kinds: Uint8Array.of(GAS, SOLID), places: Uint16Array.of(0, 1), slot: 1, occlusion: false, kept: null };
+const options = { kinds: Uint8Array.of(GAS, SOLID), places: Uint16Array.of(0, 1), slot: 1, occlusion: false, grounded: true, kept: null };
 /** Of base voxels, where the fine level (to the west) ends and the coarse one begins. */
 const BORDER = SIDE;
 
