@@ -100,6 +100,9 @@ function follow(link: Partial<Place>): void {
 }
 
 addEventListener('hashchange', () => follow(readLink(location.hash)));
+addEventListener('pagehide', () => {
+  if (isPlaced) address.write(place());
+});
 
 // --- Light ---
 
@@ -381,9 +384,13 @@ function isFirstLand(): boolean {
 /** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
 function mark(stats: Stats): void {
   const marks: [string, number | null][] = [['talus:first', stats.firstFrameMs], ['talus:complete', stats.completeMs]]; // prettier-ignore
-  for (const [name, since] of marks)
-    if (since !== null && performance.getEntriesByName(name).length === 0) performance.mark(name, { startTime: session.began + since });
+  for (const [name, since] of marks) {
+    if (since === null || marked.has(name)) continue;
+    marked.add(name);
+    performance.mark(name, { startTime: session.began + since });
+  }
 }
+const marked = new Set<string>();
 
 function tell(now: number): void {
   notices.tick(now);
@@ -393,7 +400,7 @@ function tell(now: number): void {
   hud.connection(stats);
   editBar.waits(stats.state === 'lost' ? builder.waiting : 0);
   hud.where(place(), body);
-  if (stats.meshes > 0) hud.opened();
+  if (stats.firstFrameMs !== null || stats.state === 'complete') hud.opened();
   else hud.opening('The land is on its way', share(stats));
   hud.hint(isHinting && !player.hasMoved);
   traffic.update(stats, now, loop.framesPerSecond, panels.isOpen('traffic'));

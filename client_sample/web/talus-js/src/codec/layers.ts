@@ -53,10 +53,9 @@ export class LayersDecoder {
   private readonly symbolWords = new Int32Array(this.symbols.buffer);
   private readonly stepSigns = new Int32Array(WORDS);
   private readonly stepSignBytes = new Uint8Array(this.stepSigns.buffer);
-  // Columns whose boundary has one height: the column and how many more, and the plane; in lists by height.
+  // Places in the planes, in lists by the height that stands there.
   private readonly firstOfHeight = new Int32Array(SIZE + 1);
-  private readonly runs = new Int32Array(AREA * MAX_MATERIALS);
-  private readonly nextRun = new Int32Array(AREA * MAX_MATERIALS);
+  private readonly nextOfHeight = new Int32Array(AREA * MAX_MATERIALS);
   private ids: number[] = [];
 
   /** The one material of a uniform chunk; else null, and expand() gives the voxels. */
@@ -248,35 +247,27 @@ export class LayersDecoder {
 
   /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */
   expand(voxels: Uint16Array): void {
-    const { ids, planes, firstOfHeight, nextRun, runs } = this;
-    // Columns after one another of one height, by that height; of one height the lowest plane comes first, so that the
-    // highest counts.
+    const { ids, planeWords, firstOfHeight, nextOfHeight } = this;
+    // Of one height the lowest plane comes first, so that the highest counts.
     firstOfHeight.fill(-1);
-    let count = 0;
     for (let p = ids.length - 1; p > 0; --p) {
-      const end = (p + 1) * AREA;
-      for (let i = p * AREA; i < end; ) {
-        const begin = i;
-        const height = planes[i]!;
-        do ++i;
-        while (i < end && planes[i] === height);
-        runs[count] = (begin & (AREA - 1)) | ((i - begin - 1) << 10) | (p << 20);
-        nextRun[count] = firstOfHeight[height]!;
-        firstOfHeight[height] = count++;
+      const begin = p * WORDS * SIZE;
+      for (let i = begin; i < begin + WORDS * SIZE; ++i) {
+        const heights = planeWords[i]!;
+        // What the plane above covers in all four columns is left out.
+        if (p + 1 < ids.length && heights === planeWords[i + WORDS * SIZE]) continue;
+        for (let k = 0; k < 4; ++k) {
+          const height = (heights >>> (8 * k)) & 0xff;
+          nextOfHeight[4 * i + k] = firstOfHeight[height]!;
+          firstOfHeight[height] = 4 * i + k;
+        }
       }
     }
     voxels.fill(ids[0]!, 0, AREA);
     for (let y = 0; y < SIZE; ++y) {
       const slice = y * AREA;
       if (y > 0) voxels.copyWithin(slice, slice - AREA, slice);
-      for (let at = firstOfHeight[y]!; at >= 0; at = nextRun[at]!) {
-        const run = runs[at]!;
-        const id = ids[run >> 20]!;
-        const begin = slice + (run & (AREA - 1));
-        const length = ((run >> 10) & (AREA - 1)) + 1;
-        if (length > 64) voxels.fill(id, begin, begin + length);
-        else for (let i = begin; i < begin + length; ++i) voxels[i] = id;
-      }
+      for (let at = firstOfHeight[y]!; at >= 0; at = nextOfHeight[at]!) voxels[slice + (at & (AREA - 1))] = ids[at >> 10]!;
     }
   }
 }

@@ -49,6 +49,8 @@ const PAIRS = [
   [THICKNESS, SYMBOL_WEST],
   [THICKNESS, SYMBOL_EAST],
 ] as const;
+const FIRST_OF_PAIR = Uint8Array.from(PAIRS, ([first]) => first);
+const SECOND_OF_PAIR = Uint8Array.from(PAIRS, ([, second]) => second);
 const EVEN_PAIRS = 9;
 const CLASSES = 16;
 
@@ -56,7 +58,8 @@ function parseWeights(): Int8Array[] {
   return WEIGHTS.map((text) => Int8Array.from(text.trim().split(/\s+/), Number));
 }
 
-const CACHE_BITS = 12;
+// Steep land has some hundred thousand keys, and a chunk of it asks for a thousand of them.
+const CACHE_BITS = 15;
 
 /** The intervals of even columns, or of odd ones, by key. */
 export class PlaneModel {
@@ -77,8 +80,7 @@ export class PlaneModel {
     let same = 0;
     let up = 0;
     for (let p = 0; p < this.pairs; ++p) {
-      const [first, second] = PAIRS[p]!;
-      const at = p * 32 + ((key >>> first) & 3) + 4 * ((key >>> second) & 3);
+      const at = p * 32 + ((key >>> FIRST_OF_PAIR[p]!) & 3) + 4 * ((key >>> SECOND_OF_PAIR[p]!) & 3);
       same = Math.max(-128, Math.min(127, same + weights[at]!));
       up = Math.max(-128, Math.min(127, up + weights[at + 16]!));
     }

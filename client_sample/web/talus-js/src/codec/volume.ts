@@ -141,19 +141,19 @@ export class VolumeDecoder {
         (((eastNorth >>> x) & 1) << 3) |
         (((westBelow >>> x) & 1) << 4) |
         (((eastBelow >>> x) & 1) << 5);
-      if ((same >>> x) & 1) {
-        contexts[coded] = ((upright >>> x) & 1) | (((levelSouth >>> x) & 1) << 1) | sides;
-      } else {
-        const southIsNorth = voxels[belowSouth * SIZE + x] === voxels[north * SIZE + x] ? 8 : 0;
-        contexts[coded] =
-          64 |
-          ((level >>> x) & 1) |
-          (((upright >>> x) & 1) << 1) |
-          (((levelSouth >>> x) & 1) << 2) |
-          southIsNorth |
-          ((sides & 12) === 12 ? 16 : 0) |
-          (sides >= 48 ? 32 : 0);
-      }
+      const u = (upright >>> x) & 1;
+      const s = (levelSouth >>> x) & 1;
+      // Which of the two it is cannot be foreseen: both are made.
+      const ofSame = u | (s << 1) | sides;
+      const ofOther =
+        64 |
+        ((level >>> x) & 1) |
+        (u << 1) |
+        (s << 2) |
+        (isZero(voxels[belowSouth * SIZE + x]! - voxels[north * SIZE + x]!) << 3) |
+        ((sides & (sides << 1) & 8) << 1) |
+        (sides & (sides << 1) & 32);
+      contexts[coded] = ofOther ^ ((ofOther ^ ofSame) & -((same >>> x) & 1));
       places[coded++] = (i << 16) | (row * SIZE + x);
     }
     this.coded = coded;
@@ -294,8 +294,9 @@ export class VolumeDecoder {
           else voxels[place & 0xffff] = found;
         }
       }
-      if (state < 256) state = (state << 8) | bytes[next++]!;
-      states[lane] = state;
+      const taken = (state - 256) >>> 31;
+      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next += taken;
     }
     source.next = next;
     for (let i = 0; i < escaped; ++i) voxels[escapes[i]!] = this.materials.read(source, i & (LANES - 1));
@@ -341,20 +342,25 @@ export class VolumeDecoder {
       return;
     }
     const { pairs } = this;
+    const below = this.below[i]!;
     const at = row * (SIZE / 2);
-    let before = pairs[at]! & 0xffff;
-    let equal = 0;
+    const atNorth = north * (SIZE / 2);
+    const atBelow = below * (SIZE / 2);
+    let before = pairs[at]! << 16;
+    let equalsWest = 0;
+    let equalsNorth = 0;
+    let equalsBelow = 0;
     for (let k = 0; k < SIZE / 2; ++k) {
-      const pair = pairs[at + k]!;
-      const even = pair & 0xffff;
-      const odd = pair >>> 16;
-      equal |= ((even === before ? 1 : 0) | (odd === even ? 2 : 0)) << (2 * k);
-      before = odd;
+      const pair = pairs[at + k]! | 0;
+      equalsWest |= equalInPair(pair, (pair << 16) | (before >>> 16)) << (2 * k);
+      equalsNorth |= equalInPair(pair, pairs[atNorth + k]!) << (2 * k);
+      equalsBelow |= equalInPair(pair, pairs[atBelow + k]!) << (2 * k);
+      before = pair;
     }
-    this.equalsWest[row] = equal;
-    this.rowMaterial[row] = equal === ALL ? before : MIXED;
-    this.equalsNorth[row] = this.equalRows(row, north);
-    this.equalsBelow[row] = this.equalRows(row, this.below[i]!);
+    this.equalsWest[row] = equalsWest;
+    this.equalsNorth[row] = equalsNorth;
+    this.equalsBelow[row] = equalsBelow;
+    this.rowMaterial[row] = equalsWest === ALL ? before >>> 16 : MIXED;
   }
 
   private equalRows(a: number, b: number): number {
@@ -364,12 +370,20 @@ export class VolumeDecoder {
     const atA = a * (SIZE / 2);
     const atB = b * (SIZE / 2);
     let equal = 0;
-    for (let k = 0; k < SIZE / 2; ++k) {
-      const differ = pairs[atA + k]! ^ pairs[atB + k]!;
-      equal |= (((differ & 0xffff) === 0 ? 1 : 0) | (differ >>> 16 === 0 ? 2 : 0)) << (2 * k);
-    }
+    for (let k = 0; k < SIZE / 2; ++k) equal |= equalInPair(pairs[atA + k]!, pairs[atB + k]!) << (2 * k);
     return equal;
   }
+}
+
+/** Of two voxels each in two halves: bit 0 where the low ones are equal, bit 1 where the high ones are. Without a branch
+ *  that nobody could foresee. */
+function equalInPair(a: number, b: number): number {
+  const differ = a ^ b;
+  return (((differ & 0xffff) - 1) >>> 31) | ((((differ >>> 16) - 1) >>> 30) & 2);
+}
+
+function isZero(value: number): number {
+  return ((value | -value) >>> 31) ^ 1;
 }
 
 function countBits(bits: number): number {

@@ -23,6 +23,8 @@ export type * from './api.js';
 const VIEW_EVERY_MS = 250;
 /** Chunks that may wait for workers before the server is let know that no more are taken. */
 const WAITING_MAX = 3000;
+/** The first picture waits so long for land: one of the sky alone would only hold it up. */
+const SKY_AFTER_MS = 3000;
 
 export class Engine {
   /** Resolves once the server has said what its world is; rejects with a TalusError, or an Error whose text says
@@ -294,10 +296,10 @@ export class Engine {
     });
   }
 
+  /** Percentiles are sorted out when they are read. */
   stats(): Stats {
     const now = performance.now();
-    const latency = this.latency.percentiles(0.5, 0.95, 0.99);
-    const cpu = this.cpu.percentiles(0.5, 0.95);
+    const { latency, cpu } = this;
     return {
       state: this.state,
       chunks: this.land.held,
@@ -309,12 +311,18 @@ export class Engine {
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
       receivedBytes: this.client.stats.receivedBytes,
-      latency: latency && { p50: latency[0]!, p95: latency[1]!, p99: latency[2]! },
+      get latency() {
+        const of = latency.percentiles(0.5, 0.95, 0.99);
+        return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };
+      },
       chunkRate: this.rate.at(now),
       nearestMissing: this.land.nearestMissing(this.eye.x, this.eye.z),
       gpuBytes: this.frames.gpuBytes,
       heapBytes: this.pool.heldBytes + this.voxels.bytes + this.land.payloadBytes,
-      frameCpu: { p50: cpu?.[0] ?? 0, p95: cpu?.[1] ?? 0 },
+      get frameCpu() {
+        const [p50, p95] = cpu.percentiles(0.5, 0.95) ?? [0, 0];
+        return { p50: p50!, p95: p95! };
+      },
       meshMs: this.pool.meanMs,
       firstFrameMs: this.firstFrameMs,
       completeMs: this.completeMs,
@@ -538,6 +546,7 @@ export class Engine {
       underWater: here !== undefined && this.isLiquid(here),
       hideBuried: this.land.slice === null && eye.y > roof - 4,
       groundBase: this.groundBase,
+      onlyWithLand: this.firstFrameMs === null && !this.complete && performance.now() - this.started < SKY_AFTER_MS,
     });
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');

@@ -1,22 +1,34 @@
 // The page's address follows the player, so that it leads to the view that is on the screen.
 import { writeLink, type Place } from './place';
 
-/** Browsers refuse more than some hundred changes in half a minute. */
-const EVERY_MS = 500;
+/** Browsers refuse more than some hundred changes in half a minute, and each takes milliseconds: one who moves is followed
+ *  when he rests, and every so many looks. */
+const LOOK_EVERY_MS = 500;
+const LOOKS_MOST = 10;
 
 export class Address {
-  #written = 0;
-  #last = '';
+  #looked = 0;
+  #looks = 0;
+  #seen = '';
+  #written = '';
 
   follow(now: number, place: Place): void {
-    if (now - this.#written >= EVERY_MS) this.write(place, now);
+    if (now - this.#looked < LOOK_EVERY_MS) return;
+    this.#looked = now;
+    const link = writeLink(place, location.hash);
+    const rests = link === this.#seen;
+    this.#seen = link;
+    if (link !== this.#written && (rests || ++this.#looks >= LOOKS_MOST)) this.#put(link);
   }
 
-  write(place: Place, now = performance.now()): void {
-    this.#written = now;
-    const link = writeLink(place, location.hash);
-    if (link === this.#last) return;
-    this.#last = link;
+  write(place: Place): void {
+    this.#put(writeLink(place, location.hash));
+  }
+
+  #put(link: string): void {
+    this.#looks = 0;
+    if (link === this.#written) return;
+    this.#written = link;
     history.replaceState(history.state, '', link);
   }
 }

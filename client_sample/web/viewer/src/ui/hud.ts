@@ -8,8 +8,7 @@ import { find, say } from './dom';
 /** Of the view: what is drawn or known to be empty, of what was asked for. */
 export function share(stats: Stats): number | null {
   if (stats.state === 'complete') return 1;
-  const all = stats.chunks + stats.pendingMeshes;
-  return all === 0 ? null : Math.min(0.99, stats.chunks / all);
+  return stats.chunks === 0 ? null : Math.min(0.99, Math.max(0, stats.chunks - stats.pendingMeshes) / stats.chunksWanted);
 }
 
 export class Hud {

@@ -4,7 +4,9 @@ import { find, make, say } from './dom';
 
 const SECONDS = 60;
 
-export const count = (value: number) => Math.round(value).toLocaleString('en');
+const WHOLE = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+export const count = (value: number) => WHOLE.format(Math.round(value));
 
 export function bytes(value: number): string {
   if (value < 1000) return `${Math.round(value)} B`;

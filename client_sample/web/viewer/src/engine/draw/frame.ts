@@ -227,6 +227,8 @@ export class Frame {
     underWater: boolean;
     hideBuried: boolean;
     groundBase: number;
+    /** Draws nothing where no land is in sight. */
+    onlyWithLand: boolean;
   }): void {
     const { eye, columns, slice } = options;
     this.moveAnchor(eye);
@@ -254,9 +256,10 @@ export class Frame {
     (u.inverseViewProjection!.value as Matrix4).copy(this.viewProjection).invert();
 
     const { renderer, terrain } = this;
+    terrain.list(columns, eye, this.viewProjection, slice, options.hideBuried);
+    if (options.onlyWithLand && !terrain.isListed) return;
     renderer.info.reset();
     this.castShadows(eye, columns, options.now, slice);
-    terrain.list(columns, eye, this.viewProjection, slice, options.hideBuried);
     renderer.setRenderTarget(null);
     renderer.clear(true, true, false);
     renderer.render(terrain.solid, this.camera);

@@ -174,6 +174,11 @@ export class Terrain implements Drawer<TerrainMesh> {
     }
   }
 
+  /** Whether list() found anything. */
+  get isListed(): boolean {
+    return this.sets.some(({ solid, liquid }) => solid._multiDrawCount + liquid._multiDrawCount > 0);
+  }
+
   dispose(): void {
     this.pages.dispose();
     this.slots.dispose();

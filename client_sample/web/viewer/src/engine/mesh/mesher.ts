@@ -19,6 +19,8 @@ export interface MeshOptions {
   readonly places: Uint16Array;
   readonly slot: number;
   readonly occlusion: boolean;
+  /** Single voxels that float right above the ground, as crowns whose trunks are thinner than a voxel, stand on it. */
+  readonly grounded: boolean;
   /** Of each row z the voxels x that a slice leaves, as bits; null: all. Of 34 rows, -1 to 32, bit 0 of which is x = 0;
    *  aprons west and east have arrays of their own. */
   readonly kept: Kept | null;
@@ -45,6 +47,7 @@ export interface ChunkMesh {
   readonly high: number;
 }
 
+const ALL = 0xffffffff; // voxels of a row
 const ROWS = PADDED * PADDED;
 const row = (y: number, z: number) => (y + 1) * PADDED + z + 1;
 
@@ -71,64 +74,67 @@ let used = 0;
 let low = SIDE;
 let high = -1;
 
+// What the masks have of a material.
+const IS_SOLID = 1;
+const IS_BLOCK = 2;
+const IS_LIQUID = 4;
+const bitsOfKind = Uint8Array.of(0, IS_LIQUID, IS_SOLID | IS_BLOCK);
+const bitsOfMaterial = new Uint8Array(UNKNOWN + 1);
+let kindsInBits: Uint8Array | null = null;
+
+function knowKinds(kinds: Uint8Array): void {
+  if (kinds === kindsInBits) return;
+  kindsInBits = kinds;
+  bitsOfMaterial.fill(bitsOfKind[SOLID]!);
+  kinds.forEach((kind, material) => (bitsOfMaterial[material] = bitsOfKind[kind]!));
+  bitsOfMaterial[UNKNOWN] = IS_BLOCK;
+}
+
 function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { solids: boolean; liquids: boolean } {
+  knowKinds(kinds);
+  const pairs = new Uint32Array(padded.buffer, padded.byteOffset, padded.length / 2);
   let anySolid = 0;
   let anyLiquid = 0;
   for (let y = -1; y <= SIDE; y++) {
     for (let z = -1; z <= SIDE; z++) {
       const r = row(y, z);
       const at = paddedIndex(-1, y, z);
+      const first = padded[at]!;
+      const pair = pairs[at / 2]!;
+      let same = pair >>> 16 === first;
+      for (let i = at / 2 + 1; same && i < at / 2 + PADDED / 2; i++) same = pairs[i] === pair;
       let s = 0;
       let b = 0;
       let l = 0;
       let sEnds = 0;
       let bEnds = 0;
       let lEnds = 0;
-      const first = padded[at]!;
-      let same = true;
-      for (let i = 1; i < PADDED; i++) {
-        if (padded[at + i] !== first) {
-          same = false;
-          break;
-        }
-      }
       if (same) {
-        const kind = first === UNKNOWN ? 3 : (kinds[first] ?? SOLID);
-        solid.fill(kind === SOLID ? 1 : 0, at, at + PADDED);
-        if (kind >= SOLID) {
-          b = 0xffffffff;
-          bEnds = 3;
-          if (kind === SOLID) {
-            s = 0xffffffff;
-            sEnds = 3;
-          }
-        } else if (kind === LIQUID) {
-          l = 0xffffffff;
-          lEnds = 3;
-        }
+        const bits = bitsOfMaterial[first]!;
+        solid.fill(bits & IS_SOLID, at, at + PADDED);
+        if (bits & IS_SOLID) [s, sEnds] = [ALL, 3];
+        if (bits & IS_BLOCK) [b, bEnds] = [ALL, 3];
+        if (bits & IS_LIQUID) [l, lEnds] = [ALL, 3];
       } else {
-        for (let i = 0; i < PADDED; i++) {
-          const material = padded[at + i]!;
-          const kind = material === UNKNOWN ? 3 : (kinds[material] ?? SOLID);
-          solid[at + i] = kind === SOLID ? 1 : 0;
-          if (kind === GAS) continue;
-          if (i === 0 || i === PADDED - 1) {
-            const bit = i === 0 ? 1 : 2;
-            if (kind >= SOLID) bEnds |= bit;
-            if (kind === SOLID) sEnds |= bit;
-            if (kind === LIQUID) lEnds |= bit;
-          } else {
-            const bit = 1 << (i - 1);
-            if (kind >= SOLID) b |= bit;
-            if (kind === SOLID) s |= bit;
-            if (kind === LIQUID) l |= bit;
-          }
+        for (let x = 0; x < SIDE; x++) {
+          const bits = bitsOfMaterial[padded[at + 1 + x]!]!;
+          solid[at + 1 + x] = bits & IS_SOLID;
+          s |= (bits & IS_SOLID) << x;
+          b |= ((bits & IS_BLOCK) >> 1) << x;
+          l |= (bits >> 2) << x;
         }
+        const west = bitsOfMaterial[first]!;
+        const east = bitsOfMaterial[padded[at + PADDED - 1]!]!;
+        solid[at] = west & IS_SOLID;
+        solid[at + PADDED - 1] = east & IS_SOLID;
+        sEnds = (west & IS_SOLID) | ((east & IS_SOLID) << 1);
+        bEnds = ((west & IS_BLOCK) >> 1) | (east & IS_BLOCK);
+        lEnds = (west >> 2) | ((east >> 2) << 1);
       }
       if (kept !== null) {
         const keep = kept.mask[z + 1]!;
         const ends = kept.west[z + 1]! | (kept.east[z + 1]! << 1);
-        if (keep !== 0xffffffff || ends !== 3) {
+        if (keep !== ALL || ends !== 3) {
           openCut[r] = s & ~keep;
           openCutEnds[r] = sEnds & ~ends;
           s &= keep;
@@ -158,6 +164,26 @@ function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { 
     }
   }
   return { solids: anySolid !== 0, liquids: anyLiquid !== 0 };
+}
+
+/** Puts a voxel of its own material under each single one that has room for one between itself and what is solid. */
+function ground(padded: Uint16Array): void {
+  for (let y = 1; y < SIDE; y++) {
+    for (let z = 0; z < SIDE; z++) {
+      const r = row(y, z);
+      const under = r - PADDED;
+      const beside = westOf(solidRow, solidEnds, r) | eastOf(solidRow, solidEnds, r) | solidRow[r - 1]! | solidRow[r + 1]!;
+      const floats = solidRow[r]! & ~(beside | solidRow[r + PADDED]! | blockRow[under]! | liquidRow[under]!);
+      const stands = floats & solidRow[under - PADDED]!;
+      solidRow[under]! |= stands;
+      blockRow[under]! |= stands;
+      for (let rest = stands; rest !== 0; rest &= rest - 1) {
+        const at = paddedIndex(31 - Math.clz32(rest & -rest), y, z);
+        padded[at - DY] = padded[at]!;
+        solid[at - DY] = 1;
+      }
+    }
+  }
 }
 
 /** Bits of the voxels one step west, so that bit x says what is at x - 1. */
@@ -352,6 +378,7 @@ function topsOf(rows: Uint32Array): Uint8Array<ArrayBuffer> {
   return tops;
 }
 
+/** What `padded` holds may change. */
 export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh {
   used = 0;
   low = SIDE;
@@ -360,6 +387,7 @@ export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh 
   const { solids, liquids } = classify(padded, options.kinds, options.kept);
   let before = 0;
   if (solids) {
+    if (options.grounded) ground(padded);
     facesOf(solidRow, blockRow, blockEnds);
     for (let face = 0; face < 6; face++) {
       for (let plane = 0; plane < SIDE; plane++) coverPlane(padded, face, plane, options, options.occlusion);

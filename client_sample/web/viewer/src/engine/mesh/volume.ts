@@ -35,15 +35,6 @@ export function shellOf(voxels: Uint16Array): Uint16Array {
   return shell;
 }
 
-/** A voxel of a shell; at least one of the coordinates is 0 or 31. */
-function shellVoxel(shell: Uint16Array, x: number, y: number, z: number): number {
-  if (x === 0) return shell[y * SIDE + z]!;
-  if (x === 31) return shell[FACE + y * SIDE + z]!;
-  if (y === 0) return shell[2 * FACE + z * SIDE + x]!;
-  if (y === 31) return shell[3 * FACE + z * SIDE + x]!;
-  return shell[(z === 0 ? 4 : 5) * FACE + y * SIDE + x]!;
-}
-
 /** Fills `padded`. `neighbour` says the shell at an offset of -1, 0 or 1 along each axis. */
 export function fillPadded(
   padded: Uint16Array,
@@ -81,13 +72,18 @@ const last = (d: number) => (d < 0 ? -1 : d > 0 ? SIDE : SIDE - 1);
 function fillPart(padded: Uint16Array, shell: Shell | undefined, dx: number, dy: number, dz: number): void {
   const x0 = first(dx);
   const x1 = last(dx);
+  // Which face of the neighbour is seen, and the steps along it.
+  const face = dx !== 0 ? (dx < 0 ? 1 : 0) : dy !== 0 ? (dy < 0 ? 3 : 2) : dz < 0 ? 5 : 4;
+  const [stepX, stepY, stepZ] = dx !== 0 ? [0, SIDE, 1] : dy !== 0 ? [1, 0, SIDE] : [1, SIDE, 0];
   for (let y = first(dy); y <= last(dy); y++) {
     for (let z = first(dz); z <= last(dz); z++) {
       const to = paddedIndex(x0, y, z);
       if (shell === undefined || typeof shell === 'number') {
-        padded.fill(shell ?? UNKNOWN, to, to + x1 - x0 + 1);
+        const material = shell ?? UNKNOWN;
+        for (let i = to; i <= to + x1 - x0; i++) padded[i] = material;
       } else {
-        for (let x = x0; x <= x1; x++) padded[to + x - x0] = shellVoxel(shell, x & 31, y & 31, z & 31);
+        let from = face * FACE + (x0 & 31) * stepX! + (y & 31) * stepY! + (z & 31) * stepZ!;
+        for (let i = to; i <= to + x1 - x0; i++, from += stepX!) padded[i] = shell[from]!;
       }
     }
   }

@@ -279,8 +279,8 @@ export class Land<D extends Drawable> {
       this.queueSorted = false;
     }
     this.dispatch();
-    // While it fills, a few times a second are enough.
-    if (this.coverStale && start - this.coveredAt > 80) this.recover(budgetMs);
+    // While it fills, a few times a second are enough; for the first that is drawn nobody is to wait.
+    if (this.coverStale && (start - this.coveredAt > 80 || this.cover.size === 0)) this.recover(budgetMs);
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */

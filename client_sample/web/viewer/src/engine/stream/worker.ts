@@ -29,7 +29,7 @@ function mesh(job: Job): void {
     (job.known >>> ((dy + 1) * 9 + (dz + 1) * 3 + dx + 1)) & 1 ? chunks.shell(lod, x + dx, y + dy, z + dz) : undefined,
   );
   const kept = job.slice === null ? null : keptOf(job.slice, lod, x, z);
-  const made = meshChunk(padded, { kinds, places, slot: job.slot, occlusion: lod < OCCLUDED_LEVELS, kept });
+  const made = meshChunk(padded, { kinds, places, slot: job.slot, occlusion: lod < OCCLUDED_LEVELS, grounded: lod > 0, kept });
   answer(
     { kind: 'meshed', id, mesh: made, ms: performance.now() - start, heldBytes: chunks.bytes },
     [made.quads.buffer, made.counts.buffer, made.tops.buffer, ...(made.liquidTops ? [made.liquidTops.buffer] : [])],

@@ -6,7 +6,7 @@ import { PADDED_VOXELS, SIDE, UNKNOWN, fillPadded, paddedIndex, shellOf, voxelIn
 
 const kinds = Uint8Array.of(GAS, LIQUID, SOLID, SOLID, SOLID);
 const places = Uint16Array.from({ length: 65536 }, (_, id) => (id < 5 ? id : 5));
-const options = { kinds, places, slot: 7, occlusion: true, kept: null };
+const options = { kinds, places, slot: 7, occlusion: true, grounded: false, kept: null };
 
 function random(seed: number): () => number {
   let s = seed >>> 0;
@@ -164,6 +164,17 @@ describe('meshChunk', () => {
       const rows = new Set([...cover(quadsOf(mesh, 6 + side, 7 + side)).keys()].map((key) => Number(key.split(' ')[2])));
       expect(rows).toEqual(new Set([8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19]));
     }
+  });
+
+  it('lets single voxels that float above the ground stand on it, where that is asked for', () => {
+    const padded = new Uint16Array(PADDED_VOXELS);
+    for (let z = -1; z <= SIDE; z++) for (let x = -1; x <= SIDE; x++) padded[paddedIndex(x, 3, z)] = 2;
+    for (const [x, y, z] of [[5, 5, 5], [9, 6, 9], [13, 5, 13], [14, 5, 13]] as const) padded[paddedIndex(x, y, z)] = 3; // near; too high; two
+    const walls = (grounded: boolean) =>
+      [...cover(quadsOf(meshChunk(padded.slice(), { ...options, occlusion: false, grounded }), 0, 1))].map(([key, { material }]) => [key, material]);
+    const floating = [['0: 13 5 13', 3], ['0: 5 5 5', 3], ['0: 9 6 9', 3]];
+    expect(walls(false).sort()).toEqual(floating);
+    expect(walls(true).sort()).toEqual([...floating, ['0: 5 4 5', 3]].sort());
   });
 
   it('opens the land along a slice, and marks the faces that only the slice opened', () => {
