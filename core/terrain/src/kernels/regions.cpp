@@ -724,6 +724,11 @@ struct Height {
   N flood_plain;  // the height of one
 };
 
+HWY_INLINE Height<RegionVector> half_of(const Height<Two>& two, RegionVector Two::*half) {
+  return {two.height.*half, two.terraces.*half, two.small.*half,      two.stepped.*half,
+          two.bed.*half,    two.river.*half,    two.flood_plain.*half};
+}
+
 template <class N>
 HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float widened) {
   const Valleys<N> valleys = valleys_of(u, shape, widened);
@@ -801,8 +806,8 @@ void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, 
     for (std::size_t i = 0; i < width; i += 2 * lanes) {
       const auto uncut = uncut_at(TwoAt{row, i}, shape);
       const auto at = cut(uncut, shape, 0);
-      store({at.height.a, at.terraces.a, at.small.a}, uncut.mesa.a, i);
-      store({at.height.b, at.terraces.b, at.small.b}, uncut.mesa.b, i + lanes);
+      store(half_of(at, &Two::a), uncut.mesa.a, i);
+      store(half_of(at, &Two::b), uncut.mesa.b, i + lanes);
     }
   } else {
     for (std::size_t i = 0; i < width; i += lanes) {
