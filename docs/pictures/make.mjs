@@ -154,7 +154,8 @@ const inBrowser = (where, width, height, ready, smaller = 1) => async (path) => 
   await shown.setViewportSize({ width, height });
   await shown.waitForFunction(ready);
   await shown.evaluate(async () => {
-    for (let frame = 0; frame < 8; frame++) await new Promise(requestAnimationFrame);
+    document.getElementById('hint-close')?.click();
+    for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
   });
   await shown.screenshot({ path });
   await shown.close();
