@@ -25,10 +25,9 @@ constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
 // A server that is connected, and by which no leader answers, may be cut off from those that have one. An
-// election takes less. From then on it is looked for at one after the other: a server that comes back to the
-// others may take ten seconds longer than they until a leader answers by it.
+// election takes less.
 constexpr auto kNoLeader = 10s;
-constexpr auto kStillNoLeader = 3s;
+constexpr auto kLongestNoLeader = 80s;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
@@ -67,16 +66,13 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
 
   // Of the connection.
   void connected(bool now) override {
-    bool looks_for_leader = false;
     {
       const std::lock_guard lock{mutex_};
       if (connected_ == now) return;
       connected_ = now;
       question_due_ = Clock::now();
-      looks_for_leader = looks_for_leader_;
     }
     changed_.notify_all();
-    if (looks_for_leader) return;  // which is told once
     if (now) {
       log_->info("NATS: connected");
     } else {
@@ -96,24 +92,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   }
   /// The connection is closed next, to make it anew.
   void leaves() {
-    bool told = false;
     {
       const std::lock_guard lock{mutex_};
       leaves_ = true;
-      told = std::exchange(looks_for_leader_, true);
     }
-    if (!told) {
-      log_->warn(
-          "NATS: no leader of the log answers by this server; trying all of cluster.nats, one after the "
-          "other");
-    }
-  }
-  void leader_answers() {
-    {
-      const std::lock_guard lock{mutex_};
-      if (!std::exchange(looks_for_leader_, false)) return;
-    }
-    log_->info("NATS: a leader of the log answers");
+    log_->warn("NATS: no leader of the log answers by this server; trying any of cluster.nats");
   }
   void denied(std::string_view what) override {
     {
@@ -334,7 +317,6 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   bool woken_ = false;
   bool stopped_ = false;
   bool leaves_ = false;
-  bool looks_for_leader_ = false;         // at one server after the other
   std::optional<StreamFailure> closed_;   // the connection, for good
   std::optional<StreamFailure> trouble_;  // told once
   std::optional<StreamFailure> fault_;    // told from now on
@@ -460,10 +442,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
 void JetStreamLog::leader_answers(bool does) {
   const std::lock_guard lock{connection_mutex_};
   const auto now = Clock::now();
-  if (does) {
-    patience_ = kNoLeader;
-    inbox_->leader_answers();
-  }
+  if (does) patience_ = kNoLeader;
   // What is not connected is tried at all servers by libnats.
   if (does || settings_.urls.size() < 2 || !connection_ || !connection_->connected()) {
     silent_since_.reset();
@@ -472,7 +451,7 @@ void JetStreamLog::leader_answers(bool does) {
   if (!silent_since_) silent_since_ = now;
   if (now - *silent_since_ < patience_) return;
   silent_since_.reset();
-  patience_ = kStillNoLeader;
+  patience_ = std::min<Clock::duration>(2 * patience_, kLongestNoLeader);
   inbox_->leaves();
   connection_->close();  // connection() makes another
 }
