@@ -38,7 +38,7 @@ std::uint64_t wanted_number(const char* name, std::uint64_t otherwise) {
 
 /// Of the world with which talusd is to use it.
 ContentHash wanted_fingerprint() {
-  return *parse_hash(setting("TALUS_FINGERPRINT", "3da2e29bd44b9017e3a2975ca69c7c33"));
+  return *parse_hash(setting("TALUS_FINGERPRINT", "dd1b53cc3a1f39800d4ccfab0c61c065"));
 }
 
 }  // namespace
