@@ -296,10 +296,10 @@ export class Engine {
     });
   }
 
-  /** Percentiles are sorted out when they are read. */
+  /** What takes long to find is looked for when it is read. */
   stats(): Stats {
     const now = performance.now();
-    const { latency, cpu } = this;
+    const { latency, cpu, land, eye } = this;
     return {
       state: this.state,
       chunks: this.land.held,
@@ -316,7 +316,9 @@ export class Engine {
         return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };
       },
       chunkRate: this.rate.at(now),
-      nearestMissing: this.land.nearestMissing(this.eye.x, this.eye.z),
+      get nearestMissing() {
+        return land.nearestMissing(eye.x, eye.z);
+      },
       gpuBytes: this.frames.gpuBytes,
       heapBytes: this.pool.heldBytes + this.voxels.bytes + this.land.payloadBytes,
       get frameCpu() {

@@ -1,11 +1,13 @@
 // Greedy meshing with ambient occlusion at the corners. Rows of 32 voxels along x are one bit mask each, so that
 // the visible faces of a whole row come from a few operations; only those are looked at one by one.
 import { DOWN, EAST, GROUPS, NORTH, SKIRTS, SOUTH, UP, WEST } from './quad.js';
-import { PADDED, SIDE, UNKNOWN, paddedIndex } from './volume.js';
+import {
+  DX, DY, DZ, ROWS, blockEnds, blockRow, classify, eastOf, ground, liquidEnds, liquidRow, openCut, openCutEnds, row, solid, solidRow, westOf,
+  type Kept,
+} from './rows.js';
+import { PADDED, SIDE, paddedIndex } from './volume.js';
 
-export const GAS = 0;
-export const LIQUID = 1;
-export const SOLID = 2;
+export { GAS, LIQUID, SOLID, type Kept } from './rows.js';
 
 /** How deep a skirt reaches below what is open, in voxels. */
 const SKIRT_DEPTH = 12;
@@ -26,13 +28,6 @@ export interface MeshOptions {
   readonly kept: Kept | null;
 }
 
-/** What a slice leaves of columns: rows z = -1 to 32; bit x - 0 of `mask`, and x = -1 and x = 32. */
-export interface Kept {
-  readonly mask: Uint32Array;
-  readonly west: Uint8Array;
-  readonly east: Uint8Array;
-}
-
 export interface ChunkMesh {
   /** Two words a quad. Opaque quads by FACES, then SKIRTS, then liquid. */
   readonly quads: Uint32Array<ArrayBuffer>;
@@ -47,25 +42,7 @@ export interface ChunkMesh {
   readonly high: number;
 }
 
-const ALL = 0xffffffff; // voxels of a row
-const ROWS = PADDED * PADDED;
-const row = (y: number, z: number) => (y + 1) * PADDED + z + 1;
-
-/** Of padded index: x, y and z steps. */
-const DX = 1;
-const DZ = PADDED;
-const DY = PADDED * PADDED;
-
 // Buffers that every call uses again: a mesher belongs to one thread.
-const solidRow = new Uint32Array(ROWS); // solid voxels x = 0 to 31
-const solidEnds = new Uint8Array(ROWS); // bit 0: x = -1 is solid, bit 1: x = 32
-const blockRow = new Uint32Array(ROWS); // the same, unknown ones too: nothing is drawn toward them
-const blockEnds = new Uint8Array(ROWS);
-const liquidRow = new Uint32Array(ROWS);
-const liquidEnds = new Uint8Array(ROWS);
-const openCut = new Uint32Array(ROWS); // voxels that a slice took away
-const openCutEnds = new Uint8Array(ROWS);
-const solid = new Uint8Array(PADDED * PADDED * PADDED);
 const planes = new Uint32Array(6 * SIDE * SIDE); // of each face: [plane][row of v], bits along u
 const keys = new Uint32Array(SIDE * SIDE);
 
@@ -73,122 +50,6 @@ let out = new Uint32Array(1 << 14);
 let used = 0;
 let low = SIDE;
 let high = -1;
-
-// What the masks have of a material.
-const IS_SOLID = 1;
-const IS_BLOCK = 2;
-const IS_LIQUID = 4;
-const bitsOfKind = Uint8Array.of(0, IS_LIQUID, IS_SOLID | IS_BLOCK);
-const bitsOfMaterial = new Uint8Array(UNKNOWN + 1);
-let kindsInBits: Uint8Array | null = null;
-
-function knowKinds(kinds: Uint8Array): void {
-  if (kinds === kindsInBits) return;
-  kindsInBits = kinds;
-  bitsOfMaterial.fill(bitsOfKind[SOLID]!);
-  kinds.forEach((kind, material) => (bitsOfMaterial[material] = bitsOfKind[kind]!));
-  bitsOfMaterial[UNKNOWN] = IS_BLOCK;
-}
-
-function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { solids: boolean; liquids: boolean } {
-  knowKinds(kinds);
-  const pairs = new Uint32Array(padded.buffer, padded.byteOffset, padded.length / 2);
-  let anySolid = 0;
-  let anyLiquid = 0;
-  for (let y = -1; y <= SIDE; y++) {
-    for (let z = -1; z <= SIDE; z++) {
-      const r = row(y, z);
-      const at = paddedIndex(-1, y, z);
-      const first = padded[at]!;
-      const pair = pairs[at / 2]!;
-      let same = pair >>> 16 === first;
-      for (let i = at / 2 + 1; same && i < at / 2 + PADDED / 2; i++) same = pairs[i] === pair;
-      let s = 0;
-      let b = 0;
-      let l = 0;
-      let sEnds = 0;
-      let bEnds = 0;
-      let lEnds = 0;
-      if (same) {
-        const bits = bitsOfMaterial[first]!;
-        solid.fill(bits & IS_SOLID, at, at + PADDED);
-        if (bits & IS_SOLID) [s, sEnds] = [ALL, 3];
-        if (bits & IS_BLOCK) [b, bEnds] = [ALL, 3];
-        if (bits & IS_LIQUID) [l, lEnds] = [ALL, 3];
-      } else {
-        for (let x = 0; x < SIDE; x++) {
-          const bits = bitsOfMaterial[padded[at + 1 + x]!]!;
-          solid[at + 1 + x] = bits & IS_SOLID;
-          s |= (bits & IS_SOLID) << x;
-          b |= ((bits & IS_BLOCK) >> 1) << x;
-          l |= (bits >> 2) << x;
-        }
-        const west = bitsOfMaterial[first]!;
-        const east = bitsOfMaterial[padded[at + PADDED - 1]!]!;
-        solid[at] = west & IS_SOLID;
-        solid[at + PADDED - 1] = east & IS_SOLID;
-        sEnds = (west & IS_SOLID) | ((east & IS_SOLID) << 1);
-        bEnds = ((west & IS_BLOCK) >> 1) | (east & IS_BLOCK);
-        lEnds = (west >> 2) | ((east >> 2) << 1);
-      }
-      if (kept !== null) {
-        const keep = kept.mask[z + 1]!;
-        const ends = kept.west[z + 1]! | (kept.east[z + 1]! << 1);
-        if (keep !== ALL || ends !== 3) {
-          openCut[r] = s & ~keep;
-          openCutEnds[r] = sEnds & ~ends;
-          s &= keep;
-          l &= keep;
-          b &= keep;
-          sEnds &= ends;
-          lEnds &= ends;
-          bEnds &= ends;
-          for (let i = 0; i < SIDE; i++) if (((keep >>> i) & 1) === 0) solid[at + 1 + i] = 0;
-          if ((ends & 1) === 0) solid[at] = 0;
-          if ((ends & 2) === 0) solid[at + PADDED - 1] = 0;
-        } else {
-          openCut[r] = 0;
-          openCutEnds[r] = 0;
-        }
-      }
-      solidRow[r] = s;
-      solidEnds[r] = sEnds;
-      blockRow[r] = b;
-      blockEnds[r] = bEnds;
-      liquidRow[r] = l;
-      liquidEnds[r] = lEnds;
-      if (y >= 0 && y < SIDE && z >= 0 && z < SIDE) {
-        anySolid |= s;
-        anyLiquid |= l;
-      }
-    }
-  }
-  return { solids: anySolid !== 0, liquids: anyLiquid !== 0 };
-}
-
-/** Puts a voxel of its own material under each single one that has room for one between itself and what is solid. */
-function ground(padded: Uint16Array): void {
-  for (let y = 1; y < SIDE; y++) {
-    for (let z = 0; z < SIDE; z++) {
-      const r = row(y, z);
-      const under = r - PADDED;
-      const beside = westOf(solidRow, solidEnds, r) | eastOf(solidRow, solidEnds, r) | solidRow[r - 1]! | solidRow[r + 1]!;
-      const floats = solidRow[r]! & ~(beside | solidRow[r + PADDED]! | blockRow[under]! | liquidRow[under]!);
-      const stands = floats & solidRow[under - PADDED]!;
-      solidRow[under]! |= stands;
-      blockRow[under]! |= stands;
-      for (let rest = stands; rest !== 0; rest &= rest - 1) {
-        const at = paddedIndex(31 - Math.clz32(rest & -rest), y, z);
-        padded[at - DY] = padded[at]!;
-        solid[at - DY] = 1;
-      }
-    }
-  }
-}
-
-/** Bits of the voxels one step west, so that bit x says what is at x - 1. */
-const westOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! << 1) | (ends[r]! & 1);
-const eastOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! >>> 1) | ((ends[r]! & 2) << 30);
 
 /** Writes a row of visible faces toward west or east, bits along x, into planes of x with bits along z. */
 function scatter(face: number, bits: number, y: number, z: number): void {
