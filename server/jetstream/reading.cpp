@@ -98,7 +98,7 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
 }
 
 void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
-  const bool was_asked = asked_.erase(sequence) > 0;
+  asked_.erase(sequence);
   const bool doubted = doubted_.erase(sequence) > 0;
   if (doubted) ++false_messages_;
   if (sequence <= after_) {
@@ -106,7 +106,6 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
     return;
   }
-  if (was_asked && sequence > known_) ahead_ = std::min(2 * ahead_, kMostRequests);
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, true);
   progressed(now);
@@ -116,7 +115,6 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   asked_.erase(sequence);
   if (sequence > known_) {
     news_ = now;  // nothing new is an answer too
-    ahead_ = 1;
     return;
   }
   retry_ = now + pause_;
@@ -169,10 +167,8 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
       if (sequence > after_ + 1 && held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }
-  } else if (now - news_ >= kSilence || ahead_ > 1) {
-    for (std::uint64_t sequence = after_ + 1; sequence <= after_ + ahead_; ++sequence) {
-      if (asked_.size() < kMostRequests && !asked_or_held(sequence)) ask(sequence);
-    }
+  } else if (now - news_ >= kSilence && !asked_or_held(after_ + 1)) {
+    ask(after_ + 1);
   }
   return wanted;
 }
@@ -182,9 +178,7 @@ Reading::TimePoint Reading::next_look() const {
   for (const auto& [sequence, due] : asked_) look = std::min(look, due);
   if (retry_ > looked_) look = std::min(look, retry_);
   if (known_ > after_ && ask_from_ > looked_) look = std::min(look, ask_from_);
-  if (known_ <= after_ && asked_.empty()) {
-    look = std::min(look, std::max(ahead_ > 1 ? retry_ : news_ + kSilence, looked_));
-  }
+  if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + kSilence, looked_));
   return look;
 }
 

@@ -103,8 +103,6 @@ class Reading {
   std::size_t held_bytes_ = 0;
   std::map<std::uint64_t, TimePoint> asked_;  // when the answer should be there
   std::set<std::uint64_t> doubted_;           // of which the tail had two
-  // So many are asked for at once where nobody has said that there are any: more from each that there was on.
-  std::size_t ahead_ = 1;
   TimePoint news_;
   TimePoint looked_{};
   TimePoint retry_{};

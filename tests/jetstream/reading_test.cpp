@@ -85,33 +85,6 @@ TEST_CASE("after a second of silence the next message is asked for, once a secon
   CHECK(taken(reading) == 1);
 }
 
-TEST_CASE("without a word of the leader more and more are asked for, until there are none") {
-  Reading reading{kStart, 7};
-  constexpr std::uint64_t kLast = 500;
-  TimePoint now = kStart + 1s;
-  std::size_t rounds = 0;
-  for (std::uint64_t next = 1;;) {
-    const Sequences wanted = reading.wanted(now);
-    if (wanted.empty()) break;
-    CHECK(wanted.size() <= Reading::kMostRequests);
-    ++rounds;
-    now += 1ms;
-    for (const std::uint64_t sequence : wanted) {
-      if (sequence <= kLast) {
-        answer(reading, sequence, now);
-      } else {
-        reading.not_found(sequence, now);
-      }
-    }
-    for (; next <= kLast && taken(reading) == next; ++next) reading.move_to(next, now);
-  }
-  CHECK(reading.after() == kLast);
-  CHECK(rounds < 20);
-  // Then once a second.
-  CHECK(reading.next_look() >= now + 900ms);
-  CHECK(reading.wanted(now + 1s) == Sequences{kLast + 1});
-}
-
 TEST_CASE("a lagging replica is asked again soon, then less and less often") {
   Reading reading{kStart, 7};
   reading.learned(1, kStart);
