@@ -97,7 +97,9 @@ EditDatabase::Done EditDatabase::open_database() {
   if (status.IsCorruption() || used) {
     return failure(fmt::format("the database does not open: {}; {}", status.ToString(), remedy_for(status)));
   }
-  return failure(fmt::format("{}; give --data a directory that talusd may write", status.ToString()));
+  return failure(
+      fmt::format("{}; {}", status.ToString(),
+                  status.IsNoSpace() ? remedy_for(status) : "give --data a directory that talusd may write"));
 }
 
 EditDatabase::Done EditDatabase::read_meta() {

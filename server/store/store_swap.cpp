@@ -86,15 +86,6 @@ Done sync_directory(const fs::path& directory) {
   return {};
 }
 
-std::uint64_t bytes_below(const fs::path& directory) {
-  std::uint64_t bytes = 0;
-  std::error_code code;
-  for (fs::directory_iterator at{directory, code}, end; !code && at != end; at.increment(code)) {
-    bytes += at->is_regular_file(code) ? at->file_size(code) : 0;
-  }
-  return bytes;
-}
-
 Done check_space(const fs::path& directory, std::uint64_t bytes) {
   constexpr std::uint64_t kMore = std::uint64_t{64} << 20U;
   std::error_code code;

@@ -40,9 +40,6 @@ namespace talus::server {
 /// Returns when the directory's names are on the disk.
 [[nodiscard]] tl::expected<void, std::string> sync_directory(const std::filesystem::path& directory);
 
-/// Of the files in a directory, but for those below its own directories.
-[[nodiscard]] std::uint64_t bytes_below(const std::filesystem::path& directory);
-
 /// Refuses where the disk has less than `bytes` free, and some more for what else is written there.
 [[nodiscard]] tl::expected<void, std::string> check_space(const std::filesystem::path& directory,
                                                           std::uint64_t bytes);

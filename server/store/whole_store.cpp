@@ -73,7 +73,8 @@ tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, 
 }
 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
-  const auto db = open_to_write(path, bytes_below(path / "db"));  // the old files go when the new are there
+  const auto db =
+      open_to_write(path, bytes_of_files(path / "db"));  // the old files go when the new are there
   if (!db) return tl::unexpected{db.error()};
   // What is lost would not be found out any more: the end of the log goes with its records.
   const StoreReader reader{**db, path};

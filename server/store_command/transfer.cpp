@@ -18,6 +18,7 @@
 #include "log/escape.h"
 #include "store/acknowledged_file.h"
 #include "store/edit_database.h"
+#include "store/regular_files.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
 #include "store_command/portable_file.h"
@@ -206,7 +207,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
       header.materials, store == nullptr ? std::map<std::string, MaterialId>{} : store->materials());
   if (!mapped) return of_file(file, mapped.error());
   const MaterialMap& materials = *mapped;
-  if (const auto enough = check_space(directory.path(), file_bytes + bytes_below(directory.path() / "db"));
+  if (const auto enough = check_space(directory.path(), file_bytes + bytes_of_files(directory.path() / "db"));
       !enough) {
     return tl::unexpected{enough.error()};
   }
@@ -387,7 +388,7 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   if (!drop_unknown) {
     if (const auto known = check_names(*store, renaming); !known) return tl::unexpected{known.error()};
   }
-  if (const auto enough = check_space(directory.path(), bytes_below(directory.path() / "db")); !enough) {
+  if (const auto enough = check_space(directory.path(), bytes_of_files(directory.path() / "db")); !enough) {
     return tl::unexpected{enough.error()};
   }
   const auto staging = make_staging(directory.path());

@@ -30,7 +30,9 @@ double from_whole(double cells) {
   return std::abs(cells - std::round(cells));
 }
 
-TEST_CASE("Parts of the land add up to its heights, and beds of whole rivers lie in their flood plain") {
+TEST_CASE(
+    "Heights of the parts of land are those of the surface, and beds of whole rivers lie in their flood "
+    "plain") {
   const World& world = default_world();
   auto land = LandPartsSampler::make(world);
   auto places = PlaceSampler::make(world, {});

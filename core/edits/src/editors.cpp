@@ -40,7 +40,6 @@ void Editors::put(EditorId id, EditorChange change) {
   if (!change.is_new && at != editors_.end()) {
     std::vector<EditResult> all = std::move(at->second.results);
     const std::vector<EditResult>& newer = change.editor.results;
-    all.reserve(kKeptResults);
     const std::size_t kept = std::min(all.size(), kKeptResults - newer.size());
     all.erase(all.begin(), all.end() - static_cast<std::ptrdiff_t>(kept));
     all.insert(all.end(), newer.begin(), newer.end());

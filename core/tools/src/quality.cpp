@@ -179,11 +179,18 @@ class Tally {
     wish("no step between neighbours above 15 voxels but on walls of terraces",
          quality_.other_step.voxels <= kStep, "%.1f voxels", quality_.other_step.voxels);
     double apart = 0;
-    for (const QualityLattice& lattice : quality_.lattices) apart = std::max(apart, lattice.apart);
+    bool all_measured = true;
+    for (std::size_t i = 0; i < lattices_.size(); ++i) {
+      apart = std::max(apart, quality_.lattices[i].apart);
+      all_measured = all_measured && lattices_[i].at_points.count > 0 && lattices_[i].at_middles.count > 0;
+    }
     wish("heights at lattice points within 0.05 standard deviations of those at middles of cells",
-         apart <= kLatticeWithin, "%.3f at most", apart);
+         all_measured && apart <= kLatticeWithin, all_measured ? "%.3f at most" : "not measured everywhere",
+         apart);
+    const bool any_whole = beds_ > fading_beds_;
     wish("no bed of a whole river above its flood plain, 1.2 over the sea and more in high land",
-         quality_.highest_bed.voxels <= 0, "%.2f voxels at most", quality_.highest_bed.voxels);
+         any_whole && quality_.highest_bed.voxels <= 0, any_whole ? "%.2f voxels at most" : "none found",
+         quality_.highest_bed.voxels);
   }
 
   struct LatticeHeights {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kSamplesAWave = 8;  // of a band's shortest
 constexpr std::int64_t kReach = std::int64_t{1} << 24;
-constexpr int kBatch = 500;           // places of a lattice that are looked at together
-constexpr float kBedIsADepth = 0.5F;  // voxels: less is a hollow
+constexpr int kBatch = 500;  // places of a lattice that are looked at together
+constexpr std::int32_t kBedIsADepth = terrain::kSubvoxels / 2;  // less is a hollow
 
 // SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mixed(std::uint64_t state) {
@@ -91,7 +91,8 @@ std::uint64_t QualityPlaces::columns() const {
   const auto side = static_cast<std::uint64_t>(options_.window_side);
   return spectra() * kSpectrumSide * kSpectrumSide +
          static_cast<std::uint64_t>(options_.blocks) * block * block +
-         static_cast<std::uint64_t>(options_.windows) * side * side;
+         static_cast<std::uint64_t>(options_.windows) * side * side +
+         lattices().size() * static_cast<std::uint64_t>(options_.lattice_places) * 2;
 }
 
 PlaceResult QualityPlaces::look_at(std::size_t index) const {
@@ -181,6 +182,7 @@ PlaceResult QualityPlaces::lattice(std::size_t noise, std::size_t batch) const {
     const auto look = [&](terrain::ShapingLattices::Spot spot, Moments& heights) {
       const terrain::BaseColumn from{coordinate(300 + noise, i, 0), coordinate(300 + noise, i, 1)};
       const auto column = lattices_->column(noise, from, spot);
+      ++result.columns;
       if (!column) return;
       sampler.start({&column->x, 1});
       sampler.row(column->z);
@@ -211,7 +213,7 @@ void QualityPlaces::look_at_parts(const map::ColumnGrid& grid, PlaceResult& resu
       };
       if (i > 0) step(here[i - 1]);
       if (k > 0) step(north[i]);
-      if (land->bed()[i] < kBedIsADepth) continue;
+      if (subvoxels(land->bed()[i], world_) < kBedIsADepth) continue;
       const std::int32_t over = subvoxels(land->height()[i] - land->flood_plain()[i], world_);
       ++result.beds;
       const bool whole = land->river()[i] >= 1;

@@ -1,4 +1,5 @@
-// What land of kind "regions" is made of, for programs that measure it. Pure; any thread may call.
+// What land of kind "regions" is made of, for programs that measure it: DESIGN.md, "Regions". Pure; the world
+// need not outlive what is made of it.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +26,12 @@ class LandPartsSampler {
 
   /// From here on rows are over these ascending base columns.
   void start(std::span<const std::int64_t> xs);
-  /// The columns (xs[i], z), valid until the next call. Rows close to the one before cost least.
+  /// The columns (xs[i], z). Rows close to the one before cost least. What follows holds a number for each of
+  /// them until the next call, and nothing before the first.
   void row(std::int64_t z);
 
-  /// Before it is rounded, and talus and erosion move it.
+  /// Before it is rounded, and talus and erosion move it. Within 7 units of the sea all parts of it are made
+  /// smaller, down to 0.3 times, as beaches are flat; what terraces and beds say is before that.
   [[nodiscard]] std::span<const float> height() const;
   /// By how much terraces raise it.
   [[nodiscard]] std::span<const float> terraces() const;
@@ -46,7 +49,7 @@ class LandPartsSampler {
 };
 
 /// Where the noises that shape the land have the lattices of their first octaves: high ground should know
-/// nothing of them.
+/// nothing of them. Immutable; any thread may ask.
 class ShapingLattices {
  public:
   /// None where the surface is of another kind.
@@ -59,7 +62,8 @@ class ShapingLattices {
 
   enum class Spot : std::uint8_t { point, middle };  // of a cell
   /// The base column near `from` that the noise of names()[noise] reads at a lattice point, or in the middle
-  /// of a cell: displaced as that noise is. None where the displacement leaves none.
+  /// of a cell: displaced as that noise is. None where the displacement leaves none. REQUIRES that `noise` is
+  /// less than names().size().
   [[nodiscard]] std::optional<BaseColumn> column(std::size_t noise, BaseColumn from, Spot spot) const;
 
  private:

@@ -15,7 +15,8 @@
 
 namespace talus {
 
-/// Elements that kernels may touch past the end of the buffers that they call padded: a vector's worth.
+/// Elements that kernels may touch past the end of the buffers that they call padded: two of the widest
+/// vectors.
 inline constexpr std::size_t kPadding = 32;
 
 [[nodiscard]] constexpr std::size_t padded(std::size_t size) {
