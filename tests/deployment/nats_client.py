@@ -19,6 +19,7 @@ class NatsClient:
     def __init__(self, port, folder=None, certificate=None, *, authority="ca", host="127.0.0.1", hello=None, timeout=10):
         self.inbox = "_INBOX." + secrets.token_hex(8)
         self.buffer = b""
+        self.requests = 0
         self.timeout = timeout
         self.socket = socket.create_connection((host, port), timeout=timeout)
         try:
@@ -110,7 +111,10 @@ class NatsClient:
     def request(self, subject, payload=b"", head=()):
         """(head, payload) of the answer. `head`: pairs of a header's name and value, that go along."""
         reply = f"{self.inbox}.{secrets.token_hex(4)}"
-        self._send(f"SUB {reply} 99\r\nUNSUB 99 1\r\n".encode())
+        # Each its own: an answer that nobody listens does not end what it came by, and the number would go on as the old one.
+        self.requests += 1
+        number = f"request{self.requests}"
+        self._send(f"SUB {reply} {number}\r\nUNSUB {number} 1\r\n".encode())
         self.publish(subject, payload, reply, head)
         while True:
             message = self.next()
