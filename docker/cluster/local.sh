@@ -209,8 +209,8 @@ awk -v servers="$servers" -v port="$port" '
     next
   }
   { print }' docker/haproxy/haproxy.cfg |
-  sed -e "s#bind :4780#bind 127.0.0.1:$port#; s#ports=4780#ports=$port#; s#bind :80\$#bind 127.0.0.1:$balancer#" \
-    -e "s#bind :4800-4863#bind 127.0.0.1:$((port + 100))-$((port + 163))#" \
+  sed -e "s#bind :4780#bind 127.0.0.1:$port#; s#ports=4780 #ports=$port #; s#bind :80\$#bind 127.0.0.1:$balancer#" \
+    -e "s#bind :4800-4863#bind 127.0.0.1:$((port + 100))-$((port + 163))#; s#ports=4800-4863 #ports=$((port + 100))-$((port + 163)) #" \
     -e "0,/default-server check/s#default-server check#default-server source $proxy check#" >"$scratch/haproxy.cfg"
 sed -e "s#bind :8404#bind 127.0.0.1:$stats#" docker/haproxy/stats.cfg >"$scratch/stats.cfg"
 start haproxy haproxy -W -db -f "$scratch/haproxy.cfg" -f "$scratch/stats.cfg"

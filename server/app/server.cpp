@@ -523,9 +523,18 @@ void Server::end_sessions() {
 void Server::balancer_says(const std::string& state, const std::string& query) {
   if (draining_) return;
   BalanceSettings settings = balance_settings(config_);
-  const BalancerQuery asked = read_balancer_query(query);
-  settings.above_percent = asked.above_percent.value_or(settings.above_percent);
-  const std::size_t sent = departures_.balancer_says(state, settings, asked.ports);
+  const auto asked = read_balancer_query(query);
+  if (!asked) {
+    // Checks come each second. Each mistake is told once; a handful is as many as anybody mends.
+    constexpr std::size_t kTold = 8;
+    if (told_of_queries_.size() < kTold && told_of_queries_.insert(asked.error()).second) {
+      log_->warn("balance: nobody is sent elsewhere for a balancer's check: in its query {}",
+                 on_one_line(asked.error()));
+    }
+    return;
+  }
+  settings.above_percent = asked->above_percent.value_or(settings.above_percent);
+  const std::size_t sent = departures_.balancer_says(state, settings, asked->ports);
   if (sent == 0) return;
   metrics_.sent_elsewhere.add(sent);
   log_->info("balance: {} sessions are sent to other servers: {}", sent, on_one_line(state));

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -150,6 +151,7 @@ class Server {
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;
   Departures departures_;
+  std::set<std::string> told_of_queries_;  // of balancers, that are not understood
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};

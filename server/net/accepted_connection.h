@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -17,8 +18,8 @@ struct ConnectionInfo {
   ConnectionId id{};
   std::string address;  // as the log names it; the client's own, where a proxy speaks for it
   Clock::time_point accepted;
-  bool through_proxy = false;    // a proxy's own: each request says whose it is
-  std::uint16_t proxy_port = 0;  // to which it came at a proxy; 0: none says
+  bool through_proxy = false;                 // a proxy's own: each request says whose it is
+  std::optional<std::uint16_t> proxy_port{};  // Peer::proxy_port()
 };
 
 struct AcceptedConnection {

@@ -44,6 +44,21 @@ std::optional<BalancerShare> read_balancer_share(std::string_view text, std::str
   return std::nullopt;
 }
 
+std::optional<std::uint64_t> read_balancer_percent(std::string_view text) {
+  constexpr std::uint64_t kMostPercent = 1000;
+  const auto percent = read_balancer_count(text);
+  return percent && *percent <= kMostPercent ? percent : std::nullopt;
+}
+
+/// "4780" or "4800-4863".
+std::optional<PortRange> read_balancer_ports(std::string_view text) {
+  const std::size_t dash = std::min(text.find('-'), text.size());
+  const auto first = read_balancer_count(text.substr(0, dash));
+  const auto last = dash == text.size() ? first : read_balancer_count(text.substr(dash + 1));
+  if (!first || !last || *first > *last || *last > UINT16_MAX) return std::nullopt;
+  return PortRange{static_cast<std::uint16_t>(*first), static_cast<std::uint16_t>(*last)};
+}
+
 }  // namespace
 
 std::optional<BalancerState> read_balancer_state(std::string_view text) {
@@ -55,24 +70,26 @@ std::optional<BalancerState> read_balancer_state(std::string_view text) {
   return BalancerState{weight->own, weight->all, sessions->own, sessions->all};
 }
 
-BalancerQuery read_balancer_query(std::string_view query) {
+tl::expected<BalancerQuery, std::string> read_balancer_query(std::string_view query) {
   BalancerQuery read;
   while (!query.empty()) {
     const std::size_t end = std::min(query.find('&'), query.size());
-    std::string_view part = query.substr(0, end);
+    const std::string_view part = query.substr(0, end);
     query.remove_prefix(std::min(end + 1, query.size()));
-    if (take_balancer_name(part, "above_percent=")) {
-      constexpr std::uint64_t kMostPercent = 1000;
-      read.above_percent = read_balancer_count(part);
-      if (!read.above_percent || *read.above_percent > kMostPercent) return {};
-    } else if (take_balancer_name(part, "ports=")) {
-      const std::size_t dash = std::min(part.find('-'), part.size());
-      const auto first = read_balancer_count(part.substr(0, dash));
-      const auto last = dash == part.size() ? first : read_balancer_count(part.substr(dash + 1));
-      if (!first || !last || *first > *last || *last > UINT16_MAX) return {};
-      read.ports = {static_cast<std::uint16_t>(*first), static_cast<std::uint16_t>(*last)};
-    } else {
-      return {};
+    std::string_view value = part;
+    bool understood = false;
+    if (!read.above_percent && take_balancer_name(value, "above_percent=")) {
+      read.above_percent = read_balancer_percent(value);
+      understood = read.above_percent.has_value();
+    } else if (!read.ports && take_balancer_name(value, "ports=")) {
+      read.ports = read_balancer_ports(value);
+      understood = read.ports.has_value();
+    }
+    if (!understood) {
+      constexpr std::size_t kShown = 80;
+      return tl::make_unexpected("'" + std::string{part.substr(0, kShown)} +
+                                 "' is none of above_percent=PERCENT (at most 1000), ports=PORT and "
+                                 "ports=FIRST-LAST (at most 65535), each once");
     }
   }
   return read;

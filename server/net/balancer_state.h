@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "net/registry.h"
+#include <tl/expected.hpp>
+
+#include "net/port_range.h"
 
 namespace talus::server {
 
@@ -23,14 +26,16 @@ inline constexpr std::string_view kBalancerStateField = "X-Haproxy-Server-State"
 /// None: it is no such text, or this server is not up there.
 [[nodiscard]] std::optional<BalancerState> read_balancer_state(std::string_view text);
 
-/// What the check's address says beside: "above_percent=25&ports=4800-4863", each or none.
+/// What the check's address says beside: "above_percent=25&ports=4800-4863", each once or not at all.
 struct BalancerQuery {
   std::optional<std::uint64_t> above_percent;  // in place of the setting; at most 1,000
-  PortRange ports;                             // of the balancer, by which the sessions come that it counts
+  // Of the balancer, by which the sessions come that it counts; 0: it does not say by which. None: all
+  // sessions.
+  std::optional<PortRange> ports;
   bool operator==(const BalancerQuery&) const = default;
 };
-/// Nothing of one that has anything else.
-[[nodiscard]] BalancerQuery read_balancer_query(std::string_view query);
+/// The error names the part that is not understood, and says what would be.
+[[nodiscard]] tl::expected<BalancerQuery, std::string> read_balancer_query(std::string_view query);
 
 /// How many sessions this server has beyond its share and `percent` more of it.
 [[nodiscard]] std::uint64_t sessions_above_share(const BalancerState& state, std::uint64_t percent);

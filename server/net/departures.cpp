@@ -40,7 +40,7 @@ void Departures::send_some() {
 }
 
 std::size_t Departures::balancer_says(std::string_view state, const BalanceSettings& settings,
-                                      PortRange ports) {
+                                      std::optional<PortRange> ports) {
   const auto balancer = read_balancer_state(state);
   if (!balancer || settings.per_second == 0) return 0;
   const std::uint64_t too_many = sessions_above_share(*balancer, settings.above_percent);

@@ -6,12 +6,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "clock/clock.h"
+#include "net/port_range.h"
 #include "net/registry.h"
 #include "rates/token_bucket.h"
 
@@ -32,10 +34,11 @@ class Departures {
   /// All sessions, evenly within `time`, and then who still comes; HTTP connections at once.
   void send_all(std::chrono::milliseconds time);
 
-  /// A balancer has said this of the sessions that came by its `ports`. Returns how many of them were sent
-  /// elsewhere: as many as are too many, the longest connected first, unless that would be too fast, or they
-  /// have not been here for long.
-  std::size_t balancer_says(std::string_view state, const BalanceSettings& settings, PortRange ports = {});
+  /// A balancer has said this of the sessions that came by its `ports`, of all where none are given. Returns
+  /// how many of them were sent elsewhere: as many as are too many, the longest connected first, unless that
+  /// would be too fast, or they have not been here for long.
+  std::size_t balancer_says(std::string_view state, const BalanceSettings& settings,
+                            std::optional<PortRange> ports = {});
 
  private:
   void send_some();

@@ -71,8 +71,8 @@ struct Handshaker::PendingConnection {
   Clock::time_point accepted;
   MemoryReservation memory;
   std::optional<Admission::Slot> slot;
-  bool through_proxy = false;  // it sent no PROXY header
-  std::uint16_t proxy_port = 0;
+  bool through_proxy = false;               // it sent no PROXY header
+  std::optional<std::uint16_t> proxy_port;  // at a proxy
   bool late = false;
   bool done = false;  // accepted or failed
 };
@@ -176,6 +176,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   {
     const MarkDone mark{*pending};
     if (proxies_.contain(pending->peer.address())) {
+      pending->proxy_port = 0;  // until a header says another
       pending->through_proxy = header_optional_ && !co_await sends_proxy_header(*pending);
       accepted = pending->through_proxy ? !pending->late : co_await read_proxy_header(*pending);
     }

@@ -68,25 +68,25 @@ void Registry::tell_others_to_go(const std::string& reason) {
   for (const auto& peer : peers) peer->go_away(reason, {});
 }
 
-std::size_t Registry::tell_to_go(std::size_t most, PortRange ports, Clock::time_point began_before,
-                                 const std::string& reason, std::chrono::milliseconds retry_after) {
+std::size_t Registry::tell_to_go(std::size_t most, std::optional<PortRange> ports,
+                                 Clock::time_point began_before, const std::string& reason,
+                                 std::chrono::milliseconds retry_after) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
     peers = leave(most, [&](const Entry& entry) {
-      return entry.session_since && *entry.session_since < began_before && ports.contains(entry.proxy_port);
+      return entry.session_since && *entry.session_since < began_before && entry.came_by(ports);
     });
   }
   for (const auto& peer : peers) peer->go_away(reason, retry_after);
   return peers.size();
 }
 
-Registry::Sessions Registry::sessions(PortRange ports) const {
+Registry::Sessions Registry::sessions(std::optional<PortRange> ports) const {
   Sessions sessions;
   const std::lock_guard lock{mutex_};
   for (const auto& [id, entry] : peers_) {
-    if (entry.session_since && ports.contains(entry.proxy_port))
-      ++(entry.told ? sessions.leaving : sessions.staying);
+    if (entry.session_since && entry.came_by(ports)) ++(entry.told ? sessions.leaving : sessions.staying);
   }
   return sessions;
 }

@@ -13,19 +13,12 @@
 #include <vector>
 
 #include "clock/clock.h"
+#include "net/port_range.h"
 
 namespace talus::server {
 
 /// Never used twice in one process: later connections have greater ones.
 using ConnectionId = std::uint64_t;
-
-/// Both included; all where nothing else is said.
-struct PortRange {
-  std::uint16_t first = 0;
-  std::uint16_t last = UINT16_MAX;
-  bool operator==(const PortRange&) const = default;
-  [[nodiscard]] bool contains(std::uint16_t port) const { return first <= port && port <= last; }
-};
 
 /// What the server says to a connection, whatever its stream and protocol are.
 class Peer {
@@ -33,8 +26,8 @@ class Peer {
   virtual ~Peer() = default;
   /// Since when a player is on it; none: it has no session.
   [[nodiscard]] virtual std::optional<Clock::time_point> session_since() const = 0;
-  /// To which it came at a proxy; 0: none says.
-  [[nodiscard]] virtual std::uint16_t proxy_port() const { return 0; }
+  /// To which it came at a proxy; 0: the proxy does not say. None: it came directly.
+  [[nodiscard]] virtual std::optional<std::uint16_t> proxy_port() const { return std::nullopt; }
   /// From any thread: says so and closes when what was asked is answered.
   virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
   /// From any thread: the lists of revoked tokens and of blocked flows have changed, and it may be on one.
@@ -55,16 +48,17 @@ class Registry {
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
   /// Tells those without a session.
   void tell_others_to_go(const std::string& reason);
-  /// Tells at most so many sessions that came by such a port of a proxy, began before then and were not told
-  /// yet, the longest connected first: who came last, perhaps sent here by another server, is the last to be
-  /// sent on. Returns how many.
-  std::size_t tell_to_go(std::size_t most, PortRange ports, Clock::time_point began_before,
+  /// Tells at most so many sessions that came by such a port of a proxy (any sessions, where no ports are
+  /// given), began before then and were not told yet, the longest connected first: who came last, perhaps
+  /// sent here by another server, is the last to be sent on. Returns how many.
+  std::size_t tell_to_go(std::size_t most, std::optional<PortRange> ports, Clock::time_point began_before,
                          const std::string& reason, std::chrono::milliseconds retry_after);
   struct Sessions {
     std::size_t staying = 0;
     std::size_t leaving = 0;  // told to go, and still here
   };
-  [[nodiscard]] Sessions sessions(PortRange ports = {}) const;
+  /// Of those that came by such a port of a proxy; of all, where no ports are given.
+  [[nodiscard]] Sessions sessions(std::optional<PortRange> ports = {}) const;
 
   /// Tells all peers.
   void access_changed();
@@ -82,8 +76,12 @@ class Registry {
   struct Entry {
     std::weak_ptr<Peer> peer;
     std::optional<Clock::time_point> session_since;
-    std::uint16_t proxy_port = 0;
+    std::optional<std::uint16_t> proxy_port;
     bool told = false;  // to go
+
+    [[nodiscard]] bool came_by(const std::optional<PortRange>& ports) const {
+      return !ports || (proxy_port && ports->contains(*proxy_port));
+    }
   };
 
   void tell_all(void (Peer::*what)());

@@ -62,7 +62,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override {
     return connection_.accepted;
   }
-  [[nodiscard]] std::uint16_t proxy_port() const override { return connection_.proxy_port; }
+  [[nodiscard]] std::optional<std::uint16_t> proxy_port() const override { return connection_.proxy_port; }
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
   void access_changed() override;
   void rates_changed() override;

@@ -156,6 +156,33 @@ class HaproxyTest(unittest.TestCase):
         servers_a_group = len(set(sessions)) / groups  # anywhere, it would be 2.4
         self.assertLess(servers_a_group, 2.1)
 
+    def test_a_check_sends_away_those_of_its_ports_and_a_wrong_one_nobody(self):
+        server = self.farm.servers[0]
+        elsewhere = "talus_sessions_sent_elsewhere_total"
+        crowd = self.load(f"127.0.0.1:{server.port}", "--players", 1, "--model", "stand", "--radius", 1, "--vertical", 0, "--idle", 5,
+                          "--duration", 600)  # past HAProxy
+        until(lambda: crowd.poll() is None and server.players() == 6, "6 players are there")
+
+        def check(query):
+            """As HAProxy's, of far too many players."""
+            state = {"X-Haproxy-Server-State": "UP; weight=1/3; scur=300/300"}
+            self.assertEqual(fetch(f"http://127.0.0.1:{server.admin}/-/ready{query}", **state)[0], 200)
+
+        def told(part):
+            return server.log.read_text().count(f"in its query '{part}' is none of")
+
+        before = server.metrics()[elsewhere]
+        check("?ports=0")
+        check("?ports=0-65535")
+        for _ in range(3):
+            check("?above_percent=25&port=4780")
+        check("?ports=1,2")  # they are done in the order in which they come
+        until(lambda: told("ports=1,2"), "the log tells of the last")
+        self.assertEqual(told("port=4780"), 1)
+        self.assertEqual(server.metrics()[elsewhere], before)
+        check("")
+        until(lambda: server.metrics()[elsewhere] > before, "a check that names no ports sends some away")
+
     def test_players_by_websocket(self):
         json_file = self.folder / "websocket.json"
         process = self.load(f"ws://127.0.0.1:{self.farm.http}", "--players", 9, "--model", "fly", "--radius", 2, "--vertical", 1,

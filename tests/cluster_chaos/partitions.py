@@ -7,7 +7,9 @@ Prints what went on meanwhile and how soon all was well after. Ends with 1 where
 lost or happened twice, chunks stopped, or S was not equal on all in time."""
 
 import argparse
+import json
 import pathlib
+import secrets
 import sys
 import tempfile
 import threading
@@ -34,36 +36,53 @@ failures = []
 
 class Bare(threading.Thread):
     """A client of one nats-server with nothing of talusd: after which time the message of that number can be read there, and one be
-    published. What it publishes is empty: all servers pass over it."""
+    published. What it publishes is empty: all servers pass over it. It is one message, however often it is tried."""
 
     def __init__(self, nats, sequence):
         super().__init__(daemon=True)
         self.nats, self.sequence, self.began = nats, sequence, time.monotonic()
         self.read_s = self.published_s = None
+        self.id = secrets.token_hex(8)
+        self.ended = threading.Event()
         self.start()
 
     def run(self):
-        while self.published_s is None or self.read_s is None:
+        while (self.published_s is None or self.read_s is None) and not self.ended.is_set():
             try:
                 with NatsClient(self.nats.port, host=self.nats.address, timeout=0.5) as client:
-                    while self.read_s is None and not self._reads(client):
-                        time.sleep(0.02)
-                    while self.published_s is None and not self._publishes(client):
-                        time.sleep(0.02)
-            except (OSError, Refused):  # nothing within half a second: asked again, as talusd does
-                pass
+                    while not self._reads(client) and not self.ended.wait(0.02):
+                        pass
+                    while not self._publishes(client) and not self.ended.wait(0.02):
+                        pass
+            except (OSError, Refused):  # nothing within half a second, or no server: asked again, as talusd does
+                self.ended.wait(0.02)
+
+    def end(self):
+        """Gives it a minute, and returns what it could not do, if anything."""
+        self.join(60)
+        self.ended.set()
+        self.join(10)
+        if self.published_s is not None:
+            return []
+        return [f"a client with nothing of talusd could not {'read' if self.read_s is None else 'publish'} at {self.nats.name} for a minute"]
 
     def _reads(self, client):
+        if self.read_s is not None:
+            return True
         head, _ = client.request(f"$JS.API.DIRECT.GET.TALUS_{STORE}", b'{"seq":%d}' % self.sequence)
         if status(head) is None:
             self.read_s = time.monotonic() - self.began
         return self.read_s is not None
 
     def _publishes(self, client):
-        head, ack = client.request(f"talus.{STORE}.log")
-        if status(head) is None and b'"seq"' in ack:
+        head, ack = client.request(f"talus.{STORE}.log", head=[("Nats-Msg-Id", self.id)])
+        if status(head) is None and json.loads(ack).get("seq"):
             self.published_s = time.monotonic() - self.began
         return self.published_s is not None
+
+
+def seconds(value):
+    return "never" if value is None else f"{value:.2f} s"
 
 
 class Chunks:
@@ -114,8 +133,7 @@ def cut(cluster, name, talusd, nats, sides, tail):
     until(cluster.is_well, "all are ready and have the quorum", beat_s=0.02)
     well = after()
     chunks.look()
-    for each in bare:
-        each.join()
+    stuck = [line for each in bare for line in each.end()]
     differs = sum(server.metrics()["talus_cluster_state_differs"] for server in cluster.servers)
     wrong, revision = cluster.agreed(sides)
     say(f"{name}: {' and '.join(cut_off)} cut off for {options.seconds:.0f} s")
@@ -125,9 +143,10 @@ def cut(cluster, name, talusd, nats, sides, tail):
     for server, text in texts.items():
         say(f"  {server} /-/ready at the end: {text}")
     say(f"  after it: all have what was in the log after {caught_up:.2f} s, an equal S after {equal_after:.2f} s, take edits after {well:.2f} s")
-    say(f"  a client with nothing of talusd has that after {', '.join(f'{each.read_s:.2f} s at {each.nats.name}' for each in bare)}, and publishes after "
-        f"{', '.join(f'{each.published_s:.2f} s' for each in bare)}")
+    say(f"  a client with nothing of talusd has that after {', '.join(f'{seconds(each.read_s)} at {each.nats.name}' for each in bare)}, and publishes after "
+        f"{', '.join(seconds(each.published_s) for each in bare)}")
     say(f"  then every server has all voxels as acknowledged, one revision an edit ({revision}), and one S: {'no' if wrong else 'yes'}")
+    wrong.extend(stuck)
     if differs or tail.unlike:
         wrong.append("servers have said that S differs")
     if equal_after > options.well_s:

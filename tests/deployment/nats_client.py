@@ -19,6 +19,7 @@ class NatsClient:
     def __init__(self, port, folder=None, certificate=None, *, authority="ca", host="127.0.0.1", hello=None, timeout=10):
         self.inbox = "_INBOX." + secrets.token_hex(8)
         self.buffer = b""
+        self.requests = 0
         self.timeout = timeout
         self.socket = socket.create_connection((host, port), timeout=timeout)
         try:
@@ -99,14 +100,22 @@ class NatsClient:
         self._send(f"SUB {subject} {number}\r\n".encode())
         return self.flush()
 
-    def publish(self, subject, payload=b"", reply=""):
-        self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
+    def publish(self, subject, payload=b"", reply="", head=()):
+        if not head:
+            self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
+            return
+        lines = "".join(f"{name}: {value}\r\n" for name, value in head)
+        text = f"NATS/1.0\r\n{lines}\r\n".encode()
+        self._send(f"HPUB {subject} {reply} {len(text)} {len(text) + len(payload)}\r\n".encode() + text + payload + b"\r\n")
 
-    def request(self, subject, payload=b""):
-        """(head, payload) of the answer."""
+    def request(self, subject, payload=b"", head=()):
+        """(head, payload) of the answer. `head`: pairs of a header's name and value, that go along."""
         reply = f"{self.inbox}.{secrets.token_hex(4)}"
-        self._send(f"SUB {reply} 99\r\nUNSUB 99 1\r\n".encode())
-        self.publish(subject, payload, reply)
+        # Each its own: an answer that nobody listens does not end what it came by, and the number would go on as the old one.
+        self.requests += 1
+        number = f"request{self.requests}"
+        self._send(f"SUB {reply} {number}\r\nUNSUB {number} 1\r\n".encode())
+        self.publish(subject, payload, reply, head)
         while True:
             message = self.next()
             if message != "PONG" and message[0] == reply:

@@ -38,6 +38,30 @@ def wait(what, seconds=30):
     return found
 
 
+def ports_of_checks(configuration):
+    """Of each backend of HAProxy's whose check names ports: those, and those on which the frontends listen that send to it. A range is
+    its first and last."""
+    kind = name = None
+    binds, targets, checks = {}, {}, {}
+    for line in configuration.splitlines():
+        if found := re.match(r"(frontend|backend|defaults|global)\b *(\S*)", line):
+            kind, name = found.groups()
+        elif kind == "frontend" and (found := re.match(r" +bind \S*:(\d+)(?:-(\d+))?$", line)):
+            binds.setdefault(name, []).append((int(found[1]), int(found[2] or found[1])))
+        elif kind == "frontend" and (found := re.match(r" +(?:default|use)_backend (\S+)", line)):
+            targets.setdefault(name, []).append(found[1])
+        elif kind == "backend" and (found := re.search(r"[?&]ports=(\d+)(?:-(\d+))?[& ]", line)):
+            checks[name] = (int(found[1]), int(found[2] or found[1]))
+    return {backend: (check, [bind for frontend, its in binds.items() if backend in targets[frontend] for bind in its])
+            for backend, check in checks.items()}
+
+
+class Checks(unittest.TestCase):
+    def test_of_what_ships_each_is_about_the_ports_of_its_own_players(self):
+        self.assertEqual(ports_of_checks((ROOT / "docker/haproxy/haproxy.cfg").read_text()),
+                         {"talus": ((4780, 4780), [(4780, 4780)]), "places": ((4800, 4863), [(4800, 4863)]), "streams": ((0, 0), [(80, 80)])})
+
+
 class WrongUse(unittest.TestCase):
     def refused(self, *arguments):
         run = subprocess.run([SCRIPT, *arguments], capture_output=True, text=True, timeout=60)
@@ -122,6 +146,11 @@ class Running(unittest.TestCase):
             if any(str(self.scratch / name).encode() in word for word in words):
                 found.append(int(entry.parent.name))
         return found
+
+    def test_0_each_check_is_about_the_ports_of_its_own_players(self):
+        base, places = (self.base, self.base), (self.base + 100, self.base + 163)
+        self.assertEqual(ports_of_checks((self.scratch / "haproxy.cfg").read_text()),
+                         {"talus": (base, [base]), "places": (places, [places]), "streams": ((0, 0), [(self.base + 3, self.base + 3)])})
 
     def test_1_an_edit_at_one_server_is_everywhere(self):
         places = [f"127.0.0.1:{self.server(i)}" for i in range(3)] + [f"127.0.0.1:{self.base}", f"ws://127.0.0.1:{self.base + 2}"]

@@ -9,8 +9,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace talus::server;
   const std::string text{data, data + size};
-  if (const BalancerQuery query = read_balancer_query(text); query.ports.first > query.ports.last)
-    std::abort();
+  const auto query = read_balancer_query(text);
+  if (query && query->ports && query->ports->first > query->ports->last) std::abort();
+  if (!query && query.error().size() > 300) std::abort();
   const auto state = read_balancer_state(text);
   if (!state) return 0;
   if (state->weight == 0 || state->weight > state->all_weight) std::abort();

@@ -37,21 +37,35 @@ TEST_CASE("what is no state of a server that is up says nothing") {
 }
 
 TEST_CASE("a check may ask for another tolerance, and be about the sessions of some ports") {
-  CHECK(read_balancer_query("above_percent=25").above_percent == 25U);
-  CHECK(read_balancer_query("above_percent=0").above_percent == 0U);
-  CHECK(read_balancer_query("above_percent=1000").above_percent == 1000U);
-  CHECK(read_balancer_query("above_percent=25").ports == PortRange{});
-  CHECK(read_balancer_query("ports=0") == BalancerQuery{std::nullopt, {0, 0}});
-  CHECK(read_balancer_query("ports=4780") == BalancerQuery{std::nullopt, {4780, 4780}});
-  CHECK(read_balancer_query("above_percent=25&ports=4800-4863") == BalancerQuery{25, {4800, 4863}});
-  CHECK(read_balancer_query("ports=4800-65535&above_percent=25") == BalancerQuery{25, {4800, 65535}});
-  for (const char* none :
-       {"", "above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
+  CHECK(read_balancer_query("") == BalancerQuery{});
+  CHECK(read_balancer_query("above_percent=25") == BalancerQuery{25, std::nullopt});
+  CHECK(read_balancer_query("above_percent=0") == BalancerQuery{0, std::nullopt});
+  CHECK(read_balancer_query("above_percent=1000") == BalancerQuery{1000, std::nullopt});
+  CHECK(read_balancer_query("ports=0") == BalancerQuery{std::nullopt, PortRange{0, 0}});
+  CHECK(read_balancer_query("ports=4780") == BalancerQuery{std::nullopt, PortRange{4780, 4780}});
+  CHECK(read_balancer_query("above_percent=25&ports=4800-4863") == BalancerQuery{25, PortRange{4800, 4863}});
+  CHECK(read_balancer_query("ports=4800-65535&above_percent=25") ==
+        BalancerQuery{25, PortRange{4800, 65535}});
+}
+
+TEST_CASE("a check that asks for anything else is not understood, in which part is said") {
+  for (const char* wrong :
+       {"above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
         "above_percent=25&x=1", "above=25", "x&above_percent=25", "ports=", "ports=-", "ports=4800-",
-        "ports=-4800", "ports=4801-4800", "ports=4800-65536", "ports=4800-4863-4900", "ports=1&ports=x"}) {
-    CAPTURE(none);
-    CHECK(read_balancer_query(none) == BalancerQuery{});
+        "ports=-4800", "ports=4801-4800", "ports=4800-65536", "ports=4800-4863-4900", "ports=1&ports=2",
+        "port=4780", "ports=4780,4781", "ports=80&&above_percent=1"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(read_balancer_query(wrong).has_value());
   }
+  const auto refused = read_balancer_query("above_percent=25&port=4780&x");
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(
+      refused.error() ==
+      "'port=4780' is none of above_percent=PERCENT (at most 1000), ports=PORT and ports=FIRST-LAST (at most "
+      "65535), each once");
+  const auto long_one = read_balancer_query(std::string(9000, 'x'));
+  REQUIRE_FALSE(long_one.has_value());
+  CHECK(long_one.error().size() < 300);
 }
 
 TEST_CASE("more than its share and some is too many, by weight") {

@@ -14,9 +14,9 @@ using namespace std::chrono_literals;
 namespace {
 
 struct Player final : Peer {
-  Player(Clock::time_point began, std::uint16_t proxy_port) : since{began}, port{proxy_port} {}
+  Player(Clock::time_point began, std::optional<std::uint16_t> proxy_port) : since{began}, port{proxy_port} {}
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override { return since; }
-  [[nodiscard]] std::uint16_t proxy_port() const override { return port; }
+  [[nodiscard]] std::optional<std::uint16_t> proxy_port() const override { return port; }
   void go_away(const std::string&, std::chrono::milliseconds retry_after) override {
     ++told;
     wait = retry_after;
@@ -24,7 +24,7 @@ struct Player final : Peer {
   void access_changed() override {}
   void rates_changed() override {}
   Clock::time_point since;
-  std::uint16_t port;
+  std::optional<std::uint16_t> port;
   int told = 0;
   std::chrono::milliseconds wait{-1};
 };
@@ -36,7 +36,7 @@ struct Bench {
   Departures departures{io, registry, clock};
   std::vector<std::shared_ptr<Player>> players;
 
-  void join(std::size_t count, std::uint16_t port = 4780) {
+  void join(std::size_t count, std::optional<std::uint16_t> port = 4780) {
     for (std::size_t i = 0; i < count; ++i) {
       players.push_back(std::make_shared<Player>(clock.now(), port));
       registry.add(players.size(), players.back());
@@ -134,15 +134,36 @@ TEST_CASE("of several ways through a balancer that which has too many players he
   bench.join(20, 4780);
   bench.join(20, 4810);
   bench.clock.advance(61s);
-  CHECK(bench.departures.balancer_says(of_balancer(20, 40), kSettings, {4780, 4780}) == 0);
-  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, {4800, 4863}) == 9);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 40), kSettings, PortRange{4780, 4780}) == 0);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, PortRange{4800, 4863}) == 9);
   for (std::size_t i = 0; i < 20; ++i) CHECK(bench.players[i]->told == 0);
   CHECK(bench.told() == 9);
   // Those leave, and are none of the other way's.
   bench.clock.advance(1s);
-  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, {4780, 4780}) == 9);
+  CHECK(bench.departures.balancer_says(of_balancer(20, 20), kSettings, PortRange{4780, 4780}) == 9);
   CHECK(bench.told() == 18);
-  CHECK(bench.departures.balancer_says(of_balancer(5, 5), kSettings, {0, 0}) == 0);
+  CHECK(bench.departures.balancer_says(of_balancer(5, 5), kSettings, PortRange{0, 0}) == 0);
+}
+
+TEST_CASE("players who came directly are never sent away for those of a balancer's ports") {
+  Bench bench;
+  bench.join(20, std::nullopt);
+  bench.clock.advance(1s);
+  bench.join(20, 0);  // by a proxy that says no port
+  bench.clock.advance(61s);
+  const auto says = [&](std::optional<PortRange> ports) {
+    bench.clock.advance(1s);
+    const std::size_t sent = bench.departures.balancer_says(of_balancer(20, 20), kSettings, ports);
+    bench.all_told_leave();
+    return sent;
+  };
+  CHECK(says(PortRange{0, 0}) == 9);
+  CHECK(says(PortRange{0, UINT16_MAX}) == 9);
+  CHECK(says(PortRange{0, 0}) == 2);
+  CHECK(says(PortRange{0, UINT16_MAX}) == 0);
+  for (std::size_t i = 0; i < 20; ++i) CHECK(bench.players[i]->told == 0);
+  // A check that names no ports is of all.
+  CHECK(says(std::nullopt) == 9);
 }
 
 TEST_CASE("a balancer that says nothing of use sends nobody away") {

@@ -80,6 +80,7 @@ struct Bench {
                    clock,
                    std::make_shared<spdlog::logger>("counted", log),
                    [this](AcceptedConnection accepted) {
+                     proxy_port = accepted.info.proxy_port ? int{*accepted.info.proxy_port} : -1;
                      const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
                      auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
                      asio::co_spawn(io, secured ? echo<TlsStream>(held) : echo<TcpStream>(held),
@@ -114,6 +115,7 @@ struct Bench {
     (void)lists.write("blocked", who + "\n");
     REQUIRE(access.reload(access_settings).has_value());
   }
+  std::atomic<int> proxy_port{-2};  // of who was accepted last; -1: it came directly
   [[nodiscard]] int log_lines() const { return log->lines; }
   [[nodiscard]] std::uint64_t refused(Refusal why) { return metrics.refused_for(why).total(); }
 
@@ -363,6 +365,7 @@ TEST_CASE("a client that a proxy speaks for comes in under the address that the 
   std::string said(5, ' ');
   asio::read(client.socket, asio::buffer(said));
   CHECK(said == "hello");  // what comes after the header is the client's
+  CHECK(bench.proxy_port.load() == 4780);
 }
 
 TEST_CASE("a proxy that speaks for itself comes in under its own address") {
@@ -370,6 +373,21 @@ TEST_CASE("a proxy that speaks for itself comes in under its own address") {
   Client client{bench};
   client.say(kProxyLocal);
   CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
+  CHECK(bench.proxy_port.load() == 0);
+}
+
+TEST_CASE("who comes directly comes by no port of a proxy, and who comes by one without a header by port 0") {
+  Bench direct{settings("192.0.2.0/24")};
+  Client player{direct};
+  CHECK_THAT(player.line(), Catch::StartsWith("127.0.0.1:"));
+  CHECK(direct.proxy_port.load() == -1);
+  HandshakeSettings web = settings("127.0.0.1");
+  web.header_optional = true;
+  Bench proxied{web};
+  Client request{proxied};
+  request.say("GET");
+  CHECK_THAT(request.line(), Catch::StartsWith("127.0.0.1:"));
+  CHECK(proxied.proxy_port.load() == 0);
 }
 
 TEST_CASE("TLS begins right after a PROXY header") {
