@@ -344,10 +344,10 @@ find('open-map').addEventListener('click', () => void openMap());
 
 let told = 0;
 let looked = 0;
-let hasShownLand = false;
+let hasPicture = false;
 const loop = new Loop({
-  // The first land is shown at once.
-  cap: () => (isFirstLand() ? 0 : settings.frameRate),
+  // The first picture is shown at once.
+  cap: () => (isFirstPicture() ? 0 : settings.frameRate),
   step(now, seconds) {
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
     if (isPlaced) player.step(seconds);
@@ -374,11 +374,11 @@ const loop = new Loop({
   },
 });
 
-function isFirstLand(): boolean {
-  if (hasShownLand || engine === null) return false;
-  const { meshes, firstFrameMs } = engine.stats();
-  hasShownLand = firstFrameMs !== null;
-  return meshes > 0 && !hasShownLand;
+function isFirstPicture(): boolean {
+  if (hasPicture || engine === null) return false;
+  const stats = engine.stats();
+  hasPicture = stats.hasPicture;
+  return stats.meshes > 0 && !hasPicture;
 }
 
 /** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
@@ -400,7 +400,7 @@ function tell(now: number): void {
   hud.connection(stats);
   editBar.waits(stats.state === 'lost' ? builder.waiting : 0);
   hud.where(place(), body);
-  if (stats.firstFrameMs !== null || stats.state === 'complete') hud.opened();
+  if (stats.hasPicture || stats.state === 'complete') hud.opened();
   else hud.opening('The land is on its way', share(stats));
   hud.hint(isHinting && !player.hasMoved);
   traffic.update(stats, now, loop.framesPerSecond, panels.isOpen('traffic'));

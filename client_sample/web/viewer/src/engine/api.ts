@@ -67,6 +67,8 @@ export type EngineState =
   | 'lost' // the connection broke; it comes back by itself
   | 'refused'; // for good, until setToken() or reconnect()
 
+/** Of the moment, but for `latency`, `nearestMissing` and `frameCpu`: these take long to find and are found anew at each
+ *  reading, so whoever compares with later copies them. */
 export interface Stats {
   readonly state: EngineState;
   /** Held, of the current View, uniform ones included. */
@@ -97,6 +99,9 @@ export interface Stats {
   readonly frameCpu: { readonly p50: number; readonly p95: number };
   /** Mean of meshing a chunk in the workers, in milliseconds. */
   readonly meshMs: number;
+  /** Something was drawn: land, or the sky alone where no land came in sight. */
+  readonly hasPicture: boolean;
+  /** The first frame with land, since the engine was made. */
   readonly firstFrameMs: number | null;
   readonly completeMs: number | null;
 }

@@ -67,6 +67,7 @@ export class Engine {
   private lost = false;
   private disposed = false;
   private readonly started = performance.now();
+  private hasPicture = false;
   private firstFrameMs: number | null = null;
   private completeMs: number | null = null;
   private readonly latency = new Sample(1024);
@@ -289,14 +290,14 @@ export class Engine {
     this.connect();
   }
 
-  /** The next picture as a PNG. */
+  /** The next picture as a PNG; the first one waits for land, a few seconds at most. */
   screenshot(): Promise<Blob> {
     return new Promise((resolve, reject) => {
       this.wantsPicture.push((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))));
     });
   }
 
-  /** What takes long to find is looked for when it is read. */
+  /** Cheap enough for every frame: what takes long to find is looked for when it is read. */
   stats(): Stats {
     const now = performance.now();
     const { latency, cpu, land, eye } = this;
@@ -326,6 +327,7 @@ export class Engine {
         return { p50: p50!, p95: p95! };
       },
       meshMs: this.pool.meanMs,
+      hasPicture: this.hasPicture,
       firstFrameMs: this.firstFrameMs,
       completeMs: this.completeMs,
     };
@@ -527,16 +529,13 @@ export class Engine {
 
   private draw(now: number): void {
     const { eye } = this;
-    if (this.land.version !== this.drawnVersion) {
-      this.drawnVersion = this.land.version;
-      this.frames.landChanged();
-    }
+    if (this.land.version !== this.drawnVersion) this.frames.landChanged();
     const still = this.options.frozenTime ?? (this.reducedMotion ? 0 : null);
     const here = this.voxelAt(Math.floor(eye.x), Math.floor(eye.y), Math.floor(eye.z));
     const column = this.land.get(0, Math.floor(eye.x / 32), Math.floor(eye.z / 32));
     const within = (v: number) => ((Math.floor(v) % 32) + 32) % 32;
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
-    this.frames.draw({
+    const drew = this.frames.draw({
       eye,
       columns: this.nearestFirst(),
       seconds: still ?? now / 1000,
@@ -548,8 +547,11 @@ export class Engine {
       underWater: here !== undefined && this.isLiquid(here),
       hideBuried: this.land.slice === null && eye.y > roof - 4,
       groundBase: this.groundBase,
-      onlyWithLand: this.firstFrameMs === null && !this.complete && performance.now() - this.started < SKY_AFTER_MS,
+      onlyWithLand: !this.hasPicture && !this.complete && performance.now() - this.started < SKY_AFTER_MS,
     });
+    if (!drew) return; // the canvas is as empty as before
+    this.hasPicture = true;
+    this.drawnVersion = this.land.version;
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
   }

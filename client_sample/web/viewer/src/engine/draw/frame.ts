@@ -215,6 +215,7 @@ export class Frame {
     this.shadowStale = true;
   }
 
+  /** Whether it drew. */
   draw(options: {
     eye: Eye;
     columns: readonly Column<TerrainMesh>[];
@@ -229,7 +230,7 @@ export class Frame {
     groundBase: number;
     /** Draws nothing where no land is in sight. */
     onlyWithLand: boolean;
-  }): void {
+  }): boolean {
     const { eye, columns, slice } = options;
     this.moveAnchor(eye);
     const anchor = this.terrain.anchor;
@@ -257,7 +258,7 @@ export class Frame {
 
     const { renderer, terrain } = this;
     terrain.list(columns, eye, this.viewProjection, slice, options.hideBuried);
-    if (options.onlyWithLand && !terrain.isListed) return;
+    if (options.onlyWithLand && !terrain.isListed) return false;
     renderer.info.reset();
     this.castShadows(eye, columns, options.now, slice);
     renderer.setRenderTarget(null);
@@ -268,6 +269,7 @@ export class Frame {
     if (options.marker !== null) this.marker.draw(renderer, this.camera, options.marker, eye);
     this.triangles = renderer.info.render.triangles;
     this.drawCalls = renderer.info.render.calls;
+    return true;
   }
 
   dispose(): void {
