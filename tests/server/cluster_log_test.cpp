@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include <fmt/format.h>
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
