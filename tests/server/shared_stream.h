@@ -78,6 +78,8 @@ class SharedStream {
   void say_fewer(std::uint64_t fewer) { fewer_ = fewer; }
   /// How often any end published, or tried to.
   std::atomic<std::uint64_t> attempts{0};
+  /// How often any end asked the leader.
+  std::atomic<std::uint64_t> asked{0};
 
   [[nodiscard]] StreamState state() const {
     const std::lock_guard lock{mutex_};
@@ -174,6 +176,7 @@ class StreamEnd final : public LogStream {
     return message;
   }
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
+    ++stream_.asked;
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
     return stream_.state();
   }
