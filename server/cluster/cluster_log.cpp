@@ -21,6 +21,10 @@ constexpr milliseconds kRetryOfFault{1'000};
 /// A chunk that the disk did not give so often it does not have.
 constexpr int kTriesToRead = 10;
 constexpr std::string_view kShorter = "the log that this world's servers share seems to have lost its end";
+constexpr const char* kMadeAnew = "the stream was made anew since this server read it";
+constexpr const char* kNotUnderstood =
+    "; and what the stream's description says of log formats it does not understand; upgrade it, or mend the "
+    "description (talusd cluster check) and restart it";
 constexpr std::chrono::seconds kLastWait{2};
 /// A leader that was deposed may say less than there is, until it knows.
 constexpr std::chrono::seconds kSureOfShorter{15};
@@ -220,7 +224,7 @@ void ClusterLog::look_at_end() {
   tell_whether_it_takes();
   if (!stream || !known) return;
   if (stream->created_ns != created_ns) {
-    lose(Lost::other, "the stream was made anew since this server read it");
+    lose(Lost::other, kMadeAnew);
   } else if (shorter) {
     lose(Lost::other, fmt::format("the stream ends at message {}, and this server has applied {}",
                                   stream->last, sequence));
@@ -302,7 +306,7 @@ bool ClusterLog::find_place() {
   if (place.sequence == 0) {
     if (!begin_at_genesis(*stream)) return false;
   } else if (place.created_ns != stream->created_ns) {
-    lose(Lost::other, "the stream was made anew since this server read it");
+    lose(Lost::other, kMadeAnew);
     return false;
   } else if (stream->first > place.sequence + 1) {
     lose(Lost::too_old,
@@ -342,7 +346,8 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   }
   const auto genesis = decode_genesis((*first)->bytes);
   if (!genesis) {
-    stop_applying(not_applied(1, genesis.error().reason));
+    const MessageFault& fault = genesis.error();
+    stop_applying(not_applied(1, fmt::format("{}{}", fault.reason, remedy_of(fault))));
     return false;
   }
   if (genesis->identity.store_id != identity_.store_id) {
@@ -426,7 +431,7 @@ void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
   if (!decoded) {
     const bool is_newer = decoded.error().kind == MessageFault::Kind::newer;
-    return is_newer ? meet_unknown(message, decoded.error().reason) : skip(message, decoded.error().reason);
+    return is_newer ? meet_unknown(message, decoded.error()) : skip(message, decoded.error().reason);
   }
   const auto time = time_of(decoded->head, message);
   if (!time) return;
@@ -436,7 +441,7 @@ void ClusterLog::apply(const StreamMessage& message) {
     if (!entry) {
       writer_.drop();
       const auto fault = fault_of_entries(*decoded, i);
-      return fault.kind == MessageFault::Kind::newer ? meet_unknown(message, fault.reason)
+      return fault.kind == MessageFault::Kind::newer ? meet_unknown(message, fault)
                                                      : skip(message, fault.reason);
     }
     std::visit([&](const auto& each) { batch.apply(each); }, *entry);
@@ -469,10 +474,13 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   finish({}, {message.sequence, place.created_ns, place.looked_ms}, nullptr);
 }
 
-void ClusterLog::meet_unknown(const StreamMessage& message, const std::string& reason) {
+void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& fault) {
   if (message.sequence > none_newer_to_) {
     const auto stream = parts_.stream.state();
     if (!stream) return cannot_get(stream.error());
+    if (stream->created_ns != parts_.database.meta().stream.created_ns) {
+      return lose(Lost::other, kMadeAnew);
+    }
     if (stream->last < message.sequence) {
       // A leader that was deposed: it may not know either what was enabled.
       trouble(
@@ -482,11 +490,15 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const std::string& r
       (void)pause(kSoon);
       return;
     }
-    if (stream->enabled.is_newer_at(message.sequence)) return get_stuck(message, reason);
-    // What is enabled later begins behind what there is then.
-    none_newer_to_ = stream->enabled.number > kLogFormat ? stream->enabled.from - 1 : stream->last;
+    if (!stream->enabled.understood) return get_stuck(message, fault.reason + kNotUnderstood);
+    if (stream->enabled.is_newer_at(message.sequence)) {
+      return get_stuck(message, fmt::format("{}{}", fault.reason, remedy_of(fault)));
+    }
+    // What is enabled later begins behind what there is now. That rests upon this leader's settings being no
+    // older than its messages, for which whoever enables a format waits (FORMAT.md).
+    none_newer_to_ = std::min(stream->last, stream->enabled.newer_from() - 1);
   }
-  skip(message, reason);
+  skip(message, fault.reason);
 }
 
 void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reason) {
@@ -497,7 +509,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
       stuck_since_ = SteadyClock::now();
     }
   }
-  stop_applying(not_applied(message.sequence, reason + "; upgrade it"));
+  stop_applying(not_applied(message.sequence, reason));
 }
 
 void ClusterLog::finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said) {

@@ -120,8 +120,8 @@ class ClusterLog final : public EditLog {
   /// The message is one that all servers pass over.
   void skip(const StreamMessage& message, const std::string& reason);
   /// This talusd does not know it: passes over it, unless the stream may have such from there on.
-  void meet_unknown(const StreamMessage& message, const std::string& reason);
-  /// It is one that others may know.
+  void meet_unknown(const StreamMessage& message, const MessageFault& fault);
+  /// It is one that others may know. `reason`: and what would be right.
   void get_stuck(const StreamMessage& message, const std::string& reason);
   /// `said`: of the batch; null: it was none.
   void finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said);

@@ -21,13 +21,14 @@ struct StreamMessage {
   std::vector<std::byte> bytes;
 };
 
-/// What the stream's leader says.
+/// What the stream's leader says. `enabled` is not older than `last`: whoever enables another format waits
+/// until every replica knows it (FORMAT.md).
 struct StreamState {
-  std::uint64_t first = 0;           // sequence of the oldest message that is kept; last + 1 where none is
-  std::uint64_t last = 0;            // 0: there was none yet
-  std::int64_t created_ns = 0;       // since 1970: another number is another stream of the same name
-  std::uint64_t bytes = 0;           // of all messages that are kept, with what the stream adds to each
-  cluster::EnabledFormat enabled{};  // that its messages may have
+  std::uint64_t first = 0;            // sequence of the oldest message that is kept; last + 1 where none is
+  std::uint64_t last = 0;             // 0: there was none yet
+  std::int64_t created_ns = 0;        // since 1970: another number is another stream of the same name
+  std::uint64_t bytes = 0;            // of all messages that are kept, with what the stream adds to each
+  cluster::EnabledFormats enabled{};  // that its messages may have
 };
 
 struct StreamFailure {

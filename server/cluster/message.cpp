@@ -143,6 +143,10 @@ tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<co
 
 }  // namespace
 
+std::string_view remedy_of(const MessageFault& fault) {
+  return fault.kind == MessageFault::Kind::newer ? "; upgrade it" : "";
+}
+
 tl::expected<Bytes, std::string> encode(const Genesis& genesis) {
   Bytes out = begin_message(MessageKind::genesis);
   ByteWriter writer{out};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -77,8 +78,12 @@ struct MessageFault {
     other_store,
   };
   Kind kind = Kind::damaged;
-  std::string reason;  // one line: what is wrong, and what would be right
+  std::string reason;  // one line: what is wrong; what would be right, remedy_of() says of some
 };
+
+/// What would be right, to go behind the reason: "; upgrade it", or nothing where the reason says it. Of a
+/// message that stops this talusd.
+[[nodiscard]] std::string_view remedy_of(const MessageFault& fault);
 
 /// An error, in one line, where it has more materials than a message holds.
 [[nodiscard]] tl::expected<Bytes, std::string> encode(const Genesis& genesis);

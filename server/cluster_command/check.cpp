@@ -12,6 +12,7 @@
 #include <talus/progress/progress_bar.h>
 
 #include "cluster_command/connection_words.h"
+#include "cluster_command/formats_line.h"
 #include "cluster_command/nats_greeting.h"
 #include "cluster_command/stream_contents.h"
 #include "cluster_command/stream_world.h"
@@ -47,6 +48,7 @@ class Checker {
     connection_ = connection;
     if (const auto info = check_stream()) {
       check_settings(*info);
+      check_formats(*info);
       check_replicas(*info);
       check_permissions();
       check_contents();
@@ -139,6 +141,20 @@ class Checker {
       add(Kind::ok, fmt::format("{}: all settings are as they should be", target_.names.stream));
   }
 
+  void check_formats(const jetstream::StreamInfo& info) {
+    const cluster::EnabledFormats& enabled = info.state.enabled;
+    if (!enabled.understood) {
+      add(Kind::fault,
+          fmt::format(
+              "{}: {}: a talusd of this version stops before the first message that it does not know; "
+              "it should be as \"log format 2 from message 1000\", or is for a newer talusd",
+              target_.names.stream, formats_line(info)));
+      return;
+    }
+    add(enabled.has_newer() ? Kind::note : Kind::ok,
+        fmt::format("{}: {}", target_.names.stream, formats_line(info)));
+  }
+
   void check_replicas(const jetstream::StreamInfo& info) {
     if (info.leader.empty()) {
       if (target_.replicas > 1) add(Kind::fault, fmt::format("{} has no leader", target_.names.stream));
@@ -224,14 +240,16 @@ class Checker {
     }
   }
 
-  void add_unread(const Contents::Unread& unread, const cluster::EnabledFormat& enabled) {
+  void add_unread(const Contents::Unread& unread, const cluster::EnabledFormats& enabled) {
     const bool stops =
         unread.fault.kind == cluster::MessageFault::Kind::newer && enabled.is_newer_at(unread.sequence);
-    add(stops || unread.sequence == 1 ? Kind::fault : Kind::note,
-        fmt::format("message {}: {}{}", unread.sequence, unread.fault.reason,
-                    stops                  ? "; a talusd of this version stops before it; upgrade it"
-                    : unread.sequence == 1 ? ""
-                                           : "; all servers pass over it"));
+    if (stops || unread.sequence == 1) {
+      add(Kind::fault, fmt::format("message {}: {}; a talusd of this version stops before it{}",
+                                   unread.sequence, unread.fault.reason, remedy_of(unread.fault)));
+    } else {
+      add(Kind::note,
+          fmt::format("message {}: {}; all servers pass over it", unread.sequence, unread.fault.reason));
+    }
   }
 
   const Target& target_;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "admin/top_command.h"
+#include "cluster_command/formats_line.h"
 #include "jetstream/stream_admin.h"
 
 namespace talus::server::cluster_tool {
@@ -18,6 +19,16 @@ using namespace std::chrono_literals;
 constexpr auto kLeaderPatience = 5s;  // while one is being chosen
 constexpr auto kPagePatience = 2000ms;
 constexpr std::string_view kPrefix = "talus_cluster_";
+
+nlohmann::ordered_json formats_json(const cluster::EnabledFormats& enabled) {
+  nlohmann::ordered_json json{{"reads", cluster::kLogFormat},
+                              {"understood", enabled.understood},
+                              {"enabled", nlohmann::ordered_json::array()}};
+  for (const cluster::EnabledFormat& each : enabled.list) {
+    json["enabled"].push_back({{"format", each.number}, {"from", each.from}});
+  }
+  return json;
+}
 
 double in_seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>{time}.count();
@@ -77,6 +88,7 @@ std::string status_lines(const ClusterStatus& status) {
   std::string text = fmt::format("stream {}\n", status.stream);
   text += fmt::format("messages {} to {}, {} bytes", info.state.first, info.state.last, info.state.bytes);
   text += info.messages == 0 ? "\n" : fmt::format(", the oldest of {}\n", info.first_time);
+  text += formats_line(info) + "\n";
   if (!info.leader.empty()) text += fmt::format("leader {}\n", info.leader);
   if (!has_majority(info)) text += "NO majority of its servers: the log takes no edits\n";
   for (const jetstream::ReplicaState& replica : info.replicas) {
@@ -115,6 +127,7 @@ std::string status_json(const ClusterStatus& status) {
                               {"created_ns", info.state.created_ns},
                               {"messages", info.messages},
                               {"bytes", info.state.bytes},
+                              {"log_format", formats_json(info.state.enabled)},
                               {"leader", info.leader},
                               {"majority", has_majority(info)},
                               {"replicas", nlohmann::ordered_json::array()}};

@@ -16,7 +16,7 @@ namespace talus::server::cluster_tool {
 struct Contents {
   std::uint64_t first = 0;  // that was read
   std::uint64_t last = 0;
-  cluster::EnabledFormat enabled;
+  cluster::EnabledFormats enabled;
   struct Unread {
     std::uint64_t sequence = 0;
     cluster::MessageFault fault;

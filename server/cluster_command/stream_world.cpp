@@ -26,7 +26,8 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
   if (state.first == 1) {
     const auto there = cluster::decode_genesis(message.bytes());
     if (!there)
-      return tl::unexpected{fmt::format("{}: message 1: {}", target.names.stream, there.error().reason)};
+      return tl::unexpected{fmt::format("{}: message 1: {}{}", target.names.stream, there.error().reason,
+                                        remedy_of(there.error()))};
     if (there->identity == genesis.identity) return {};
     return tl::unexpected{
         fmt::format("{} is of world {} and store {}; this server's is {} of store {}", target.names.stream,

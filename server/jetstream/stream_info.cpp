@@ -72,8 +72,10 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
   info.first_time = escaped(json_member<std::string>(state, "first_ts"));
   const auto last = json_member<std::uint64_t>(state, "last_seq");
   const std::uint64_t first = info.messages == 0 ? last + 1 : json_member<std::uint64_t>(state, "first_seq");
+  const auto description = json_member<std::string>(info.settings, "description");
+  info.description = escaped(description);
   info.state = {first, last, *created, json_member<std::uint64_t>(state, "bytes"),
-                cluster::enabled_format(json_member<std::string>(info.settings, "description"))};
+                cluster::enabled_formats(description)};
   const json cluster = object_of(*answer, "cluster");
   info.leader = escaped(json_member<std::string>(cluster, "leader"));
   if (const auto replicas = cluster.find("replicas"); replicas != cluster.end() && replicas->is_array()) {

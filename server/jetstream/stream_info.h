@@ -31,6 +31,7 @@ struct StreamInfo {
   std::uint64_t messages = 0;
   std::string first_time;  // of the oldest message, RFC 3339
   nlohmann::json settings;
+  std::string description;             // of the settings; for people: state.enabled is what it says
   std::string leader;                  // empty: there is none, or there is one server
   std::vector<ReplicaState> replicas;  // without the leader
 };

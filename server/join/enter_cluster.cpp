@@ -65,7 +65,15 @@ tl::expected<void, std::string> check_first(LogStream& stream, const StreamState
   if (!first) return tl::unexpected{first.error().reason};
   if (!*first) return tl::unexpected{std::string{"the stream's first message does not come"}};
   const auto genesis = cluster::decode_genesis((*first)->bytes);
-  if (!genesis) return another(fmt::format("what is no genesis: {}", genesis.error().reason));
+  if (!genesis) {
+    const cluster::MessageFault& fault = genesis.error();
+    // What a newer talusd began is not to be deleted.
+    if (fault.kind == cluster::MessageFault::Kind::newer) {
+      return tl::unexpected{
+          fmt::format("the stream's first message: {}{}", fault.reason, cluster::remedy_of(fault))};
+    }
+    return another(fmt::format("what is no genesis: {}", fault.reason));
+  }
   if (*genesis != ours) {
     return another(fmt::format("it at position {}, revision {}; here it is at position {}, revision {}",
                                genesis->head.position, genesis->head.revision, ours.head.position,

@@ -159,7 +159,10 @@ class Preparation {
     const auto wrong = [](std::string reason) {
       return tl::unexpected{StreamFailure{StreamFailure::Kind::refused, std::move(reason)}};
     };
-    if (!genesis) return wrong(fmt::format("the stream's first message: {}", genesis.error().reason));
+    if (!genesis) {
+      return wrong(fmt::format("the stream's first message: {}{}", genesis.error().reason,
+                               remedy_of(genesis.error())));
+    }
     if (genesis->identity != StoreIdentity{*id_, parts_.fingerprint}) {
       return wrong(fmt::format(
           "the stream is of store {} and the world with fingerprint {}; this server has {} and {}; "

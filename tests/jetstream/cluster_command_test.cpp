@@ -46,6 +46,24 @@ cluster::Genesis genesis_of(std::uint64_t world = 7) {
   return genesis;
 }
 
+/// As a message of a newer talusd.
+Bytes of_newer_format(Bytes message) {
+  message.at(0) = std::byte{9};
+  message.resize(message.size() - cluster::kSealBytes);
+  ByteWriter{message}.fixed64(XXH3_64bits(message.data(), message.size()));
+  return message;
+}
+
+/// Gives the stream this description, as an admin's tool does.
+void describe(jetstream::Connection& connection, const Target& target, const std::string& description) {
+  nlohmann::json settings = jetstream::wanted_settings(target.names, 1);
+  settings["description"] = description;
+  const auto reply = connection.request("$JS.API.STREAM.UPDATE." + target.names.stream, settings.dump(),
+                                        std::chrono::seconds{10});
+  REQUIRE(reply);
+  CHECK_FALSE(nlohmann::json::parse(jetstream::Arrived{reply->get()}.text()).contains("error"));
+}
+
 std::string lines_of(const Target& target, const cluster::Genesis& genesis) {
   return finding_lines(check(target, genesis));
 }
@@ -206,24 +224,61 @@ TEST_CASE("check reads the newest messages, and names those that servers pass ov
   // None but the newest.
   CHECK_THAT(finding_lines(check(target, genesis_of(), 1)),
              Catch::Contains("ok: messages 3 to 3 can be read") && !Catch::Contains("note: message"));
-  Bytes newer = cluster::encode_batch(head, nullptr, {});
-  newer[0] = std::byte{9};
-  newer.resize(newer.size() - cluster::kSealBytes);
-  ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
-  publish(newer);
+  publish(of_newer_format(cluster::encode_batch(head, nullptr, {})));
   CHECK_THAT(
       lines_of(target, genesis_of()),
       Catch::Contains("note: message 4: it has format 9; this talusd reads up to 1; all servers pass") &&
           !Catch::Contains("fault: "));
-  nlohmann::json settings = jetstream::wanted_settings(target.names, 1);
-  settings["description"] = "log format 2 from message 4";
-  REQUIRE(connection->request("$JS.API.STREAM.UPDATE." + target.names.stream, settings.dump(),
-                              std::chrono::seconds{10}));
+  describe(*connection, target, "log format 2 from message 4");
   CHECK_THAT(faults_of(target),
              Catch::StartsWith("fault: message 4: it has format 9; this talusd reads up to 1; a talusd of "
-                               "this version stops before it"));
+                               "this version stops before it; upgrade it"));
   for (int i = 0; i < 12; ++i) publish(bytes_of("hello"));
   CHECK_THAT(lines_of(target, genesis_of()), Catch::Contains("note: 4 more messages cannot be read"));
+}
+
+TEST_CASE("status and check say which formats are enabled, and that they do not understand it") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  REQUIRE(init(target, genesis_of()));
+  const auto connection = connected_to(servers.url_list());
+  const auto status = [&] {
+    auto read = read_status(target);
+    REQUIRE(read);
+    return *std::move(read);
+  };
+  const auto json = [&] { return nlohmann::json::parse(status_json(status())).at("log_format"); };
+  CHECK_THAT(status_lines(status()), Catch::Contains("\nlog format 1\n"));
+  CHECK(json() == nlohmann::json::parse(R"({"reads": 1, "understood": true, "enabled": []})"));
+  CHECK_THAT(lines_of(target, genesis_of()),
+             Catch::Contains("ok: " + target.names.stream + ": log format 1\n"));
+
+  describe(*connection, target, "log format 2 from message 40, 3 from message 50");
+  const std::string what = "log format 2 from message 40, 3 from message 50; this talusd reads up to 1";
+  CHECK_THAT(status_lines(status()), Catch::Contains("\n" + what));
+  CHECK(json() == nlohmann::json::parse(
+                      R"({"reads": 1, "understood": true,
+                          "enabled": [{"format": 2, "from": 40}, {"format": 3, "from": 50}]})"));
+  CHECK_THAT(lines_of(target, genesis_of()),
+             Catch::Contains("note: " + target.names.stream + ": " + what) && !Catch::Contains("fault: "));
+
+  describe(*connection, target, "log format 2 from message 40.");
+  const std::string other = "log format NOT understood: \"log format 2 from message 40.\"";
+  CHECK_THAT(status_lines(status()), Catch::Contains("\n" + other + "\n"));
+  CHECK_FALSE(json().at("understood").get<bool>());
+  CHECK_THAT(faults_of(target), Catch::StartsWith("fault: " + target.names.stream + ": " + other));
+}
+
+TEST_CASE("check says of a genesis that a newer talusd wrote to upgrade this one") {
+  NatsServers servers{{.servers = 1}};
+  const Target target = target_at(servers.url_list(), 1);
+  make_stream(servers, target.names, 1);
+  const auto genesis = cluster::encode(genesis_of());
+  REQUIRE(genesis);
+  REQUIRE(connected_to(servers.url_list())
+              ->publish(target.names.log, of_newer_format(*genesis), std::chrono::seconds{10}));
+  CHECK_THAT(faults_of(target),
+             Catch::Contains("message 1: it has format 9; this talusd reads up to 1; upgrade it"));
 }
 
 TEST_CASE("of three servers, one lost is a note and two are a fault") {

@@ -31,14 +31,16 @@ TEST_CASE("the leader's answer is read") {
   CHECK(info->replicas[0].lag == 7);
   CHECK(info->settings["deny_purge"] == true);
   CHECK(info->state.bytes == 99);
-  CHECK(info->state.enabled == talus::server::cluster::EnabledFormat{1, 0});
+  CHECK(info->state.enabled == talus::server::cluster::EnabledFormats{});
+  CHECK(info->description.empty());
 }
 
 TEST_CASE("the format that the stream's settings enable is read") {
   const auto info = parse_stream_info(
       R"({"config":{"description":"log format 2 from message 7"},"created":"2026-11-26T04:18:20Z","state":{"messages":0,"last_seq":4}})");
   REQUIRE(info);
-  CHECK(info->state.enabled == talus::server::cluster::EnabledFormat{2, 7});
+  CHECK(info->state.enabled == talus::server::cluster::EnabledFormats{{{2, 7}}, true});
+  CHECK(info->description == "log format 2 from message 7");
 }
 
 TEST_CASE("a leader that hears too few of the others has no majority, and without one there is none") {

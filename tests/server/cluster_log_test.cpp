@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
+#include <fmt/format.h>
 #include <rocksdb/db.h>
-#include <xxhash.h>
 #include <catch2/catch.hpp>
 
 #include "cluster/batch_time.h"
@@ -16,6 +16,7 @@
 #include "cluster_node.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "sealed_again.h"
 #include "shared_stream.h"
 #include "store/bytes.h"
 #include "store/rocks.h"
@@ -98,13 +99,6 @@ Bytes bytes_of_entry(const LogEntry& entry) {
   Bytes bytes;
   cluster::encode(entry, bytes);
   return bytes;
-}
-
-/// With the checksum that its bytes have by now.
-Bytes sealed_again(Bytes message) {
-  message.resize(message.size() - cluster::kSealBytes);
-  ByteWriter{message}.fixed64(XXH3_64bits(message.data(), message.size()));
-  return message;
 }
 
 cluster::BatchHead foreign_head() {
@@ -310,16 +304,75 @@ TEST_CASE("a message of a format that the stream has not enabled is passed over 
   CHECK(cluster.log(2).status().head.hash == cluster.log(0).status().head.hash);
 }
 
+TEST_CASE("of several formats that are enabled the first that this talusd does not read stops it") {
+  Cluster cluster{1};
+  cluster.stream.describe(fmt::format("log format {} from message 5, {} from message 9",
+                                      cluster::kLogFormat + 1, cluster::kLogFormat + 2));
+  cluster.open();
+  for (const Bytes& each : unknown_messages()) cluster.stream.append(each);  // 2 to 4
+  cluster.until_applied();
+  CHECK(cluster.log(0).status().skipped == 3);
+  CHECK_FALSE(cluster.log(0).status().stuck);
+  cluster.stream.append(unknown_messages().front());
+  until([&] { return cluster.log(0).status().stuck || cluster.log(0).status().skipped > 3; });
+  CHECK(cluster.log(0).status().stuck);
+  CHECK(cluster.log(0).status().sequence == 4);
+}
+
+TEST_CASE("a description of formats that is not understood stops a server, and it says so") {
+  Cluster cluster{1};
+  cluster.stream.describe("log format 2 from message 5.");
+  cluster.open();
+  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, good));
+  cluster.until_applied();  // what it knows it applies
+  CHECK(cluster.log(0).status().head.position == 1);
+  cluster.stream.append(unknown_messages().front());
+  until([&] { return cluster.log(0).status().stuck || cluster.log(0).status().skipped > 0; });
+  CHECK(cluster.log(0).status().stuck);
+  CHECK(cluster.log(0).status().skipped == 0);
+  CHECK_THAT(cluster.log(0).status().read_only.value_or(""),
+             Catch::Contains("message 3") && Catch::Contains("it has format 9") &&
+                 Catch::Contains("description") && Catch::Contains("talusd cluster check"));
+  // It was a slip: once that is mended the server passes over it, as all others.
+  cluster.stream.describe("log format 2 from message 5");
+  cluster.nodes[0]->close();
+  cluster.open();
+  cluster.until_applied();
+  CHECK(cluster.log(0).status().skipped == 1);
+}
+
+TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
+  Cluster cluster{1};
+  cluster.nodes[0]->settings.look_interval = 1h;  // so that it is this message by which it is found
+  cluster.open();
+  cluster.until_applied();
+  cluster.stream.make_anew();
+  cluster.stream.append(unknown_messages().front());
+  until([&] { return cluster.lost_of(0).has_value() || cluster.log(0).status().skipped > 0; });
+  CHECK(cluster.lost_of(0) == Lost::other);
+  CHECK(cluster.log(0).status().skipped == 0);
+}
+
+TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be right") {
+  Cluster cluster{1};
+  cluster.stream.replace_first(of_newer_format(empty_genesis()));
+  cluster.open();
+  until([&] {
+    return cluster.log(0).status().read_only ==
+           "message 1 of the log cannot be applied: it has format 9; this talusd reads up to 1; upgrade it";
+  });
+}
+
 TEST_CASE("a message that is not known waits for a leader that knows it") {
   Cluster cluster{1};
+  cluster.nodes[0]->settings.look_interval = 1h;  // so that it asks for this message alone
   cluster.open();
   cluster.until_applied();
   cluster.stream.say_fewer(1);
   cluster.stream.append(unknown_messages().front());
-  until([&] {
-    return cluster.log(0).status().not_ready.find("the leader does not know") != std::string::npos ||
-           cluster.log(0).status().read_only.value_or("").find("does not know") != std::string::npos;
-  });
+  const std::uint64_t asked = cluster.stream.asked;
+  until([&] { return cluster.stream.asked > asked + 3; });
   CHECK(cluster.log(0).status().skipped == 0);
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   cluster.stream.say_fewer(0);

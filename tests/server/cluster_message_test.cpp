@@ -216,18 +216,61 @@ TEST_CASE("entries of every kind are read back") {
 }
 
 TEST_CASE("a stream's description says from where on messages may be newer") {
-  CHECK(enabled_format("log format 2 from message 1000000") == EnabledFormat{2, 1'000'000});
-  for (const char* const none :
-       {"", "log format", "log format 2", "log format 2 from message ", "log format 2 from message 5.",
-        "log format -2 from message 5", "log format 2 from message 99999999999999999999",
-        " log format 2 from message 5", "log format 4294967296 from message 5", "the log of a world"}) {
-    CAPTURE(none);
-    CHECK(enabled_format(none) == EnabledFormat{1, 0});
+  const std::vector<EnabledFormat> two{{2, 1'000'000}, {3, 5'000'000'000}};
+  CHECK(enabled_formats("log format 2 from message 1000000").list == std::vector{two[0]});
+  for (const auto* const text : {"log format 2 from message 1000000",
+                                 "log format 2 from message 1000000, 3 from message 5000000000"}) {
+    CHECK(enabled_formats(text).understood);
+    CHECK(to_string(enabled_formats(text)) == text);
   }
-  CHECK_FALSE(EnabledFormat{}.is_newer_at(1));
-  CHECK_FALSE(EnabledFormat{kLogFormat, 5}.is_newer_at(9));
-  CHECK_FALSE(EnabledFormat{kLogFormat + 1, 5}.is_newer_at(4));
-  CHECK(EnabledFormat{kLogFormat + 1, 5}.is_newer_at(5));
+  CHECK(enabled_formats("log format 2 from message 1000000, 3 from message 5000000000").list == two);
+  for (const char* const none : {"", "log", "log forma", "the log format of a world", "a log format 2"}) {
+    CAPTURE(none);
+    CHECK(enabled_formats(none) == EnabledFormats{});
+    CHECK(to_string(enabled_formats(none)) == "log format 1");
+  }
+  CHECK_FALSE(EnabledFormats{}.has_newer());
+  CHECK_FALSE(EnabledFormats{}.is_newer_at(1'000'000'000));
+  const EnabledFormats enabled{{{kLogFormat, 5}, {kLogFormat + 1, 8}, {kLogFormat + 2, 11}}, true};
+  CHECK(enabled.has_newer());
+  CHECK(enabled.newer_from() == 8);
+  CHECK_FALSE(enabled.is_newer_at(7));
+  CHECK(enabled.is_newer_at(8));
+  CHECK(enabled.is_newer_at(11));
+  CHECK_FALSE(EnabledFormats{{{kLogFormat, 5}}, true}.has_newer());
+}
+
+TEST_CASE("a description that speaks of formats otherwise lets no message be passed over") {
+  for (const char* const other : {"log format",
+                                  "log format ",
+                                  "log format 2",
+                                  "log format 2 from message ",
+                                  "log format 2 from message 5.",
+                                  "log format 2 from message 5 ",
+                                  "log format 2 from message 5,",
+                                  "log format 2 from message 5, 3",
+                                  "log format 2 from message 5,3 from message 9",
+                                  "log format 2 from message 5, 3 from message 5",
+                                  "log format 2 from message 5, 2 from message 9",
+                                  "log format 3 from message 5, 2 from message 9",
+                                  "log format 2 from message 5; 3 from message 9",
+                                  "log format 2 from message 0",
+                                  "log format 0 from message 5",
+                                  "log format 02 from message 5",
+                                  "log format -2 from message 5",
+                                  "log format 2 from message +5",
+                                  "log format 2 from message 99999999999999999999",
+                                  "log format 4294967296 from message 5",
+                                  "Log format 2 from message 5",
+                                  "LOG FORMAT",
+                                  "log format soon 2 from message 5",
+                                  "log format 2 from message 5, soon 3 from message 9",
+                                  "log formats"}) {
+    CAPTURE(other);
+    CHECK_FALSE(enabled_formats(other).understood);
+    CHECK(enabled_formats(other).is_newer_at(1));
+    CHECK(enabled_formats(other).has_newer());
+  }
 }
 
 TEST_CASE("entries that are newer are told from those that are damaged") {

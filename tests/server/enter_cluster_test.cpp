@@ -6,6 +6,7 @@
 #include "checkpoint_store.h"
 #include "cluster_node.h"
 #include "join/enter_cluster.h"
+#include "sealed_again.h"
 #include "shared_stream.h"
 #include "store/whole_store.h"
 
@@ -132,6 +133,14 @@ TEST_CASE("a stream that something else has begun is not entered, and the store 
   const auto before = single.stream.state().last;
   CHECK_THAT(single.enter(), Catch::Contains("is begun already") && Catch::Contains("talusd store fork"));
   CHECK(single.stream.state().last == before);
+  CHECK(single.meta().stream == StreamPlace{});
+}
+
+TEST_CASE("a stream that a newer talusd has begun is not to be deleted, but talusd upgraded") {
+  Single single;
+  single.stream.append(of_newer_format(empty_genesis()));
+  CHECK(single.enter() ==
+        "the stream's first message: it has format 9; this talusd reads up to 1; upgrade it");
   CHECK(single.meta().stream == StreamPlace{});
 }
 

@@ -10,6 +10,7 @@
 #include "cluster/server_number.h"
 #include "join/prepare_store.h"
 #include "join/start_plan.h"
+#include "sealed_again.h"
 #include "store/read_only_store.h"
 
 namespace talus::server::join {
@@ -196,6 +197,9 @@ TEST_CASE("an empty disk begins from a stream that goes back to nothing, and onl
   CHECK_THAT(joiner.start(), Catch::Contains("give all servers of a cluster the same --world"));
   joiner.script.first = genesis({8, 9});
   CHECK_THAT(joiner.start(), Catch::Contains("the stream is of store"));
+  joiner.script.first = of_newer_format(genesis({8, 8}));
+  CHECK_THAT(joiner.start(), Catch::Contains("the stream's first message: it has format 9") &&
+                                 Catch::EndsWith("this talusd reads up to 1; upgrade it"));
   CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
   joiner.script.first = genesis({8, 8});
   CHECK(joiner.start() == "");

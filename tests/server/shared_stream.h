@@ -13,6 +13,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -54,9 +55,19 @@ class SharedStream {
     first_ = first;
   }
   void make_anew() { created_ns_ = 2; }
+  /// As if another talusd had begun it.
+  void replace_first(std::vector<std::byte> genesis) {
+    const std::lock_guard lock{mutex_};
+    messages_.at(0) = std::move(genesis);
+  }
+  /// What the stream's settings say.
+  void describe(std::string_view description) {
+    const std::lock_guard lock{mutex_};
+    enabled_ = cluster::enabled_formats(description);
+  }
   void enable(cluster::EnabledFormat format) {
     const std::lock_guard lock{mutex_};
-    enabled_ = format;
+    enabled_ = {{format}, true};
   }
   /// What every publish() and next() says from now on.
   void fail_publish_as(StreamFailure::Kind kind) { fails_publish_ = kind; }
@@ -67,6 +78,8 @@ class SharedStream {
   void say_fewer(std::uint64_t fewer) { fewer_ = fewer; }
   /// How often any end published, or tried to.
   std::atomic<std::uint64_t> attempts{0};
+  /// How often any end asked the leader.
+  std::atomic<std::uint64_t> asked{0};
 
   [[nodiscard]] StreamState state() const {
     const std::lock_guard lock{mutex_};
@@ -106,7 +119,7 @@ class SharedStream {
   std::vector<std::vector<std::byte>> messages_;
   std::map<std::uint64_t, std::int64_t> times_ms_;
   std::uint64_t first_ = 1;
-  cluster::EnabledFormat enabled_;
+  cluster::EnabledFormats enabled_;
   std::atomic<bool> quorum_{true};
   std::atomic<std::int64_t> created_ns_{1};
   std::atomic<std::uint64_t> fewer_{0};
@@ -163,6 +176,7 @@ class StreamEnd final : public LogStream {
     return message;
   }
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
+    ++stream_.asked;
     if (stopped_ || !stream_.has_quorum() || !connected_) return unavailable();
     return stream_.state();
   }
