@@ -100,22 +100,17 @@ class NatsClient:
         self._send(f"SUB {subject} {number}\r\n".encode())
         return self.flush()
 
-    def publish(self, subject, payload=b"", reply="", head=()):
-        if not head:
-            self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
-            return
-        lines = "".join(f"{name}: {value}\r\n" for name, value in head)
-        text = f"NATS/1.0\r\n{lines}\r\n".encode()
-        self._send(f"HPUB {subject} {reply} {len(text)} {len(text) + len(payload)}\r\n".encode() + text + payload + b"\r\n")
+    def publish(self, subject, payload=b"", reply=""):
+        self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
 
-    def request(self, subject, payload=b"", head=()):
-        """(head, payload) of the answer. `head`: pairs of a header's name and value, that go along."""
+    def request(self, subject, payload=b""):
+        """(head, payload) of the answer."""
         reply = f"{self.inbox}.{secrets.token_hex(4)}"
         # Each its own: an answer that nobody listens does not end what it came by, and the number would go on as the old one.
         self.requests += 1
         number = f"request{self.requests}"
         self._send(f"SUB {reply} {number}\r\nUNSUB {number} 1\r\n".encode())
-        self.publish(subject, payload, reply, head)
+        self.publish(subject, payload, reply)
         while True:
             message = self.next()
             if message != "PONG" and message[0] == reply:
