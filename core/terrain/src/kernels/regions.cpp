@@ -803,7 +803,7 @@ void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, 
   };
   // Processors with vectors of 16 columns have the registers for two.
   static_assert(2 * hn::MaxLanes(RegionTag{}) <= kPadding);
-  if constexpr (hn::MaxLanes(RegionTag{}) == 16) {
+  if (lanes == 16) {
     for (std::size_t i = 0; i < width; i += 2 * lanes) {
       const auto uncut = uncut_at(TwoAt{row, i}, shape);
       const auto at = cut(uncut, shape, 0);
