@@ -176,9 +176,11 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         case Next::end:
           if (!output_.empty()) co_await write({});
           if (open_) co_await end();
-          co_return close();
+          close();
+          break;
       }
     }
+    response_.reset();  // who keeps the closed connection for a while keeps no checkpoint with it
   }
 
   /// Answers what has been read, as far as nobody has to be waited for.

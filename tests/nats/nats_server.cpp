@@ -329,7 +329,15 @@ void NatsServers::await(const std::string& what, std::chrono::seconds patience,
 }
 
 void NatsServers::await_ready(std::chrono::seconds patience) const {
-  await("servers that know each other", patience, [&] { return know_each_other(); });
+  await("servers that know each other", patience, [&] { return know_each_other() && are_healthy(); });
+}
+
+bool NatsServers::are_healthy() const {
+  for (std::size_t server = 0; server < count(); ++server) {
+    if (!runs(server) || servers_[server].frozen) continue;
+    if (page(server, "/healthz").find("ok") == std::string::npos) return false;
+  }
+  return true;
 }
 
 std::size_t NatsServers::leader_of(const std::string& stream, std::chrono::seconds patience) const {

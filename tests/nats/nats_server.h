@@ -55,7 +55,7 @@ class NatsServers {
   /// Deletes the files of a server that has ended.
   void lose_files(std::size_t server);
 
-  /// Waits until all that run, and are not frozen, know each other and a leader.
+  /// Waits until all that run, and are not frozen, know each other and a leader, and say that they are well.
   void await_ready(std::chrono::seconds patience = std::chrono::seconds{60}) const;
   /// The stream's leader, as the servers say. Waits until there is one.
   [[nodiscard]] std::size_t leader_of(const std::string& stream,
@@ -81,6 +81,7 @@ class NatsServers {
   void write_configurations() const;
   [[nodiscard]] bool all_started();
   [[nodiscard]] bool know_each_other() const;
+  [[nodiscard]] bool are_healthy() const;
   void await(const std::string& what, std::chrono::seconds patience, const std::function<bool()>& come) const;
   [[nodiscard]] std::filesystem::path file(std::size_t server, std::string_view ending) const;
 
