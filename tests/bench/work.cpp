@@ -66,12 +66,17 @@ void count_default_view() {
   });
 }
 
+// What a cold View has most of beside its ground: all mixed chunks of a patch, with their ores and forest.
 void count_default_slabs() {
   const auto& world = terrain::default_world();
-  const auto stacks = generate_stacks(world, {-62 * kChunkSize, -194 * kChunkSize, 96, 96, Lod{}});
-  const terrain::MixedRange rows = mixed_range(world, stacks, -61, -193);
+  const auto stacks = generate_stacks(world, {-64 * kChunkSize, -194 * kChunkSize, 128, 128, Lod{}});
   talus_counted_work([&] {
-    for (std::int32_t y = rows.first; y <= rows.last; ++y) (void)extract_chunk(world, stacks, {-61, y, -193});
+    for (std::int32_t z = -194; z < -190; ++z) {
+      for (std::int32_t x = -64; x < -60; ++x) {
+        const terrain::MixedRange rows = mixed_range(world, stacks, x, z);
+        for (std::int32_t y = rows.first; y <= rows.last; ++y) (void)extract_chunk(world, stacks, {x, y, z});
+      }
+    }
   });
 }
 

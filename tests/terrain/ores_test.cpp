@@ -180,6 +180,25 @@ TEST_CASE("A column has the same ore from whatever box it is asked for") {
   }));
 }
 
+TEST_CASE("Heights that are asked for leave out no ore of theirs") {
+  CHECK(rc::check([] {
+    const World world = veined_world(*rc::gen::arbitrary<std::uint64_t>());
+    const OreKind kind = ores_of(world)[*rc::gen::inRange<std::size_t>(0, 3)];
+    std::vector<OreLobe> lobes;
+    add_lobes(kind, {0, 200, 0, 200, kind.low_fx, kind.high_fx}, lobes);
+    const std::int64_t low_fx = *rc::gen::inRange<std::int64_t>(kind.low_fx, kind.high_fx);
+    const std::int64_t high_fx = low_fx + *rc::gen::inRange<std::int64_t>(1, kChunkSize * kSubvoxels);
+    for (const OreLobe& lobe : lobes) {
+      const std::int64_t x = lobe.x_fx / kSubvoxels + *rc::gen::inRange<std::int64_t>(-20, 21);
+      const std::int64_t z = lobe.z_fx / kSubvoxels + *rc::gen::inRange<std::int64_t>(-20, 21);
+      const auto all = lobe.at(x, z);
+      const auto within = lobe.at(x, z, low_fx, high_fx);
+      if (within) RC_ASSERT(all && all->from_fx == within->from_fx && all->to_fx == within->to_fx);
+      if (all && !within) RC_ASSERT(all->to_fx < low_fx || all->from_fx >= high_fx);
+    }
+  }));
+}
+
 TEST_CASE("As many cubes hold a body as abundance says") {
   for (const double abundance : {0.05, 0.4, 1.0}) {
     const std::string more =

@@ -189,7 +189,8 @@ Grain grain_at(const OreLobe& lobe, std::int64_t x_fx, std::int64_t z_fx) {
 
 }  // namespace
 
-std::optional<OreSpan> OreLobe::at(std::int64_t column_x, std::int64_t column_z) const {
+std::optional<OreSpan> OreLobe::at(std::int64_t column_x, std::int64_t column_z, std::int64_t low_fx,
+                                   std::int64_t high_fx) const {
   const std::int64_t x = column_x * kSubvoxels;
   const std::int64_t z = column_z * kSubvoxels;
   const std::int64_t east = x - x_fx;
@@ -201,13 +202,16 @@ std::optional<OreSpan> OreLobe::at(std::int64_t column_x, std::int64_t column_z)
   const std::int64_t c = (across * per_across_q40) >> 25;
   std::int64_t out = (a * a + c * c) >> 15;
   if (out >= kOne_q15) return std::nullopt;
+  const std::int64_t tilted = y_fx + ((along * tilt_along_q12 + across * tilt_across_q12) >> 12);
+  // Steep lobes pass a chunk's rows in few columns: only these need the noise.
+  const std::int64_t most = half_fx + sway_fx;
+  if (tilted + most < low_fx || tilted - most >= high_fx) return std::nullopt;
   const Grain grain = grain_at(*this, x, z);
   out += (grain.edge_q15 * ragged_q15) >> 15;
   if (out >= kOne_q15) return std::nullopt;
   // Blunt at the rim, as an ellipsoid is.
   const std::int64_t half = half_fx * (kOne_q15 - (out * out >> 15)) >> 15;
-  const std::int64_t middle = y_fx + ((along * tilt_along_q12 + across * tilt_across_q12) >> 12) +
-                              ((sway_fx * (2 * grain.sway_q15 - kOne_q15)) >> 15);
+  const std::int64_t middle = tilted + ((sway_fx * (2 * grain.sway_q15 - kOne_q15)) >> 15);
   const std::int64_t from = std::max<std::int64_t>(middle - half, y_fx - rise_fx);
   const std::int64_t to = std::min<std::int64_t>(middle + half, y_fx + rise_fx);
   if (from >= to) return std::nullopt;

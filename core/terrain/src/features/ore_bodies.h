@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -61,7 +62,12 @@ struct OreLobe {
   std::int64_t ragged_q15 = 0;
   std::int32_t sway_fx = 0;
 
-  [[nodiscard]] std::optional<OreSpan> at(std::int64_t column_x, std::int64_t column_z) const;
+  /// What of a column the lobe takes; may be nothing where that lies outside of the heights [low_fx,
+  /// high_fx).
+  [[nodiscard]] std::optional<OreSpan> at(
+      std::int64_t column_x, std::int64_t column_z,
+      std::int64_t low_fx = std::numeric_limits<std::int64_t>::min(),
+      std::int64_t high_fx = std::numeric_limits<std::int64_t>::max()) const;
 };
 
 /// Base columns [x0, x1) and [z0, z1), heights [low_fx, high_fx).

@@ -22,23 +22,46 @@ constexpr std::uint64_t kOreSeed = 0x4F52450000000000U;
 constexpr Range kSizes{4, 1024};        // voxels
 constexpr Range kThicknesses{1, 1024};  // voxels
 
-// The rows of a lobe in a chunk's columns. Whether there are any.
-bool cut(const OreLobe& lobe, ChunkKey key, const ChunkPlane& rock, Overlay& overlay) {
+// A lobe's columns [west, east) and [north, south) of a chunk.
+struct Columns {
+  int west = 0;
+  int east = 0;
+  int north = 0;
+  int south = 0;
+
+  template <class Visit>
+  bool all_of(const Visit& visit) const {
+    for (int z = north; z < south; ++z) {
+      for (int x = west; x < east; ++x) {
+        if (!visit(column_index(x, z))) return false;
+      }
+    }
+    return true;
+  }
+};
+
+Columns columns_of(const OreLobe& lobe, ChunkKey key) {
+  const VoxelPos origin = chunk_origin(key.coord);
+  const std::int64_t edge = kSubvoxels * (std::int64_t{1} << key.lod.value());
+  const auto column = [&](std::int64_t at_fx, std::int64_t from) {
+    return static_cast<int>(std::clamp<std::int64_t>(floor_div(at_fx, edge) - from, 0, kChunkSize));
+  };
+  return {column(lobe.x_fx - lobe.reach_fx, origin.x), column(lobe.x_fx + lobe.reach_fx + edge, origin.x),
+          column(lobe.z_fx - lobe.reach_fx, origin.z), column(lobe.z_fx + lobe.reach_fx + edge, origin.z)};
+}
+
+// The rows of a lobe in its columns, of which rock ends at row `highest` at most. Whether there are any.
+bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkPlane& rock, int highest,
+         Overlay& overlay) {
   const int shift = key.lod.value();
   const VoxelPos origin = chunk_origin(key.coord);
   const std::int64_t step = std::int64_t{1} << shift;
-  const auto first = [&](std::int64_t middle_fx, std::int64_t from) {
-    const std::int64_t column = floor_div(middle_fx - lobe.reach_fx, step * kSubvoxels) - from;
-    return static_cast<int>(std::clamp<std::int64_t>(column, 0, kChunkSize));
-  };
-  const auto last = [&](std::int64_t middle_fx, std::int64_t from) {
-    const std::int64_t column = floor_div(middle_fx + lobe.reach_fx, step * kSubvoxels) - from;
-    return static_cast<int>(std::clamp<std::int64_t>(column, -1, kChunkSize - 1));
-  };
+  const std::int64_t low_fx = origin.y * step * kSubvoxels;
+  const std::int64_t high_fx = (origin.y + highest) * step * kSubvoxels;
   bool any = false;
-  for (int z = first(lobe.z_fx, origin.z); z <= last(lobe.z_fx, origin.z); ++z) {
-    for (int x = first(lobe.x_fx, origin.x); x <= last(lobe.x_fx, origin.x); ++x) {
-      const auto span = lobe.at((origin.x + x) * step, (origin.z + z) * step);
+  for (int z = columns.north; z < columns.south; ++z) {
+    for (int x = columns.west; x < columns.east; ++x) {
+      const auto span = lobe.at((origin.x + x) * step, (origin.z + z) * step, low_fx, high_fx);
       if (!span) continue;
       const std::size_t column = column_index(x, z);
       const auto row = [&](std::int32_t height_fx) {
@@ -54,18 +77,19 @@ bool cut(const OreLobe& lobe, ChunkKey key, const ChunkPlane& rock, Overlay& ove
 }
 
 // Adds a lobe to what its ore has already, where both are one run in every column.
-bool join(const Overlay& lobe, Overlay& overlay) {
-  for (std::size_t i = 0; i < kChunkArea; ++i) {
+bool join(const Overlay& lobe, const Columns& columns, Overlay& overlay) {
+  const bool one_run = columns.all_of([&](std::size_t i) {
     const bool both = lobe.from[i] < lobe.to[i] && overlay.from[i] < overlay.to[i];
-    if (both && (lobe.from[i] > overlay.to[i] || lobe.to[i] < overlay.from[i])) return false;
-  }
-  for (std::size_t i = 0; i < kChunkArea; ++i) {
-    if (lobe.from[i] >= lobe.to[i]) continue;
+    return !both || (lobe.from[i] <= overlay.to[i] && lobe.to[i] >= overlay.from[i]);
+  });
+  if (!one_run) return false;
+  return columns.all_of([&](std::size_t i) {
+    if (lobe.from[i] >= lobe.to[i]) return true;
     const bool free = overlay.from[i] >= overlay.to[i];
     overlay.from[i] = free ? lobe.from[i] : std::min(overlay.from[i], lobe.from[i]);
     overlay.to[i] = free ? lobe.to[i] : std::max(overlay.to[i], lobe.to[i]);
-  }
-  return true;
+    return true;
+  });
 }
 
 OreBox box_of(ChunkKey key) {
@@ -148,7 +172,8 @@ OverlayRows Ores::overlay_rows(Lod lod) const {
 void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
                         std::vector<Overlay>& overlays) const {
   const ChunkPlane& rock = site.rock();
-  if (*std::max_element(rock.begin(), rock.end()) == 0) return;
+  const int highest = *std::max_element(rock.begin(), rock.end());
+  if (highest == 0) return;
   std::vector<OreLobe> lobes;
   for (std::size_t i = kinds_.size(); i-- > 0;) {
     const OreKind& kind = kinds_[i];
@@ -157,10 +182,11 @@ void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
     add_lobes(kind, box_of(site.key()), lobes);
     const std::size_t first = overlays.size();
     for (const OreLobe& lobe : lobes) {
+      const Columns columns = columns_of(lobe, site.key());
       Overlay alone{kind.material, {}, {}};
-      if (!cut(lobe, site.key(), rock, alone)) continue;
+      if (!cut(lobe, columns, site.key(), rock, highest, alone)) continue;
       const auto joined = std::any_of(overlays.begin() + static_cast<std::ptrdiff_t>(first), overlays.end(),
-                                      [&](Overlay& overlay) { return join(alone, overlay); });
+                                      [&](Overlay& overlay) { return join(alone, columns, overlay); });
       if (!joined) overlays.push_back(alone);
     }
   }
