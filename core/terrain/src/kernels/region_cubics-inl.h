@@ -1,0 +1,134 @@
+// Values between samples: cubics along a row, and lines between rows of samples. Included once for each
+// instruction set, hence no include guard but this:
+#if defined(TALUS_REGION_CUBICS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TALUS_REGION_CUBICS_INL
+#undef TALUS_REGION_CUBICS_INL
+#else
+#define TALUS_REGION_CUBICS_INL
+#endif
+
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+#include "kernels/region_numbers-inl.h"
+#include "kernels/regions.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+/// The polynomials between samples, cell by cell: c[0] + t (c[1] + t (c[2] + t c[3])), t from 0 at the cell's
+/// west to 1 at its east. Each has the samples' own slopes, those of the lines through their neighbours.
+struct Cubics {
+  const float* c[4];
+};
+
+/// `scratch`: 4 rows as wide as the samples, padded.
+Cubics cubics_of(const float* samples, std::size_t count, float* scratch) {
+  const RegionTag f;
+  const std::size_t row = padded(count);
+  for (std::size_t i = 0; i + 3 < count; i += hn::Lanes(f)) {
+    const auto sample = [&](std::size_t k) HWY_ATTR { return hn::LoadU(f, samples + i + k); };
+    const auto before = sample(0);
+    const auto west = sample(1);
+    const auto east = sample(2);
+    const auto after = sample(3);
+    const auto first = times(hn::Sub(east, before), 0.5F);
+    const auto third = hn::Add(times(hn::Sub(after, before), 0.5F), times(hn::Sub(west, east), 1.5F));
+    hn::StoreU(west, f, scratch + i);
+    hn::StoreU(first, f, scratch + row + i);
+    hn::StoreU(hn::Sub(hn::Sub(hn::Sub(east, west), first), third), f, scratch + 2 * row + i);
+    hn::StoreU(third, f, scratch + 3 * row + i);
+  }
+  return {{scratch, scratch + row, scratch + 2 * row, scratch + 3 * row}};
+}
+
+void blend_lines(const SampleLines& lines, std::size_t width, float* out) {
+  const RegionTag f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    auto sum = times(hn::LoadU(f, lines.line[0] + i), lines.share[0]);
+    for (std::size_t k = 1; k < lines.line.size(); ++k) {
+      sum = hn::Add(sum, times(hn::LoadU(f, lines.line[k] + i), lines.share[k]));
+    }
+    hn::StoreU(sum, f, out + i);
+  }
+}
+
+template <class Tag, class V = hn::Vec<Tag>>
+HWY_INLINE void store_cubic(Tag f, const V (&c)[4], V t, float* out, float* rise) {
+  hn::StoreU(hn::Add(c[0], hn::Mul(t, hn::Add(c[1], hn::Mul(t, hn::Add(c[2], hn::Mul(t, c[3])))))), f, out);
+  if (rise == nullptr) return;
+  const auto twice = hn::Add(c[2], c[2]);
+  const auto thrice = hn::Mul(hn::Set(f, 3.0F), c[3]);
+  const auto a_cell = hn::Add(c[1], hn::Mul(t, hn::Add(twice, hn::Mul(t, thrice))));
+  hn::StoreU(hn::Mul(a_cell, hn::Set(f, 1.0F / static_cast<float>(kSampleStep))), f, rise);
+}
+
+template <std::size_t kColumns>
+void spread_over(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
+  const hn::CappedTag<float, kColumns> f;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const hn::Vec<decltype(f)> c[4] = {hn::Set(f, cubics.c[0][cell]), hn::Set(f, cubics.c[1][cell]),
+                                       hn::Set(f, cubics.c[2][cell]), hn::Set(f, cubics.c[3][cell])};
+    for (std::size_t k = 0; k < kColumns; k += hn::Lanes(f)) {
+      const std::size_t at = cell * kColumns + k;
+      store_cubic(f, c, hn::LoadU(f, fractions + k), out + at, rise == nullptr ? nullptr : rise + at);
+    }
+  }
+}
+
+/// The same where a vector has more columns than a cell.
+template <std::size_t kColumns>
+void spread_cells(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
+#if HWY_TARGET == HWY_SCALAR
+  spread_over<kColumns>(cubics, cells, fractions, out, rise);
+#else
+  const RegionTag f;
+  const hn::RebindToSigned<RegionTag> ints;
+  constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
+  if constexpr (kLanes <= kColumns) {
+    spread_over<kColumns>(cubics, cells, fractions, out, rise);
+  } else {
+    HWY_ALIGN std::int32_t cell_of[kLanes];
+    HWY_ALIGN float fraction_of[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      cell_of[i] = static_cast<std::int32_t>(i / kColumns);
+      fraction_of[i] = fractions[i % kColumns];
+    }
+    const auto lanes = hn::IndicesFromVec(f, hn::Load(ints, cell_of));
+    const auto fraction = hn::Load(f, fraction_of);
+    for (std::size_t first = 0; first < cells; first += kLanes / kColumns) {
+      const auto of_cells = [&](const float* values) HWY_ATTR {
+        return hn::TableLookupLanes(hn::LoadU(f, values + first), lanes);
+      };
+      const RegionVector c[4] = {of_cells(cubics.c[0]), of_cells(cubics.c[1]), of_cells(cubics.c[2]),
+                                 of_cells(cubics.c[3])};
+      const std::size_t at = first * kColumns;
+      store_cubic(f, c, fraction, out + at, rise == nullptr ? nullptr : rise + at);
+    }
+  }
+#endif
+}
+
+void spread(const float* samples, const Cells& cells, float* out, float* rise) {
+  const Cubics cubics = cubics_of(samples, cells.count + 3, cells.scratch);
+  switch (cells.columns) {
+    case 16:
+      return spread_cells<16>(cubics, cells.count, cells.fractions, out, rise);
+    case 8:
+      return spread_cells<8>(cubics, cells.count, cells.fractions, out, rise);
+    case 4:
+      return spread_cells<4>(cubics, cells.count, cells.fractions, out, rise);
+    case 2:
+      return spread_cells<2>(cubics, cells.count, cells.fractions, out, rise);
+    default:
+      return spread_over<1>(cubics, cells.count, cells.fractions, out, rise);
+  }
+}
+
+}  // namespace
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,307 @@
+// What a column's height is composed of: ridges and hills, mesas in terraces, valleys that rivers cut,
+// beaches (docs/DESIGN.md, "Regions"). Included once for each instruction set, hence no include guard but
+// this:
+#if defined(TALUS_REGION_HEIGHTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TALUS_REGION_HEIGHTS_INL
+#undef TALUS_REGION_HEIGHTS_INL
+#else
+#define TALUS_REGION_HEIGHTS_INL
+#endif
+
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+#include "kernels/region_numbers-inl.h"
+#include "kernels/regions.h"
+#include "surface/regions/regions.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace talus::terrain::HWY_NAMESPACE {
+namespace {
+
+/// What is read of a row at some columns.
+struct PlainAt {
+  using Number = RegionVector;
+  const RegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
+    return hn::LoadU(RegionTag{}, row.*values + i);
+  }
+  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
+    return hn::LoadU(RegionTag{}, row.shape[k] + i);
+  }
+  [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
+};
+struct TwoAt {
+  using Number = Two;
+  const RegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const { return both(row.*values + i); }
+  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return both(row.shape[k] + i); }
+  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
+
+ private:
+  [[nodiscard]] static HWY_INLINE Two both(const float* values) {
+    const RegionTag f;
+    return {hn::LoadU(f, values), hn::LoadU(f, values + hn::Lanes(f))};
+  }
+};
+struct SlopedAt {
+  using Number = Sloped;
+  const SlopedRegionRow& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE Sloped load(const float* RegionRow::*values) const {
+    const RegionTag f;
+    return {hn::LoadU(f, row.value.*values + i), hn::LoadU(f, row.east.*values + i),
+            hn::LoadU(f, row.south.*values + i)};
+  }
+  [[nodiscard]] HWY_INLINE Sloped octave(std::size_t k) const {
+    const RegionTag f;
+    return {hn::LoadU(f, row.value.shape[k] + i), hn::LoadU(f, row.east.shape[k] + i),
+            hn::LoadU(f, row.south.shape[k] + i)};
+  }
+  [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
+};
+
+template <class N>
+struct ShapeSums {
+  N ridge;
+  N hill;
+  N small;
+};
+
+// Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
+template <class At, class N = typename At::Number>
+HWY_INLINE N ridges(const At& at, const RegionShape& shape) {
+  constexpr float kRound = 0.045F;
+  N sum = at.number(0);
+  N shown = at.number(1);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
+    const N size = size_of(at.octave(k));
+    const N inside = at_least(less(kRound, size), 0);
+    const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
+    const N crest = at_least(less(1, times(distance, 1.8F)), 0);
+    const N signal = mul(mul(crest, crest), shown);
+    sum = add(sum, times(signal, shape.ridge_weights[k]));
+    shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
+  }
+  return sum;
+}
+
+/// `ridged`: whether any ridge stands here; where none does they cost nothing.
+template <class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape, bool ridged) {
+  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
+  if (ridged) sums.ridge = ridges(at, shape);
+  for (std::size_t k = 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
+    const N n = at.octave(k);
+    sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
+    if (k >= static_cast<std::size_t>(kSmallFrom)) {
+      sums.small = add(sums.small, times(n, shape.small_weights[k]));
+    }
+  }
+  return sums;
+}
+
+/// The land before rivers cut it, and what decides how they would.
+template <class N>
+struct Uncut {
+  N base, belt, plain, toward_hills, land, lifted, mesa, terrace_field, small;
+  N river, tributary;
+};
+
+// What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
+// numbers that the formula under it would give, to the bit.
+template <class At, class N = typename At::Number>
+HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
+  const N base = at.load(&RegionRow::base);
+  // Between samples a curve may pass a little beyond them.
+  const N belt = unit(at.load(&RegionRow::belt));
+  const N hills = at.load(&RegionRow::hills);
+  const N mesa = at_least(at.load(&RegionRow::mesa), 0);
+  const N river = at.load(&RegionRow::river);
+  const bool ridged = !none(belt);
+  const ShapeSums<N> sums = summed(at, shape, ridged);
+
+  const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
+  const N hill = mul(filled, root(filled));
+  N plain = base;
+  N relief = at.number(0);
+  if (ridged) {
+    const N ridge = at_least(plus(times(sums.ridge, shape.ridge_scale), -0.1F), 0);
+    const N over = at_least(plus(ridge, -0.9F), 0);
+    relief = at_most(ridge, 0.9F);
+    if (!none(over)) relief = add(relief, quotient(over, plus(times(over, 3), 1)));
+    relief = mul(times(belt, shape.range_relief), relief);
+    plain = add(base, times(smooth(belt), shape.range_base));
+  }
+
+  const N above = at_least(plus(plain, -shape.carve[0]), 0);
+  N lifted = at.number(0);
+  if (!none(above)) lifted = quotient(mul(above, above), plus(above, 20));
+  const N tributary =
+      where_above(river, at.number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
+  return {base,
+          belt,
+          plain,
+          add(plain, times(hills, 0.3F)),
+          add(add(plain, mul(hills, hill)), relief),
+          lifted,
+          mesa,
+          add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness)),
+          sums.small,
+          size_of(river),
+          size_of(tributary)};
+}
+
+HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
+  return {u.base.v, u.belt.v,          u.plain.v, u.toward_hills.v, u.land.v,     u.lifted.v,
+          u.mesa.v, u.terrace_field.v, u.small.v, u.river.v,        u.tributary.v};
+}
+
+/// A river, or its tributaries, at a column.
+template <class N>
+struct Stream {
+  N share;  // 0 to 1, how much of it there is
+  N width;  // half of it
+};
+constexpr float kWidest = 0.8F + 0.8F;  // of its half width in the spec
+
+// Toward its spring a river narrows, and is dry where it is no wider than a brook.
+template <class N>
+HWY_INLINE N wide_at(const Uncut<N>& u) {
+  return plus(times(ramp(24, 3, u.base), 0.8F), 0.8F);
+}
+template <class N>
+HWY_INLINE Stream<N> main_stream(const Uncut<N>& u, const RegionShape& shape) {
+  const float high = shape.carve[0];
+  const float low = shape.carve[1];
+  const N wide = mul(wide_at(u), plus(times(ramp(high + 12, high - 28, u.plain), 0.75F), 0.25F));
+  return {plus(times(ramp(low + 90, low + 30, u.plain), 0.55F), 0.45F), times(wide, shape.half_width[0])};
+}
+template <class N>
+HWY_INLINE Stream<N> side_stream(const Uncut<N>& u, const RegionShape& shape) {
+  const float low = shape.carve[1];
+  const N wide = mul(wide_at(u), plus(times(ramp(low + 12, low - 16, u.toward_hills), 0.75F), 0.25F));
+  return {ramp(low + 28, low, u.toward_hills), times(wide, shape.half_width[1])};
+}
+
+/// How a river or its tributaries cut the land at a column.
+template <class N>
+struct Cut {
+  N left;               // of what stands over the flood plain: 0 in the bed, 1 outside the valley
+  N bed;                // how deep under the flood plain
+  N share;              // of Stream; 0 where it is not near
+  bool near = false;    // of all columns of a vector: else `left` is 1
+  bool in_bed = false;  // else `bed` is 0
+};
+
+template <class N>
+struct Valleys {
+  N main, side;  // as they are
+  N main_reach, side_reach;
+};
+template <class N>
+HWY_INLINE Valleys<N> valleys_of(const Uncut<N>& u, const RegionShape& shape, float widened) {
+  const N main = plus(times(u.belt, 150), shape.valley[0]);
+  const N side = plus(times(u.belt, 120), shape.valley[1]);
+  if (widened == 0) return {main, side, main, side};
+  const auto at_most = [&](std::size_t i) { return std::max(kWidest * shape.half_width[i], widened); };
+  return {main, side, at_least(main, at_most(0) + 2 * widened), at_least(side, at_most(1) + 2 * widened)};
+}
+
+/// `valley`, `reach`: of Valleys; `depth`: of its bed, where the river is wide enough; `widened`: how wide it
+/// is at least. At the rim of a valley and beyond the flank is 1 without rounding.
+template <class N, class StreamAt>
+HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stream_at, N lifted, float depth,
+                         float widened) {
+  const N none_of_it = times(distance, 0);
+  Cut<N> cut{plus(none_of_it, 1), none_of_it, none_of_it};
+  if (all_above(distance, reach)) return cut;
+  const Stream<N> stream = stream_at();
+  const N half_width = at_least(stream.width, widened);
+  const N valley = widened == 0 ? own_valley : larger(own_valley, plus(half_width, 2 * widened));
+  const N t = unit(quotient(sub(distance, half_width), sub(valley, half_width)));
+  const N flank = add(times(smooth(t), 0.72F), times(mul(t, t), 0.28F));
+  cut.near = true;
+  cut.share = stream.share;
+  cut.left = less(1, mul(stream.share, less(1, flank)));
+  if (all_above(distance, half_width)) return cut;
+  const N shallow = less(1, times(ramp(0.5F, 6, lifted), 0.7F));
+  const N deepest = mul(at_most(times(stream.width, 0.5F), depth), shallow);
+  const N across = smooth(unit(less(1, quotient(distance, half_width))));
+  cut.in_bed = true;
+  cut.bed = mul(mul(stream.share, deepest), across);
+  return cut;
+}
+
+template <class N>
+struct Height {
+  N height;  // over the sea
+  N terraces;
+  N small;
+  N stepped;      // by how much terraces raise the land
+  N bed;          // by how much a river lowers it
+  N river;        // of what share of one that is
+  N flood_plain;  // the height of one
+};
+
+HWY_INLINE Height<RegionVector> half_of(const Height<Two>& two, RegionVector Two::*half) {
+  return {two.height.*half, two.terraces.*half, two.small.*half,      two.stepped.*half,
+          two.bed.*half,    two.river.*half,    two.flood_plain.*half};
+}
+
+template <class N>
+HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float widened) {
+  const Valleys<N> valleys = valleys_of(u, shape, widened);
+  const Cut<N> main = cut_by(
+      u.river, valleys.main, valleys.main_reach, [&]() HWY_ATTR { return main_stream(u, shape); }, u.lifted,
+      shape.bed + 1.2F, widened);
+  const Cut<N> side = cut_by(
+      u.tributary, valleys.side, valleys.side_reach, [&]() HWY_ATTR { return side_stream(u, shape); },
+      u.lifted, 0.8F * shape.bed + 1.2F, widened);
+  const bool near = main.near || side.near;
+  const N flood_plain = plus(u.lifted, 1.2F);
+  N over = sub(u.land, flood_plain);
+  N left = main.left;
+  if (near) {
+    left = mul(main.left, side.left);
+    over = mul(over, left);
+  }
+  N height = where_above(u.land, flood_plain, add(flood_plain, over), u.land);
+  N terraces = times(u.land, 0);
+  N stepped = terraces;
+  N bed = terraces;
+  N river = terraces;
+  if (!none(u.mesa)) {
+    // A valley lowers the field of the terraces, not the land: so canyons are stepped.
+    N field = plus(u.terrace_field, 0.1F);
+    if (near) field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
+    terraces = on_spline(shape.terraces, field);
+    stepped = mul(times(u.mesa, shape.mesa_height), terraces);
+    if (near) stepped = mul(stepped, smooth(unit(times(left, 4))));
+    height = add(height, stepped);
+  }
+  // The floor of the sea has none.
+  if (main.in_bed || side.in_bed) {
+    bed = mul(larger(main.bed, side.bed), ramp(-9, -1, u.land));
+    river = where_above(side.bed, main.bed, side.share, main.share);
+    height = sub(height, bed);
+  }
+  // Beaches: at the shore the land is flatter.
+  const N from_shore = times(size_of(height), 1.0F / 7);
+  if (!all_at_least(from_shore, 1)) {
+    height = mul(height, plus(times(smooth(unit(from_shore)), 0.7F), 0.3F));
+  }
+  return {height, terraces, u.small, stepped, bed, river, flood_plain};
+}
+
+}  // namespace
+}  // namespace talus::terrain::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
