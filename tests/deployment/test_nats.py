@@ -169,13 +169,23 @@ class ShippedConfiguration(unittest.TestCase):
             victim = self.servers[2]
             victim.kill()
             shutil.rmtree(victim.folder / "data")
-            talusd.request(LOG, b"without it")
+            self.answer_of(lambda: talusd.request(LOG, b"without it"))
             victim.start()
-            wanted = talusd.ask(f"$JS.API.STREAM.INFO.{STREAM}")["state"]
+            wanted = self.answer_of(lambda: talusd.ask(f"$JS.API.STREAM.INFO.{STREAM}"))["state"]
         until = time.monotonic() + 60
         while (state := self.state_at(victim)) != (wanted["first_seq"], wanted["last_seq"]):
             self.assertLess(time.monotonic(), until, state)
             time.sleep(0.05)
+
+    def answer_of(self, question):
+        """Asked again while nobody answers: it may have been the leader that was killed."""
+        until = time.monotonic() + 60
+        while True:
+            try:
+                return question()
+            except Refused:
+                if time.monotonic() > until:
+                    raise
 
     @staticmethod
     def state_at(server):
