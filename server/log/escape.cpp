@@ -12,8 +12,8 @@ std::string hex(char byte) {
   return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
 }
 
-/// Bytes of the printable character at the beginning of the text, in UTF-8; 0 where there is none. What a
-/// terminal takes for a command is none: C0, DEL and C1.
+}  // namespace
+
 std::size_t printable_bytes(std::string_view text) {
   const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = at(0);
@@ -30,8 +30,6 @@ std::size_t printable_bytes(std::string_view text) {
   }
   return bytes;
 }
-
-}  // namespace
 
 std::string escaped(std::string_view text, std::size_t max_bytes) {
   std::string out;

@@ -24,8 +24,8 @@ namespace {
 constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
 
-/// About what a record of a small edit takes with its key.
-constexpr std::size_t kRecordBytes = 104;
+/// Of what a batch has beside its entries: where the store stands, keys.
+constexpr std::size_t kBatchBytesAtLeast = 256;
 
 /// Whether files are there that only a database has which was in use.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
@@ -192,7 +192,7 @@ EditDatabase::Done EditDatabase::drop_records_beyond() {
   if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   if (!any) return {};
   rocksdb::WriteBatch batch;
-  batch.DeleteRange(behind_log_key(meta_.head.position), log_key(UINT64_MAX));
+  batch.DeleteRange(log_key(meta_.head.position + 1), log_key(UINT64_MAX));
   return write(batch, true);
 }
 
@@ -208,13 +208,14 @@ EditDatabase::Done EditDatabase::for_each_editor(
 
 EditDatabase::Done EditDatabase::replay(const std::function<bool(LogRecord&&)>& visit) {
   Unflushed all{.position = meta_.head.position, .link = meta_.link};
-  auto good = reader().replay(meta_, [&](LogRecord&& record, std::size_t bytes) {
-    all.bytes += bytes;
+  auto bytes = reader().replay(meta_, [&](LogRecord&& record) {
     all.time_ms = record.time_ms;
     return visit(std::move(record));
   });
-  if (good && meta_.head.position > meta_.flushed) unflushed_.push_back(all);
-  return good;
+  if (!bytes) return tl::unexpected{std::move(bytes.error())};
+  all.bytes = *bytes;
+  if (meta_.head.position > meta_.flushed) unflushed_.push_back(all);
+  return {};
 }
 
 tl::expected<std::optional<StoredChunk>, std::string> EditDatabase::chunk(ChunkKey key) const {
@@ -256,23 +257,26 @@ EditDatabase::HeldFiles::~HeldFiles() {
 }
 
 EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {
-  rocksdb::WriteBatch batch{(applied.applied().size() + 4) * kRecordBytes};
   StoreMeta meta = meta_;
   meta.head = applied.head();
   meta.stream = place;
-  Unflushed unflushed{.position = meta.head.position, .time_ms = meta.head.time_ms};
+  if (!applied.applied().empty()) {
+    meta.link = encode(applied.applied(), meta.head.time_ms, meta.link, entries_);
+  } else {
+    entries_.clear();
+  }
+  rocksdb::WriteBatch batch{entries_.size() + kBatchBytesAtLeast};
+  if (!entries_.empty()) batch.Put(log_key(meta.head.position), as_slice(entries_));
   for (const edits::Applied& each : applied.applied()) {
-    meta.link = encode(each, meta.head.time_ms, meta.link, value_);
-    unflushed.bytes += value_.size();
-    batch.Put(log_key(each.position), as_slice(value_));
     for (const auto& [name, id] : each.materials) put_material(name, id, batch);
   }
-  unflushed.link = meta.link;
   encode(meta, value_);
   batch.Put(meta_key(), as_slice(value_));
   if (auto written = write(batch, settings_.sync && !settings_.log_elsewhere); !written) return written;
   meta_ = meta;
-  if (!applied.applied().empty()) unflushed_.push_back(unflushed);
+  if (!entries_.empty()) {
+    unflushed_.push_back({meta.head.position, meta.link, entries_.size(), meta.head.time_ms});
+  }
   for (const edits::Applied& each : applied.applied()) {
     for (const auto& [name, id] : each.materials) materials_.insert_or_assign(name, id);
   }
@@ -330,7 +334,7 @@ void EditDatabase::extend_history(const Unflushed& flushed, std::uint64_t first,
   };
   while (!history_.empty() && (history_bytes_ > settings_.history_bytes || too_old(history_.front()))) {
     const HistorySegment& oldest = history_.front();
-    batch.DeleteRange(behind_log_key(oldest.first - 1), log_key(oldest.last + 1));
+    batch.DeleteRange(log_key(oldest.first), log_key(oldest.last + 1));
     batch.Delete(history_key(oldest.first));
     history_bytes_ -= oldest.bytes;
     history_.pop_front();

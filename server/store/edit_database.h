@@ -177,7 +177,8 @@ class EditDatabase {
   std::deque<HistorySegment> history_;
   std::uint64_t history_bytes_ = 0;
   edits::MaterialIds materials_;
-  Bytes value_;  // of the thread that writes
+  Bytes value_;    // of the thread that writes
+  Bytes entries_;  // the same
 };
 
 class EditDatabase::HeldFiles {

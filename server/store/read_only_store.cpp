@@ -51,16 +51,17 @@ ReadOnlyStore::Done ReadOnlyStore::read_unflushed() {
   const StoreReader reader = this->reader();
   ReplayedChunks chunks{[&](ChunkKey key) { return reader.chunk(key); }};
   Done read;
-  auto replayed = reader.replay(meta_, [&](LogRecord&& record, std::size_t) {
+  auto replayed = reader.replay(meta_, [&](LogRecord&& record) {
     read = chunks.apply(record);
     return read.has_value();
   });
   if (!read) return read;
+  if (!replayed) return tl::unexpected{std::move(replayed.error())};
   for (const auto& [key, chunk] : chunks.take()) {
     const auto voxels = chunk.overrides.voxels();
     unflushed_.emplace(chunk_key(key), StoredChunk{chunk.revision, {voxels.begin(), voxels.end()}});
   }
-  return replayed;
+  return {};
 }
 
 StoreReader::Result<std::optional<StoredChunk>> ReadOnlyStore::chunk(ChunkKey key) const {

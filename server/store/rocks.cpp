@@ -12,25 +12,15 @@
 namespace talus::server {
 namespace {
 
-/// Keys that mostly come in order, so that where the last one of a kind went is near where the next one goes:
-/// records of the log, chunks in slices, where the store stands. RocksDB 7.8 remembers one place for keys and
-/// for the beginnings of ranges that are deleted, which lie in different lists: so none of those may be in
-/// the domain, and behind_log_key() is not.
-class KeysInOrder final : public rocksdb::SliceTransform {
+/// Keys of chunks come in slices that are in order, so that where the last one went is near where the next
+/// one goes. RocksDB 7.8 remembers one place for keys and for the beginnings of ranges that are deleted,
+/// which lie in different lists: so none of those, which are of the log, may be in the domain.
+class ChunksInOrder final : public rocksdb::SliceTransform {
  public:
-  [[nodiscard]] const char* Name() const override { return "talus.keys_in_order"; }
+  [[nodiscard]] const char* Name() const override { return "talus.chunks_in_order"; }
   [[nodiscard]] rocksdb::Slice Transform(const rocksdb::Slice& key) const override { return {key.data(), 1}; }
   [[nodiscard]] bool InDomain(const rocksdb::Slice& key) const override {
-    if (key.empty()) return false;
-    switch (static_cast<KeyKind>(key[0])) {
-      case KeyKind::log:
-        return key.size() == 9;
-      case KeyKind::chunk:
-      case KeyKind::meta:
-        return true;
-      default:
-        return false;
-    }
+    return !key.empty() && static_cast<KeyKind>(key[0]) == KeyKind::chunk;
   }
 };
 
@@ -51,7 +41,7 @@ rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
   options.write_buffer_size = settings.write_buffer_bytes;
   options.compression = rocksdb::kLZ4Compression;
   options.allow_concurrent_memtable_write = false;  // one thread writes
-  options.memtable_insert_with_hint_prefix_extractor = std::make_shared<KeysInOrder>();
+  options.memtable_insert_with_hint_prefix_extractor = std::make_shared<ChunksInOrder>();
   options.max_background_jobs = 2;
   options.max_open_files = 256;
   options.info_log = std::make_shared<NoInfoLog>();

@@ -10,7 +10,8 @@
 #include <rocksdb/db.h>
 #include <rocksdb/options.h>
 
-#include "store/records.h"
+#include "store/keys.h"
+#include "store/sealed_value.h"
 
 namespace talus::server {
 

@@ -128,27 +128,32 @@ StoreReader::Result<std::optional<StoredChunk>> StoreReader::chunk(ChunkKey key)
   return chunk;
 }
 
-StoreReader::Done StoreReader::replay(const StoreMeta& meta,
-                                      const std::function<bool(LogRecord&&, std::size_t)>& visit) const {
+StoreReader::Result<std::uint64_t> StoreReader::replay(const StoreMeta& meta,
+                                                       const std::function<bool(LogRecord&&)>& visit) const {
   std::uint64_t position = meta.flushed;
   std::uint64_t link = meta.flushed_link;
+  std::uint64_t bytes = 0;
   bool sound = true;
   const auto status = scan(db_, log_key(position + 1), [&](const auto& key, const auto& value) {
     if (position == meta.head.position) return false;
-    const auto at = position_of_key(text_of(key));
-    auto record = decode_record(bytes_of(value), link);
-    sound = at == position + 1 && record && record->position == *at;
+    auto records = decode_records(bytes_of(value), link);
+    sound = records && records->front().position == position + 1 &&
+            records->back().position == position_of_key(text_of(key));
     if (!sound) return false;
-    position = *at;
-    sound = visit(std::move(*record), value.size());
-    return sound;
+    bytes += value.size();
+    for (LogRecord& record : *records) {
+      sound = visit(std::move(record));
+      if (!sound) return false;
+      ++position;
+    }
+    return true;
   });
   if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   if (!sound || position != meta.head.position || link != meta.link) {
     return failure(fmt::format("entry {} of its log is damaged or lost, of {} that were acknowledged; {}",
                                std::min(position + 1, meta.head.position), meta.head.position, kStoreLost));
   }
-  return {};
+  return bytes;
 }
 
 StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint64_t first,
@@ -158,21 +163,29 @@ StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint6
   bool sound = true;
   bool goes_on = true;
   std::uint64_t link = 0;
+  const auto batch_of = [&](std::span<const std::byte> value) {
+    // The link before the first batch of a scan is not at hand, but for that of entry 1.
+    auto records = any ? decode_records(value, link) : decode_records_alone(value, link);
+    if (any || !records || records->front().position != 1) return records;
+    link = 0;
+    return decode_records(value, link);
+  };
   const auto status = scan(db_, log_key(position + 1), [&](const auto& key, const auto& value) {
     if (position == meta.head.position) return false;
-    const auto at = position_of_key(text_of(key));
-    sound = at && (!any || *at == position + 1);
-    if (!sound) return false;
-    if (*at > meta.head.position) return false;  // none is kept
-    // The link before the first record of a scan is not at hand, but for that of 1.
-    auto record =
-        any || *at == 1 ? decode_record(bytes_of(value), link) : decode_record_alone(bytes_of(value), link);
-    sound = record && record->position == *at;
+    const auto last = position_of_key(text_of(key));
+    if (!any && last && *last > meta.head.position) return false;  // none is kept
+    auto records = batch_of(bytes_of(value));
+    sound =
+        records && records->back().position == last && (!any || records->front().position == position + 1);
     if (!sound) return false;
     any = true;
-    position = *at;
-    goes_on = visit(std::move(*record));
-    return goes_on;
+    for (LogRecord& record : *records) {
+      if (record.position < first) continue;
+      position = record.position;
+      goes_on = visit(std::move(record));
+      if (!goes_on) return false;
+    }
+    return true;
   });
   if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   if (!sound || (any && goes_on && position != meta.head.position)) {

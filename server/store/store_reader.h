@@ -13,6 +13,8 @@
 
 #include <tl/expected.hpp>
 
+#include "store/keys.h"
+#include "store/log_records.h"
 #include "store/records.h"
 
 namespace rocksdb {
@@ -47,11 +49,11 @@ class StoreReader {
   [[nodiscard]] Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
 
   /// The records behind meta.flushed up to its position: none is missing, and each link is right. A false of
-  /// `visit` is a record that does not fit.
-  [[nodiscard]] Done replay(const StoreMeta& meta,
-                            const std::function<bool(LogRecord&&, std::size_t bytes)>& visit) const;
+  /// `visit` is a record that does not fit. Returns the bytes of their values.
+  [[nodiscard]] Result<std::uint64_t> replay(const StoreMeta& meta,
+                                             const std::function<bool(LogRecord&&)>& visit) const;
   /// From `first` on, or from the first that is kept, to meta's position, until `visit` returns false. From
-  /// there on none is missing. Links are verified but for that of the first.
+  /// there on none is missing. Links are verified but for that of the first batch.
   [[nodiscard]] Done for_each_record(const StoreMeta& meta, std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
 

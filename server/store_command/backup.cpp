@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -73,15 +74,33 @@ tl::expected<std::optional<std::vector<BackupManifest::File>>, std::string> copy
   return all;
 }
 
-}  // namespace
-
-tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
+/// Directories above `path`, and itself, that are not there: the deepest first.
+std::vector<fs::path> missing_directories(fs::path path) {
+  std::vector<fs::path> missing;
   std::error_code code;
-  if (fs::exists(target, code) && !fs::is_empty(target, code)) {
-    return no_backup(target,
-                     code ? code.message() : "the directory is not empty; give one that is, or a new name");
+  for (; !path.empty() && !fs::exists(path, code); path = path.parent_path()) {
+    if (path.has_filename()) missing.push_back(path);  // else it ends in a slash
   }
-  fs::create_directories(target / "db", code);
+  return missing;
+}
+
+/// Removes what a backup has that came to no end, of a directory that was empty, and those directories of
+/// `made` that are empty then. Where something stays it says so, as the end of a line.
+std::string remove_unfinished(const fs::path& target, std::span<const fs::path> made) {
+  std::error_code code;
+  for (const std::string_view name : {kManifestName, std::string_view{"store.toml"},
+                                      std::string_view{"acknowledged"}, std::string_view{"db"}}) {
+    fs::remove_all(target / name, code);
+  }
+  for (const fs::path& directory : made) fs::remove(directory, code);
+  const bool stays = made.empty() ? !fs::is_empty(target, code) : fs::exists(made.back(), code);
+  return stays ? fmt::format("; what is left in {} is no backup, and may be removed", target.string()) : "";
+}
+
+/// Into a directory that is there and empty.
+tl::expected<BackupManifest, std::string> fill_backup(const fs::path& path, const fs::path& target) {
+  std::error_code code;
+  fs::create_directory(target / "db", code);
   if (code) return no_backup(target, code.message());
   const auto found = database_files(path);
   if (!found) return tl::unexpected{found.error()};
@@ -128,6 +147,22 @@ tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, con
     return tl::unexpected{written.error().message()};
   }
   return manifest;
+}
+
+}  // namespace
+
+tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
+  std::error_code code;
+  if (fs::exists(target, code) && !fs::is_empty(target, code)) {
+    return no_backup(target,
+                     code ? code.message() : "the directory is not empty; give one that is, or a new name");
+  }
+  const std::vector<fs::path> made = missing_directories(target);
+  fs::create_directories(target, code);
+  tl::expected<BackupManifest, std::string> written = no_backup(target, code.message());
+  if (!code) written = fill_backup(path, target);
+  if (!written) written.error() += remove_unfinished(target, made);
+  return written;
 }
 
 tl::expected<BackupManifest, std::string> read_manifest(const fs::path& backup) {

@@ -16,7 +16,8 @@
 namespace talus::server {
 
 /// Of the store whose files are in `path`, of one moment, into `target`, which is new or empty. While a
-/// server writes them none may be removed: EditDatabase::hold_files().
+/// server writes them none may be removed: EditDatabase::hold_files(). After an error nothing is left that
+/// was not there before, or the error says where.
 [[nodiscard]] tl::expected<BackupManifest, std::string> write_backup(const std::filesystem::path& path,
                                                                      const std::filesystem::path& target);
 

@@ -6,6 +6,7 @@
 #include "log/escape.h"
 #include "store/regular_files.h"
 #include "store_command/moments.h"
+#include "store_command/subjects.h"
 
 namespace talus::server {
 namespace {
@@ -21,10 +22,6 @@ std::uint64_t history_bytes(const ReadOnlyStore& store) {
 /// An editor's id is a secret; a part of it tells editors apart.
 std::string short_id(edits::EditorId id) {
   return fmt::format("{:08x}", id.high >> 32U);
-}
-
-std::string who(const std::string& subject) {
-  return subject.empty() ? "(no token)" : escaped(subject, edits::kMaxSubjectBytes);
 }
 
 }  // namespace
@@ -126,7 +123,7 @@ std::string history_lines(const VoxelHistory& history, const MaterialNames& name
   if (history.changes.empty()) text += "nobody has changed the voxel since\n";
   for (const VoxelHistory::Change& change : history.changes) {
     text += fmt::format("{}  {} -> {}  {}  editor {}, revision {}\n", moment(change.time_ms),
-                        names.of(change.before), names.of(change.after), who(change.subject),
+                        names.of(change.before), names.of(change.after), subject_text(change.subject),
                         short_id(change.editor), change.revision);
   }
   return text;
@@ -142,13 +139,12 @@ std::string history_json(const VoxelHistory& history, const MaterialNames& names
                                {"time_ms", change.time_ms},
                                {"before", names.of(change.before)},
                                {"after", names.of(change.after)},
-                               {"subject", change.subject},
+                               {"subject", change.subject.empty() ? "" : subject_text(change.subject)},
                                {"editor", short_id(change.editor)},
                                {"position", change.position},
                                {"revision", change.revision}});
   }
-  // A subject may be any bytes.
-  return json.dump(2, ' ', false, ReportJson::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace talus::server

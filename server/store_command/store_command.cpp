@@ -24,6 +24,7 @@
 #include "store_command/reports.h"
 #include "store_command/rollback.h"
 #include "store_command/store_figures.h"
+#include "store_command/subjects.h"
 #include "store_command/transfer.h"
 
 namespace talus::server {
@@ -179,7 +180,9 @@ tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) 
   if (!box) return tl::unexpected{box.error()};
   const auto since = parse_moment(flags.since, now_ms());
   if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
-  return RollbackRequest{flags.subject, *since, box->first, box->last};
+  auto subject = parse_subject(flags.subject);
+  if (!subject) return tl::unexpected{fmt::format("--subject: {}", subject.error())};
+  return RollbackRequest{*std::move(subject), *since, box->first, box->last};
 }
 
 Answer rollback(const Flags& flags, const Outside&) {
@@ -461,7 +464,8 @@ int store_command(int argc, const char* const* argv, const Environment& environm
           "it becomes what it was before. What others have changed since stays. Run twice "
           "it does nothing the second time",
           rollback);
-  rolling->add_option("--subject", flags.subject, "of the token; \"\" is all who had none")
+  rolling
+      ->add_option("--subject", flags.subject, "of the token, as history shows it; \"\" is all who had none")
       ->required()
       ->type_name("NAME");
   rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z")

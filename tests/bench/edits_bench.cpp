@@ -164,16 +164,15 @@ Rate edits_a_second(const fs::path& path, std::uint32_t chunks) {
   rate.edits = editors.run();
   rate.cpu_us = (cpu_seconds() - cpu) / (rate.edits * kSeconds) * 1e6;
   log.stop();
-  std::uint64_t records = 0;
-  std::uint64_t bytes = 0;
-  Bytes value;
+  std::vector<LogRecord> batch;
   const auto read = store.database->for_each_record(65, [&](LogRecord&& record) {
-    encode(record, 0, value);
-    bytes += value.size();
-    return ++records < 10'000;
+    batch.push_back(std::move(record));
+    return batch.size() < kEditors;
   });
   if (!read) fail(read.error());
-  rate.bytes_each = static_cast<double>(bytes) / static_cast<double>(records);
+  Bytes value;
+  encode(batch, 0, value);
+  rate.bytes_each = static_cast<double>(value.size()) / kEditors;
   return rate;
 }
 

@@ -7,6 +7,8 @@
 
 #include <xxhash.h>
 
+#include "store/keys.h"
+#include "store/log_records.h"
 #include "store/records.h"
 
 namespace {
@@ -36,13 +38,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Bytes raw(first, first + size);
   Bytes again;
 
-  const Bytes record = sealed(raw, 42);
+  const Bytes batch = sealed(raw, 42);
   std::uint64_t link = 42;
-  if (const auto read = decode_record(record, link)) {
+  if (const auto read = decode_records(batch, link)) {
     encode(*read, 42, again);
-    require(again == record, "a record of the log has one encoding");
+    require(again == batch, "a batch of the log has one encoding");
     std::uint64_t alone = 0;
-    require(decode_record_alone(record, alone) == read && alone == link, "a record alone is the same");
+    require(decode_records_alone(batch, alone) == read && alone == link, "a batch alone is the same");
   }
   const std::string chunk = chunk_key({{1, -2, 3}, Lod::of(1)});
   const Bytes chunk_value = sealed(raw, chunk);

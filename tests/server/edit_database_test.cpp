@@ -2,6 +2,8 @@
 #include <sys/stat.h>
 
 #include <memory>
+#include <numeric>
+#include <vector>
 
 #include <rocksdb/db.h>
 #include <xxhash.h>
@@ -177,6 +179,43 @@ TEST_CASE("names of what the world generates follow the world, and may not be th
   CHECK(refused.error().find("material planks is one that may be placed in the store, with id 300") !=
         std::string::npos);
   CHECK(owner->settle().has_value());
+}
+
+TEST_CASE("a scan of the log begins and ends at any entry, also within a batch") {
+  Store store;
+  const auto database = EditDatabase::open(store.settings);
+  REQUIRE(database.has_value());
+  struct Nothing final : edits::OverrideSource {
+    const edits::ChunkOverrides* find(ChunkKey) const override { return nullptr; }
+  } const nothing;
+  const edits::Editors nobody;
+  edits::Head head;
+  std::uint64_t epoch = 0;
+  for (const int entries : {1, 3, 2}) {
+    edits::Batch batch{nothing, nobody, head, 1};
+    for (int i = 0; i < entries; ++i) batch.apply(edits::AttachEntry{{++epoch, 1}, 1, "somebody"});
+    REQUIRE((*database)->append(batch).has_value());
+    head = batch.head();
+  }
+  const auto read = [&](std::uint64_t first, std::uint64_t last) {
+    std::vector<std::uint64_t> positions;
+    const auto scanned = (*database)->for_each_record(first, [&](const LogRecord& record) {
+      positions.push_back(record.position);
+      CHECK(record.editor.low == record.position);
+      return record.position < last;
+    });
+    CHECK(scanned.has_value());
+    return positions;
+  };
+  for (std::uint64_t first = 1; first <= 6; ++first) {
+    for (std::uint64_t last = first; last <= 6; ++last) {
+      std::vector<std::uint64_t> all(last - first + 1);
+      std::iota(all.begin(), all.end(), first);
+      CHECK(read(first, last) == all);
+    }
+  }
+  CHECK(read(0, 6).size() == 6);
+  CHECK(read(7, 9).empty());
 }
 
 TEST_CASE("a checkpoint is a store of its own, and the first goes on") {

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "store/keys.h"
+#include "store/log_records.h"
 #include "store/records.h"
 
 namespace talus::server {
@@ -23,6 +25,31 @@ LogRecord done_record() {
       {{-3, 0, 70'000},
        {{7, MaterialId{1}, MaterialId{2}, MaterialId{2}}, {9, MaterialId{0}, MaterialId{5}, MaterialId{1}}}}};
   return record;
+}
+
+/// As they follow each other: what is done makes a revision.
+std::vector<LogRecord> batch_of_all_kinds() {
+  std::vector<LogRecord> batch(4);
+  batch[0].kind = Kind::attached;
+  batch[0].editor = {3, 4};
+  batch[0].epoch = 9;
+  batch[0].subject = "somebody";
+  batch[0].forgotten = edits::EditorId{5, 6};
+  batch[1] = done_record();
+  batch[2] = done_record();
+  batch[2].kind = Kind::conflict;
+  batch[2].result.conflict = 0;
+  batch[2].subject.clear();
+  batch[2].changes.clear();
+  batch[3].kind = Kind::bound;
+  batch[3].materials = {{"glass", MaterialId{256}}, {"lamp", MaterialId{300}}};
+  std::uint64_t position = 299;
+  for (LogRecord& record : batch) {
+    record.position = position++;
+    record.revision = position == 300 ? 199 : 200;
+    record.time_ms = done_record().time_ms;
+  }
+  return batch;
 }
 
 std::string hex_of(const Bytes& bytes) {
@@ -121,58 +148,70 @@ TEST_CASE("editors are read back with their results") {
   check_damage(value, [&](const Bytes& bytes) { return decode_editor(key, bytes).has_value(); });
 }
 
-TEST_CASE("records of the log are read back in their chain alone") {
+TEST_CASE("a batch of the log is read back in its chain alone") {
+  const std::vector<LogRecord> batch = batch_of_all_kinds();
   Bytes value;
-  const std::uint64_t link = encode(done_record(), 42, value);
+  const std::uint64_t link = encode(batch, 42, value);
   std::uint64_t before = 42;
-  CHECK(decode_record(value, before) == done_record());
+  CHECK(decode_records(value, before) == batch);
   CHECK(before == link);
-  CHECK_FALSE(decode_record(value, before).has_value());
+  CHECK_FALSE(decode_records(value, before).has_value());
   CHECK(before == link);
   std::uint64_t alone = 0;
-  CHECK(decode_record_alone(value, alone) == done_record());
+  CHECK(decode_records_alone(value, alone) == batch);
   CHECK(alone == link);
   check_damage(value, [](const Bytes& bytes) {
     std::uint64_t right = 42;
-    return decode_record(bytes, right).has_value();
+    return decode_records(bytes, right).has_value();
   });
-  LogRecord attached;
-  attached.kind = Kind::attached;
-  attached.editor = {3, 4};
-  attached.position = 1;
-  attached.epoch = 9;
-  attached.subject = "somebody";
-  attached.forgotten = edits::EditorId{5, 6};
-  encode(attached, 0, value);
-  before = 0;
-  CHECK(decode_record(value, before) == attached);
-  LogRecord bound;
-  bound.kind = Kind::bound;
-  bound.position = 2;
-  bound.materials = {{"glass", MaterialId{256}}, {"lamp", MaterialId{300}}};
-  encode(bound, 0, value);
-  before = 0;
-  CHECK(decode_record(value, before) == bound);
-  bound.materials[0].second = MaterialId{255};
-  encode(bound, 0, value);
-  before = 0;
-  CHECK_FALSE(decode_record(value, before));  // of a material that worlds generate
-  LogRecord conflict = done_record();
-  conflict.kind = Kind::conflict;
-  conflict.changes.clear();
-  conflict.subject.clear();
-  conflict.result.conflict = 0;
-  encode(conflict, 1, value);
-  before = 1;
-  CHECK(decode_record(value, before) == conflict);
 }
 
-TEST_CASE("a record's bytes are those of FORMAT.md") {
+TEST_CASE("a batch with an entry that no log has is refused") {
+  std::vector<LogRecord> batch{done_record()};
+  const auto refused = [&] {
+    Bytes value;
+    encode(batch, 0, value);
+    std::uint64_t link = 0;
+    return !decode_records(value, link).has_value();
+  };
+  CHECK_FALSE(refused());
+  batch[0].position = 0;  // there is none before 1
+  CHECK(refused());
+  batch[0] = {};
+  batch[0].kind = Kind::bound;
+  batch[0].position = 2;
+  batch[0].materials = {{"glass", MaterialId{256}}};
+  CHECK_FALSE(refused());
+  batch[0].materials[0].second = MaterialId{255};  // of a material that worlds generate
+  CHECK(refused());
+}
+
+TEST_CASE("what a batch applied has the bytes of its records") {
+  edits::Applied applied;
+  applied.kind = Kind::done;
+  const LogRecord record = done_record();
+  applied.editor = record.editor;
+  applied.position = record.position;
+  applied.revision = record.revision;
+  applied.result = record.result;
+  applied.subject = record.subject;
+  applied.changes = record.changes;
   Bytes value;
-  (void)encode(done_record(), 42, value);
+  Bytes of_record;
+  CHECK(encode(std::span{&applied, 1}, record.time_ms, 42, value) ==
+        encode(std::span{&record, 1}, 42, of_record));
+  CHECK(value == of_record);
+}
+
+TEST_CASE("a batch's bytes are those of FORMAT.md") {
+  Bytes value;
+  (void)encode(batch_of_all_kinds(), 42, value);
   CHECK(hex_of(value) ==
-        "0103ac02c80180d095ffbc310100000000000000020000000000000005c801020005616c696365"
-        "010500e0c508080200010207010100080202050207000101080201020207010100516d32cce7e0dafc");
+        "01ae0204c70180d095ffbc3100030000000000000004000000000000000908736f6d65626f64790105000000"
+        "000000000600000000000000030100000000000000020000000000000005c801020005616c696365010500e0"
+        "c508080200010207010100080202050207000101080201020207010100040100000000000000020000000000"
+        "000005c801020109000000000000000000000000000000000205676c6173738002046c616d70ac02b30b6d31"
+        "2f883b13");
 }
 
 TEST_CASE("changes of an edit are read back, and nothing else") {

@@ -1,6 +1,8 @@
 // Backups: whole or refused; and a restore that is interrupted anywhere.
+#include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -62,6 +64,23 @@ edits::Head sound_head(const fs::path& path) {
   return (*store)->meta().head;
 }
 
+/// While it lives no file may have more bytes, as on a disk that is full.
+class SmallFilesAlone {
+ public:
+  explicit SmallFilesAlone(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    REQUIRE(::getrlimit(RLIMIT_FSIZE, &before_) == 0);
+    const rlimit now{bytes, before_.rlim_max};
+    REQUIRE(::setrlimit(RLIMIT_FSIZE, &now) == 0);
+  }
+  ~SmallFilesAlone() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+  SmallFilesAlone(const SmallFilesAlone&) = delete;
+  SmallFilesAlone& operator=(const SmallFilesAlone&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
 std::string restore_error(const fs::path& backup, const fs::path& data, bool replace = false) {
   const auto directory = DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
@@ -114,6 +133,25 @@ TEST_CASE("a backup goes into an empty directory alone") {
   const auto refused = write_backup(data.path, data.scratch / "full");
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().find("the directory is not empty") != std::string::npos);
+}
+
+TEST_CASE("a backup that finds no room leaves nothing behind") {
+  const Data data;
+  const fs::path target = data.scratch / "disk" / "backups" / "today";
+  {
+    const SmallFilesAlone full{64};
+    const auto refused = write_backup(data.path, target);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::Contains("File too large") && !Catch::Contains("is left"));
+    CHECK_FALSE(fs::exists(data.scratch / "disk"));
+    CHECK_FALSE(write_backup(data.path, target.string() + "/").has_value());
+    CHECK_FALSE(fs::exists(data.scratch / "disk"));
+    fs::create_directories(target);  // one that was there stays, as it was
+    CHECK_FALSE(write_backup(data.path, target).has_value());
+    CHECK(fs::is_empty(target));
+  }
+  data.back_up(target);
+  CHECK(sound_head(target) == data.head);
 }
 
 TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused and changes nothing") {
