@@ -148,7 +148,10 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (*data) {
     // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
     auto opened = without_signals([&] {
-      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+      const talus::server::HistoryLimits history{config.edits.history_bytes,
+                                                 std::chrono::days{config.edits.history_days}};
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), history, clock, log,
+                              std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);

@@ -58,7 +58,8 @@ asio::awaitable<CommandResult> edit(Connecting connecting, EditOptions options) 
   if (!edit) co_return tl::unexpected{edit.error()};
   const auto done = co_await client.edit(*std::move(edit));
   if (!done) co_return tl::unexpected{timeout.explain(done.error())};
-  std::cout << done->changed << " voxels changed, revision " << done->revision << '\n';
+  std::cout << done->changed << (done->changed == 1 ? " voxel" : " voxels") << " changed, revision "
+            << done->revision << '\n';
   co_return CommandResult{};
 }
 

@@ -82,6 +82,20 @@ end() {
   kill -TERM "${those[@]}" 2>/dev/null || true
   for process in "${those[@]}"; do wait "$process" 2>/dev/null || true; unset "name_of[$process]"; done
 }
+# What somebody has started again by the command that was printed is no child of this shell.
+end_restarted() {
+  local process those=() tries
+  for process in /proc/[0-9]*; do
+    if [[ "${process#/proc/}" != "$$" ]] && grep -qaF -- "$scratch/" "$process/cmdline" 2>/dev/null; then those+=("${process#/proc/}"); fi
+  done
+  ((${#those[@]})) || return 0
+  kill -TERM "${those[@]}" 2>/dev/null || true
+  for ((tries = 0; tries < 100; ++tries)); do
+    kill -0 "${those[@]}" 2>/dev/null || return 0
+    sleep 0.1
+  done
+  kill -KILL "${those[@]}" 2>/dev/null || true
+}
 finish() {
   ending=1
   trap '' INT TERM
@@ -89,6 +103,7 @@ finish() {
   end haproxy varnish
   end talus
   end nats
+  end_restarted
   if ((keep)); then say "kept: $scratch"; else rm -rf --one-file-system "$scratch"; fi
 }
 trap finish EXIT

@@ -184,7 +184,7 @@ const heath = [
   `[[look]]
 name = "violet heath"
 of = "soil"
-above = { magic = 0.8, moisture = 0 }
+above = { magic = 0.8, moisture = 0, height = 2 }
 colour = "#8a5fb0"
 
 [[look]]

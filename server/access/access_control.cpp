@@ -31,7 +31,7 @@ Rights rights_of(std::string_view words) {
   return Rights::parse(words).value_or(Rights{});
 }
 
-Rights without_token(const Access& settings, const Keys& keys) {
+Rights without_token(const Access& settings, const TokenKeys& keys) {
   if (settings.without_token != "auto") return rights_of(settings.without_token);
   return keys.any() ? Rights{} : Rights{Right::read};
 }
@@ -47,10 +47,12 @@ tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
   return std::optional<Secret>{std::move(read->secret)};
 }
 
-}  // namespace
+/// Of what is read again and again while others still use what was read before.
+template <class Part>
+using Read = tl::expected<std::shared_ptr<const Part>, std::string>;
 
-tl::expected<Keys, std::string> load_keys(const Access& settings) {
-  Keys keys;
+Read<TokenKeys> read_token_keys(const Access& settings) {
+  TokenKeys keys;
   const auto secret = load("access.secret_file", settings.secret_file, kSecretBounds, keys.warnings);
   if (!secret) return tl::make_unexpected(secret.error());
   if (*secret) keys.shared_secret = digest_of((*secret)->bytes());
@@ -61,22 +63,51 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
     if (!signing) return tl::make_unexpected(signing.error());
     if (*signing) keys.signing_keys.push_back(*std::move(*signing));
   }
-  if (!settings.revoked_file.empty()) {
-    if (keys.signing_keys.empty()) {
-      return tl::make_unexpected(std::string{
-          "access.revoked_file: without access.signing_key_file there are no tokens to revoke; set "
-          "that, or leave this empty"});
-    }
-    auto revoked = RevokedTokens::read(settings.revoked_file);
-    if (!revoked) return tl::make_unexpected(fmt::format("access.revoked_file {}", revoked.error()));
-    keys.revoked = *std::move(revoked);
+  return std::make_shared<const TokenKeys>(std::move(keys));
+}
+
+Read<RevokedTokens> read_revoked(const Access& settings) {
+  if (settings.revoked_file.empty()) return std::make_shared<const RevokedTokens>();
+  if (settings.signing_key_file.empty() && settings.previous_signing_key_file.empty()) {
+    return tl::make_unexpected(
+        std::string{"access.revoked_file: without access.signing_key_file there are no tokens to revoke; set "
+                    "that, or leave this empty"});
   }
-  if (!settings.blocked_file.empty()) {
-    auto blocked = BlockedFlows::read(settings.blocked_file);
-    if (!blocked) return tl::make_unexpected(fmt::format("access.blocked_file {}", blocked.error()));
-    keys.blocked = *std::move(blocked);
+  auto read = RevokedTokens::read(settings.revoked_file);
+  if (!read) return tl::make_unexpected(fmt::format("access.revoked_file {}", read.error()));
+  return std::make_shared<const RevokedTokens>(*std::move(read));
+}
+
+Read<BlockedFlows> read_blocked(const Access& settings) {
+  if (settings.blocked_file.empty()) return std::make_shared<const BlockedFlows>();
+  auto read = BlockedFlows::read(settings.blocked_file);
+  if (!read) return tl::make_unexpected(fmt::format("access.blocked_file {}", read.error()));
+  return std::make_shared<const BlockedFlows>(*std::move(read));
+}
+
+/// Puts it into its place, or says why what is there stays.
+template <class Part>
+void take(Read<Part> read, std::shared_ptr<const Part>& place, std::string_view stays,
+          std::vector<std::string>& failures) {
+  if (read) {
+    place = *std::move(read);
+  } else {
+    failures.push_back(fmt::format("{}; {}", read.error(), stays));
   }
-  if (without_token(settings, keys) == Rights{} && !keys.any()) {
+}
+
+}  // namespace
+
+tl::expected<Keys, std::string> load_keys(const Access& settings) {
+  auto tokens = read_token_keys(settings);
+  if (!tokens) return tl::make_unexpected(std::move(tokens.error()));
+  auto revoked = read_revoked(settings);
+  if (!revoked) return tl::make_unexpected(std::move(revoked.error()));
+  auto blocked = read_blocked(settings);
+  if (!blocked) return tl::make_unexpected(std::move(blocked.error()));
+  Keys keys{*std::move(tokens), *std::move(revoked), *std::move(blocked)};
+  keys.warnings = keys.tokens->warnings;
+  if (without_token(settings, *keys.tokens) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
                     "lets nobody in; set one of them, or \"read\""});
@@ -104,26 +135,26 @@ AccessControl::AccessControl(const Access& settings, Keys keys)
     : settings_{settings},
       secret_rights_{rights_of(settings.secret_rights)},
       keys_{std::make_shared<const Keys>(std::move(keys))},
-      anybody_reads_{without_token(settings, *keys_).has(Right::read)} {}
+      anybody_reads_{without_token(settings, *keys_->tokens).has(Right::read)} {}
 
 tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
                                                     std::chrono::sys_seconds now) const {
   const std::shared_ptr<const Keys> known = keys();
   if (token.empty() || !known->any()) {
-    const Rights rights = without_token(settings_, *known);
+    const Rights rights = without_token(settings_, *known->tokens);
     if (rights == Rights{}) return tl::make_unexpected(AuthError{AuthFailure::missing, {}});
     return Grant{rights, {}, {}};
   }
-  if (known->shared_secret && same(digest_of(token), *known->shared_secret))
+  if (known->tokens->shared_secret && same(digest_of(token), *known->tokens->shared_secret))
     return Grant{secret_rights_, {}, {}};
   AuthError error{AuthFailure::not_accepted, "it is not the shared secret"};
-  for (const Secret& key : known->signing_keys) {
+  for (const Secret& key : known->tokens->signing_keys) {
     auto claims = read_signed_token(key, token, now);
     if (claims) {
-      if (known->revoked.contains(claims->id, claims->subject, claims->issued)) {
+      if (known->revoked->contains(claims->id, claims->subject, claims->issued)) {
         return tl::make_unexpected(AuthError{AuthFailure::revoked, {}});
       }
-      if (const auto* const line = known->blocked.find_subject(claims->subject)) {
+      if (const auto* const line = known->blocked->find_subject(claims->subject)) {
         return tl::make_unexpected(AuthError{AuthFailure::blocked,
                                              fmt::format("line {} of access.blocked_file", line->number()),
                                              !line->meet()});
@@ -144,44 +175,46 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
 }
 
 tl::expected<std::string, std::string> AccessControl::reload(const Access& settings) {
-  Access wanted = settings_;
-  wanted.revoked_file = settings.revoked_file;
-  wanted.blocked_file = settings.blocked_file;
-  auto fresh = load_keys(wanted);
-  if (!fresh)
-    return tl::make_unexpected(fmt::format("{}; the old keys stay in use, and the old lists", fresh.error()));
-  settings_.revoked_file = wanted.revoked_file;
-  settings_.blocked_file = wanted.blocked_file;
-  std::string line = fresh->any() ? "the tokens' keys were read again" : "no token keys are configured";
+  settings_.revoked_file = settings.revoked_file;
+  settings_.blocked_file = settings.blocked_file;
+  auto fresh = std::make_shared<Keys>(*keys());
+  std::vector<std::string> failures;
+  take(read_token_keys(settings_), fresh->tokens, "the old keys stay in use", failures);
+  take(read_revoked(settings_), fresh->revoked, "the old list stays in use", failures);
+  take(read_blocked(settings_), fresh->blocked, "the old list stays in use", failures);
+  const TokenKeys& tokens = *fresh->tokens;
+  std::string line = tokens.any() ? "the tokens' keys were read again" : "no token keys are configured";
   if (!settings_.revoked_file.empty())
-    line += fmt::format(", {} lines of revoked tokens", fresh->revoked.size());
+    line += fmt::format(", {} lines of revoked tokens", fresh->revoked->size());
   if (!settings_.blocked_file.empty())
-    line += fmt::format(", {} lines of blocked flows", fresh->blocked.size());
-  if (!fresh->warnings.empty()) line += fmt::format("; {}", fmt::join(fresh->warnings, "; "));
-  auto shared = std::make_shared<const Keys>(*std::move(fresh));
-  const std::lock_guard lock{mutex_};
-  keys_ = std::move(shared);
-  anybody_reads_ = without_token(settings_, *keys_).has(Right::read);
+    line += fmt::format(", {} lines of blocked flows", fresh->blocked->size());
+  if (!tokens.warnings.empty()) line += fmt::format("; {}", fmt::join(tokens.warnings, "; "));
+  {
+    const std::lock_guard lock{mutex_};
+    anybody_reads_ = without_token(settings_, tokens).has(Right::read);
+    keys_ = std::move(fresh);
+  }
+  if (!failures.empty()) return tl::make_unexpected(fmt::format("{}", fmt::join(failures, "; ")));
   return line;
 }
 
 std::optional<AuthFailure> AccessControl::withdrawn(const Grant& grant) const {
   if (!grant.expires) return std::nullopt;  // no signed token
   const std::shared_ptr<const Keys> known = keys();
-  if (known->revoked.contains(grant.token_id, grant.subject, grant.issued)) return AuthFailure::revoked;
-  if (known->blocked.find_subject(grant.subject) != nullptr) return AuthFailure::blocked;
+  if (known->revoked->contains(grant.token_id, grant.subject, grant.issued)) return AuthFailure::revoked;
+  if (known->blocked->find_subject(grant.subject) != nullptr) return AuthFailure::blocked;
   return std::nullopt;
 }
 
 std::optional<BlockedAddress> AccessControl::meet(const asio::ip::address& address) const {
   const std::shared_ptr<const Keys> known = keys();
-  const auto* const line = known->blocked.find(address);
+  const auto* const line = known->blocked->find(address);
   if (line == nullptr) return std::nullopt;
   return BlockedAddress{line->number(), !line->meet()};
 }
 
 bool AccessControl::blocks(const asio::ip::address& address) const {
-  return keys()->blocked.find(address) != nullptr;
+  return keys()->blocked->find(address) != nullptr;
 }
 
 std::shared_ptr<const Keys> AccessControl::keys() const {

@@ -25,15 +25,23 @@ namespace talus::server {
 /// SHA-256 of the shared secret. The secret itself is not kept.
 using SecretDigest = std::array<unsigned char, 32>;
 
-/// The contents of the configured key files.
-struct Keys {
+/// What tokens are checked by.
+struct TokenKeys {
   std::optional<SecretDigest> shared_secret;
-  std::vector<Secret> signing_keys;  // the current key first
-  RevokedTokens revoked;
-  BlockedFlows blocked;
+  std::vector<Secret> signing_keys;   // the current key first
   std::vector<std::string> warnings;  // one line each, about the files
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
+};
+
+/// The contents of the configured files; none of them is null.
+struct Keys {
+  std::shared_ptr<const TokenKeys> tokens;
+  std::shared_ptr<const RevokedTokens> revoked;
+  std::shared_ptr<const BlockedFlows> blocked;
+  std::vector<std::string> warnings{};  // one line each, about the files
+
+  [[nodiscard]] bool any() const { return tokens->any(); }
 };
 
 /// An error is one line that begins with the setting's key: the file is bad, or the settings let nobody in.
@@ -86,8 +94,9 @@ class AccessControl {
   [[nodiscard]] bool blocks(const asio::ip::address& address) const;
 
   /// Reads the key files and the lists of revoked tokens and of blocked flows again; where the lists are now
-  /// is taken from `settings`. If one file is bad, all stays as it was, and the error is one line that says
-  /// why. Else the value is one line for the log, warnings about the files included. From one thread.
+  /// is taken from `settings`. Of keys, revoked tokens and blocked flows what cannot be read stays as it was,
+  /// and the error is one line that says why; the others are as their files say. Else the value is one line
+  /// for the log, warnings about the files included. From one thread.
   [[nodiscard]] tl::expected<std::string, std::string> reload(const Access& settings);
 
  private:

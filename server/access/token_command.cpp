@@ -84,6 +84,10 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   const auto rights = Rights::parse(words);
   if (!rights) return usage_error(fmt::format("--rights: {}", rights.error()), kWrongUse);
   if (!rights->has(Right::read)) return usage_error("--rights: a token needs the right \"read\"", kWrongUse);
+  if (rights->has(Right::edit) && on_one_line(subject) != subject) {
+    return usage_error(
+        "--subject: who edits needs a name that can be printed: UTF-8 without control characters", kWrongUse);
+  }
   Claims claims{subject, *rights, now, id, now};
   for (const auto& [option, text] :
        {std::pair{"--edit-in", &edit_in}, std::pair{"--edit-not-in", &edit_not_in}}) {

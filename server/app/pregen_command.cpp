@@ -169,7 +169,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
   app.add_option("--levels", plan.levels, "levels of detail, from the finest on: 1 to 7")
       ->capture_default_str()
       ->type_name("COUNT");
-  app.add_option("--share", plan.share, "of the generators' time, above 0, at most 1")
+  app.add_option("--share", plan.share, "of the generators' time, 0.001 to 1")
       ->capture_default_str()
       ->type_name("SHARE");
   if (const auto exit = parse_flags(app, argc, argv)) {

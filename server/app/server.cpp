@@ -175,8 +175,15 @@ std::string Server::metrics_text() {
                         edits_->joins(), at.skipped,     at.bounded, at.stuck};
     }
     const LocalLog::Status log = edits_->status();
-    gauges.edits = {log.head.revision, edits_->preparing(), log.waiting, edits_->state().editor_count(),
-                    log.read_only.has_value()};
+    const HistoryKept history = edits_->history();
+    gauges.edits = {log.head.revision,
+                    edits_->preparing(),
+                    log.waiting,
+                    edits_->state().editor_count(),
+                    log.read_only.has_value(),
+                    history.bytes,
+                    config_.edits.history_bytes,
+                    history.since_ms / 1000};
   }
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {

@@ -52,7 +52,7 @@ class WorldEdits final : public EditedLand {
   /// outlives this.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
-      const Clock& clock, Logger log, SharedLog shared = {});
+      HistoryLimits history, const Clock& clock, Logger log, SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
@@ -82,6 +82,8 @@ class WorldEdits final : public EditedLand {
   /// Edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
+  /// Any thread.
+  [[nodiscard]] HistoryKept history() const { return database_->history(); }
   /// Any thread. EditDatabase::checkpoint().
   [[nodiscard]] EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
     return database_->checkpoint(path);

@@ -15,8 +15,8 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
   // Never waits, as opening a pipe would.
   const auto read = files::SecretFile::read(file, kMaxTomlBytes);
   if (!read) {
-    return tl::make_unexpected(fmt::format("{}: {}; give --world a TOML file that talusd may read",
-                                           file.string(), read.error().reason));
+    return tl::make_unexpected(
+        fmt::format("world: {}: {}; give a TOML file that may be read", file.string(), read.error().reason));
   }
   auto world = terrain::World::parse(read->text(), file.string(), world_files::beside(file));
   if (!world) return tl::make_unexpected(world.error().message);

@@ -91,6 +91,8 @@ struct Edits {
   std::uint64_t protect_spawn = 0;   // columns around the spawn, likewise; 0: none
   std::string gateway = "optional";  // "required": edits of players are refused
   bool settle = false;               // loose material slides after an edit
+  std::uint64_t history_bytes = std::uint64_t{1} << 30U;
+  std::uint64_t history_days = 30;
   bool operator==(const Edits&) const = default;
 };
 

@@ -99,6 +99,13 @@ const std::array kFields{
     Field{"edits.settle", "switch",
           "whether loose material slides into what is dug, and down from where it is put",
           SwitchTarget{[](Config& c) -> bool& { return c.edits.settle; }}},
+    Field{"edits.history_bytes", "bytes",
+          "of disk for who changed what, of which talusd store history tells and rollback puts back; above "
+          "that the "
+          "oldest goes",
+          number<&Config::edits, &Edits::history_bytes>(16 * kMebibyte, 1024 * 1024 * kMebibyte)},
+    Field{"edits.history_days", "days", "for which that is kept at most",
+          number<&Config::edits, &Edits::history_days>(1, 3650)},
 
     Field{"proxies", "networks",
           "proxies in front of the server; their connections must begin with a PROXY header, version 2; "
@@ -507,7 +514,7 @@ Counts counts(const Field& field) {
     return Counts::at_once;
   }
   if (!(key.starts_with("limits.") || key.starts_with("edits.")) || key == "limits.memory_bytes" ||
-      key == "edits.settle") {
+      key == "edits.settle" || key.starts_with("edits.history_")) {
     return Counts::after_restart;
   }
   return Counts::for_new_sessions;

@@ -30,20 +30,10 @@ Samples build_info(const Source& s) {
        {s.build.version, std::to_string(s.build.generator), s.build.fingerprint, s.build.instruction_set}}};
 }
 
-Samples edits_revision(const Source& s) {
-  if (!s.gauges.edits) return {};
-  return {{static_cast<double>(s.gauges.edits->revision)}};
-}
-
 Samples edits_waiting(const Source& s) {
   if (!s.gauges.edits) return {};
   return {labelled("intake", static_cast<double>(s.gauges.edits->preparing)),
           labelled("log", static_cast<double>(s.gauges.edits->logging))};
-}
-
-Samples editors(const Source& s) {
-  if (!s.gauges.edits) return {};
-  return {{static_cast<double>(s.gauges.edits->editors)}};
 }
 
 Samples edit_latency(const Source& s) {
@@ -54,6 +44,17 @@ Samples edit_latency(const Source& s) {
 Samples edits_read_only(const Source& s) {
   if (!s.gauges.edits) return {};
   return {{s.gauges.edits->read_only ? 1.0 : 0.0}};
+}
+
+Samples edits_history_start(const Source& s) {
+  if (!s.gauges.edits || s.gauges.edits->history_start == 0) return {};
+  return {{static_cast<double>(s.gauges.edits->history_start)}};
+}
+
+template <auto member>
+Samples of_edits(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>((*s.gauges.edits).*member)}};
 }
 
 /// Of the log that servers share; none where this one is alone.
@@ -141,12 +142,15 @@ Samples memory_bytes(const Source& s) {
 const std::array kRows{
     MetricRow{"talus_build_info", "Versions of the program, the generator and the world; always 1.", gauge,
               {"version", "generator", "fingerprint", "instruction_set"}, build_info},
-    MetricRow{"talus_edits_revision", "Edits that changed something since the store was made; absent where nothing is stored.", gauge, {}, edits_revision},
+    MetricRow{"talus_edits_revision", "Edits that changed something since the store was made; absent where nothing is stored.", gauge, {}, of_edits<&RuntimeGauges::Edits::revision>},
     MetricRow{"talus_edits_waiting", "Edits and Attaches that wait: in the intake for their ground and their turn, or in the log.", gauge, {"where"}, edits_waiting},
     MetricRow{"talus_edit_latency_seconds", "From when a session hands an edit on to when it is stored and the session is told.", histogram, {}, edit_latency},
     MetricRow{"talus_edits_refused_total", "Edits and Attaches that did not happen, by reason.", counter, {"reason"}, LabelledMetric{&Metrics::edits_refused, &MetricLabels::edits_refused}},
-    MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, editors},
+    MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, of_edits<&RuntimeGauges::Edits::editors>},
     MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
+    MetricRow{"talus_edits_history_bytes", "Bytes of the history of edits.", gauge, {}, of_edits<&RuntimeGauges::Edits::history_bytes>},
+    MetricRow{"talus_edits_history_limit_bytes", "edits.history_bytes.", gauge, {}, of_edits<&RuntimeGauges::Edits::history_limit_bytes>},
+    MetricRow{"talus_edits_history_start_timestamp_seconds", "From when on history tells of all edits; absent while there is none.", gauge, {}, edits_history_start},
     MetricRow{"talus_checkpoints_sent_total", "Checkpoints of the store that other servers have taken whole.", counter, {}, &Metrics::checkpoints_sent},
     MetricRow{"talus_checkpoints_refused_total", "Requests for a checkpoint that were refused: a wrong token, or enough are sent already.", counter, {}, &Metrics::checkpoints_refused},
     MetricRow{"talus_checkpoint_bytes_sent_total", "Bytes of checkpoints sent.", counter, {}, &Metrics::checkpoint_bytes_sent},

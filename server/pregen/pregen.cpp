@@ -130,8 +130,8 @@ tl::expected<void, std::string> PregenPlan::check() const {
   if (levels < 1 || levels > Lod::kMax + 1) {
     return tl::unexpected{fmt::format("--levels: {} is out of range; give 1 to {}", levels, Lod::kMax + 1)};
   }
-  if (!(share > 0 && share <= 1)) {
-    return tl::unexpected{fmt::format("--share: {} is out of range; give more than 0, and at most 1", share)};
+  if (!(share >= kLeastShare && share <= 1)) {
+    return tl::unexpected{fmt::format("--share: {} is out of range; give {} to 1", share, kLeastShare)};
   }
   return {};
 }

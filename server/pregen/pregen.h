@@ -23,12 +23,13 @@ namespace talus::server {
 
 struct PregenPlan {
   static constexpr std::int32_t kMaxRadius = 1 << 20;
+  static constexpr double kLeastShare = 0.001;
 
   std::int32_t x = 0;  // of the centre, in voxels
   std::int32_t z = 0;
   std::int32_t radius = 0;  // voxels, 1 to kMaxRadius
   int levels = 1;           // of detail, from 0 on; 1 to Lod::kMax + 1
-  double share = 1;         // of the time of generators that nobody waits for: above 0, at most 1
+  double share = 1;         // of the time of generators that nobody waits for: kLeastShare to 1
   bool operator==(const PregenPlan&) const = default;
 
   /// An error is one line that begins with the flag's name.

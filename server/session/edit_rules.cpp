@@ -114,7 +114,8 @@ std::optional<std::string> box_forbidden(const Box& box, const Grant& grant, con
 }  // namespace
 
 std::optional<std::string> edits_forbidden(const Grant& grant, const EditRules& rules) {
-  if (!grant.rights.has(Right::edit)) return "this session has no right to edit; its token gives none";
+  if (!grant.rights.has(Right::edit))
+    return "this session has no right to edit: neither a token nor access.without_token gives it";
   if (rules.gateway_required && !grant.rights.has(Right::gateway)) {
     return "this server takes edits from its game server alone: its settings have edits.gateway = "
            "\"required\", "

@@ -34,11 +34,10 @@ bool has_name(const fs::path& file) {
 /// Whose file, where there is none, may not be what it is a name of.
 tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
   const fs::path file = path / "lock";
+  if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
   const int lock = ::open(file.c_str(), how | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0644);
   if (lock >= 0) return lock;
-  const int error = errno;
-  if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
-  return system_failure(path, "cannot write into it", error);
+  return system_failure(path, "cannot write into it", errno);
 }
 
 tl::unexpected<std::string> no_store(const fs::path& path) {
@@ -117,6 +116,12 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
     if (!same) return tl::make_unexpected(same.error());
     return directory;
   }
+  if (directory->has_edits()) {
+    return tl::make_unexpected(
+        fmt::format("{}: there is no such file, though the directory has a store's database; put it back, or "
+                    "give --data a backup that talusd store restore made a store of",
+                    file.string()));
+  }
   if (const auto begun = directory->begin({random_store_id(), fingerprint}, layer); !begun) {
     return tl::make_unexpected(begun.error());
   }
@@ -192,7 +197,11 @@ tl::expected<void, std::string> DataDirectory::lock_to_write() {
 }
 
 bool DataDirectory::has_store() const {
-  return has_name(path_ / "store.toml") || has_name(path_ / "db") || has_name(path_ / "acknowledged");
+  return has_name(path_ / "store.toml") || has_edits();
+}
+
+bool DataDirectory::has_edits() const {
+  return has_name(path_ / "db") || has_name(path_ / "acknowledged");
 }
 
 DataDirectory::DataDirectory(DataDirectory&& other) noexcept

@@ -59,6 +59,8 @@ class DataDirectory {
 
   /// Whether it holds anything of a store.
   [[nodiscard]] bool has_store() const;
+  /// Or of edits: a store.toml alone is what pregen leaves.
+  [[nodiscard]] bool has_edits() const;
   /// Of a store that was looked at.
   [[nodiscard]] const std::optional<StoreIdentity>& identity() const { return identity_; }
   [[nodiscard]] ContentHash store_id() const { return identity_ ? identity_->store_id : ContentHash{}; }

@@ -180,6 +180,7 @@ EditDatabase::Done EditDatabase::read_history() {
   if (!history) return tl::unexpected{std::move(history.error())};
   history_ = *std::move(history);
   for (const HistorySegment& segment : history_) history_bytes_ += segment.bytes;
+  publish_history();
   return {};
 }
 
@@ -330,15 +331,20 @@ void EditDatabase::extend_history(const Unflushed& flushed, std::uint64_t first,
   encode(key, segment, value_);
   batch.Put(key, as_slice(value_));
   const auto too_old = [&](const HistorySegment& each) {
-    return flushed.time_ms - each.last_time_ms > settings_.history_age.count();
+    return flushed.time_ms - each.last_time_ms > settings_.history.age.count();
   };
-  while (!history_.empty() && (history_bytes_ > settings_.history_bytes || too_old(history_.front()))) {
+  while (!history_.empty() && (history_bytes_ > settings_.history.bytes || too_old(history_.front()))) {
     const HistorySegment& oldest = history_.front();
     batch.DeleteRange(log_key(oldest.first), log_key(oldest.last + 1));
     batch.Delete(history_key(oldest.first));
     history_bytes_ -= oldest.bytes;
     history_.pop_front();
   }
+}
+
+void EditDatabase::publish_history() {
+  history_size_ = history_bytes_;
+  history_since_ms_ = history_.empty() ? 0 : history_.front().last_time_ms;
 }
 
 EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
@@ -368,6 +374,7 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
     history_bytes_ = history_bytes;
     return written;
   }
+  publish_history();
   meta_ = meta;
   unflushed_.erase(unflushed_.begin(), left);
   return {};

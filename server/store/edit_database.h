@@ -5,6 +5,7 @@
 // says in one line what is lost.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -35,15 +36,24 @@ namespace talus::server {
 
 using edits::kFirstBound;
 
+/// What is flushed stays as history until there is more, or until it is older, by the log's time.
+struct HistoryLimits {
+  std::uint64_t bytes = std::uint64_t{1} << 30U;
+  std::chrono::milliseconds age = std::chrono::days{30};
+};
+
+struct HistoryKept {
+  std::uint64_t bytes = 0;
+  std::int64_t since_ms = 0;  // from then on all of it, since 1970 by the log's time; 0: there is none
+};
+
 struct EditDatabaseSettings {
   std::filesystem::path path;  // a directory that a DataDirectory has locked
   ContentHash fingerprint;     // of the world
   ContentHash store_id;
   std::size_t write_buffer_bytes = std::size_t{32} << 20U;
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
-  /// What is flushed stays as history until there is more, or until it is older, by the log's time.
-  std::uint64_t history_bytes = std::uint64_t{1} << 30U;
-  std::chrono::milliseconds history_age = std::chrono::days{30};
+  HistoryLimits history{};
   /// On a full disk RocksDB may abort the process where it opens.
   std::uint64_t free_bytes_to_open = std::uint64_t{64} << 20U;
   rocksdb::Env* env = nullptr;  // for tests; null: the system's. Outlives the database
@@ -85,6 +95,9 @@ class EditDatabase {
   /// Links are verified but for that of the first. On the thread that writes.
   [[nodiscard]] Done for_each_record(std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
+
+  /// Any thread.
+  [[nodiscard]] HistoryKept history() const { return {history_size_, history_since_ms_}; }
 
   /// Any thread. The database as of some moment during the call, with all that append() returned for before
   /// it, as a new directory `path`, whose parent exists: files that never change are linked, where it is of
@@ -163,6 +176,7 @@ class EditDatabase {
   [[nodiscard]] Done write(rocksdb::WriteBatch& batch, bool sync);
   void put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch);
   void extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
+  void publish_history();
 
   EditDatabaseSettings settings_;
   // Both unique while the database is opened again: of those that read a chunk, and of those that copy all.
@@ -176,6 +190,8 @@ class EditDatabase {
   std::deque<Unflushed> unflushed_;
   std::deque<HistorySegment> history_;
   std::uint64_t history_bytes_ = 0;
+  std::atomic<std::uint64_t> history_size_ = 0;  // history_bytes_, for other threads
+  std::atomic<std::int64_t> history_since_ms_ = 0;
   edits::MaterialIds materials_;
   Bytes value_;    // of the thread that writes
   Bytes entries_;  // the same

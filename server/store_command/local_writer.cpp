@@ -1,5 +1,8 @@
 #include "store_command/local_writer.h"
 
+#include <chrono>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +16,8 @@ tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
   settings.path = directory;
   settings.fingerprint = identity.fingerprint;
   settings.store_id = identity.store_id;
+  // How much of it is kept is talusd's to say.
+  settings.history = {std::numeric_limits<std::uint64_t>::max(), std::chrono::milliseconds::max()};
   auto database = EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   if ((*database)->meta().stream.sequence != 0) {

@@ -24,6 +24,10 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   } else {
     auto directory = DataDirectory::open_to_read(data);
     if (!directory) return tl::unexpected{std::move(directory.error())};
+    if (!directory->has_edits()) {
+      return tl::unexpected{fmt::format(
+          "data {}: there are no edits in it yet; let a talusd run with it as its --data", data.string())};
+    }
     opened.directory_.emplace(*std::move(directory));
     opened.path_ = data;
   }
@@ -46,7 +50,7 @@ tl::expected<void, std::string> check_may_write(const std::filesystem::path& dat
   struct stat about {};
   if (::stat(data.c_str(), &about) == 0 && about.st_uid != ::geteuid()) {
     return tl::unexpected{fmt::format("data {}: it belongs to user {}; run the command as that user",
-                                      data.string(), about.st_uid)};
+                                      data.string(), user_name(about.st_uid))};
   }
   return {};
 }

@@ -60,8 +60,9 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("server", opened.server() == nullptr   ? "none uses it"
                  : opened.read_only().empty() ? "runs"
                                               : "runs and takes no edits: " + opened.read_only());
-  line("position", fmt::format("{}, revision {}, at {}", meta.head.position, meta.head.revision,
-                               moment(meta.head.time_ms)));
+  line("position", meta.head.position == 0 ? "0: nobody has edited yet"
+                                           : fmt::format("{}, revision {}, at {}", meta.head.position,
+                                                         meta.head.revision, moment(meta.head.time_ms)));
   line("hash", edits::to_string(meta.head.hash));
   if (meta.stream.sequence != 0) {
     line("cluster", fmt::format("has read its stream up to message {}", meta.stream.sequence));

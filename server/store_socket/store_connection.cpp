@@ -1,9 +1,13 @@
 #include "store_socket/store_connection.h"
 
+#include <pwd.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -32,6 +36,14 @@ tl::unexpected<Restorer::Failure> not_asked_for(const SocketFrame& frame) {
 
 }  // namespace
 
+std::string user_name(uid_t user) {
+  passwd found{};
+  passwd* entry = nullptr;
+  std::array<char, 1024> text;
+  const bool known = ::getpwuid_r(user, &found, text.data(), text.size(), &entry) == 0 && entry != nullptr;
+  return known ? entry->pw_name : std::to_string(user);
+}
+
 tl::expected<std::optional<StoreConnection>, std::string> StoreConnection::open(
     const std::filesystem::path& directory) {
   const std::filesystem::path path = socket_path(directory);
@@ -48,6 +60,12 @@ tl::expected<std::optional<StoreConnection>, std::string> StoreConnection::open(
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   StoreConnection connection{socket, directory};
   if (socket >= 0 && ::connect(socket, address->address(), address->size()) == 0) {
+    struct stat about {};
+    if (::stat(path.c_str(), &about) == 0 && about.st_uid != ::geteuid()) {
+      return tl::unexpected{
+          fmt::format("{}: the server that uses the store runs as user {}; run the command as that user",
+                      path.string(), user_name(about.st_uid))};
+    }
     return std::optional<StoreConnection>{std::move(connection)};
   }
   if (errno == ECONNREFUSED || errno == ENOENT) return std::nullopt;  // left by a process that was killed

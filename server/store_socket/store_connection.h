@@ -1,6 +1,8 @@
 // A command's end of the socket in a data directory.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -17,6 +19,9 @@
 #include "store_socket/socket_frames.h"
 
 namespace talus::server {
+
+/// As the system names it, or its number.
+[[nodiscard]] std::string user_name(uid_t user);
 
 class StoreConnection {
  public:

@@ -51,9 +51,10 @@ tl::expected<std::unique_ptr<StoreSocket>, std::string> StoreSocket::open(const 
   const fs::path path = socket_path(directory);
   const auto address = UnixAddress::of(path);
   if (!address) return tl::unexpected{address.error()};
+  // Of a process that ended; the lock is ours.
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return socket_failure(path, errno);
   const int listener = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (listener < 0) return socket_failure(path, errno);
-  ::unlink(path.c_str());  // of a process that ended; the lock is ours
   const int wake = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   // The mode before the name, so that nobody else connects in between.
   if (wake < 0 || ::fchmod(listener, S_IRUSR | S_IWUSR) != 0 ||

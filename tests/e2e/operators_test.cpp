@@ -197,7 +197,7 @@ TEST_CASE("the first list of blocked flows is set while the server runs") {
   const std::string list = scratch.write("blocked", "nonsense\n");
   (void)scratch.write("talusd.toml", "[access]\nblocked_file = \"" + list + "\"\n");
   server.signal(SIGHUP);
-  CHECK_THAT(server.await_line("old lists"), Catch::Contains("line 1: \"nonsense\""));
+  CHECK_THAT(server.await_line("old list stays"), Catch::Contains("line 1: \"nonsense\""));
   (void)scratch.write("blocked", "127.0.0.1\n");
   server.signal(SIGHUP);
   (void)server.await_line("access.blocked_file: \"\" -> \"" + list + "\"");

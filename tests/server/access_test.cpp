@@ -160,6 +160,32 @@ TEST_CASE("a reload takes the new keys, and keeps all old keys if one file is ba
   CHECK_FALSE(access.admit("", kNow).has_value());
 }
 
+TEST_CASE("a reload that cannot read a key revokes and blocks all the same") {
+  Files files;
+  files.settings.revoked_file = files.scratch.write("revoked", "");
+  files.settings.blocked_file = files.scratch.write("blocked", "");
+  AccessControl access = control_of(files.settings);
+  const std::string mallorys = token({"mallory", {Right::read}, kNow + 1h, "m1"});
+  const std::string trudys = token({"trudy", {Right::read}, kNow + 1h});
+  CHECK(access.admit(mallorys, kNow).has_value());
+  files.scratch.write("key", "short");
+  files.scratch.write("revoked", "jti m1\n");
+  files.scratch.write("blocked", "subject trudy\n");
+  CHECK_FALSE(access.reload(files.settings).has_value());
+  CHECK(denied(access.admit(mallorys, kNow)).failure == AuthFailure::revoked);
+  CHECK(denied(access.admit(trudys, kNow)).failure == AuthFailure::blocked);
+
+  // And one bad list keeps neither the other list nor the keys back.
+  files.scratch.write("key", kKeyText);
+  files.scratch.write("revoked", "rubbish\n");
+  files.scratch.write("blocked", "");
+  const auto failed = access.reload(files.settings);
+  REQUIRE_FALSE(failed.has_value());
+  CHECK_THAT(failed.error(), Catch::Contains("revoked: line 1") && Catch::Contains("old list stays"));
+  CHECK(denied(access.admit(mallorys, kNow)).failure == AuthFailure::revoked);
+  CHECK(access.admit(trudys, kNow).has_value());
+}
+
 TEST_CASE("tokens of the current and of the previous signing key are accepted, of a third are not") {
   Files files;
   const std::string before = "fedcba9876543210fedcba9876543210";
@@ -193,14 +219,24 @@ TEST_CASE("rights are read back from their text, and read is among them") {
 TEST_CASE("talusd token makes tokens that the server accepts") {
   const Files files;
   const std::string key = files.settings.signing_key_file.string();
-  const auto made = command({"--key-file", key.c_str(), "--subject", "Zo\xc3\xab \"the\" editor\n",
-                             "--rights", "edit,read", "--valid", "12h"});
+  const auto made = command({"--key-file", key.c_str(), "--subject", "Zo\xc3\xab \"the\" editor", "--rights",
+                             "edit,read", "--valid", "12h"});
   REQUIRE(made.has_value());
   const auto claims = read(*made);
   REQUIRE(claims.has_value());
-  CHECK(claims->subject == "Zo\xc3\xab \"the\" editor\n");
+  CHECK(claims->subject == "Zo\xc3\xab \"the\" editor");
   CHECK(claims->rights == Rights{Right::read, Right::edit});
   CHECK(claims->expires == kNow + 12h);
+}
+
+TEST_CASE("talusd token names nobody who edits by what cannot be printed") {
+  const Files files;
+  const std::string key = files.settings.signing_key_file.string();
+  for (const char* subject : {"a\nb", "\x1b[2J", "\xff"}) {
+    const auto refused = command({"--key-file", key.c_str(), "--subject", subject, "--rights", "read,edit"});
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error().text, Catch::Contains("--subject"));
+  }
 }
 
 TEST_CASE("talusd token bounds where its holder edits, and the server reads the bounds") {

@@ -112,7 +112,7 @@ TEST_CASE("a bad list is an error of its setting, and a reload with it keeps the
   const auto failed = access.reload(settings);
   REQUIRE_FALSE(failed.has_value());
   CHECK_THAT(failed.error(), Catch::StartsWith("access.blocked_file ") &&
-                                 Catch::Contains("blocked: line 2: ") && Catch::Contains("old lists"));
+                                 Catch::Contains("blocked: line 2: ") && Catch::Contains("old list stays"));
   CHECK(access.blocks(address));
   settings.blocked_file.clear();
   REQUIRE(access.reload(settings).has_value());

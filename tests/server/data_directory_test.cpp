@@ -106,7 +106,7 @@ TEST_CASE("a reader may write once nobody else reads") {
   CHECK_FALSE(DataDirectory::open_to_read(scratch.path()).has_value());
 }
 
-TEST_CASE("a lock that is a link or a pipe is refused or harmless, and nothing waits") {
+TEST_CASE("a lock that is a link or a pipe is refused, and nothing waits") {
   const ScratchDirectory scratch;
   (void)id_of(scratch.path());
   fs::remove(scratch / "lock");
@@ -119,7 +119,20 @@ TEST_CASE("a lock that is a link or a pipe is refused or harmless, and nothing w
   CHECK_FALSE(fs::exists(scratch / "elsewhere"));
   fs::remove(scratch / "lock");
   REQUIRE(::mkfifo((scratch / "lock").c_str(), 0600) == 0);
-  CHECK(DataDirectory::open_to_read(scratch.path()).has_value());
+  for (const auto open : {&DataDirectory::open_store, &DataDirectory::open_to_read}) {
+    const auto refused = open(scratch.path());
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::Contains("lock: it is a pipe"));
+  }
+}
+
+TEST_CASE("a database without its store.toml is refused, and gets none") {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "db");
+  const auto refused = DataDirectory::open(scratch.path(), kWorld);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("store.toml: there is no such file"));
+  CHECK_FALSE(fs::exists(scratch / "store.toml"));
 }
 
 TEST_CASE("a store.toml that cannot be looked at is refused, not replaced") {

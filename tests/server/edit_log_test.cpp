@@ -210,7 +210,7 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
 TEST_CASE("history is kept up to its bytes, and what is kept follows entry by entry") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
-  store.database_settings.history_bytes = 3 << 20;
+  store.database_settings.history.bytes = 3 << 20;
   store.log_settings.flush_interval = std::chrono::milliseconds{1};
   REQUIRE(store.open() == "");
   TestEditor editor;
@@ -229,6 +229,9 @@ TEST_CASE("history is kept up to its bytes, and what is kept follows entry by en
   }
   store.close();
   REQUIRE(store.open_without_log() == "");
+  CHECK(store.database().history().bytes > 1 << 20);
+  CHECK(store.database().history().bytes <= 3 << 20);
+  CHECK(store.database().history().since_ms > 0);
   std::vector<std::uint64_t> positions;
   const auto collect = [&](LogRecord&& record) {
     positions.push_back(record.position);

@@ -80,7 +80,7 @@ TEST_CASE("a list of revoked tokens that SIGHUP finds without any key is the err
   Config revoked = on_any_port();
   revoked.access.revoked_file = "revoked";
   CHECK_THAT(log_of_reload(on_any_port(), [&] { return revoked; }),
-             Catch::Contains("SIGHUP: " + load_keys(revoked.access).error() + "; the old keys stay"));
+             Catch::Contains("SIGHUP: " + load_keys(revoked.access).error() + "; the old list stays"));
 }
 
 TEST_CASE("fewer connections by SIGHUP leave the limit of open files as it is") {

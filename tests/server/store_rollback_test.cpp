@@ -228,7 +228,7 @@ TEST_CASE("a record that is missing in the middle, or at the end, is damage and 
 TEST_CASE("history that was dropped is said to be, and the rest is still whole") {
   ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
-  store.database_settings.history_bytes = 0;
+  store.database_settings.history.bytes = 0;
   store.log_settings.flush_interval = std::chrono::milliseconds{1};
   REQUIRE(store.open() == "");
   TestEditor editor;

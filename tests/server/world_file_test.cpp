@@ -17,7 +17,7 @@ TEST_CASE("what is no regular file is refused as a world, and not waited for") {
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   for (const std::filesystem::path& path : {pipe, scratch.path(), std::filesystem::path{"/dev/zero"}}) {
     CHECK(load_world(path).error() ==
-          path.string() + ": is not a regular file; give --world a TOML file that talusd may read");
+          "world: " + path.string() + ": is not a regular file; give a TOML file that may be read");
   }
 }
 
