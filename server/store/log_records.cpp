@@ -150,8 +150,8 @@ std::uint64_t revisions_of(const auto& record) {
 }
 
 template <typename Record>
-std::uint64_t encode_batch(std::span<const Record> records, std::int64_t time_ms, std::uint64_t link_before,
-                           Bytes& out) {
+std::uint64_t encode_entries(std::span<const Record> records, std::int64_t time_ms, std::uint64_t link_before,
+                             Bytes& out) {
   ByteWriter writer = begin_value(out);
   writer.varint(records.back().position);
   writer.varint(records.size());
@@ -161,7 +161,7 @@ std::uint64_t encode_batch(std::span<const Record> records, std::int64_t time_ms
   return seal(link_before, out);
 }
 
-std::optional<std::vector<LogRecord>> read_batch(std::span<const std::byte> body) {
+std::optional<std::vector<LogRecord>> read_entries(std::span<const std::byte> body) {
   ByteReader in{body};
   const std::uint64_t last = in.varint();
   const std::size_t count = in.count();
@@ -182,18 +182,18 @@ std::optional<std::vector<LogRecord>> read_batch(std::span<const std::byte> body
 
 std::uint64_t encode(std::span<const edits::Applied> applied, std::int64_t time_ms, std::uint64_t link_before,
                      Bytes& out) {
-  return encode_batch(applied, time_ms, link_before, out);
+  return encode_entries(applied, time_ms, link_before, out);
 }
 
 std::uint64_t encode(std::span<const LogRecord> records, std::uint64_t link_before, Bytes& out) {
-  return encode_batch(records, records.front().time_ms, link_before, out);
+  return encode_entries(records, records.front().time_ms, link_before, out);
 }
 
 std::optional<std::vector<LogRecord>> decode_records(std::span<const std::byte> value,
                                                      std::uint64_t& link_before) {
   const auto body = sealed(link_before, value);
   if (!body) return std::nullopt;
-  auto records = read_batch(*body);
+  auto records = read_entries(*body);
   if (records) link_before = ByteReader{value.last(kChecksumBytes)}.fixed64();
   return records;
 }
@@ -203,7 +203,7 @@ std::optional<std::vector<LogRecord>> decode_records_alone(std::span<const std::
   if (value.size() <= kChecksumBytes || std::to_integer<std::uint8_t>(value.front()) != kStoreFormat) {
     return std::nullopt;
   }
-  auto records = read_batch(value.subspan(1, value.size() - 1 - kChecksumBytes));
+  auto records = read_entries(value.subspan(1, value.size() - 1 - kChecksumBytes));
   if (records) link = ByteReader{value.last(kChecksumBytes)}.fixed64();
   return records;
 }
