@@ -105,6 +105,7 @@ struct Connection::Callbacks {
 
   static void set_connected(Link& link, bool now) {
     link.connected.store(now, std::memory_order_relaxed);
+    if (now) link.was_connected.store(true, std::memory_order_relaxed);
     if (link.events) link.events->connected(now);
   }
   static void connected(natsConnection* /*connection*/, void* closure) { set_connected(link(closure), true); }
@@ -120,15 +121,22 @@ struct Connection::Callbacks {
     link.connected.store(false, std::memory_order_relaxed);
     if (!link.events) return;
     link.events->connected(false);
-    // It tries for ever, but for servers that refuse it twice; then it has forgotten why.
-    const bool refused = is_refusal(status) || status == NATS_NO_SERVER;
-    link.events->closed(
-        {refused ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
-         refused
-             ? "no server of cluster.nats lets this one in: the credentials are not right "
-               "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
-               "no NATS server; \"talusd cluster check\" says which"
-             : fmt::format("NATS: {}", words_of(text == nullptr ? "closed" : text))});
+    // It tries for ever, but for servers that refuse it twice, and for a first one that takes the connection
+    // and then says nothing; then it has forgotten why.
+    const bool forgotten = status == NATS_NO_SERVER;
+    const bool was_there = link.was_connected.load(std::memory_order_relaxed);
+    if (is_refusal(status) || (forgotten && (was_there || is_refusal(link.at_first)))) {
+      link.events->closed(
+          {StreamFailure::Kind::refused,
+           "no server of cluster.nats lets this one in: the credentials are not right "
+           "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
+           "no NATS server; \"talusd cluster check\" says which"});
+    } else {
+      const char* const said = forgotten ? natsStatus_GetText(link.at_first) : text;
+      link.events->closed(
+          unavailable(fmt::format("{}: {}", forgotten ? "no server of cluster.nats greets this one" : "NATS",
+                                  words_of(said == nullptr ? "closed" : said))));
+    }
   }
   static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
                     void* closure) {
@@ -192,7 +200,6 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   set(natsOptions_SetReconnectJitter(made, kReconnectJitterMs, kReconnectJitterMs));
   if (retry == Retry::forever) {
     set(natsOptions_SetMaxReconnect(made, -1));
-    set(natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get()));
   } else {
     set(natsOptions_SetAllowReconnect(made, false));
   }
@@ -221,7 +228,12 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
 
   std::shared_ptr<Connection> connection{new Connection{link}};
   natsConnection* opened = nullptr;
-  const natsStatus status = natsConnection_Connect(&opened, made);
+  natsStatus status = natsConnection_Connect(&opened, made);
+  if (status != NATS_OK && retry == Retry::forever) {
+    link->at_first = status;  // which nobody learns from libnats once it tries by itself
+    natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get());
+    status = natsConnection_Connect(&opened, made);
+  }
   connection->connection_.reset(opened);
   if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED) {
     return tl::unexpected{

@@ -62,7 +62,7 @@ enum class Retry : std::uint8_t {
 /// All calls may come from any thread.
 class Connection {
  public:
-  /// Waits half a second a server at most.
+  /// Waits half a second a server at most, and twice that where none answers and it is to be tried again.
   [[nodiscard]] static tl::expected<std::shared_ptr<Connection>, StreamFailure> open(
       const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
       std::shared_ptr<ConnectionEvents> events, Retry retry);
@@ -115,7 +115,9 @@ class Connection {
   struct Link {
     std::shared_ptr<const Credentials> credentials;
     std::shared_ptr<ConnectionEvents> events;
+    natsStatus at_first = NATS_OK;  // what became of the first attempt; before there are callbacks
     std::atomic<bool> connected{false};
+    std::atomic<bool> was_connected{false};  // ever
     mutable std::mutex mutex;
     mutable std::condition_variable was_denied;
     std::string denied;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_settings.h"
 #include "log/escape.h"
+#include "random/random_number.h"
 
 namespace talus::server::jetstream {
 namespace {
@@ -30,11 +30,6 @@ constexpr auto kNoLeader = 10s;
 constexpr auto kLongestNoLeader = 80s;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
-
-std::uint64_t random_seed() {
-  std::random_device random;
-  return (std::uint64_t{random()} << 32U) | random();
-}
 
 std::string new_reply_subject() {
   natsInbox* made = nullptr;
@@ -62,7 +57,7 @@ std::uint64_t number_at_end(std::string_view subject) {
 class JetStreamLog::Inbox final : public ConnectionEvents {
  public:
   Inbox(const Settings& settings, Logger log)
-      : names_{settings.names}, log_{std::move(log)}, reading_{Clock::now(), random_seed()} {}
+      : names_{settings.names}, log_{std::move(log)}, reading_{Clock::now(), random_number()} {}
 
   // Of the connection.
   void connected(bool now) override {
