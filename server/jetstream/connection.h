@@ -87,7 +87,8 @@ class Connection {
   [[nodiscard]] tl::expected<NatsMessage, StreamFailure> request(const std::string& subject,
                                                                  std::string_view text,
                                                                  std::chrono::milliseconds patience);
-  /// Publishes to a stream, and waits for its acknowledgement: what it says.
+  /// Publishes to a stream, and waits for its acknowledgement: what it says. One after another, whoever
+  /// calls.
   struct Ack {
     std::string stream;
     std::uint64_t sequence = 0;
@@ -129,6 +130,8 @@ class Connection {
   };
 
   explicit Connection(std::shared_ptr<Link> link) : link_{std::move(link)} {}
+  /// Where acknowledgements come to publish().
+  [[nodiscard]] natsStatus await_acks();
   [[nodiscard]] StreamFailure failure_of(natsStatus status, std::chrono::steady_clock::time_point since,
                                          std::string_view doing) const;
 
@@ -137,6 +140,12 @@ class Connection {
   JetStreamContext context_;
   std::mutex mutex_;
   std::vector<NatsSubscription> subscriptions_;
+  // Of publish(). Who reads the socket wakes who waits there: libnats' own requests go by a thread in
+  // between.
+  std::mutex publishing_;
+  NatsSubscription acks_;
+  std::string acks_to_;  // subject, without the number
+  std::uint64_t published_ = 0;
 };
 
 }  // namespace talus::server::jetstream

@@ -213,7 +213,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   void learned(std::uint64_t sequence) {
     {
       const std::lock_guard lock{mutex_};
-      reading_.learned(sequence, Clock::now());
+      if (!reading_.learned(sequence, Clock::now())) return;
     }
     changed_.notify_all();
   }
@@ -269,7 +269,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     reading_.starts_at(state.first);
     // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
     if (state.last < after) return {};
-    reading_.learned(state.last, Clock::now());
+    (void)reading_.learned(state.last, Clock::now());
     if (after > 0) reading_.ends_at(state.last);
     return {};
   }
