@@ -171,7 +171,7 @@ bool ClusterLog::all_are_stuck() const {
 }
 
 bool ClusterLog::begins_without_log() const {
-  return sequence_ > 0 && !heard_ && silent_since_.has_value();
+  return sequence_ > 0 && !heard_ && began_silent_;
 }
 
 // ---- the end of the stream
@@ -199,6 +199,7 @@ void ClusterLog::look_at_end() {
     const std::lock_guard lock{mutex_};
     if (!stream) {
       if (!silent_since_) silent_since_ = asked;
+      began_silent_ = began_silent_ || !heard_;
       shorter_since_.reset();  // it may be another leader that speaks next
       if (!known || trouble_.empty()) trouble_ = stream.error().reason;
     } else {
@@ -301,6 +302,8 @@ bool ClusterLog::find_place() {
   const StreamPlace place = parts_.database.meta().stream;
   if (stream->last == 0) {
     trouble("the stream has no genesis; run talusd cluster init");
+    const std::lock_guard lock{mutex_};
+    began_silent_ = false;  // it spoke, and this is no stream to wait for
     return false;
   }
   if (place.sequence == 0) {

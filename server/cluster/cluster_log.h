@@ -147,8 +147,9 @@ class ClusterLog final : public EditLog {
   /// Nobody goes on behind the message where this server is stuck, as far as is known: another would be no
   /// better, so that players may look on here. Under the mutex.
   [[nodiscard]] bool all_are_stuck() const;
-  /// The leader has not answered since the start, and the store has its place: chunks are served as they are
-  /// on the disk, as they would be if the leader had gone later. Under the mutex.
+  /// The leader did not answer at the start, and the store has its place: chunks are served as they are on
+  /// the disk, as they would be if the leader had gone later, until it says where the end is. Under the
+  /// mutex.
   [[nodiscard]] bool begins_without_log() const;
 
   const Parts parts_;
@@ -174,7 +175,8 @@ class ClusterLog final : public EditLog {
   bool shorter_ = false;                    // the stream seems to have less than was applied
   std::optional<TimePoint> shorter_since_;  // since when the leader has said so, without a silence
   std::optional<TimePoint> silent_since_;   // the leader does not answer
-  bool heard_ = false;                      // it ever did
+  bool heard_ = false;                      // it ever did, of where this server has its place
+  bool began_silent_ = false;               // it did not when it was asked before that
   bool places_known_ = false;
   std::string fault_;       // why nothing is applied any more
   std::string trouble_;     // why nothing is applied just now

@@ -57,8 +57,8 @@ class EntryQueue {
     std::unique_lock lock{mutex_};
     if (until != TimePoint::min()) {
       wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || waiting_now() != 0; });
+      woken_ = false;
     }
-    woken_ = false;
     if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // mostly all
       queue_.swap(taken);
       queue_.reserve(taken.size());
@@ -81,7 +81,7 @@ class EntryQueue {
     return taken;
   }
 
-  /// The take() under way, or the next, does not wait. Any thread.
+  /// The take() under way, or the next that would, does not wait. Any thread.
   void wake() {
     {
       const std::lock_guard lock{mutex_};

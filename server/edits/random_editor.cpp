@@ -1,14 +1,11 @@
 #include "edits/random_editor.h"
 
-#include <cstdint>
-#include <random>
+#include "random/random_number.h"
 
 namespace talus::server {
 
 edits::EditorId random_editor() {
-  std::random_device device;
-  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
-  return {half(), half()};
+  return {random_number(), random_number()};
 }
 
 }  // namespace talus::server

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "jetstream/json_member.h"
+#include "jetstream/stream_info.h"
 #include "log/escape.h"
 #include "threads/signals.h"
 
@@ -105,6 +107,7 @@ struct Connection::Callbacks {
 
   static void set_connected(Link& link, bool now) {
     link.connected.store(now, std::memory_order_relaxed);
+    if (now) link.was_connected.store(true, std::memory_order_relaxed);
     if (link.events) link.events->connected(now);
   }
   static void connected(natsConnection* /*connection*/, void* closure) { set_connected(link(closure), true); }
@@ -120,15 +123,22 @@ struct Connection::Callbacks {
     link.connected.store(false, std::memory_order_relaxed);
     if (!link.events) return;
     link.events->connected(false);
-    // It tries for ever, but for servers that refuse it twice; then it has forgotten why.
-    const bool refused = is_refusal(status) || status == NATS_NO_SERVER;
-    link.events->closed(
-        {refused ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
-         refused
-             ? "no server of cluster.nats lets this one in: the credentials are not right "
-               "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
-               "no NATS server; \"talusd cluster check\" says which"
-             : fmt::format("NATS: {}", words_of(text == nullptr ? "closed" : text))});
+    // It tries for ever, but for servers that refuse it twice, and for a first one that takes the connection
+    // and then says nothing; then it has forgotten why.
+    const bool forgotten = status == NATS_NO_SERVER;
+    const bool was_there = link.was_connected.load(std::memory_order_relaxed);
+    if (is_refusal(status) || (forgotten && (was_there || is_refusal(link.at_first)))) {
+      link.events->closed(
+          {StreamFailure::Kind::refused,
+           "no server of cluster.nats lets this one in: the credentials are not right "
+           "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
+           "no NATS server; \"talusd cluster check\" says which"});
+    } else {
+      const char* const said = forgotten ? natsStatus_GetText(link.at_first) : text;
+      link.events->closed(
+          unavailable(fmt::format("{}: {}", forgotten ? "no server of cluster.nats greets this one" : "NATS",
+                                  words_of(said == nullptr ? "closed" : said))));
+    }
   }
   static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
                     void* closure) {
@@ -192,7 +202,6 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   set(natsOptions_SetReconnectJitter(made, kReconnectJitterMs, kReconnectJitterMs));
   if (retry == Retry::forever) {
     set(natsOptions_SetMaxReconnect(made, -1));
-    set(natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get()));
   } else {
     set(natsOptions_SetAllowReconnect(made, false));
   }
@@ -221,7 +230,12 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
 
   std::shared_ptr<Connection> connection{new Connection{link}};
   natsConnection* opened = nullptr;
-  const natsStatus status = natsConnection_Connect(&opened, made);
+  natsStatus status = natsConnection_Connect(&opened, made);
+  if (status != NATS_OK && retry == Retry::forever) {
+    link->at_first = status;  // which nobody learns from libnats once it tries by itself
+    natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get());
+    status = natsConnection_Connect(&opened, made);
+  }
   connection->connection_.reset(opened);
   if (status != NATS_OK && status != NATS_NOT_YET_CONNECTED) {
     return tl::unexpected{
@@ -296,24 +310,50 @@ tl::expected<NatsMessage, StreamFailure> Connection::request(const std::string& 
   return NatsMessage{reply};
 }
 
+natsStatus Connection::await_acks() {
+  if (acks_ != nullptr) return NATS_OK;
+  natsInbox* inbox = nullptr;
+  if (const natsStatus status = natsInbox_Create(&inbox); status != NATS_OK) return status;
+  const NatsInbox owned{inbox};
+  natsSubscription* acks = nullptr;
+  const natsStatus status =
+      natsConnection_SubscribeSync(&acks, connection_.get(), fmt::format("{}.*", inbox).c_str());
+  acks_.reset(acks);
+  acks_to_ = inbox;
+  return status;
+}
+
 tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
                                                                  std::span<const std::byte> bytes,
                                                                  std::chrono::milliseconds patience,
                                                                  Only only) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
-  const SignalsBlocked blocked;
+  const std::lock_guard lock{publishing_};
   const auto began = Clock::now();
-  jsPubOptions options{};
-  jsPubOptions_Init(&options);
-  options.MaxWait = patience.count();
-  options.ExpectNoMessage = only == Only::as_first;
-  jsPubAck* made = nullptr;
-  jsErrCode code{};
-  const natsStatus status = js_Publish(&made, context_.get(), subject.c_str(), bytes.data(),
-                                       static_cast<int>(bytes.size()), &options, &code);
-  if (status != NATS_OK) return tl::unexpected{failure_of(status, began, subject)};
-  const PublishAck ack{made};
-  return Ack{ack->Stream == nullptr ? "" : ack->Stream, ack->Sequence};
+  if (const natsStatus status = await_acks(); status != NATS_OK) {
+    return tl::unexpected{failure_of(status, began, subject)};
+  }
+  const std::string reply = fmt::format("{}.{}", acks_to_, ++published_);
+  natsMsg* made = nullptr;
+  natsStatus status =
+      natsMsg_Create(&made, subject.c_str(), reply.c_str(), reinterpret_cast<const char*>(bytes.data()),
+                     static_cast<int>(bytes.size()));
+  const NatsMessage message{made};
+  if (status == NATS_OK && only == Only::as_first) {
+    status = natsMsgHeader_Set(made, "Nats-Expected-Last-Sequence", "0");
+  }
+  if (status == NATS_OK) status = natsConnection_PublishMsg(connection_.get(), made);
+  while (status == NATS_OK) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(began + patience - Clock::now());
+    natsMsg* come = nullptr;
+    status = natsSubscription_NextMsg(&come, acks_.get(), std::max<std::int64_t>(left.count(), 0));
+    const NatsMessage answer{come};
+    if (status != NATS_OK || Arrived{come}.subject() != reply) continue;  // one that came too late
+    const auto said = parse_answer(Arrived{come}.text());
+    if (!said) return tl::unexpected{unavailable(fmt::format("NATS: {}", words_of(said.error().what)))};
+    return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
+  }
+  return tl::unexpected{failure_of(status, began, subject)};
 }
 
 tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,

@@ -62,7 +62,7 @@ enum class Retry : std::uint8_t {
 /// All calls may come from any thread.
 class Connection {
  public:
-  /// Waits half a second a server at most.
+  /// Waits half a second a server at most, and twice that where none answers and it is to be tried again.
   [[nodiscard]] static tl::expected<std::shared_ptr<Connection>, StreamFailure> open(
       const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
       std::shared_ptr<ConnectionEvents> events, Retry retry);
@@ -87,7 +87,8 @@ class Connection {
   [[nodiscard]] tl::expected<NatsMessage, StreamFailure> request(const std::string& subject,
                                                                  std::string_view text,
                                                                  std::chrono::milliseconds patience);
-  /// Publishes to a stream, and waits for its acknowledgement: what it says.
+  /// Publishes to a stream, and waits for its acknowledgement: what it says. One after another, whoever
+  /// calls.
   struct Ack {
     std::string stream;
     std::uint64_t sequence = 0;
@@ -115,7 +116,9 @@ class Connection {
   struct Link {
     std::shared_ptr<const Credentials> credentials;
     std::shared_ptr<ConnectionEvents> events;
+    natsStatus at_first = NATS_OK;  // what became of the first attempt; before there are callbacks
     std::atomic<bool> connected{false};
+    std::atomic<bool> was_connected{false};  // ever
     mutable std::mutex mutex;
     mutable std::condition_variable was_denied;
     std::string denied;
@@ -127,6 +130,8 @@ class Connection {
   };
 
   explicit Connection(std::shared_ptr<Link> link) : link_{std::move(link)} {}
+  /// Where acknowledgements come to publish().
+  [[nodiscard]] natsStatus await_acks();
   [[nodiscard]] StreamFailure failure_of(natsStatus status, std::chrono::steady_clock::time_point since,
                                          std::string_view doing) const;
 
@@ -135,6 +140,12 @@ class Connection {
   JetStreamContext context_;
   std::mutex mutex_;
   std::vector<NatsSubscription> subscriptions_;
+  // Of publish(). Who reads the socket wakes who waits there: libnats' own requests go by a thread in
+  // between.
+  std::mutex publishing_;
+  NatsSubscription acks_;
+  std::string acks_to_;  // subject, without the number
+  std::uint64_t published_ = 0;
 };
 
 }  // namespace talus::server::jetstream

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_settings.h"
 #include "log/escape.h"
+#include "random/random_number.h"
 
 namespace talus::server::jetstream {
 namespace {
@@ -30,11 +30,6 @@ constexpr auto kNoLeader = 10s;
 constexpr auto kLongestNoLeader = 80s;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
-
-std::uint64_t random_seed() {
-  std::random_device random;
-  return (std::uint64_t{random()} << 32U) | random();
-}
 
 std::string new_reply_subject() {
   natsInbox* made = nullptr;
@@ -62,7 +57,7 @@ std::uint64_t number_at_end(std::string_view subject) {
 class JetStreamLog::Inbox final : public ConnectionEvents {
  public:
   Inbox(const Settings& settings, Logger log)
-      : names_{settings.names}, log_{std::move(log)}, reading_{Clock::now(), random_seed()} {}
+      : names_{settings.names}, log_{std::move(log)}, reading_{Clock::now(), random_number()} {}
 
   // Of the connection.
   void connected(bool now) override {
@@ -218,7 +213,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   void learned(std::uint64_t sequence) {
     {
       const std::lock_guard lock{mutex_};
-      reading_.learned(sequence, Clock::now());
+      if (!reading_.learned(sequence, Clock::now())) return;
     }
     changed_.notify_all();
   }
@@ -274,7 +269,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     reading_.starts_at(state.first);
     // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
     if (state.last < after) return {};
-    reading_.learned(state.last, Clock::now());
+    (void)reading_.learned(state.last, Clock::now());
     if (after > 0) reading_.ends_at(state.last);
     return {};
   }

@@ -121,9 +121,11 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   pause_ = std::min(pause_ * 2, kLastRetry);
 }
 
-void Reading::learned(std::uint64_t sequence, TimePoint now) {
+bool Reading::learned(std::uint64_t sequence, TimePoint now) {
+  if (sequence <= known_) return false;
   if (known_ <= after_) ask_from_ = now + kOnItsWay;
-  known_ = std::max(known_, sequence);
+  known_ = sequence;
+  return true;
 }
 
 void Reading::ends_at(std::uint64_t last) {

@@ -47,8 +47,8 @@ class Reading {
   void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
   /// The replica asked has it not, or not yet.
   void not_found(std::uint64_t sequence, TimePoint now);
-  /// The stream was heard to have all up to `sequence`.
-  void learned(std::uint64_t sequence, TimePoint now);
+  /// The stream was heard to have all up to `sequence`. Whether that is news.
+  bool learned(std::uint64_t sequence, TimePoint now);
   /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
   void ends_at(std::uint64_t last);
   /// It says that it keeps none before `first`: nobody can tell any more which of two of those is the

@@ -5,7 +5,6 @@
 #include <array>
 #include <exception>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "memory/memory_reservation.h"
 #include "net/descriptors.h"
 #include "net/proxy_header.h"
+#include "random/random_number.h"
 #include "session/reply_frames.h"
 #include "session/retry_after.h"
 
@@ -28,11 +28,6 @@ namespace {
 
 using asio::ip::tcp;
 using std::chrono::milliseconds;
-
-std::uint64_t random_seed() {
-  std::random_device device;
-  return std::uint64_t{device()} << 32 | device();
-}
 
 std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
@@ -99,7 +94,7 @@ Handshaker::Handshaker(const HandshakeSettings& settings, Admission& admission, 
       log_{std::move(log)},
       on_accepted_{std::move(on_accepted)},
       refusal_message_{std::move(refusal_message)},
-      rate_{settings.per_address_per_second, settings.per_address_burst, random_seed()},
+      rate_{settings.per_address_per_second, settings.per_address_burst, random_number()},
       refusal_log_{log_, clock} {}
 
 void Handshaker::change(const HandshakeSettings& settings) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <random>
 #include <system_error>
 #include <utility>
 
@@ -11,12 +10,12 @@
 #include <talus/toml/toml_bounds.h>
 #include <toml++/toml.h>
 
+#include "random/random_number.h"
+
 namespace talus::server {
 
 ContentHash random_store_id() {
-  std::random_device device;
-  const auto half = [&] { return (std::uint64_t{device()} << 32) | device(); };
-  return {half(), half()};
+  return {random_number(), random_number()};
 }
 
 std::optional<ContentHash> parse_hash(std::string_view text) {

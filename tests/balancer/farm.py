@@ -1,6 +1,5 @@
 """Several talusd of one world behind a real HAProxy, which has the configuration that ships, changed in its addresses alone."""
 
-import contextlib
 import json
 import os
 import pathlib
@@ -37,13 +36,22 @@ UNLIMITED = {
 _taken = set()
 
 
+def _is_free(port):
+    """Nobody listens there, nor holds it for a server that is away."""
+    with socket.socket() as probe:
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+    return True
+
+
 def free_port():
     """One that nobody has now, below those that the system deals out, so that it stays free."""
     while True:
         port = random.randrange(18000, 32000)
-        with socket.socket() as probe:
-            if port in _taken or probe.connect_ex(("127.0.0.1", port)) == 0:
-                continue
+        if port in _taken or not _is_free(port):
+            continue
         _taken.add(port)
         return port
 
@@ -53,10 +61,8 @@ def free_ports(count):
     for _ in range(100):
         first = random.randrange(18000, 32000 - count)
         ports = set(range(first, first + count))
-        with contextlib.ExitStack() as stack:
-            probes = [stack.enter_context(socket.socket()) for _ in ports]
-            if ports & _taken or any(probe.connect_ex(("127.0.0.1", port)) == 0 for probe, port in zip(probes, ports)):
-                continue
+        if ports & _taken or not all(map(_is_free, ports)):
+            continue
         _taken.update(ports)
         return first
     raise AssertionError(f"there are no {count} free ports in a row")

@@ -1,8 +1,9 @@
 // The log of a cluster beside bare JetStream, in one run: three nats-servers on this machine, three replicas.
 // bench_stream [acks|absence|kills|all] [SECONDS or KILLS]: acknowledgements at rates of edits; an absence
 // read again; leaders killed under load.
-// bench_stream bare SECONDS URLS STORE RATE: acknowledgements by libnats alone, of nats-servers that run
-// already, in the stream of that store, which "talusd cluster init" has made and no talusd uses.
+// bench_stream bare SECONDS URLS STORE RATE PUBLISHERS: acknowledgements by libnats alone, of nats-servers
+// that run already, in the stream of that store, which "talusd cluster init" has made and no talusd uses; the
+// rate is that of all publishers, each with one message in flight, as a server has.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -52,10 +54,14 @@ using Publish = std::function<bool(std::span<const std::byte>)>;
 
 /// As a server publishes: one message in flight, and all edits that came meanwhile in the next. The time of
 /// each message, and of each edit from when it came.
-void at_rate(const char* name, std::uint64_t edits_a_second, std::chrono::seconds length,
-             const Publish& publish) {
+struct Measured {
   Times of_messages;
   Times of_edits;
+};
+
+Measured measure(std::uint64_t edits_a_second, std::chrono::seconds length, const Publish& publish) {
+  Measured measured;
+  auto& [of_messages, of_edits] = measured;
   std::vector<std::byte> bytes(512U << 10U);
   const auto began = Clock::now();
   const auto came_at = [&](std::uint64_t edit) {
@@ -74,12 +80,22 @@ void at_rate(const char* name, std::uint64_t edits_a_second, std::chrono::second
     of_messages.all_ms.push_back(ms(done - sends));
     for (; next < last; ++next) of_edits.all_ms.push_back(ms(done - came_at(next)));
   }
+  return measured;
+}
+
+void print(const char* name, std::uint64_t edits_a_second, std::chrono::seconds length, Measured measured) {
+  auto& [of_messages, of_edits] = measured;
   fmt::print(
       "{:>12} {:>7}/s: {:>7.0f} messages/s, message p50 {:.2f} p99 {:.2f} ms; edit p50 {:.2f} p99 {:.2f} "
       "ms\n",
       name, edits_a_second,
       static_cast<double>(of_messages.all_ms.size()) / static_cast<double>(length.count()),
       of_messages.at(0.5), of_messages.at(0.99), of_edits.at(0.5), of_edits.at(0.99));
+}
+
+void at_rate(const char* name, std::uint64_t edits_a_second, std::chrono::seconds length,
+             const Publish& publish) {
+  print(name, edits_a_second, length, measure(edits_a_second, length, publish));
 }
 
 /// libnats by itself.
@@ -251,11 +267,24 @@ void dead_leaders(int kills) {
 }
 
 void bare_acknowledgements(std::chrono::seconds length, const std::string& urls, const std::string& store,
-                           std::uint64_t rate) {
+                           std::uint64_t rate, std::size_t publishers) {
   std::vector<std::string> list;
   for (const auto& url : urls_of(urls)) list.push_back(url);
-  Bare bare{list, "talus." + store + ".log"};
-  at_rate("bare libnats", rate, length, [&](auto bytes) { return bare.publish(bytes); });
+  std::vector<Measured> each(publishers);
+  std::vector<std::thread> threads;
+  for (Measured& measured : each) {
+    threads.emplace_back([&] {
+      Bare bare{list, "talus." + store + ".log"};
+      measured = measure(rate / publishers, length, [&](auto bytes) { return bare.publish(bytes); });
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  Measured all;
+  for (const auto& [of_messages, of_edits] : each) {
+    std::ranges::copy(of_messages.all_ms, std::back_inserter(all.of_messages.all_ms));
+    std::ranges::copy(of_edits.all_ms, std::back_inserter(all.of_edits.all_ms));
+  }
+  print("bare libnats", rate, length, std::move(all));
 }
 
 }  // namespace
@@ -264,11 +293,12 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "all";
   const int count = argc > 2 ? std::atoi(argv[2]) : 0;
   if (what == "bare") {
-    if (argc != 6) {
-      fmt::print(stderr, "bench_stream bare: SECONDS, URLS, STORE and RATE are wanted\n");
+    if (argc != 7 || std::stoull(argv[6]) == 0) {
+      fmt::print(stderr, "bench_stream bare: SECONDS, URLS, STORE, RATE and PUBLISHERS are wanted\n");
       return 2;
     }
-    bare_acknowledgements(std::chrono::seconds{count}, argv[3], argv[4], std::stoull(argv[5]));
+    bare_acknowledgements(std::chrono::seconds{count}, argv[3], argv[4], std::stoull(argv[5]),
+                          std::stoull(argv[6]));
     return 0;
   }
   if (what == "acks" || what == "all") acknowledgements(std::chrono::seconds{count > 0 ? count : 5});

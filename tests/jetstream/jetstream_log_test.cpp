@@ -156,6 +156,23 @@ TEST_CASE("a log without servers opens, and says so until they are there") {
   CHECK(read(*log, 0) == "a");
 }
 
+TEST_CASE("a NATS server that takes connections and says nothing refuses nobody") {
+  OneServer one;
+  make_stream(one.servers, one.names, 1);
+  one.servers.freeze(0);
+  const auto log = open_log(one.servers.url_list(), one.names);
+  const auto until = from_now(3s);  // longer than the attempts that libnats makes by itself
+  while (std::chrono::steady_clock::now() < until) {
+    const auto state = log->state();
+    REQUIRE_FALSE(state);
+    REQUIRE(state.error().kind == Kind::unavailable);
+    (void)log->next(0, from_now(50ms));
+  }
+  one.servers.go_on(0);
+  CHECK(publish(*log, "a") == 1);
+  CHECK(read(*log, 0) == "a");
+}
+
 TEST_CASE("a long absence is read by number, many at once") {
   OneServer one;
   make_stream(one.servers, one.names, 1);

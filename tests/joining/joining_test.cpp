@@ -3,9 +3,7 @@
 
 #include <random>
 
-#include <asio/io_context.hpp>
-#include <asio/ip/tcp.hpp>
-
+#include "held_port.h"
 #include "joining_servers.h"
 
 using namespace talus;
@@ -84,16 +82,12 @@ TEST_CASE("a running server that the stream has left behind ends with a status o
   servers.await_same("a", "b");
 }
 
-/// A port that nobody has now.
-std::uint16_t free_port() {
-  asio::io_context io;
-  return asio::ip::tcp::acceptor{io, {asio::ip::address_v4::loopback(), 0}}.local_endpoint().port();
-}
-
 TEST_CASE("servers that were all talked out of their stores recover by themselves") {
   JoiningServers servers;
   servers.begin("a");
-  const auto ports = std::vector<std::uint16_t>{free_port(), free_port()};
+  const nats_test::HeldPort one;
+  const nats_test::HeldPort other;
+  const auto ports = std::vector<std::uint16_t>{one.number(), other.number()};
   const auto start = [&](const std::string& data, std::size_t own) {
     return std::make_unique<ServerProcess>(
         servers.joiner(data, ports),

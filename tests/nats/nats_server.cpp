@@ -14,7 +14,6 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -27,6 +26,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{10};
 constexpr int kPageTimeoutMs = 1000;
+constexpr std::chrono::seconds kPatience{60};
 
 sockaddr_in loopback(std::uint16_t port) {
   sockaddr_in address{};
@@ -48,19 +48,6 @@ class Socket {
  private:
   int fd_;
 };
-
-/// Below the ports that the system gives to outgoing connections: a server finds its port free when it is
-/// started again.
-std::uint16_t free_port() {
-  std::random_device random;
-  std::uniform_int_distribution<unsigned> ports{22'000, 32'000};
-  for (;;) {
-    const auto port = static_cast<std::uint16_t>(ports(random));
-    const Socket socket{0};
-    const sockaddr_in address = loopback(port);
-    if (::bind(socket.fd(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return port;
-  }
-}
 
 std::filesystem::path scratch_directory() {
   std::string pattern = (std::filesystem::temp_directory_path() / "talus-nats-XXXXXX").string();
@@ -130,34 +117,25 @@ nlohmann::json stream_of(const nlohmann::json& page, const std::string& stream) 
 NatsServers::NatsServers(NatsSettings settings)
     : settings_{std::move(settings)}, directory_{scratch_directory()} {
   servers_.resize(settings_.servers);
-  constexpr int kTries = 10;  // another program may take a port in between
-  for (int i = 0;; ++i) {
-    choose_ports();
-    write_configurations();
-    for (std::size_t server = 0; server < count(); ++server) start(server);
-    if (all_started()) break;
-    std::string said;
-    for (std::size_t server = 0; server < count(); ++server) said += log(server);
-    for (std::size_t server = 0; server < count(); ++server) kill(server);
-    if (i + 1 < kTries && said.find("address already in use") != std::string::npos) continue;
-    std::filesystem::remove_all(directory_);
-    throw std::runtime_error{"nats-server does not start:\n" + said};
+  write_configurations();
+  try {
+    for (std::size_t server = 0; server < count(); ++server) launch(server);
+    for (std::size_t server = 0; server < count(); ++server) await_start(server);
+    await_ready();
+  } catch (...) {
+    end_all();
+    throw;
   }
-  await_ready();
 }
 
 NatsServers::~NatsServers() {
+  end_all();
+}
+
+void NatsServers::end_all() {
   for (std::size_t server = 0; server < count(); ++server) kill(server);
   std::error_code ignored;
   std::filesystem::remove_all(directory_, ignored);
-}
-
-void NatsServers::choose_ports() {
-  for (Server& server : servers_) {
-    server.port = free_port();
-    server.monitoring_port = free_port();
-    server.route_port = free_port();
-  }
 }
 
 std::filesystem::path NatsServers::file(std::size_t server, std::string_view ending) const {
@@ -167,7 +145,8 @@ std::filesystem::path NatsServers::file(std::size_t server, std::string_view end
 void NatsServers::write_configurations() const {
   std::string routes;
   for (const Server& server : servers_) {
-    routes += fmt::format("{}nats-route://127.0.0.1:{}", routes.empty() ? "" : ", ", server.route_port);
+    routes +=
+        fmt::format("{}nats-route://127.0.0.1:{}", routes.empty() ? "" : ", ", server.route_port.number());
   }
   for (std::size_t i = 0; i < count(); ++i) {
     const Server& server = servers_[i];
@@ -175,7 +154,7 @@ void NatsServers::write_configurations() const {
     out << fmt::format(
         "server_name: n{}\nlisten: 127.0.0.1:{}\nhttp: 127.0.0.1:{}\nlog_file: \"{}\"\n"
         "ping_interval: 2\nping_max: 2\n",
-        i + 1, server.port, server.monitoring_port, file(i, ".log").string());
+        i + 1, server.port.number(), server.monitoring_port.number(), file(i, ".log").string());
     if (settings_.jetstream) {
       // What a stream may grow to is not what the disk has.
       out << fmt::format(
@@ -183,8 +162,8 @@ void NatsServers::write_configurations() const {
           file(i, "").string());
     }
     if (count() > 1) {
-      out << fmt::format("cluster {{ name: talus, listen: 127.0.0.1:{}, routes: [{}] }}\n", server.route_port,
-                         routes);
+      out << fmt::format("cluster {{ name: talus, listen: 127.0.0.1:{}, routes: [{}] }}\n",
+                         server.route_port.number(), routes);
     }
     out << settings_.more << '\n';
     if (!out.flush()) throw std::runtime_error{"cannot write a configuration of nats-server"};
@@ -192,6 +171,11 @@ void NatsServers::write_configurations() const {
 }
 
 void NatsServers::start(std::size_t server) {
+  launch(server);
+  await_start(server);
+}
+
+void NatsServers::launch(std::size_t server) {
   const std::string configuration = file(server, ".conf").string();
   const std::string log = file(server, ".err").string();
   const std::array<const char*, 4> arguments{"nats-server", "-c", configuration.c_str(), nullptr};
@@ -212,23 +196,15 @@ void NatsServers::start(std::size_t server) {
   servers_[server].frozen = false;
 }
 
-bool NatsServers::all_started() {
-  const auto patience_ends = std::chrono::steady_clock::now() + std::chrono::seconds{20};
-  for (std::size_t server = 0; server < count(); ++server) {
-    while (page(server, "/varz").empty()) {
-      int status = 0;
-      if (::waitpid(servers_[server].pid, &status, WNOHANG) == servers_[server].pid) {
-        servers_[server].pid = -1;
-        return false;
-      }
-      if (std::chrono::steady_clock::now() > patience_ends) return false;
-      std::this_thread::sleep_for(kBetweenLooks);
-    }
-    // Another program's server could answer at that port.
-    const nlohmann::json said = parsed(page(server, "/varz"));
-    if (!said.is_object() || said.value("server_name", "") != fmt::format("n{}", server + 1)) return false;
-  }
-  return true;
+void NatsServers::await_start(std::size_t server) {
+  bool ended = false;
+  await("nats-server", kPatience, [&] {
+    ended = ::waitpid(servers_[server].pid, nullptr, WNOHANG) == servers_[server].pid;
+    return ended || (!page(server, "/varz").empty() && greets(port(server)));
+  });
+  if (!ended) return;
+  servers_[server].pid = -1;
+  throw std::runtime_error{"nats-server does not start:\n" + log(server)};
 }
 
 void NatsServers::kill(std::size_t server) {
@@ -264,7 +240,7 @@ void NatsServers::lose_files(std::size_t server) {
 }
 
 std::string NatsServers::url(std::size_t server) const {
-  return fmt::format("{}://127.0.0.1:{}", settings_.scheme, servers_[server].port);
+  return fmt::format("{}://127.0.0.1:{}", settings_.scheme, port(server));
 }
 
 std::vector<std::string> NatsServers::urls() const {
@@ -278,11 +254,11 @@ std::string NatsServers::url_list() const {
 }
 
 std::uint16_t NatsServers::port(std::size_t server) const {
-  return servers_[server].port;
+  return servers_[server].port.number();
 }
 
 std::string NatsServers::page(std::size_t server, std::string_view path) const {
-  return http_get(servers_[server].monitoring_port, path);
+  return http_get(servers_[server].monitoring_port.number(), path);
 }
 
 std::string NatsServers::log(std::size_t server) const {
@@ -301,7 +277,7 @@ bool NatsServers::know_each_other() const {
   for (std::size_t server = 0; server < count(); ++server) {
     if (!runs(server) || servers_[server].frozen) continue;
     const nlohmann::json said = parsed(page(server, settings_.jetstream ? "/jsz" : "/varz"));
-    if (!said.is_object() || !greets(servers_[server].port)) return false;
+    if (!said.is_object() || !greets(port(server))) return false;
     if (!settings_.jetstream || count() == 1) continue;
     const nlohmann::json meta = said.value("meta_cluster", nlohmann::json::object());
     if (meta.value("leader", "").empty()) return false;

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "held_port.h"
+
 namespace talus::nats_test {
 
 /// What the servers are to be like.
@@ -24,8 +26,9 @@ struct NatsSettings {
   std::string scheme = "nats";
 };
 
-/// Servers on free ports of 127.0.0.1, whose files lie in a scratch directory. All of them end with the
-/// object, and with the thread that made it. What fails throws std::runtime_error.
+/// Servers on ports of 127.0.0.1 that are theirs also while they are away, whose files lie in a scratch
+/// directory. All of them end with the object, and with the thread that started them. What fails throws
+/// std::runtime_error.
 class NatsServers {
  public:
   /// Returns when all answer and, with JetStream, know each other: a stream can be made then.
@@ -46,7 +49,8 @@ class NatsServers {
   void kill(std::size_t server);
   /// SIGTERM; returns when it has ended.
   void end(std::size_t server);
-  /// Runs a server again that has ended, on its ports, with its files. Does not wait until it answers.
+  /// Runs a server again that has ended, on its ports, with its files. Returns when it answers, though it may
+  /// know nobody yet; throws with what it says where it ends instead.
   void start(std::size_t server);
   /// SIGSTOP: its connections stay and nothing answers. go_on(): SIGCONT.
   void freeze(std::size_t server);
@@ -70,16 +74,17 @@ class NatsServers {
 
  private:
   struct Server {
-    std::uint16_t port = 0;
-    std::uint16_t monitoring_port = 0;
-    std::uint16_t route_port = 0;
+    HeldPort port;
+    HeldPort monitoring_port;
+    HeldPort route_port;
     pid_t pid = -1;
     bool frozen = false;
   };
 
-  void choose_ports();
   void write_configurations() const;
-  [[nodiscard]] bool all_started();
+  void launch(std::size_t server);
+  void await_start(std::size_t server);
+  void end_all();
   [[nodiscard]] bool know_each_other() const;
   [[nodiscard]] bool are_healthy() const;
   void await(const std::string& what, std::chrono::seconds patience, const std::function<bool()>& come) const;

@@ -1,0 +1,247 @@
+// Stores that cannot go on with the shared log, or are wrong: what their servers do.
+#include <fstream>
+
+#include <fmt/format.h>
+#include <rocksdb/db.h>
+#include <catch2/catch.hpp>
+
+#include "cluster/entry_codec.h"
+#include "cluster/server_number.h"
+#include "cluster_in_memory.h"
+#include "store/bytes.h"
+#include "store/rocks.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+using namespace std::chrono_literals;
+using cluster::Lost;
+using Kind = edits::Applied::Kind;
+
+/// Where the store says that S is another.
+void falsify(const std::filesystem::path& path) {
+  rocksdb::DB* opened = nullptr;
+  REQUIRE(rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &opened).ok());
+  const std::unique_ptr<rocksdb::DB> db{opened};
+  std::string value;
+  REQUIRE(db->Get({}, meta_key(), &value).ok());
+  auto meta = decode_meta(std::as_bytes(std::span{value}));
+  REQUIRE(meta.has_value());
+  meta->head.hash.low += 1;
+  Bytes bytes;
+  encode(*meta, bytes);
+  REQUIRE(db->Put({}, meta_key(), as_slice(bytes)).ok());
+  REQUIRE(db->Close().ok());
+}
+
+TEST_CASE("a server whose place the stream does not keep, or whose stream is another, is lost") {
+  Cluster cluster{1};
+  const std::vector<Bytes> some{bytes_of_entry(attach(8))};
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, some));
+  SECTION("while it was away") {
+    cluster.open();
+    cluster.until_applied();
+    cluster.nodes[0]->close();
+    for (int i = 0; i < 5; ++i) cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, some));
+    cluster.stream.keep_from(5);
+    cluster.open();
+    until([&] { return cluster.lost_of(0).has_value(); });
+    CHECK(cluster.lost_of(0) == Lost::too_old);
+  }
+  SECTION("before it had anything") {
+    cluster.stream.keep_from(2);
+    cluster.open();
+    until([&] { return cluster.lost_of(0).has_value(); });
+    CHECK(cluster.lost_of(0) == Lost::no_start);
+  }
+  SECTION("as it was made anew, while it runs") {
+    cluster.open();
+    cluster.until_applied();
+    cluster.stream.make_anew();
+    until([&] { return cluster.lost_of(0).has_value(); });
+    CHECK(cluster.lost_of(0) == Lost::other);
+    CHECK_FALSE(cluster.log(0).takes_entries());
+    CHECK_FALSE(cluster.log(0).status().ready);
+  }
+  SECTION("as it begins with a state that the store has not") {
+    cluster::Genesis genesis;
+    genesis.identity = kClusterIdentity;
+    genesis.head.position = 5;
+    SharedStream other{*cluster::encode(genesis)};
+    ClusterNode node{cluster.scratch / "other", ends_of(other, 5), 5};
+    std::optional<Lost> lost;
+    std::mutex mutex;
+    node.on_lost = [&](Lost how, const std::string&) {
+      const std::lock_guard lock{mutex};
+      lost = how;
+    };
+    REQUIRE(node.open() == "");
+    until([&] {
+      const std::lock_guard lock{mutex};
+      return lost.has_value();
+    });
+    CHECK(lost == Lost::no_start);
+    node.close();
+  }
+}
+
+TEST_CASE("a publisher writes nothing more into a stream that is another, and answers what it has") {
+  Cluster cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.stream.fail_publish_as(StreamFailure::Kind::other);
+  const std::uint64_t before = cluster.stream.attempts;
+  const auto doubtful = answers.send(cluster.log(0), write_at(1, 5));
+  REQUIRE(doubtful.has_value());
+  const auto open = answers.await(*doubtful);
+  REQUIRE_FALSE(open.has_value());
+  CHECK(open.error().kind == LogFailure::Kind::unwritable);
+  CHECK_FALSE(cluster.log(0).takes_entries());
+  CHECK_FALSE(answers.send(cluster.log(0), write_at(2, 5)).has_value());
+  CHECK(cluster.stream.attempts == before + 1);
+}
+
+TEST_CASE("what waits when a server stops for good is answered, and not published any more") {
+  Cluster cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.stream.set_quorum(false);
+  const std::uint64_t before = cluster.stream.attempts;
+  const auto doubtful = answers.send(cluster.log(0), write_at(1, 5));
+  REQUIRE(doubtful.has_value());
+  until([&] { return cluster.stream.attempts > before; });
+  const auto queued = answers.send(cluster.log(0), write_at(2, 6));
+  cluster.stream.fail_next_as(StreamFailure::Kind::other);
+  const auto open = answers.await(*doubtful);
+  REQUIRE_FALSE(open.has_value());
+  CHECK(open.error().kind == LogFailure::Kind::unwritable);
+  CHECK_THAT(open.error().reason, Catch::Contains("it is another"));
+  if (queued) CHECK(answers.await(*queued).error().kind == LogFailure::Kind::cut_off);
+  const std::size_t messages = cluster.stream.all().size();
+  cluster.stream.set_quorum(true);
+  until([&] { return cluster.log(0).status().quorum || !cluster.log(0).takes_entries(); });
+  cluster.nodes[0]->close();
+  CHECK(cluster.stream.all().size() == messages);
+}
+
+TEST_CASE("a server that was given a false message has a wrong state") {
+  Cluster cluster{1};
+  cluster.open();
+  cluster.until_applied();
+  cluster.stream.fail_next_as(StreamFailure::Kind::false_message);
+  until([&] { return cluster.lost_of(0).has_value(); });
+  CHECK(cluster.lost_of(0) == Lost::wrong_state);
+}
+
+TEST_CASE("while the leader says less than was applied no edits are taken, and no player comes") {
+  Cluster cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  until([&] { return cluster.log(0).status().ready; });
+  cluster.stream.say_fewer(1);
+  until([&] { return !cluster.log(0).status().ready; });
+  CHECK_FALSE(cluster.log(0).takes_entries());
+  const auto refused = answers.send(cluster.log(0), write_at(1, 5));
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error().reason, Catch::Contains("lost its end"));
+  cluster.stream.say_fewer(0);
+  until([&] { return cluster.log(0).status().ready; });
+  CHECK(answers.apply(cluster.log(0), write_at(1, 5))->kind == Kind::done);
+}
+
+TEST_CASE("a server that cannot read a chunk takes no edits, and then needs another's store") {
+  Cluster cluster{2};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(2, 6)).has_value());
+  cluster.until_applied();
+  cluster.nodes[1]->close();
+  cluster.nodes[1]->before_log = [&] {
+    EditDatabase::Slice older;
+    older.put({{0, 0, 0}, Lod{}}, 1, {});
+    REQUIRE(cluster.nodes[1]->database().put(older));
+  };
+  bool refused = false;
+  cluster.nodes[1]->on_takes = [&] {
+    if (!cluster.nodes[1]->is_open() || cluster.log(1).takes_entries()) return;
+    // Before it stops for good, when it is not ready for the same reason.
+    const auto status = cluster.log(1).status();
+    const auto says = [](const std::string& why) {
+      return why.find("cannot be applied") != std::string::npos;
+    };
+    if (status.read_only && says(*status.read_only) && !says(status.not_ready)) refused = true;
+  };
+  REQUIRE(cluster.nodes[1]->open() == "");
+  cluster.until_applied();
+  REQUIRE(answers.apply(cluster.log(0), write_at(3, 7)).has_value());
+  until([&] { return cluster.lost_of(1).has_value(); });
+  CHECK(cluster.lost_of(1) == Lost::wrong_state);
+  CHECK_FALSE(cluster.log(1).takes_entries());
+  CHECK_THAT(cluster.why[1], Catch::Contains("chunk (0, 0, 0)"));
+  cluster.nodes[1]->close();
+  CHECK(refused);
+}
+
+TEST_CASE("a server has one number, however often it starts") {
+  const ScratchDirectory scratch;
+  const std::uint32_t number = cluster::server_number(scratch.path());
+  CHECK(cluster::server_number(scratch.path()) == number);
+  std::ofstream{scratch / "server_number"} << "damaged";
+  const std::uint32_t other = cluster::server_number(scratch.path());
+  CHECK(cluster::server_number(scratch.path()) == other);
+}
+
+TEST_CASE("of three servers the one whose state is another takes itself out, and the others go on") {
+  Cluster cluster{3};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  cluster.until_applied();
+  cluster.nodes[2]->close();
+  falsify(cluster.nodes[2]->path());
+  REQUIRE(cluster.nodes[2]->open() == "");
+  // The next batch says with which S its server stood at revision 1.
+  REQUIRE(answers.apply(cluster.log(0), write_at(2, 6)).has_value());
+  std::uint64_t sequence = 3;
+  until([&] {
+    std::this_thread::sleep_for(10ms);
+    (void)answers.apply(cluster.log(0), write_at(sequence, static_cast<std::int64_t>(sequence)));
+    ++sequence;
+    return cluster.lost_of(2).has_value();
+  });
+  CHECK(cluster.lost_of(2) == Lost::wrong_state);
+  CHECK(cluster.log(2).status().differs);
+  CHECK_FALSE(cluster.log(2).status().ready);
+  CHECK_FALSE(cluster.log(2).takes_entries());
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK_FALSE(cluster.lost_of(i).has_value());
+    CHECK(answers.apply(cluster.log(i), write_at(sequence + i, 100 + static_cast<std::int64_t>(i)))->kind ==
+          Kind::done);
+  }
+}
+
+TEST_CASE(
+    "what a power cut takes of a server's end is read from the log again, and what was synced is missed") {
+  Cluster cluster{2};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  for (std::uint64_t i = 1; i <= 50; ++i) {
+    REQUIRE(answers.apply(cluster.log(0), write_at(i, static_cast<std::int64_t>(i))).has_value());
+  }
+  cluster.until_applied();
+  cluster.nodes[1]->cut_power();
+  REQUIRE(cluster.nodes[1]->open() == "");
+  cluster.until_applied();
+  CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
+}
+
+}  // namespace
+}  // namespace talus::server

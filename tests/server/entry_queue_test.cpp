@@ -1,0 +1,21 @@
+#include "edits/entry_queue.h"
+
+#include <catch2/catch.hpp>
+
+namespace talus::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Queue = EntryQueue<int>;
+
+TEST_CASE("what wakes a queue wakes who waits, however often somebody takes without waiting before") {
+  Queue queue{{}};
+  queue.wake();
+  CHECK(queue.take(10, 10, Queue::TimePoint::min()).empty());
+  const auto until = std::chrono::steady_clock::now() + 30s;
+  CHECK(queue.take(10, 10, until).empty());
+  CHECK(std::chrono::steady_clock::now() < until);
+}
+
+}  // namespace
+}  // namespace talus::server
