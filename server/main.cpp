@@ -148,10 +148,13 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (*data) {
     // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
     auto opened = without_signals([&] {
-      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log, std::move(shared));
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
+                              edit_state_settings(config), std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
+    const auto fits = check_index_memory(config, edits->state().index().bytes());
+    if (!fits) return fail(fits.error());
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {

@@ -46,6 +46,16 @@ Samples editors(const Source& s) {
   return {{static_cast<double>(s.gauges.edits->editors)}};
 }
 
+Samples edit_index_bytes(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>(s.gauges.edits->index_bytes)}};
+}
+
+Samples edit_index_limit(const Source& s) {
+  if (!s.gauges.edits) return {};
+  return {{static_cast<double>(s.gauges.edits->index_limit_bytes)}};
+}
+
 Samples edit_latency(const Source& s) {
   if (!s.gauges.edits) return {};
   return {{0, {}, &s.metrics.edit_latency}};
@@ -146,6 +156,8 @@ const std::array kRows{
     MetricRow{"talus_edit_latency_seconds", "From when a session hands an edit on to when it is stored and the session is told.", histogram, {}, edit_latency},
     MetricRow{"talus_edits_refused_total", "Edits and Attaches that did not happen, by reason.", counter, {"reason"}, LabelledMetric{&Metrics::edits_refused, &MetricLabels::edits_refused}},
     MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, editors},
+    MetricRow{"talus_edit_index_bytes", "Memory of the index of edited chunks.", gauge, {}, edit_index_bytes},
+    MetricRow{"talus_edit_index_limit_bytes", "Where the index holds so much, only chunks that were edited before may be edited.", gauge, {}, edit_index_limit},
     MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
     MetricRow{"talus_checkpoints_sent_total", "Checkpoints of the store that other servers have taken whole.", counter, {}, &Metrics::checkpoints_sent},
     MetricRow{"talus_checkpoints_refused_total", "Requests for a checkpoint that were refused: a wrong token, or enough are sent already.", counter, {}, &Metrics::checkpoints_refused},
