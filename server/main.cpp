@@ -150,11 +150,13 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     auto opened = without_signals([&] {
       const talus::server::HistoryLimits history{config.edits.history_bytes,
                                                  std::chrono::days{config.edits.history_days}};
-      return WorldEdits::open(config.data, **world, (*data)->store_id(), history, clock, log,
-                              std::move(shared));
+      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
+                              edit_state_settings(config), history, std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
+    const auto fits = check_index_memory(config, edits->state().index().bytes());
+    if (!fits) return fail(fits.error());
   }
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {

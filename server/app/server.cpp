@@ -19,6 +19,7 @@
 
 #include "access/auth_failure.h"
 #include "app/process_signals.h"
+#include "app/readiness.h"
 #include "app/reload.h"
 #include "app/settings.h"
 #include "edits/edit_refusals.h"
@@ -73,7 +74,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       world_{describe_world(*terrain_, store_id, edits.get())},
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
-      rates_{rate_limits(config.rates)},
+      rates_{rate_limits(config)},
       site_{std::move(site)},
       memory_{config.limits.memory_bytes, io_threads(config) + generator_threads(config)},
       admission_{admission_limits(config), clock},
@@ -175,15 +176,12 @@ std::string Server::metrics_text() {
                         edits_->joins(), at.skipped,     at.bounded, at.stuck};
     }
     const LocalLog::Status log = edits_->status();
+    const EditState& state = edits_->state();
     const HistoryKept history = edits_->history();
-    gauges.edits = {log.head.revision,
-                    edits_->preparing(),
-                    log.waiting,
-                    edits_->state().editor_count(),
-                    log.read_only.has_value(),
-                    history.bytes,
-                    config_.edits.history_bytes,
-                    history.since_ms / 1000};
+    gauges.edits = {
+        log.head.revision,           edits_->preparing(),    log.waiting,         state.editor_count(),
+        log.read_only.has_value(),   state.index().bytes(),  state.index_limit(), history.bytes,
+        config_.edits.history_bytes, history.since_ms / 1000};
   }
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
@@ -197,13 +195,9 @@ std::string Server::metrics_text() {
 }
 
 Readiness Server::readiness() const {
-  if (draining_) return {false, "draining"};
-  if (edits_ == nullptr || edits_->shared() == nullptr) return {};
-  cluster::ClusterLog::Status log = edits_->shared()->status();
-  if (!log.ready) return {false, std::move(log.not_ready)};
-  // Chunks are served without the log, and a balancer that asks this would drop all servers at once.
-  if (log.read_only) return {true, fmt::format("ready; no edits are taken: {}", *log.read_only)};
-  return {};
+  if (edits_ == nullptr || edits_->shared() == nullptr) return readiness_of(draining_, nullptr, memory_);
+  const cluster::ClusterLog::Status log = edits_->shared()->status();
+  return readiness_of(draining_, &log, memory_);
 }
 
 FlowsReport Server::flows_report() {
@@ -382,7 +376,7 @@ void Server::change_settings(Config changed) {
   auto web_context = make_web_context(changed, context);
   handshaker_.change(handshake_settings(changed));
   web_handshaker_.change(web_handshake_settings(changed));
-  rates_.set(rate_limits(changed.rates));
+  rates_.set(rate_limits(changed));
   if (checkpoints_ != nullptr) checkpoints_->set_rate(changed.rates.checkpoint_bytes);
   admission_.change(admission_limits(changed));
   registry_.rates_changed();
@@ -418,7 +412,8 @@ void Server::reload_certificate() {
 
 void Server::housekeeping() {
   last_housekeeping_ = clock_.now();
-  const bool caches_fit = chunks_.fit_caches();
+  const bool edits_fit = fit_edit_cache();
+  const bool caches_fit = chunks_.fit_caches() && edits_fit;
   handshaker_.refusal_log().flush();
   web_handshaker_.refusal_log().flush();
   collect_flows();
@@ -430,6 +425,16 @@ void Server::housekeeping() {
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
   });
+}
+
+bool Server::fit_edit_cache() {
+  if (edits_ == nullptr) return true;
+  EditState& state = edits_->state();
+  const auto allowed = static_cast<std::size_t>(memory_.for_edit_cache(state.cache_limit()));
+  if (allowed != edit_cache_bytes_) state.set_cache_capacity(edit_cache_bytes_ = allowed);
+  const bool fits = state.fit_cache();
+  memory_.set(MemoryUse::edit_cache, state.cache_bytes());
+  return fits;
 }
 
 void Server::watch_edits() {

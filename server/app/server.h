@@ -102,6 +102,8 @@ class Server {
   void collect_flows();
   /// Says when the store cannot be written, and when it can again, and counts its memory.
   void watch_edits();
+  /// Whether the cache of edits fits what the budget leaves it.
+  [[nodiscard]] bool fit_edit_cache();
   /// Ready no more; accepts connections for shutdown.lead.
   void drain();
   /// Accepts none any more, and sends everybody away.
@@ -157,6 +159,7 @@ class Server {
   Clock::time_point last_look_at_memory_{};
   Clock::time_point last_look_at_flows_{};
   Clock::time_point last_look_at_edits_{};
+  std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: as it was made
   std::optional<std::string> edits_read_only_;  // as the log was told
   std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;

@@ -65,7 +65,8 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
           .edits = edit_rules(config, spawn)};
 }
 
-RateLimits rate_limits(const Rates& config) {
+RateLimits rate_limits(const Config& all) {
+  const Rates& config = all.rates;
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
   // However short the pause, one edit may be as large as any.
   const auto voxels = [&](std::uint64_t per_second) {
@@ -75,10 +76,17 @@ RateLimits rate_limits(const Rates& config) {
   };
   constexpr std::uint64_t kSavedUp = std::uint64_t{8} * 3'600;
   const Rate editors{config.address_editors, config.address_editors * kSavedUp};
+  // An address that has saved up all fills the index in a day at least, however little that may have.
+  constexpr std::uint64_t kHoursToFill = 32;
+  constexpr std::uint64_t kFewNewChunks = 16;  // so that one edit may be as large as any
+  const std::uint64_t fitting =
+      edit_state_settings(all).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
+  const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));
+  const Rate new_chunks{an_hour, an_hour * kSavedUp};
   return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests),
            voxels(config.session_voxels)},
           {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests),
-           voxels(config.address_voxels), editors},
+           voxels(config.address_voxels), editors, new_chunks},
           config.burst,
           rate(config.gateway_requests),
           voxels(config.gateway_voxels)};
@@ -118,7 +126,7 @@ http::Service web_service(const Config& config, const Clock& clock, Logger log) 
 
 Admission::Limits admission_limits(const Config& config) {
   return {config.limits.connections, config.limits.connections_per_address, config.rates.burst,
-          rate_limits(config.rates).address};
+          rate_limits(config).address};
 }
 
 std::uint64_t min_memory_bytes(const Config& config) {
@@ -133,6 +141,49 @@ tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t
       "limits.memory_bytes: {} is too little: after one load the server might refuse every client; give at "
       "least {}, or 0 for no limit",
       bytes, least));
+}
+
+namespace {
+
+constexpr std::uint64_t kMostRecentBytes = EditStateSettings{}.recent_bytes;
+
+/// What edits may take for good where there is a budget.
+std::uint64_t room_for_edits(const Config& config) {
+  const std::uint64_t limit = config.limits.memory_bytes;
+  const std::uint64_t others = MemoryBudget::program_bytes(io_threads(config) + generator_threads(config)) +
+                               limit / GeneratorMemory::kLargestShare;
+  return limit / 2 - std::min(limit / 2, others);
+}
+
+}  // namespace
+
+EditStateSettings edit_state_settings(const Config& config) {
+  EditStateSettings settings;
+  const std::uint64_t limit = config.limits.memory_bytes;
+  if (limit == 0) return settings;
+  settings.recent_bytes = std::min<std::size_t>(settings.recent_bytes, limit / 64);
+  settings.cache_bytes = std::min<std::size_t>(settings.cache_bytes, limit / 8);
+  const std::uint64_t room = room_for_edits(config);
+  const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
+  // Sessions that are there when it is full need some of the rest before others may come.
+  settings.index_bytes = std::min<std::size_t>({settings.index_bytes, limit / 4, for_index / 4 * 3});
+  return settings;
+}
+
+tl::expected<void, std::string> check_index_memory(const Config& config, std::uint64_t index_bytes) {
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  const std::uint64_t limit = config.limits.memory_bytes;
+  const EditStateSettings settings = edit_state_settings(config);
+  if (limit == 0 || index_bytes <= settings.index_bytes) return {};
+  if (index_bytes + settings.recent_bytes < room_for_edits(config)) return {};
+  // Three eighths of the budget less the program, of which the index may have three quarters.
+  Config enough = config;
+  enough.limits.memory_bytes = (limit / kMebibyte + 1) * kMebibyte;
+  while (index_bytes + kMostRecentBytes >= room_for_edits(enough)) enough.limits.memory_bytes += kMebibyte;
+  return tl::make_unexpected(fmt::format(
+      "limits.memory_bytes: {} is too little for the edits in {}, whose index of edited chunks takes {} "
+      "bytes: the server might refuse every client; give at least {}, or 0 for no limit",
+      limit, config.data.string(), index_bytes, enough.limits.memory_bytes));
 }
 
 std::optional<ColumnCacheSettings> column_cache_settings(const Config& config, ContentHash fingerprint) {

@@ -12,6 +12,7 @@
 #include "clock/clock.h"
 #include "column_cache/column_cache.h"
 #include "config/config.h"
+#include "edits/edit_state.h"
 #include "generation/base_chunks.h"
 #include "generation/generator_memory.h"
 #include "generation/patch_size.h"
@@ -39,7 +40,7 @@ namespace talus::server {
 [[nodiscard]] EditRules edit_rules(const Config& config, VoxelPos spawn);
 [[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                                            std::chrono::nanoseconds tile_time);
-[[nodiscard]] RateLimits rate_limits(const Rates& config);
+[[nodiscard]] RateLimits rate_limits(const Config& config);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
 /// The same for the HTTP port.
@@ -60,6 +61,14 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// `site_bytes`: files that the server keeps in memory to serve them.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
                                                            std::uint64_t site_bytes = 0);
+
+/// What edits may take of limits.memory_bytes. With the program and the largest share of the generators they
+/// stay below the half at which connections are taken again.
+[[nodiscard]] EditStateSettings edit_state_settings(const Config& config);
+/// An error, one line, where an index of so many bytes, as a store has it, takes more than that, so that the
+/// server might refuse every client for good. Below that it is served, and refuses to grow.
+[[nodiscard]] tl::expected<void, std::string> check_index_memory(const Config& config,
+                                                                 std::uint64_t index_bytes);
 
 /// Where and how much is kept of columns that were dear to generate; none where nothing is.
 [[nodiscard]] std::optional<ColumnCacheSettings> column_cache_settings(const Config& config,

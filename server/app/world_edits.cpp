@@ -37,7 +37,8 @@ EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrai
 
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
-    HistoryLimits history, const Clock& clock, Logger log, SharedLog shared) {
+    const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
+    SharedLog shared) {
   const SignalsBlocked blocked;  // for RocksDB's threads
   EditDatabaseSettings settings;
   settings.path = directory;
@@ -58,7 +59,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     log->warn("data {}: the file acknowledged is gone, so edits may be lost; the store has a new id, {}",
               directory.string(), to_string(now));
   }
-  auto state = EditState::open(**database, EditStateSettings{});
+  auto state = EditState::open(**database, state_settings);
   if (!state) return tl::unexpected{std::move(state.error())};
   std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), clock, log}};
   if (const auto named = edits->name_placeables(world, std::move(shared)); !named) {

@@ -52,7 +52,8 @@ class WorldEdits final : public EditedLand {
   /// outlives this.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
-      HistoryLimits history, const Clock& clock, Logger log, SharedLog shared = {});
+      const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
+      SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
@@ -60,6 +61,7 @@ class WorldEdits final : public EditedLand {
   WorldEdits& operator=(const WorldEdits&) = delete;
 
   [[nodiscard]] const EditState& state() const { return *state_; }
+  [[nodiscard]] EditState& state() { return *state_; }
   /// What the world names beyond what it generates, by the ids that the store has given for ever.
   [[nodiscard]] const std::vector<terrain::Material>& placeables() const { return placeables_; }
   /// Through which generators answer.

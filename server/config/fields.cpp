@@ -242,6 +242,12 @@ const std::array kFields{
           "editors that sessions of one address make, each of which is known for a day; an address saves up "
           "eight hours of them; 0: no limit",
           number<&Config::rates, &Rates::address_editors>(0, 65'536)},
+    Field{
+        "rates.address_new_chunks", "chunks per hour",
+        "chunks that nobody edited before and edits of all sessions of one address may write, each of which "
+        "stays in the index of edited chunks; an address saves up eight hours of them; no more count than "
+        "fill the index in 32 hours; 0: no limit",
+        number<&Config::rates, &Rates::address_new_chunks>(0, 16'777'216)},
     Field{"rates.gateway_requests", "requests per second",
           "requests accepted from one session with the right gateway, in place of session_requests and "
           "address_requests; 0: no limit",

@@ -26,6 +26,9 @@ class ChunkIndex {
   static constexpr std::size_t kRegionBytes = 128;
   static constexpr std::size_t kColumnBytes = 160;
   static constexpr std::size_t kChunkBytes = 24;
+  /// The most that one chunk of level 0 takes which is edited, far from all others: at each level a chunk, a
+  /// column and a region of its own.
+  static constexpr std::size_t kMostBytesEach = (Lod::kMax + 1) * (kRegionBytes + kColumnBytes + kChunkBytes);
 
   /// 0 where the chunk was never edited.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const;

@@ -65,6 +65,11 @@ tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(EditDataba
   return state;
 }
 
+bool EditState::fit_cache() {
+  std::size_t looks = 1024;
+  return cache_.fit(looks);
+}
+
 EditDatabase::Done EditState::replay() {
   Replay replay{database_, index_};
   auto good = database_.for_each_editor(

@@ -2,6 +2,7 @@
 // changes it; everybody reads.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct EditStateSettings {
   std::size_t cache_bytes = std::size_t{64} << 20U;   // of overrides that are stored too
   std::size_t recent_bytes = std::size_t{8} << 20U;   // of changes remembered voxel by voxel
   std::size_t index_bytes = std::size_t{512} << 20U;  // beyond it no further chunk may be edited
+  bool operator==(const EditStateSettings&) const = default;
 };
 
 class EditState final : public AppliedEdits {
@@ -53,8 +55,15 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] bool is_full() const { return index_.bytes() >= settings_.index_bytes; }
   [[nodiscard]] std::size_t index_limit() const { return settings_.index_bytes; }
   [[nodiscard]] const ChunkIndex& index() const { return index_; }
-  /// Memory held, roughly, but for what is not written yet.
-  [[nodiscard]] std::size_t bytes() const { return index_.bytes() + cache_.bytes() + settings_.recent_bytes; }
+  /// Memory held, roughly, but for the cache, and for what is not written yet.
+  [[nodiscard]] std::size_t bytes() const { return index_.bytes() + settings_.recent_bytes; }
+  [[nodiscard]] std::size_t cache_bytes() const { return cache_.bytes(); }
+  /// The most that the cache may have.
+  [[nodiscard]] std::size_t cache_limit() const { return settings_.cache_bytes; }
+  /// The cache may have so much of that from now on: call fit_cache() until all fits.
+  void set_cache_capacity(std::size_t bytes) { cache_.set_capacity(std::min(bytes, settings_.cache_bytes)); }
+  /// Evicts a little. Whether all fits now.
+  [[nodiscard]] bool fit_cache();
 
   // The log's thread alone, from here on.
   [[nodiscard]] const edits::Head& head() const { return head_; }

@@ -9,7 +9,7 @@ MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
     : limit_{limit_bytes},
       jobs_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 8 * 7},
       work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 16 * 13},
-      connections_{limit_bytes / 8 * 5, limit_bytes / 2, limit_bytes / 2} {
+      connections_{limit_bytes / 8 * 5, limit_bytes / 2, limit_bytes / 8 * 5} {
   set(MemoryUse::program, program_bytes(threads));
 }
 
@@ -24,7 +24,8 @@ std::uint64_t MemoryBudget::beside_caches() const {
 }
 
 std::uint64_t MemoryBudget::used() const {
-  return beside_caches() + used(MemoryUse::chunk_cache) + used(MemoryUse::patch_cache);
+  return beside_caches() + used(MemoryUse::chunk_cache) + used(MemoryUse::patch_cache) +
+         used(MemoryUse::edit_cache);
 }
 
 void MemoryBudget::add(MemoryUse use, std::int64_t bytes) {
@@ -41,7 +42,8 @@ void MemoryBudget::update_gates() {
   if (limit_ == 0) return;
   const auto level = [this] { return beside_caches(); };
   const auto settled = [this] { return used(MemoryUse::jobs) == 0; };
-  connections_.update(level, [] { return false; });  // sessions end some time
+  // Sessions end some time; what edits take stays.
+  connections_.update(level, [this] { return used(MemoryUse::sessions) == 0; });
   work_.update(level, settled);
   if (!jobs_.update(level, settled)) return;
   const std::lock_guard lock{resumed_mutex_};
@@ -53,11 +55,20 @@ void MemoryBudget::when_jobs_resume(std::function<void()> resumed) {
   resumed_ = std::move(resumed);
 }
 
+std::uint64_t MemoryBudget::left_by(std::uint64_t bytes) const {
+  const std::uint64_t most = limit_ / 8 * 7;
+  return most - std::min(most, bytes);
+}
+
 std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
   if (limit_ == 0) return wanted;
-  const std::uint64_t most = limit_ / 8 * 7;
-  const std::uint64_t left = most - std::min(most, beside_caches());
+  const std::uint64_t left = left_by(beside_caches() + used(MemoryUse::edit_cache));
   return std::min(wanted, std::max(left, limit_ / 16));
+}
+
+std::uint64_t MemoryBudget::for_edit_cache(std::uint64_t wanted) const {
+  if (limit_ == 0) return wanted;
+  return std::min(wanted, std::max(left_by(beside_caches()) / 8, limit_ / 64));
 }
 
 }  // namespace talus::server

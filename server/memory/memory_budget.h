@@ -18,9 +18,18 @@
 
 namespace talus::server {
 
-enum class MemoryUse : std::uint8_t { program, sessions, jobs, generators, edits, chunk_cache, patch_cache };
-inline constexpr std::array<std::string_view, 7> kMemoryUses{
-    "program", "sessions", "jobs", "generators", "edits", "chunk_cache", "patch_cache"};
+enum class MemoryUse : std::uint8_t {
+  program,
+  sessions,
+  jobs,
+  generators,
+  edits,
+  chunk_cache,
+  patch_cache,
+  edit_cache
+};
+inline constexpr std::array<std::string_view, 8> kMemoryUses{
+    "program", "sessions", "jobs", "generators", "edits", "chunk_cache", "patch_cache", "edit_cache"};
 
 class MemoryBudget {
  public:
@@ -54,20 +63,24 @@ class MemoryBudget {
   /// below 5/8, or below 13/16 where no job is left: idle sessions may have 5/8, and generators take an
   /// eighth for good.
   [[nodiscard]] bool takes_work() const { return work_.open(); }
-  /// Whether new connections may come: not from 5/8 on, until below 1/2. Those that are there need memory to
-  /// work.
+  /// Whether new connections may come: not from 5/8 on, until below 1/2, or below 5/8 where no session is
+  /// left that could end. Those that are there need memory to work.
   [[nodiscard]] bool takes_connections() const { return connections_.open(); }
   /// `resumed` is called when takes_jobs() becomes true again, on the thread that gave memory back; it must
   /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
   /// it.
   void when_jobs_resume(std::function<void()> resumed);
 
-  /// How much of `wanted` bytes caches may hold now: what everything else leaves of 7/8 of the limit, and at
-  /// least 1/16 of it.
+  /// How much of `wanted` bytes caches of chunks and patches may hold now: what everything else, and the
+  /// cache of edits, leaves of 7/8 of the limit, and at least 1/16 of it.
   [[nodiscard]] std::uint64_t for_caches(std::uint64_t wanted) const;
+  /// The same of the cache of edits: an eighth of what caches may have, and at least 1/64 of the limit.
+  [[nodiscard]] std::uint64_t for_edit_cache(std::uint64_t wanted) const;
 
  private:
   [[nodiscard]] std::uint64_t beside_caches() const;
+  /// Of 7/8 of the limit.
+  [[nodiscard]] std::uint64_t left_by(std::uint64_t bytes) const;
   void update_gates();
 
   const std::uint64_t limit_;

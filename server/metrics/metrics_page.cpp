@@ -147,6 +147,8 @@ const std::array kRows{
     MetricRow{"talus_edit_latency_seconds", "From when a session hands an edit on to when it is stored and the session is told.", histogram, {}, edit_latency},
     MetricRow{"talus_edits_refused_total", "Edits and Attaches that did not happen, by reason.", counter, {"reason"}, LabelledMetric{&Metrics::edits_refused, &MetricLabels::edits_refused}},
     MetricRow{"talus_editors", "Editors that are known, of 65,536 at most.", gauge, {}, of_edits<&RuntimeGauges::Edits::editors>},
+    MetricRow{"talus_edit_index_bytes", "Memory of the index of edited chunks.", gauge, {}, of_edits<&RuntimeGauges::Edits::index_bytes>},
+    MetricRow{"talus_edit_index_limit_bytes", "Where the index holds so much, only chunks that were edited before may be edited.", gauge, {}, of_edits<&RuntimeGauges::Edits::index_limit_bytes>},
     MetricRow{"talus_edits_read_only", "1 while the store cannot be written and no edits are taken, else 0.", gauge, {}, edits_read_only},
     MetricRow{"talus_edits_history_bytes", "Bytes of the history of edits.", gauge, {}, of_edits<&RuntimeGauges::Edits::history_bytes>},
     MetricRow{"talus_edits_history_limit_bytes", "edits.history_bytes.", gauge, {}, of_edits<&RuntimeGauges::Edits::history_limit_bytes>},

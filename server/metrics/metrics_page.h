@@ -33,6 +33,8 @@ struct RuntimeGauges {
     std::uint64_t logging = 0;    // entries that wait to be written
     std::uint64_t editors = 0;    // that are known
     bool read_only = false;       // the log cannot be written
+    std::uint64_t index_bytes = 0;
+    std::uint64_t index_limit_bytes = 0;  // from there on only chunks that were edited may be
     std::uint64_t history_bytes = 0;
     std::uint64_t history_limit_bytes = 0;
     std::int64_t history_start = 0;  // seconds since 1970 from which on it has all; 0: there is none

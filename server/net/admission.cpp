@@ -80,7 +80,7 @@ void Admission::leave(const asio::ip::address& counted) {
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
     const auto now = clock_.now();
-    here.forget_at = now + std::max<Clock::duration>(limits_.memory, here.rates->editors_full_in(now));
+    here.forget_at = now + std::max<Clock::duration>(limits_.memory, here.rates->saved_up_in(now));
     if (!std::exchange(here.listed, true)) left_.push_back(counted);
   }
   forget();

@@ -67,6 +67,7 @@ RateLimits RateLimits::of_gateway() const {
   own.address.requests = {};
   own.address.voxels = {};
   own.address.editors = {};
+  own.address.new_chunks = {};
   own.is_gateway = true;
   return own;
 }
@@ -77,11 +78,15 @@ AddressBuckets::AddressBuckets(const AddressBuckets& before, const RateSet& to, 
       bytes{moved(before.bytes, before.rates.bytes, to.bytes, now)},
       requests{moved(before.requests, before.rates.requests, to.requests, now)},
       voxels{moved(before.voxels, before.rates.voxels, to.voxels, now)},
-      editors{moved(before.editors, before.rates.editors, to.editors, now)} {}
+      editors{moved(before.editors, before.rates.editors, to.editors, now)},
+      new_chunks{moved(before.new_chunks, before.rates.new_chunks, to.new_chunks, now)} {}
 
-nanoseconds AddressBuckets::editors_full_in(Time now) const {
-  if (!rates.editors.limited()) return {};
-  return editors.load(std::memory_order_relaxed).wait(rates.editors, now, rates.editors.burst);
+nanoseconds AddressBuckets::saved_up_in(Time now) const {
+  const auto full_in = [&](const std::atomic<TokenBucket>& bucket, const Rate& rate) {
+    return rate.limited() ? bucket.load(std::memory_order_relaxed).wait(rate, now, rate.burst)
+                          : nanoseconds{};
+  };
+  return std::max(full_in(editors, rates.editors), full_in(new_chunks, rates.new_chunks));
 }
 
 SessionRates::SessionRates(const RateLimits& limits, AddressBucketsPtr address,
@@ -121,6 +126,21 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_request(Time now) {
   return std::nullopt;
 }
 
+std::optional<SessionRates::Refusal> SessionRates::refuse_edit(Time now, const EditCost& cost) {
+  const std::uint64_t of_chunks = cost.new_chunks * kNewChunkTokens;
+  if (of_chunks > 0) {
+    if (auto refused = refuse_saved(RateKind::address_new_chunks, now, of_chunks)) return refused;
+  }
+  auto refused = refuse_voxels(now, cost.voxels);
+  if (refused && of_chunks > 0 && address_ != nullptr && limits_.address.new_chunks.limited()) {
+    update(address_->new_chunks, [&](TokenBucket& all) {
+      all.give_back(of_chunks);
+      return true;
+    });
+  }
+  return refused;
+}
+
 std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::uint64_t voxels) {
   const Rate& own = limits_.session.voxels;
   if (own.limited() && voxels_.level(own, now) < static_cast<std::int64_t>(voxels)) {
@@ -137,13 +157,17 @@ std::optional<SessionRates::Refusal> SessionRates::refuse_voxels(Time now, std::
 }
 
 std::optional<SessionRates::Refusal> SessionRates::refuse_editor(Time now) {
-  const Rate& shared = limits_.address.editors;
+  return refuse_saved(RateKind::address_editors, now, kEditorTokens);
+}
+
+std::optional<SessionRates::Refusal> SessionRates::refuse_saved(RateKind kind, Time now,
+                                                                std::uint64_t tokens) {
+  const bool of_editors = kind == RateKind::address_editors;
+  const Rate& shared = of_editors ? limits_.address.editors : limits_.address.new_chunks;
   if (address_ == nullptr || !shared.limited()) return std::nullopt;
-  if (update(address_->editors, [&](TokenBucket& all) { return all.take(shared, now, kEditorTokens); })) {
-    return std::nullopt;
-  }
-  const auto wait = address_->editors.load(std::memory_order_relaxed).wait(shared, now, kEditorTokens);
-  return Refusal{RateKind::address_editors, wait, false};
+  std::atomic<TokenBucket>& bucket = of_editors ? address_->editors : address_->new_chunks;
+  if (update(bucket, [&](TokenBucket& all) { return all.take(shared, now, tokens); })) return std::nullopt;
+  return Refusal{kind, bucket.load(std::memory_order_relaxed).wait(shared, now, tokens), false};
 }
 
 void SessionRates::spend_voxels(Time now, std::uint64_t voxels) {

@@ -18,12 +18,22 @@ namespace talus::server {
 /// What an editor that is made costs: so many a second are one an hour.
 inline constexpr std::uint64_t kEditorTokens = 3'600;
 
+/// What a chunk costs that nobody edited before, likewise.
+inline constexpr std::uint64_t kNewChunkTokens = 3'600;
+
+/// What an edit takes of the rates.
+struct EditCost {
+  std::uint64_t voxels = 0;      // that it names
+  std::uint64_t new_chunks = 0;  // that it may write, and nobody edited before: they stay known for ever
+};
+
 /// Requests, and voxels that edits name, count when they arrive, chunks and bytes (of all frames) when they
 /// are written.
 struct RateSet {
   Rate chunks, bytes, requests;
   Rate voxels{};
-  Rate editors{};  // of an address: kEditorTokens for each that is made
+  Rate editors{};     // of an address: kEditorTokens for each that is made
+  Rate new_chunks{};  // of an address: kNewChunkTokens for each
   bool operator==(const RateSet&) const = default;
 };
 struct RateLimits {
@@ -64,11 +74,11 @@ struct AddressBuckets {
   /// For new rates: with what is left in `before`. Who still uses that takes nothing from these.
   AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
 
-  /// How long until its editors are all saved up.
-  [[nodiscard]] std::chrono::nanoseconds editors_full_in(TokenBucket::Time now) const;
+  /// How long until what it saves up over hours is all there: its editors and its new chunks.
+  [[nodiscard]] std::chrono::nanoseconds saved_up_in(TokenBucket::Time now) const;
 
   const RateSet rates{};  // by which the buckets are used
-  std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{}, editors{};
+  std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{}, editors{}, new_chunks{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
@@ -113,9 +123,9 @@ class SessionRates {
   /// Counts one request. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
 
-  /// Counts an edit that names so many voxels, no more than a burst. None: it is granted. A client that goes
-  /// on asking is abusive as with requests, but by voxels: what it may have on its way is kEditsOnTheirWay.
-  [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
+  /// Counts an edit, of no more voxels than a burst. None: it is granted. A client that goes on asking is
+  /// abusive as with requests, but by voxels: what it may have on its way is kEditsOnTheirWay.
+  [[nodiscard]] std::optional<Refusal> refuse_edit(Time now, const EditCost& cost);
 
   /// Counts an editor that is made for the session. None: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_editor(Time now);
@@ -148,6 +158,9 @@ class SessionRates {
   [[nodiscard]] std::optional<RateKind> take_request(Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now, std::uint64_t voxels);
+  [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
+  /// Tokens of something that the address saves up over hours.
+  [[nodiscard]] std::optional<Refusal> refuse_saved(RateKind kind, Time now, std::uint64_t tokens);
   /// All that was refused had room, so what comes now begins anew.
   void forget_refused(Time now);
   /// Until `in_line` requests have room by this rate.

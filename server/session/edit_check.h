@@ -16,7 +16,7 @@ namespace talus::server {
 
 struct CheckedEdit {
   edits::Edit edit;
-  std::uint64_t voxels = 0;        // that it names: what the rates count
+  std::uint64_t voxels = 0;        // that it names
   std::size_t bytes = 0;           // of memory until it is answered
   std::size_t prepared_bytes = 0;  // beside those while it is the session's next: it waits for its base
   std::string subject{};           // for whom a game server edits; empty: for the session itself

@@ -35,6 +35,7 @@ Session::Session(const SessionContext& context, MailboxPtr mailbox, const Addres
       replies_{outbox_, context.metrics},
       delivery_{context_, mailbox, replies_, outbox_, credit_},
       editing_{context.edits, std::move(mailbox), replies_},
+      edit_costs_{context.chunks},
       rates_{rates_of(context, address), address, context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
 
@@ -332,10 +333,13 @@ void Session::on(const wire::Edit& edit) {
     if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
     return replies_.error(subject, rejection.code, rejection.text);
   }
-  if (const auto refusal = rates_.refuse_voxels(received_at_, checked->voxels)) {
+  const Grant& grant = greeting_->grant;
+  checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
+  const EditCosts::Priced priced = edit_costs_.price(*checked, checked->settles && editing_.settles());
+  if (const auto refusal = rates_.refuse_edit(received_at_, priced.cost)) {
     return say_refusal(subject, *refusal);
   }
-  const Grant& grant = greeting_->grant;
+  edit_costs_.pay(priced);
   if (!checked->subject.empty() && !grant.rights.has(Right::gateway)) {
     return replies_.error(
         subject, ErrorCode::forbidden,
@@ -348,7 +352,6 @@ void Session::on(const wire::Edit& edit) {
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
-  checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
   editing_.edit(edit.id(), edit.sequence(), *std::move(checked));
 }
 
@@ -467,7 +470,7 @@ void Session::written() {
 
 void Session::note_memory() {
   memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
-               delivery_.bytes() + editing_.bytes() + view_bytes_to_come());
+               delivery_.bytes() + editing_.bytes() + edit_costs_.bytes() + view_bytes_to_come());
 }
 
 std::size_t Session::view_bytes_to_come() const {

@@ -30,6 +30,7 @@
 #include "memory/memory_reservation.h"
 #include "rates/rates.h"
 #include "session/delivery.h"
+#include "session/edit_cost.h"
 #include "session/editing.h"
 #include "session/handshake.h"
 #include "session/id_map.h"
@@ -184,6 +185,7 @@ class Session {
   Replies replies_;
   Delivery delivery_;
   Editing editing_;
+  EditCosts edit_costs_;
   SessionRates rates_;
   MemoryReservation memory_;
   Clock::time_point received_at_{};  // the message that is handled

@@ -39,7 +39,7 @@ class Alerts(unittest.TestCase):
         for file in ["alerts_test.yml", "alerts_days_test.yml"]:
             for test in yaml.safe_load((HERE / file).read_text())["tests"]:
                 fired |= {case["alertname"] for case in test["alert_rule_test"] if case.get("exp_alerts")}
-        self.assertEqual(fired, {rule["alert"] for rule in ALERTS["talus-cluster"]})
+        self.assertLessEqual({rule["alert"] for rule in ALERTS["talus-cluster"]}, fired)
 
     def test_each_has_a_runbook(self):
         operations = (ROOT / "docs/OPERATIONS.md").read_text()

@@ -118,6 +118,33 @@ TEST_CASE("boxes that overlap touch each voxel once, in order, be they small or 
   }
 }
 
+TEST_CASE(
+    "the chunks that an edit may write are those that it touches but for guards, and none of one that is "
+    "refused") {
+  Edit edit = filling({30, 0, 0}, {33, 0, 0});
+  edit.writes.push_back({{-1, 5, 64}, kStone});
+  edit.writes.push_back({{-2, 5, 64}, kStone});
+  edit.guards.push_back({{1'000, 0, 0}, kStone});
+  CHECK(writable_chunks(edit) == std::vector<ChunkCoord>{{-1, 0, 2}, {0, 0, 0}, {1, 0, 0}});
+  // A paste may write all that it lies in, whatever it holds.
+  Edit paste;
+  paste.paste = Paste{{1, 0, 0}, Chunk::uniform(kAir), false};
+  CHECK(writable_chunks(paste) == std::vector<ChunkCoord>{{0, 0, 0}, {1, 0, 0}});
+  CHECK(writable_chunks(filling({0, 0, 0}, {64 * 32 - 1, 0, 0})).size() == 64);
+  CHECK(writable_chunks(filling({0, 0, 0}, {64 * 32, 0, 0})).empty());
+  CHECK(writable_chunks(filling({kWorldEnd, 0, 0}, {kWorldEnd, 0, 0})).empty());
+  CHECK(writable_chunks(filling({1, 0, 0}, {0, 0, 0})).empty());
+  // What is loose around it may come into its neighbours.
+  Edit corner;
+  corner.writes.push_back({{0, 40, 0}, kStone});
+  CHECK(writable_chunks(corner).size() == 1);
+  const auto touched = touched_voxels(corner, true);
+  const auto settling = writable_chunks(corner, true);
+  REQUIRE(settling.size() == touched->size());
+  for (std::size_t i = 0; i < settling.size(); ++i) CHECK(settling[i] == (*touched)[i].chunk);
+  CHECK(settling.size() == 12);
+}
+
 TEST_CASE("a world names the rows and materials that edits may use") {
   const std::vector<MaterialId> materials{kAir, kStone, MaterialId{300}};
   const EditRules rules{{-10, 100}, materials};

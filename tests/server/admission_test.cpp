@@ -107,6 +107,23 @@ TEST_CASE("an address that made editors is remembered until it has saved them up
   CHECK(made() == 2);
 }
 
+TEST_CASE("an address that took new land is remembered until it has saved that up again") {
+  ManualClock clock;
+  RateSet rates;
+  rates.new_chunks = {1, 2 * kNewChunkTokens};  // one an hour
+  Admission admission{{10, 10, std::chrono::seconds{32}, rates}, clock};
+  const auto edited = [&] {
+    const auto slot = admission.enter(asio::ip::make_address("192.0.2.1"));
+    SessionRates session{{{}, rates, {}}, slot->rates(), 1};
+    int chunks = 0;
+    while (!session.refuse_edit(clock.now(), {1, 1})) ++chunks;
+    return chunks;
+  };
+  CHECK(edited() == 2);
+  clock.advance(std::chrono::minutes{61});
+  CHECK(edited() == 1);
+}
+
 TEST_CASE("however many addresses come and go, few are remembered") {
   ManualClock clock;
   Admission admission{{10, 10, std::chrono::hours{1}}, clock};

@@ -42,6 +42,52 @@ TEST_CASE("the index knows revisions and rows of edited chunks, and nothing of o
   CHECK(index.bytes() == ChunkIndex::kColumnBytes + 2 * ChunkIndex::kChunkBytes);
 }
 
+TEST_CASE(
+    "a chunk far from all others takes the most of the index that is said, where its voxels are samples of "
+    "all levels") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  const auto edit = [&](std::int64_t far) {
+    edits::Edit all;
+    all.fills.push_back({{far, 0, far}, {far + 31, 31, far + 31}, MaterialId{3}, std::nullopt});
+    REQUIRE(editor.edit(store, all).has_value());
+  };
+  edit(0);
+  const std::size_t first = store.state().index().bytes();
+  edit(std::int64_t{1} << 24U);
+  CHECK(store.state().index().bytes() - first <= ChunkIndex::kMostBytesEach);
+  CHECK(first >= ChunkIndex::kMostBytesEach / 7 * 5);  // nearly all levels
+}
+
+TEST_CASE("the cache of edited chunks gives way, a little at a time, and what it lost is read again") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  for (std::int64_t chunk = 0; chunk < 50; ++chunk) {
+    edits::Edit fill;
+    fill.fills.push_back({{chunk * 32, 0, 0}, {chunk * 32 + 7, 7, 7}, MaterialId{3}, std::nullopt});
+    REQUIRE(editor.edit(store, fill).has_value());
+  }
+  store.close();  // then all is in the database
+  REQUIRE(store.open() == "");
+  for (std::int32_t chunk = 0; chunk < 50; ++chunk) {
+    CHECK(store.state().load({{chunk, 0, 0}, Lod{}})->overrides->size() == 512);
+  }
+  CHECK(store.state().cache_bytes() > 50 * 512);
+  store.state().set_cache_capacity(0);
+  while (!store.state().fit_cache()) {
+  }
+  CHECK(store.state().cache_bytes() == 0);
+  CHECK(store.state().load({{7, 0, 0}, Lod{}})->overrides->size() == 512);
+  store.state().set_cache_capacity(SIZE_MAX);  // never more than the settings say
+  CHECK(store.state().fit_cache());
+}
+
 TEST_CASE("the index tells which columns of a region were edited") {
   ChunkIndex index;
   const auto edit = [&](std::int32_t x, std::int32_t z, std::uint64_t revision) {

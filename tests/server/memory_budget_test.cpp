@@ -59,6 +59,35 @@ TEST_CASE("connections are refused before work is, and neither flaps") {
   CHECK(budget.takes_connections());
 }
 
+TEST_CASE("what edits take for good keeps nobody out once all sessions have ended") {
+  MemoryBudget budget{kBudget};
+  budget.set(MemoryUse::edits, 450 * kMebibyte);
+  budget.set(MemoryUse::sessions, 50 * kMebibyte);
+  CHECK_FALSE(budget.takes_connections());
+  budget.set(MemoryUse::sessions, 1);
+  CHECK_FALSE(budget.takes_connections());  // another may end
+  budget.set(MemoryUse::sessions, 0);
+  CHECK(budget.takes_connections());
+  budget.set(MemoryUse::sessions, kMebibyte);
+  CHECK(budget.takes_connections());
+}
+
+TEST_CASE(
+    "the cache of edits is a cache: it gives way, the others leave it its place, and it refuses nobody") {
+  MemoryBudget budget{kBudget};
+  budget.set(MemoryUse::edit_cache, 600 * kMebibyte);
+  CHECK(budget.takes_connections());
+  CHECK(budget.takes_work());
+  hold(budget, 300 * kMebibyte);
+  CHECK(budget.for_edit_cache(kBudget) == 50 * kMebibyte);  // an eighth of what is left of 700
+  CHECK(budget.for_edit_cache(kMebibyte) == kMebibyte);
+  budget.set(MemoryUse::edit_cache, 50 * kMebibyte);
+  CHECK(budget.for_caches(kBudget) == 350 * kMebibyte);
+  hold(budget, 700 * kMebibyte);
+  CHECK(budget.for_edit_cache(kBudget) == kBudget / 64);
+  CHECK(MemoryBudget{0}.for_edit_cache(kMebibyte) == kMebibyte);
+}
+
 TEST_CASE("where no job is left nobody waits for memory that nothing gives back") {
   MemoryBudget budget{kBudget};
   int resumed = 0;
@@ -96,7 +125,9 @@ TEST_CASE("while work is taken, it and the caches together are below the budget"
     const auto beside = *rc::gen::inRange<std::uint64_t>(MemoryBudget::kProgramBytes, budget.limit_bytes());
     hold(budget, beside);
     if (!budget.takes_work()) return;
-    RC_ASSERT(beside + budget.for_caches(UINT64_MAX) <= budget.limit_bytes() / 8 * 7 + 7);
+    budget.set(MemoryUse::edit_cache, budget.for_edit_cache(UINT64_MAX));
+    const std::uint64_t caches = budget.for_caches(UINT64_MAX) + budget.used(MemoryUse::edit_cache);
+    RC_ASSERT(beside + caches <= budget.limit_bytes() / 8 * 7 + 7);
   }));
 }
 

@@ -262,12 +262,14 @@ TEST_CASE("edits are shown where they are stored: how many wait where, who edits
   Metrics metrics;
   metrics.edit_latency.add(3ms);
   metrics.edits_refused[Reason::broken].add(4);
-  const std::string text = text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true}});
+  const std::string text = text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true, 9, 10}});
   CHECK(value_of(text, "talus_edits_revision") == "5");
   CHECK(value_of(text, "talus_edits_waiting{where=\"intake\"}") == "6");
   CHECK(value_of(text, "talus_edits_waiting{where=\"log\"}") == "7");
   CHECK(value_of(text, "talus_editors") == "8");
   CHECK(value_of(text, "talus_edits_read_only") == "1");
+  CHECK(value_of(text, "talus_edit_index_bytes") == "9");
+  CHECK(value_of(text, "talus_edit_index_limit_bytes") == "10");
   CHECK(value_of(text, "talus_edits_refused_total{reason=\"broken\"}") == "4");
   CHECK(value_of(text, "talus_edit_latency_seconds_count") == "1");
   const std::string none = text_of(metrics, {});

@@ -62,6 +62,30 @@ TEST_CASE("each refused request is told when it has room behind those refused be
   }
 }
 
+TEST_CASE("new chunks are an address's, by the hour, and an edit that its voxels hold up costs none") {
+  RateLimits limits;
+  limits.session.voxels = {10, 20};
+  limits.address.new_chunks = {2, 3 * kNewChunkTokens};  // two an hour, three saved up
+  const auto address = std::make_shared<AddressBuckets>(limits.address);
+  SessionRates one{limits, address, kInFlight};
+  SessionRates other{limits, address, kInFlight};
+  CHECK_FALSE(one.refuse_edit(kStart, {1, 2}));
+  const auto refusal = other.refuse_edit(kStart, {1, 2});
+  REQUIRE(refusal);
+  CHECK(refusal->kind == RateKind::address_new_chunks);
+  CHECK(refusal->wait == 30min);
+  CHECK_FALSE(refusal->abusive);
+  CHECK_FALSE(other.refuse_edit(kStart, {1, 0}));  // where somebody edited before
+  CHECK(one.refuse_edit(kStart, {20, 1})->kind == RateKind::session_voxels);
+  CHECK_FALSE(other.refuse_edit(kStart, {1, 1}));
+  CHECK(other.refuse_edit(kStart + 30min - 1ns, {1, 1}));
+  CHECK_FALSE(other.refuse_edit(kStart + 30min, {1, 1}));
+  CHECK(address->saved_up_in(kStart + 30min) == 90min);
+  // A game server edits for many.
+  SessionRates gateway{limits.of_gateway(), address, kInFlight};
+  CHECK_FALSE(gateway.refuse_edit(kStart, {1, 1'000}));
+}
+
 TEST_CASE("a bucket that moves to another rate keeps its tokens and its debt, and no more than the burst") {
   REQUIRE(rc::check("the level stays, up to the burst", [] {
     const auto rate = [] {

@@ -203,6 +203,45 @@ TEST_CASE("voxels over the rate are refused with a time, and the edit does not h
   CHECK(shared.taker.edits.size() == 21);
 }
 
+TEST_CASE("chunks that nobody edited before cost their address, each once") {
+  RateLimits limits;
+  limits.address.new_chunks = {1, 3 * kNewChunkTokens};  // three saved up, and one an hour
+  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  shared.attached();
+  std::uint32_t id = 0;
+  const auto edit = [&](std::int64_t chunk) {
+    ++id;
+    shared.bench.write_voxel(id, id, {chunk * 32, 0, 0});
+    const auto said = shared.bench.output();
+    return said.empty() ? std::string{"taken"} : said.at(0).text;
+  };
+  shared.bench.source.revisions[chunk_at(9)] = 4;
+  CHECK(edit(1) == "taken");
+  CHECK(edit(2) == "taken");
+  CHECK(edit(1) == "taken");  // paid, though nothing is applied yet
+  CHECK(edit(3) == "taken");
+  CHECK(edit(4) == "over rates.address_new_chunks");
+  CHECK(edit(9) == "taken");  // edited before
+  CHECK(edit(2) == "taken");
+  CHECK(shared.taker.edits.size() == 6);
+  CHECK(shared.bench.metrics.throttled(RateKind::address_new_chunks).total() == 1);
+  shared.bench.clock.advance(1h);
+  CHECK(edit(4) == "taken");
+  CHECK(edit(5) == "over rates.address_new_chunks");
+}
+
+TEST_CASE("an edit pays for the new chunks that loose material may slide into") {
+  RateLimits limits;
+  limits.address.new_chunks = {1, 12 * kNewChunkTokens};
+  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  shared.taker.slides = true;
+  shared.attached();
+  shared.bench.write_voxel(1, 1, {0, 40, 0});  // at the corner of four columns, and 64 rows
+  CHECK(shared.taker.edits.size() == 1);
+  shared.bench.write_voxel(2, 2, {320, 40, 0});
+  CHECK(shared.taker.edits.size() == 1);
+}
+
 TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and its session stays") {
   Bench shared{{}, editors(), {*Boxes::parse("-16,-16:16,16"), false}};
   shared.attached();

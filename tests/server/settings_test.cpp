@@ -10,6 +10,7 @@
 #include <talus/protocol/limits.h>
 
 #include "admin/admin_server.h"
+#include "app/readiness.h"
 #include "config/fields.h"
 #include "generation/patch.h"
 
@@ -113,10 +114,10 @@ TEST_CASE("sessions, runners and handshakes get the configuration's times and bo
 }
 
 TEST_CASE("every rate of the configuration has its burst") {
-  Rates config;
-  config.session_chunks = 1000;
-  config.address_bytes = 0;
-  config.burst = 500ms;
+  Config config;
+  config.rates.session_chunks = 1000;
+  config.rates.address_bytes = 0;
+  config.rates.burst = 500ms;
   const RateLimits limits = rate_limits(config);
   CHECK(limits.session.chunks == Rate{1000, 500});
   CHECK_FALSE(limits.address.bytes.limited());
@@ -126,7 +127,103 @@ TEST_CASE("the default burst holds the mixed chunks of a View of the largest rad
   const Config config;
   const std::uint64_t columns =
       (2 * config.limits.view_horizontal_radius + 1) * (2 * config.limits.view_horizontal_radius + 1);
-  CHECK(rate_limits(config.rates).session.chunks.burst >= 3 * columns);
+  CHECK(rate_limits(config).session.chunks.burst >= 3 * columns);
+}
+
+TEST_CASE("one address takes a day at least to fill the index of edited chunks, whatever the budget") {
+  Config config;
+  config.threads = {4, 4};
+  CHECK(rate_limits(config).address.new_chunks.per_second == 7'200);
+  CHECK(edit_state_settings(config).index_bytes == std::size_t{512} << 20U);
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  for (const std::uint64_t mebibytes : {0U, 128U, 256U, 1'024U, 2'048U, 65'536U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes * kMebibyte;
+    const Rate new_chunks = rate_limits(config).address.new_chunks;
+    REQUIRE(new_chunks.limited());
+    const std::uint64_t in_a_day = (new_chunks.burst + 86'400 * new_chunks.per_second) / kNewChunkTokens;
+    CHECK(in_a_day * ChunkIndex::kMostBytesEach <= edit_state_settings(config).index_bytes);
+    CHECK(new_chunks.burst >= 100 * kNewChunkTokens);  // an edit of 64 chunks, and what slides
+  }
+  config.rates.address_new_chunks = 0;
+  CHECK_FALSE(rate_limits(config).address.new_chunks.limited());
+}
+
+TEST_CASE(
+    "edits take so little of the memory budget that the server opens again, with all generators at work") {
+  Config config;
+  config.threads = {4, 4};
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  for (const std::uint64_t mebibytes : {72U, 100U, 128U, 256U, 512U, 2'048U, 65'536U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes * kMebibyte;
+    const EditStateSettings edits = edit_state_settings(config);
+    MemoryBudget budget{config.limits.memory_bytes, 8};
+    budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
+    budget.set(MemoryUse::sessions, config.limits.memory_bytes);
+    budget.set(MemoryUse::edits, edits.index_bytes + edits.recent_bytes);
+    budget.set(MemoryUse::sessions, 1);
+    CHECK(budget.takes_connections());
+    CHECK(edits.index_bytes > kMebibyte);
+    CHECK(edits.cache_bytes <= config.limits.memory_bytes / 8);
+  }
+  config.limits.memory_bytes = 0;
+  CHECK(edit_state_settings(config) == EditStateSettings{});
+}
+
+TEST_CASE(
+    "an index larger than its share is served, and one that would keep everybody out is refused in a line") {
+  Config config;
+  config.data = "/srv/talus";
+  config.threads = {4, 4};
+  config.limits.memory_bytes = std::uint64_t{256} << 20U;
+  const std::size_t share = edit_state_settings(config).index_bytes;
+  CHECK(check_index_memory(config, share).has_value());
+  CHECK(check_index_memory(config, share + (std::size_t{1} << 20U)).has_value());
+  constexpr std::uint64_t kMuch = std::uint64_t{512} << 20U;
+  const auto refused = check_index_memory(config, kMuch);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(),
+             Catch::StartsWith("limits.memory_bytes: 268435456 is too little for the edits in "
+                               "/srv/talus, whose index of edited chunks takes 536870912 "
+                               "bytes: ") &&
+                 Catch::EndsWith(", or 0 for no limit"));
+  // What it says is right is enough.
+  const std::string& text = refused.error();
+  config.limits.memory_bytes = std::stoull(text.substr(text.find("at least ") + 9));
+  CHECK(config.limits.memory_bytes > std::uint64_t{1} << 30U);
+  CHECK(check_index_memory(config, kMuch).has_value());
+  config.limits.memory_bytes -= std::uint64_t{1} << 20U;
+  CHECK_FALSE(check_index_memory(config, kMuch).has_value());
+  config.limits.memory_bytes = 0;
+  CHECK(check_index_memory(config, kMuch).has_value());
+}
+
+TEST_CASE("a server that refuses new connections for want of memory is not ready, and says why") {
+  constexpr std::uint64_t kBudget = std::uint64_t{800} << 20U;
+  MemoryBudget memory{kBudget};
+  CHECK(readiness_of(false, nullptr, memory).ready);
+  memory.set(MemoryUse::sessions, kBudget / 8 * 5);
+  const Readiness full = readiness_of(false, nullptr, memory);
+  CHECK_FALSE(full.ready);
+  CHECK_THAT(full.text,
+             Catch::StartsWith("new connections are refused: this server's memory is all in use, ") &&
+                 Catch::EndsWith("limits.memory_bytes is 838860800"));
+  memory.set(MemoryUse::sessions, kBudget / 2);  // with the program still above the half
+  CHECK_FALSE(readiness_of(false, nullptr, memory).ready);
+  memory.set(MemoryUse::sessions, kBudget / 4);
+  CHECK(readiness_of(false, nullptr, memory).ready);
+  // The log's reasons come first, and one that takes no edits is none.
+  cluster::ClusterLog::Status log;
+  log.ready = true;
+  log.read_only = "no quorum";
+  CHECK(readiness_of(false, &log, memory).ready);
+  memory.set(MemoryUse::sessions, kBudget);
+  CHECK_FALSE(readiness_of(false, &log, memory).ready);
+  log.ready = false;
+  log.not_ready = "behind";
+  CHECK(readiness_of(false, &log, memory).text == "behind");
+  CHECK(readiness_of(true, &log, memory).text == "draining");
 }
 
 TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") {

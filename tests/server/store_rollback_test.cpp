@@ -1,4 +1,5 @@
 // Rollback against the plainest model: each voxel's own list of changes.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "store_command/history.h"
 #include "store_command/local_writer.h"
 #include "store_command/rollback.h"
+#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {
@@ -151,6 +153,42 @@ TEST_CASE("a rollback gives back what one subject changed last, and touches nobo
     CHECK(again.already_back == plan.voxels);
     CHECK(again.taken_over == plan.taken_over);
   }
+}
+
+TEST_CASE("chunks that were rolled back have no place in a store that is made of an export") {
+  Griefed griefed{7};
+  const std::int64_t since = griefed.next_moment();
+  const auto write = [&](std::size_t who, std::int64_t x) {
+    edits::Edit edit;
+    edit.writes.push_back({{x, 1, 1}, MaterialId{9}});
+    REQUIRE(griefed.editors[who].edit(griefed.store, edit).has_value());
+  };
+  write(1, 40);
+  for (std::int64_t x = 1'000; x < 1'320; x += 32) write(0, x);
+  griefed.store.close();
+  const auto chunks_of = [](const fs::path& path) {
+    const auto store = ReadOnlyStore::open(path);
+    REQUIRE(store.has_value());
+    std::vector<ChunkKey> keys;
+    REQUIRE((*store)->reader().for_each_chunk([&](ChunkKey key, std::uint64_t) { keys.push_back(key); }));
+    return keys;
+  };
+  const fs::path before = griefed.scratch / "edits";
+  const auto plan = plan_of(griefed, {"griefer", since, {-2'000, -20, -20}, {2'000, 20, 20}});
+  CHECK(roll_back_locally(griefed, plan) == 10);
+  // Whoever asks this store is told revisions that never fall.
+  CHECK(chunks_of(before).size() >= 11);
+  const auto store = ReadOnlyStore::open(before);
+  REQUIRE(store.has_value());
+  REQUIRE(export_edits(**store, griefed.scratch / "file").has_value());
+  const auto directory = DataDirectory::open_any(griefed.scratch / "new");
+  REQUIRE(directory.has_value());
+  const auto imported = import_edits(griefed.scratch / "file", *directory, Winner::file);
+  REQUIRE(imported.has_value());
+  CHECK_FALSE(imported->store_id == (*store)->meta().store_id);
+  const auto after = chunks_of(griefed.scratch / "new");
+  CHECK(std::ranges::count(after, Lod{}, &ChunkKey::lod) == 1);
+  CHECK(std::ranges::find(after, ChunkKey{{1, 0, 0}, Lod{}}) != after.end());
 }
 
 TEST_CASE("what changes between a rollback's plan and its edits stays as it is") {

@@ -148,6 +148,37 @@ std::size_t named_voxels(const Edit& edit) {
   return voxels;
 }
 
+std::vector<ChunkCoord> writable_chunks(const Edit& edit, bool settles) {
+  std::vector<ChunkCoord> chunks;
+  const auto add_box = [&](VoxelPos first, VoxelPos last) {
+    if (first.x > last.x || first.y > last.y || first.z > last.z) return false;
+    if (!chunk_holding(first, Lod{}) || !chunk_holding(last, Lod{})) return false;
+    const ChunkCoord low = chunk_of(first);
+    const ChunkCoord high = chunk_of(last);
+    for (std::int32_t y = low.y; y <= high.y; ++y) {
+      for (std::int32_t z = low.z; z <= high.z; ++z) {
+        for (std::int32_t x = low.x; x <= high.x; ++x) chunks.push_back({x, y, z});
+      }
+    }
+    return true;
+  };
+  const auto in_order = [&] {
+    std::ranges::sort(chunks);
+    chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
+  };
+  bool good = true;
+  for (const VoxelWrite& each : edit.writes) good = good && add_box(each.voxel, each.voxel);
+  for (const Fill& each : edit.fills) good = good && add_box(each.first, each.last);
+  if (edit.paste) good = good && add_box(edit.paste->origin, last_of(*edit.paste));
+  in_order();
+  if (!good || chunks.size() > kMaxChunks) return {};
+  if (const auto box = settles ? settle_box(edit) : std::nullopt) {
+    (void)add_box(box->first, box->last);
+    in_order();
+  }
+  return chunks;
+}
+
 tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit, bool settles) {
   const auto count = count_voxels(edit);
   if (!count) return Refusal{count.error()};
