@@ -40,8 +40,9 @@ sub vcl_backend_response {
         set beresp.grace = 7d;
         return (deliver);
     }
-    if (beresp.status == 200 && beresp.ttl > 0s) {
-        set beresp.grace = 30d;  # chunks, which never change under their path
+    # Chunks, which never change under their path; but for land that is edited just now, which nobody keeps.
+    if (beresp.status == 200 && beresp.ttl > 0s && beresp.http.Cache-Control !~ "no-store") {
+        set beresp.grace = 30d;
     }
 }
 

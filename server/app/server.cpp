@@ -149,7 +149,7 @@ web::WebContextPtr Server::make_web_context(const Config& config, const RunnerCo
   return std::make_shared<const web::WebContext>(
       web::WebContext{runner, chunks_, edits_.get(), web_settings(config), admission_,
                       web_service(config, clock_, log_of_clients_), to_string(world_.fingerprint),
-                      to_string(world_.store_id), web_answers_, web_fetches_, site_,
+                      to_string(world_.store_id), web_answers_, web_fetches_, recent_revisions_, site_,
                       std::make_shared<web::WorldDocument>(world_, runner->session.limits, edits_.get())});
 }
 

@@ -139,6 +139,7 @@ class Server {
   Handshaker web_handshaker_;
   std::atomic<std::uint64_t> web_answers_{0};
   std::atomic<std::uint64_t> web_fetches_{0};
+  web::RecentRevisions recent_revisions_;
   std::unique_ptr<IoPool> io_;
   const std::unique_ptr<WorldEdits> edits_;  // null: none are kept
   BaseChunks chunks_;                        // as generated

@@ -79,6 +79,7 @@ void Delivery::drop_updates() {
   const std::vector<ChunkKey> unwanted = waits_.leave_updates_where(gone);
   if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
   outbox_.drop_updates(gone);
+  pauses_.drop(gone);
   updates_.drop(gone);
 }
 
@@ -364,9 +365,7 @@ Outbox::Update Delivery::write_update(ChunkKey key) {
     updates_.erase(key);
     return {};
   }
-  EncodedChunkPtr chunk = context_.chunks.newer(key, has);
-  const EncodedChunkPtr& given = updates_.at(key).chunk;
-  if (given != nullptr && (chunk == nullptr || chunk->revision() < given->revision())) chunk = given;
+  const EncodedChunkPtr chunk = newest_of_update(key);
   const auto changed =
       broadcasts_ ? context_.chunks.changes_since(key, has, kMaxBroadcastVoxels) : std::nullopt;
   if (changed) {
@@ -377,12 +376,36 @@ Outbox::Update Delivery::write_update(ChunkKey key) {
       return {.frame = std::move(frame)};
     }
   }
-  if (chunk == nullptr) {
-    updates_.want(key);
-    return {};
+  if (pauses_.holds(key, context_.clock.now())) return {};
+  if (chunk == nullptr) updates_.want(key);
+  return {.whole = chunk != nullptr};
+}
+
+EncodedChunkPtr Delivery::write_resend(ChunkKey key) {
+  EncodedChunkPtr chunk = newest_of_update(key);
+  if (chunk != nullptr) {
+    pauses_.resent(key, context_.clock.now());
+    updated(key, chunk->revision());
+  } else if (context_.chunks.revision(key) > updates_.at(key).has) {
+    updates_.want(key);  // it was in memory when its turn was asked for
+  } else {
+    updates_.erase(key);
   }
-  updated(key, chunk->revision());
-  return {.chunk = std::move(chunk)};
+  return chunk;
+}
+
+EncodedChunkPtr Delivery::newest_of_update(ChunkKey key) {
+  const PendingUpdates::Update& update = updates_.at(key);
+  EncodedChunkPtr chunk = context_.chunks.newer(key, update.has);
+  const EncodedChunkPtr& given = update.chunk;
+  if (given != nullptr && (chunk == nullptr || chunk->revision() < given->revision())) chunk = given;
+  return chunk;
+}
+
+void Delivery::resume_updates() {
+  if (pauses_.next() == Clock::time_point::max()) return;
+  const Clock::time_point now = context_.clock.now();
+  while (const auto key = pauses_.take_ended(now)) outbox_.push_update(*key);
 }
 
 void Delivery::updated(ChunkKey key, std::uint64_t revision) {
@@ -394,7 +417,12 @@ void Delivery::ask_for_updates() {
   while (const auto key = updates_.next_wanted()) {
     if (context_.chunks.newer(*key, updates_.at(*key).has) != nullptr) {
       outbox_.push_update(*key);
-    } else if (queue_full_ || !has_room()) {
+      updates_.found();
+      continue;
+    }
+    const bool half = updates_.under_way() >= kMaxUpdatesUnderWay ||
+                      updates_.chunk_bytes() > context_.limits.queued_bytes / 2;
+    if (half || queue_full_ || !has_room()) {
       return;
     } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
       waiters->update = true;
@@ -439,7 +467,7 @@ void Delivery::abandon() {
 
 std::size_t Delivery::bytes() const {
   constexpr std::size_t kPerRequest = 128;  // in the source's queue
-  return view_.bytes() + requests_.bytes() + updates_.bytes() +
+  return view_.bytes() + requests_.bytes() + updates_.bytes() + pauses_.bytes() +
          (requests_.size() + waits_.size()) * kPerRequest;
 }
 

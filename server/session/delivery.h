@@ -22,11 +22,13 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/mailbox.h"
+#include "clock/clock.h"
 #include "session/chunk_waits.h"
 #include "session/editing.h"
 #include "session/pending_requests.h"
 #include "session/pending_updates.h"
 #include "session/replies.h"
+#include "session/resend_pauses.h"
 #include "session/session_context.h"
 #include "view/credit.h"
 #include "view/outbox.h"
@@ -47,6 +49,10 @@ class Delivery {
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
+
+  /// Chunks that are to be sent again, were asked for, and did not go yet. What is made earlier may be of no
+  /// use when it is its turn.
+  static constexpr std::size_t kMaxUpdatesUnderWay = 16;
 
   /// An EditBroadcast has at most so many voxels; beyond, the whole chunk is sent again.
   static constexpr std::size_t kMaxBroadcastVoxels = 1024;
@@ -105,8 +111,15 @@ class Delivery {
   /// returns an Unchanged, which goes in its place.
   [[nodiscard]] std::optional<protocol::Frame> write(Outbox::Entry& entry);
   /// An update leaves: an EditBroadcast where the client knows it and it is smaller than the chunk, else the
-  /// newest version of the chunk. Nothing where that is to be asked for first, or the client has it already.
+  /// whole chunk, when it has its turn. Nothing where that pauses, or is to be asked for first, or where the
+  /// client has it already.
   [[nodiscard]] Outbox::Update write_update(ChunkKey key);
+  /// The newest version of a chunk that is sent again; null where it is to be asked for first, or the client
+  /// has it already.
+  [[nodiscard]] EncodedChunkPtr write_resend(ChunkKey key);
+  /// When updates that pause may leave; none do: max(). From then on resume_updates() has some.
+  [[nodiscard]] Clock::time_point updates_resume() const { return pauses_.next(); }
+  void resume_updates();
 
   /// Forgets everything, and cancels it at the source.
   void abandon();
@@ -146,9 +159,12 @@ class Delivery {
   void add_update(ChunkKey key, std::uint64_t has) {
     if (updates_.add(key, has)) outbox_.push_update(key);
   }
+  /// The newest version in memory that is newer than what the client has; null: none is. REQUIRES: an update
+  /// of it waits.
+  [[nodiscard]] EncodedChunkPtr newest_of_update(ChunkKey key);
   /// The client has this revision now, by an update.
   void updated(ChunkKey key, std::uint64_t revision);
-  /// Asks for chunks that are to be sent again.
+  /// Asks for chunks that are to be sent again. They take half of the room at most.
   void ask_for_updates();
   void answer_update(ChunkKey key, ChunkAnswer answer);
 
@@ -181,6 +197,7 @@ class Delivery {
   ViewSubscription view_;
   ChunkWaits waits_;
   PendingUpdates updates_;
+  ResendPauses pauses_;
   bool broadcasts_ = false;  // the client knows EditBroadcast
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began

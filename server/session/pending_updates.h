@@ -20,10 +20,11 @@ class PendingUpdates {
   struct Update {
     std::uint64_t has = kBaseRevision;  // the client has this revision, or a newer one
     EncodedChunkPtr chunk{};            // a newer one that the source gave; null: none
+    bool under_way = false;             // it was asked for, or given
   };
 
   /// Whether it is new; else what the client has stays as it was noted first.
-  bool add(ChunkKey key, std::uint64_t has) { return updates_.try_emplace(key, Update{has, nullptr}).second; }
+  bool add(ChunkKey key, std::uint64_t has) { return updates_.try_emplace(key, Update{has}).second; }
   [[nodiscard]] bool contains(ChunkKey key) const { return updates_.contains(key); }
   /// REQUIRES: contains(key).
   [[nodiscard]] const Update& at(ChunkKey key) const { return updates_.at(key); }
@@ -31,6 +32,7 @@ class PendingUpdates {
   void give(ChunkKey key, EncodedChunkPtr chunk) {
     Update& update = updates_.at(key);
     release(update);
+    begin(update);
     chunk_bytes_ += chunk->bytes();
     update.chunk = std::move(chunk);
   }
@@ -42,12 +44,20 @@ class PendingUpdates {
   }
 
   /// The whole chunk is to be asked for. REQUIRES: contains(key).
-  void want(ChunkKey key) { wanted_.push_back(key); }
+  void want(ChunkKey key) {
+    release(updates_.at(key));
+    wanted_.push_back(key);
+  }
   [[nodiscard]] std::optional<ChunkKey> next_wanted() const {
     return wanted_.empty() ? std::nullopt : std::optional{wanted_.front()};
   }
-  /// What next_wanted() returns was asked for, or need not be.
-  void asked() { wanted_.pop_front(); }
+  /// What next_wanted() returns was asked for.
+  void asked() {
+    begin(updates_.at(wanted_.front()));
+    wanted_.pop_front();
+  }
+  /// What next_wanted() returns need not be asked for.
+  void found() { wanted_.pop_front(); }
 
   /// Forgets the chunks for which unwanted(key) is true.
   template <typename Unwanted>
@@ -64,6 +74,8 @@ class PendingUpdates {
   }
 
   [[nodiscard]] std::size_t size() const { return updates_.size(); }
+  /// Chunks that were asked for, or given, and did not go yet.
+  [[nodiscard]] std::size_t under_way() const { return under_way_; }
   /// Memory of the chunks, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
   /// All memory, with the place that an update has in the outbox.
@@ -73,7 +85,11 @@ class PendingUpdates {
   }
 
  private:
+  void begin(Update& update) {
+    if (!std::exchange(update.under_way, true)) ++under_way_;
+  }
   void release(Update& update) {
+    if (std::exchange(update.under_way, false)) --under_way_;
     if (update.chunk != nullptr) chunk_bytes_ -= update.chunk->bytes();
     update.chunk = nullptr;
   }
@@ -81,6 +97,7 @@ class PendingUpdates {
   std::unordered_map<ChunkKey, Update> updates_;
   std::deque<ChunkKey> wanted_;  // oldest first; each is in updates_
   std::size_t chunk_bytes_ = 0;
+  std::size_t under_way_ = 0;
 };
 
 }  // namespace talus::server

@@ -437,10 +437,16 @@ void Session::refuse_pending(std::uint32_t id) {
 // ---- output
 
 Clock::time_point Session::sendable_at() {
-  if (!outbox_.sendable(credit_)) return Clock::time_point::max();
   constexpr Clock::time_point kAtOnce{};
+  constexpr Clock::time_point kNever = Clock::time_point::max();
   if (outbox_.has_control()) return kAtOnce;
+  const bool waits = outbox_.sendable(credit_);
+  // Of a session that closed what is sendable now is all that ever will be.
+  const bool pauses = !waits && !closing() && credit_.may_send();
+  const Clock::time_point from = waits ? kAtOnce : pauses ? delivery_.updates_resume() : kNever;
+  if (from == kNever) return kNever;
   const Clock::time_point now = context_.clock.now();
+  if (from > now) return from;
   const SessionRates::Due due = rates_.chunks_due(now);
   if (due.throttled) context_.metrics.throttled(*due.throttled).add();
   return due.at > now ? due.at : kAtOnce;
@@ -448,13 +454,15 @@ Clock::time_point Session::sendable_at() {
 
 Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   const Clock::time_point now = context_.clock.now();
+  delivery_.resume_updates();
   Output output{shared_from};
   output.reserve(std::min(enough_bytes, outbox_.bytes_to_copy(shared_from)));
   const SessionRates::Allowance allowance = rates_.allowance(now);
   const Outbox::Taken taken = outbox_.take(
       {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
       [this](Outbox::Entry& entry) { return delivery_.write(entry); },
-      [this](ChunkKey key) { return delivery_.write_update(key); });
+      [this](ChunkKey key) { return delivery_.write_update(key); },
+      [this](ChunkKey key) { return delivery_.write_resend(key); });
   rates_.sent(now, taken.chunks, output.size());
   writing_bytes_ = output.held_bytes();
   context_.metrics.chunks_sent.add(taken.chunks);

@@ -23,7 +23,7 @@ void Outbox::push_chunk(Entry&& entry) {
 }
 
 bool Outbox::sendable(const Credit& credit) const {
-  const bool waits = !updates_.empty() || !requests_.entries.empty() || !view_.entries.empty();
+  const bool waits = updates() > 0 || !requests_.entries.empty() || !view_.entries.empty();
   return !control_.empty() || (waits && credit.may_send());
 }
 

@@ -1,7 +1,7 @@
-// What waits to be written to one client. Control frames go first and need no credit. Then updates go, of
-// chunks that the client holds and that were edited since, and then chunks, both while the client's credit
-// lasts: chunks from two lanes, those of requests and those of the View, which share by bytes: a deficit
-// round robin of two flows whose quantum is one chunk. Chunks are shared with the cache, not copied. No I/O.
+// What waits to be written to one client. Control frames go first and need no credit. While the client's
+// credit lasts the others go, in the turns of turns.h: updates of chunks that the client holds and that were
+// edited since, as broadcasts or as the chunk again, and chunks from two lanes, those of requests and those
+// of the View. Chunks are shared with the cache, not copied. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,7 @@
 #include "chunks/encoded_chunk.h"
 #include "view/credit.h"
 #include "view/output.h"
+#include "view/turns.h"
 
 namespace talus::server {
 
@@ -37,10 +38,10 @@ class Outbox {
     std::size_t chunk_bytes = SIZE_MAX;  // the last chunk may pass it
   };
 
-  /// What goes for an update: a frame, a whole chunk of the View, or, where both are empty, nothing.
+  /// What goes for an update: a frame, the whole chunk when it has its turn, or else nothing.
   struct Update {
     protocol::Frame frame{};
-    EncodedChunkPtr chunk{};
+    bool whole = false;
   };
 
   struct Taken {
@@ -70,21 +71,23 @@ class Outbox {
   /// Likewise of updates.
   template <typename Unwanted>
   void drop_updates(Unwanted&& unwanted) {
-    std::erase_if(updates_, std::forward<Unwanted>(unwanted));
+    std::erase_if(updates_, unwanted);
+    std::erase_if(resends_, unwanted);
   }
 
   [[nodiscard]] bool sendable(const Credit& credit) const;
   [[nodiscard]] bool has_control() const { return !control_.empty(); }
 
-  /// Appends frames to `output` until a limit is reached or nothing is sendable. Also where both lanes had
-  /// chunks and that whose turn it is has none left: the caller fills it again before the other goes on.
+  /// Appends frames to `output` until a limit is reached or nothing is sendable. Also where a lane had
+  /// chunks, has none left, and it is its turn: the caller fills it again before others go on.
   ///
   /// For each chunk that leaves write(entry) is called, which may replace entry.chunk by a newer version, or
   /// returns a frame that goes in its place. For each update that leaves write_update(key) returns what goes;
-  /// it may push the same update again, for the next take().
-  template <typename Write, typename WriteUpdate>
+  /// where that is the whole chunk, write_resend(key) returns it in its turn, or null: nothing goes. Both may
+  /// push the same update again, for the next take().
+  template <typename Write, typename WriteUpdate, typename WriteResend>
   Taken take(const TakeLimits& limits, Credit& credit, Output& output, Write&& write,
-             WriteUpdate&& write_update) {
+             WriteUpdate&& write_update, WriteResend&& write_resend) {
     take_control(limits.enough_bytes, output);
     Taken taken;
     const std::size_t control_bytes = output.size();
@@ -99,16 +102,22 @@ class Outbox {
       taken.chunk_bytes += chunk->frame_bytes();
       return chunk->frame_bytes();
     };
-    for (std::size_t left = updates_.size(); left > 0 && may_go(); --left) {
+    std::size_t updates = updates_.size();  // those pushed from here on wait for the next take()
+    const auto send_update = [&]() -> std::size_t {
       const ChunkKey key = updates_.front();
       updates_.pop_front();
+      --updates;
       const Update update = write_update(key);
-      if (update.chunk != nullptr) {
-        append(update.chunk, 0, key);
-      } else {
-        output.append(update.frame);
-      }
-    }
+      if (update.whole) resends_.push_back(key);
+      output.append(update.frame);
+      return update.frame.size();
+    };
+    const auto send_again = [&]() -> std::size_t {
+      const ChunkKey key = resends_.front();
+      resends_.pop_front();
+      const EncodedChunkPtr chunk = write_resend(key);
+      return chunk == nullptr ? 0 : append(chunk, 0, key);
+    };
     const auto send_first = [&](Queue& queue) -> std::size_t {
       Entry entry = std::move(queue.entries.front());
       queue.entries.pop_front();
@@ -119,17 +128,20 @@ class Outbox {
       }
       return append(entry.chunk, entry.request_id, entry.key);
     };
-    if (requests_.entries.empty() || view_.entries.empty()) {
-      requests_ahead_ = 0;  // what one was sent while the other wanted nothing is no debt
-      Queue& only = view_.entries.empty() ? requests_ : view_;
-      while (!only.entries.empty() && may_go()) (void)send_first(only);
-    } else {
-      while (may_go()) {
-        const bool view_turn = requests_ahead_ > 0;
-        Queue& turn = view_turn ? view_ : requests_;
+    Turns::Waiting waiting{.requests = !requests_.entries.empty(), .view = !view_.entries.empty()};
+    while (may_go()) {
+      waiting.broadcasts = updates > 0;
+      waiting.resends = !resends_.empty();
+      const Turns::Flow flow = turns_.next(waiting);
+      if (flow == Turns::Flow::none) break;
+      if (flow == Turns::Flow::broadcasts) {
+        turns_.sent(flow, send_update(), waiting);
+      } else if (flow == Turns::Flow::resends) {
+        turns_.sent(flow, send_again(), waiting);
+      } else {
+        Queue& turn = flow == Turns::Flow::view ? view_ : requests_;
         if (turn.entries.empty()) break;
-        const auto bytes = static_cast<std::ptrdiff_t>(send_first(turn));
-        requests_ahead_ += view_turn ? -bytes : bytes;
+        turns_.sent(flow, send_first(turn), waiting);
       }
     }
     return taken;
@@ -138,7 +150,7 @@ class Outbox {
   /// Memory of the queued control frames.
   [[nodiscard]] std::size_t control_bytes() const { return control_bytes_; }
   /// Updates that wait.
-  [[nodiscard]] std::size_t updates() const { return updates_.size(); }
+  [[nodiscard]] std::size_t updates() const { return updates_.size() + resends_.size(); }
   /// Memory of the queued chunks, as if nobody else held them.
   [[nodiscard]] std::size_t chunk_bytes() const { return requests_.bytes + view_.bytes; }
   [[nodiscard]] std::size_t chunk_bytes(Lane lane) const { return queue(lane).bytes; }
@@ -158,12 +170,12 @@ class Outbox {
   void take_control(std::size_t enough_bytes, Output& output);
 
   std::deque<protocol::Frame> control_;
-  std::deque<ChunkKey> updates_;
+  std::deque<ChunkKey> updates_;  // broadcasts, as far as is known
+  std::deque<ChunkKey> resends_;  // those of updates that are to be the chunk again
   Queue requests_;
   Queue view_;
   std::size_t control_bytes_ = 0;
-  // Bytes that requests were sent more than the View since both have chunks: within one chunk of 0.
-  std::ptrdiff_t requests_ahead_ = 0;
+  Turns turns_;
 };
 
 }  // namespace talus::server

@@ -14,6 +14,10 @@ std::string_view immutable_for(const Audience& audience) {
   return audience.caches ? kImmutable : kPrivate;
 }
 
+std::string_view passing_for(const Audience& audience) {
+  return audience.caches ? http::kNoStore : kPrivate;
+}
+
 std::string_view fresh_for(const Audience& audience) {
   return audience.anybody ? http::kNoCache : kPrivate;
 }

@@ -18,6 +18,8 @@ struct Audience {
 
 /// Cache-Control of what never changes.
 [[nodiscard]] std::string_view immutable_for(const Audience& audience);
+/// Of what is right at this moment, and under another path for ever.
+[[nodiscard]] std::string_view passing_for(const Audience& audience);
 /// Of what may be another tomorrow.
 [[nodiscard]] std::string_view fresh_for(const Audience& audience);
 /// Likewise, where those get it who get chunks.

@@ -42,25 +42,38 @@ std::uint64_t newest_of(const Exchange& exchange, const ColumnsRoute& route) {
   return newest;
 }
 
+/// Whether who asks for an older revision than the newest is given what is there now: where that was the
+/// newest lately. Who is sent on from one revision to the next would never come to an end where somebody
+/// edits all the time. What was not edited lately has one path, under which caches keep it.
+bool is_given_newest(const Exchange& exchange, std::uint64_t asked, std::uint64_t newest) {
+  if (asked >= newest) return asked == newest;
+  const WebContext& context = exchange.context();
+  return context.recent_revisions.has(asked, context.edits->revision(), exchange.began());
+}
+
+http::Response answer_with(Exchange& exchange, const ChunkRoute& route, const EncodedChunkPtr& chunk) {
+  http::Response response = exchange.immutable(chunk);
+  if (route.edition && chunk->revision() != route.edition->revision) {
+    exchange.tell_revision(response, chunk->revision());
+  }
+  exchange.charge(1, response);
+  return response;
+}
+
 }  // namespace
 
 Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
   if (auto wrong = check_path(exchange, route)) return wrong;
   ChunkSource& source = exchange.chunks(route.edition.has_value());
   if (route.edition) {
-    if (const auto newest = source.revision(route.key); newest != route.edition->revision) {
-      return moved_to(route, newest);
-    }
+    const std::uint64_t newest = source.revision(route.key);
+    if (!is_given_newest(exchange, route.edition->revision, newest)) return moved_to(route, newest);
   }
   const EncodedChunkPtr chunk = source.find(route.key);
   if (chunk == nullptr) return std::nullopt;
-  if (route.edition && chunk->revision() != route.edition->revision)
-    return moved_to(route, chunk->revision());
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
   exchange.found_in_memory();
-  http::Response response = exchange.immutable(chunk);
-  exchange.charge(1, response);
-  return response;
+  return answer_with(exchange, route, chunk);
 }
 
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRoute& route) {
@@ -72,27 +85,22 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRout
   auto chunks = co_await exchange.start_fetch(route.edition.has_value()).get(keys, exchange.deadline());
   if (!chunks) co_return fetch_failed(chunks.error(), shared.memory);
   shared.metrics.cold_latency.add(shared.clock.now() - exchange.began());
-  const EncodedChunkPtr chunk = chunks->front();
-  if (route.edition && chunk->revision() != route.edition->revision) {
-    exchange.requester().charge(1, 0);  // it was made
-    co_return moved_to(route, chunk->revision());
-  }
-  http::Response response = exchange.immutable(chunk);
-  exchange.charge(1, response);
-  co_return response;
+  co_return answer_with(exchange, route, chunks->front());
 }
 
 Answer answer_now(Exchange& exchange, const ColumnsRoute& route) {
   if (auto wrong = check_path(exchange, route)) return wrong;
   if (!route.edition) return std::nullopt;
   const std::uint64_t newest = newest_of(exchange, route);
-  return newest == route.edition->revision ? std::nullopt : Answer{moved_to(route, newest)};
+  if (is_given_newest(exchange, route.edition->revision, newest)) return std::nullopt;
+  return moved_to(route, newest);
 }
 
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRoute& route) {
   if (!exchange.shared().memory.takes_work()) co_return no_memory();
   Requester& requester = exchange.requester();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
+  const std::uint64_t before = route.edition ? newest_of(exchange, route) : kBaseRevision;
   ColumnFetch columns{exchange, route.edition.has_value()};
   std::string body;
   if (route.square) append_square_head(body, route.edge);
@@ -111,15 +119,13 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRo
       co_return *std::move(wrong);
     }
   }
-  if (route.edition) {
-    // Edits came while the columns were fetched: some of them may be of one revision, some of another.
-    const std::uint64_t newest = std::max(newest_of(exchange, route), columns.revision());
-    if (newest != route.edition->revision) {
-      requester.charge(columns.chunks(), 0);
-      co_return moved_to(route, newest);
-    }
-  }
   http::Response response = exchange.immutable(std::move(body));
+  if (route.edition) {
+    // Edits that came while the columns were fetched may be in some of them and not in others. All that came
+    // before are in all.
+    const std::uint64_t newest = std::max(newest_of(exchange, route), columns.revision());
+    if (before != newest || newest != route.edition->revision) exchange.tell_revision(response, before);
+  }
   exchange.charge(columns.chunks(), response);
   co_return response;
 }

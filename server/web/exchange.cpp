@@ -1,6 +1,7 @@
 #include "web/exchange.h"
 
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include "chunks/client_ids.h"
@@ -75,6 +76,12 @@ http::Response Exchange::immutable(const EncodedChunkPtr& chunk) {
   response.cache_control = immutable_for(audience);
   tag(*request_, response);
   return response;
+}
+
+void Exchange::tell_revision(http::Response& response, std::uint64_t revision) const {
+  response.cache_control = passing_for(audience);
+  response.fields.push_back({"Talus-Revision", std::to_string(revision)});
+  response.fields.push_back({"Access-Control-Expose-Headers", "Talus-Revision"});
 }
 
 }  // namespace talus::server::web

@@ -69,6 +69,8 @@ class Exchange {
   /// Bytes that never change.
   [[nodiscard]] http::Response immutable(std::string body) const;
   [[nodiscard]] http::Response immutable(const EncodedChunkPtr& chunk);
+  /// The response is of this revision, and not of its path's: no cache keeps it.
+  void tell_revision(http::Response& response, std::uint64_t revision) const;
   /// The answer is a chunk that was in memory.
   void found_in_memory() { hot_ = true; }
   [[nodiscard]] bool hot() const { return hot_; }

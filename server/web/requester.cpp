@@ -63,9 +63,9 @@ Answer Requester::find(const http::Request& request) {
 Answer Requester::check_rates(Clock::time_point now) {
   if (const auto refusal = caller_->rates.refuse_request(now)) return refuse(*refusal);
   // What is no chunk takes bytes too: a client that owes that many waits.
-  const SessionRates::Due due = caller_->rates.chunks_due(now);
-  if (due.at <= now + kMaxThrottle) return std::nullopt;
-  return over_rate(due.at - now);
+  const Clock::time_point due = next_chunk(now);
+  if (due <= now + kMaxThrottle) return std::nullopt;
+  return over_rate(due - now);
 }
 
 Answer Requester::check_token(const http::Request& request, bool for_caches, Audience& audience) const {
@@ -88,17 +88,22 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
   return std::nullopt;
 }
 
+Clock::time_point Requester::next_chunk(Clock::time_point now) {
+  const SessionRates::Due due = caller_->rates.chunks_due(now);
+  if (due.throttled) shared_.metrics.throttled(*due.throttled).add();
+  return due.at;
+}
+
 asio::awaitable<Answer> Requester::wait_for_rates(asio::any_io_executor executor) {
   TimedEvent event{executor, shared_.clock};
   const auto until = shared_.clock.now() + kMaxThrottle;
   for (;;) {
     if (!caller_) co_return fetch_failed(FetchError::gone, shared_.memory);
     const auto now = shared_.clock.now();
-    const SessionRates::Due due = caller_->rates.chunks_due(now);
-    if (due.throttled) shared_.metrics.throttled(*due.throttled).add();
-    if (due.at <= now) break;
-    if (due.at > until) co_return over_rate(due.at - now);
-    co_await event.wait_until(due.at);
+    const Clock::time_point due = next_chunk(now);
+    if (due <= now) break;
+    if (due > until) co_return over_rate(due - now);
+    co_await event.wait_until(due);
   }
   co_return std::nullopt;
 }

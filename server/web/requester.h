@@ -40,9 +40,7 @@ class Requester {
   [[nodiscard]] RateLimits limits() const { return caller_->rates.limits(); }
   [[nodiscard]] const FlowUsePtr& flow() const { return caller_->flow; }
   /// When the rates let a chunk go; `now`: at once.
-  [[nodiscard]] Clock::time_point next_chunk(Clock::time_point now) {
-    return caller_->rates.chunks_due(now).at;
-  }
+  [[nodiscard]] Clock::time_point next_chunk(Clock::time_point now);
   /// Waits for that; an answer where it is too long. Before the work: who has no rate left costs the
   /// generators nothing.
   [[nodiscard]] asio::awaitable<Answer> wait_for_rates(asio::any_io_executor executor);

@@ -13,6 +13,7 @@
 #include "http/service.h"
 #include "net/admission.h"
 #include "net/session_runner.h"
+#include "web/recent_revisions.h"
 #include "web/site.h"
 #include "web/world_document.h"
 
@@ -37,6 +38,7 @@ struct WebContext {
   std::string store_id;                 // likewise
   std::atomic<std::uint64_t>& answers;  // of all connections, for the log
   std::atomic<std::uint64_t>& fetches;  // that ever waited, for their ids
+  RecentRevisions& recent_revisions;    // of `edits`
   std::shared_ptr<const Site> site;     // null: none
   std::shared_ptr<WorldDocument> world;
 };

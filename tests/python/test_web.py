@@ -37,7 +37,7 @@ WHOLE = column((-LIMIT, LIMIT, UNIFORM), (0, 2, b"\3\0\1\7"), (2, LIMIT - 2, b"\
 
 
 class Scripted(unittest.TestCase):
-    """`answers`: by path, a list of (status, body) in turn, of which the last stays."""
+    """`answers`: by path, a list of (status, body) in turn, of which the last stays. A third part is Talus-Revision."""
 
     def serve(self, answers):
         test, self.requests = self, []
@@ -46,8 +46,10 @@ class Scripted(unittest.TestCase):
             def do_GET(self):
                 test.requests.append((self.path, self.headers.get("Authorization")))
                 known = answers.get(self.path, [(404, b"")])
-                status, body = known.pop(0) if len(known) > 1 else known[0]
+                status, body, *said = known.pop(0) if len(known) > 1 else known[0]
                 self.send_response(status)
+                for revision in said:
+                    self.send_header("Talus-Revision", revision)
                 if status == 307:
                     self.send_header("Location", body.decode())
                     body = b""
@@ -117,6 +119,20 @@ class Scripted(unittest.TestCase):
             self.assertEqual(world.column(-1, 3).chunk(1).revision, 8)
             self.assertEqual(world.column(-2, 3).revision, 0)
             self.assertEqual(world.chunk(-1, 5, 3).revision, 0)
+
+    def test_land_that_is_edited_just_now_says_of_which_revision_it_is(self):
+        answers = {
+            **self.WITH_STORE,
+            f"{self.EDITED}/edits/0/-1/0": [(200, self.edits((-1, 3, 7)))],
+            f"{self.EDITED}/4/0/-1/3@7": [(307, b"3@8"), (200, WHOLE, "9")],
+            f"{self.EDITED}/4/0/-1/3@8": [(200, WHOLE, "12")],
+            f"{self.EDITED}/4/0/-1/5/3@7": [(200, UNIFORM, "nine")],
+        }
+        with talus.connect(self.serve(answers)) as world:
+            self.assertEqual(world.column(-1, 3).revision, 12)
+            self.assertEqual(world.column(-1, 3).revision, 9)
+            with self.assertRaisesRegex(talus.ProtocolError, "revision 'nine'"):
+                world.chunk(-1, 5, 3)
 
     def test_a_square_comes_by_the_greatest_revision_and_a_call_asks_for_a_region_once(self):
         square = struct.pack("<BBH", 1, 2, 0) + 4 * (struct.pack("<I", len(WHOLE)) + WHOLE)

@@ -25,6 +25,7 @@ constexpr std::size_t kAll = std::size_t{1} << 40;
 
 constexpr std::optional<protocol::Frame> kItself;
 constexpr auto kNoUpdates = [](ChunkKey) { return Outbox::Update{}; };
+constexpr auto kNoResends = [](ChunkKey) { return EncodedChunkPtr{}; };
 
 struct Taken {
   std::vector<std::byte> bytes;
@@ -40,7 +41,7 @@ Taken take(Outbox& outbox, const Outbox::TakeLimits& limits, Credit& credit) {
         taken.ids.push_back(entry.request_id);
         return kItself;
       },
-      kNoUpdates);
+      kNoUpdates, kNoResends);
   taken.bytes = flat(output);
   return taken;
 }
@@ -204,7 +205,7 @@ TEST_CASE("a chunk is written as write() leaves it") {
         entry.chunk = chunk_of(5000);
         return kItself;
       },
-      kNoUpdates);
+      kNoUpdates, kNoResends);
   CHECK(taken.chunks == 1);
   CHECK(taken.chunk_bytes == output.size());
   CHECK(output.size() == chunk_of(5000)->frame_bytes());
@@ -218,7 +219,8 @@ TEST_CASE("a frame in a chunk's place is written instead, and is no chunk") {
   outbox.push_chunk(entry(1, 100));
   Output output;
   const Outbox::Taken taken = outbox.take(
-      {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; }, kNoUpdates);
+      {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; }, kNoUpdates,
+      kNoResends);
   CHECK(output.size() == 7);
   CHECK(taken.chunks == 0);
   CHECK(credit.may_send());
@@ -231,8 +233,8 @@ TEST_CASE("updates go after control frames and before chunks, each once a write"
   outbox.push_chunk(entry(1, 100));
   const ChunkKey first{{5, 0, 0}, Lod{}};
   const ChunkKey second{{6, 0, 0}, Lod{}};
-  outbox.push_update(first);
   outbox.push_update(second);
+  outbox.push_update(first);
   outbox.push_control(protocol::Frame(7));
   Output output;
   std::vector<std::size_t> begins;
@@ -243,18 +245,111 @@ TEST_CASE("updates go after control frames and before chunks, each once a write"
         return kItself;
       },
       [&](ChunkKey key) {
+        if (key == second) return Outbox::Update{{}, true};
         begins.push_back(output.size());
         outbox.push_update(key);
-        return key == first ? Outbox::Update{protocol::Frame(11), nullptr} : Outbox::Update{{}, chunk_of(50)};
+        return Outbox::Update{protocol::Frame(11)};
+      },
+      [&](ChunkKey key) {
+        begins.push_back(output.size());
+        outbox.push_update(key);
+        return chunk_of(50);
       });
-  const std::size_t whole = chunk_of(50)->frame_bytes();
-  CHECK(begins == std::vector<std::size_t>{7, 18, 18 + whole});
+  // The chunk that is sent again is a chunk: of two that wait it is not the one before which a frame went.
+  CHECK(begins == std::vector<std::size_t>{7, 18, 18 + chunk_of(100)->frame_bytes()});
   CHECK(taken.chunks == 2);
   CHECK(credit.taken(taken.chunk_bytes).has_value());
   CHECK_FALSE(credit.taken(taken.chunk_bytes + 1).has_value());  // a frame counts as none
   CHECK(outbox.updates() == 2);
   outbox.drop_updates([&](ChunkKey key) { return key == first; });
   CHECK(outbox.updates() == 1);
+}
+
+namespace {
+
+/// What one writes to whom others edit the land: each chunk is edited again as soon as it went.
+struct EditedLand {
+  std::size_t broadcast_bytes = 0;  // of each of the chunks with even numbers; 0: none is a broadcast
+  std::size_t chunk_bytes = 0;      // of the others
+  std::size_t broadcasts_sent = 0;
+  std::size_t resent = 0;
+  std::size_t view_sent = 0;
+  Outbox outbox{};
+  Credit credit{kAll};
+
+  void edit(std::int32_t chunks) {
+    for (std::int32_t x = 0; x < chunks; ++x) outbox.push_update({{x, 0, 0}, Lod{}});
+  }
+  std::size_t write(std::size_t enough_bytes) {
+    Output output;
+    (void)outbox.take(
+        {enough_bytes}, credit, output,
+        [&](Outbox::Entry& entry) {
+          view_sent += entry.chunk->frame_bytes();
+          return kItself;
+        },
+        [&](ChunkKey key) {
+          if (broadcast_bytes == 0 || key.coord.x % 2 != 0) return Outbox::Update{{}, true};
+          broadcasts_sent += broadcast_bytes;
+          outbox.push_update(key);
+          return Outbox::Update{protocol::Frame(broadcast_bytes)};
+        },
+        [&](ChunkKey key) {
+          const EncodedChunkPtr chunk = chunk_of(chunk_bytes);
+          resent += chunk->frame_bytes();
+          outbox.push_update(key);
+          return chunk;
+        });
+    return output.size();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("however much of the land is edited, half of what goes is the View's while it has chunks") {
+  const std::size_t broadcast_bytes = GENERATE(std::size_t{0}, std::size_t{40}, std::size_t{4000});
+  const std::size_t chunk_bytes = GENERATE(std::size_t{0}, std::size_t{25'000});
+  const std::int32_t edited = chunk_bytes == 0 ? 1 : 60;  // one: broadcasts alone
+  if (broadcast_bytes == 0 && chunk_bytes == 0) return;
+  const std::size_t enough = GENERATE(std::size_t{1}, std::size_t{16} << 10, std::size_t{64} << 10);
+  EditedLand land{broadcast_bytes, chunk_bytes};
+  land.edit(edited);
+  std::size_t all = 0;
+  while (all < std::size_t{4} << 20) {
+    while (land.outbox.chunks(Outbox::Lane::view) < 64) land.outbox.push_chunk(entry(0, 3000));
+    all += land.write(enough);
+  }
+  constexpr std::size_t kOneOfEach = (std::size_t{16} << 10) + 2 * 25'100;
+  CHECK(land.view_sent + kOneOfEach >= all / 2);
+  if (chunk_bytes > 0 && edited > 1) CHECK(land.resent + kOneOfEach >= all / (broadcast_bytes > 0 ? 8 : 2));
+}
+
+TEST_CASE("small broadcasts go before chunks of the View and before chunks that are sent again") {
+  EditedLand land{40, 25'000};
+  for (int chunk = 0; chunk < 100; ++chunk) land.outbox.push_chunk(entry(0, 3000));
+  for (std::int32_t x = 1; x < 40; x += 2) land.outbox.push_update({{x, 0, 0}, Lod{}});
+  while (land.resent < 50'000) (void)land.write(16 << 10);
+  for (std::int32_t x = 0; x < 40; x += 2) land.outbox.push_update({{x, 0, 0}, Lod{}});
+  // What was resent last is paid for first, by chunks of the View.
+  std::size_t before = 0;
+  while (land.broadcasts_sent == 0) {
+    before = land.view_sent;
+    REQUIRE(land.write(1) > 0);
+  }
+  const std::size_t resent = land.resent;
+  while (land.broadcasts_sent < 20 * 40) REQUIRE(land.write(1) > 0);
+  CHECK(land.view_sent <= before + chunk_of(3000)->frame_bytes());
+  CHECK(land.resent == resent);
+}
+
+TEST_CASE("without chunks that wait edited land takes all, and owes nothing for it") {
+  EditedLand land{0, 25'000};
+  land.edit(60);
+  while (land.resent < 1'000'000) (void)land.write(64 << 10);
+  for (int chunk = 0; chunk < 200; ++chunk) land.outbox.push_chunk(entry(0, 3000));
+  const std::size_t resent = land.resent;
+  while (land.view_sent < 200'000) (void)land.write(16 << 10);
+  CHECK(land.resent - resent >= 150'000);
 }
 
 TEST_CASE("an update needs credit to begin") {

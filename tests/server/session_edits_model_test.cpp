@@ -244,6 +244,7 @@ class Conversation {
       case 13:
         return get_chunk(any_key());
       default:
+        clock_.advance(std::chrono::milliseconds{random_.below(100)});
         (void)read(static_cast<std::size_t>(random_.below(600)));
     }
   }
@@ -260,7 +261,7 @@ class Conversation {
       source_.answer_one();
       take_mail();
       give_credit();
-      quiet = read(SIZE_MAX) || worked ? 0 : quiet + 1;
+      quiet = read(SIZE_MAX) || worked || wait() ? 0 : quiet + 1;
     }
   }
 
@@ -353,6 +354,13 @@ class Conversation {
     });
   }
 
+  /// Until the session has something to say. Whether it will, and nothing else need happen.
+  bool wait() {
+    const Clock::time_point at = session_.sendable_at();
+    if (at == Clock::time_point::max()) return false;
+    if (at > clock_.now()) clock_.advance(at - clock_.now());
+    return true;
+  }
   /// Whether anything came.
   bool read(std::size_t enough_bytes) {
     const auto frames = cut(session_.take_output(enough_bytes));

@@ -350,3 +350,119 @@ TEST_CASE("updates that wait are memory of the session") {
   bench.look_at(100, 0);
   CHECK(bench.memory.used(MemoryUse::sessions) <= before);
 }
+
+namespace {
+
+constexpr std::size_t kWholeBytes = 24'500;
+
+/// Chunks that are edited whole, in sight of one whose client knows EditBroadcast.
+struct EditedWhole : Bench {
+  std::vector<ChunkKey> edited{};
+  std::uint64_t revision = 0;
+
+  explicit EditedWhole(std::int32_t radius) {
+    limits.window_bytes = std::uint64_t{1} << 40;
+    payload_of_source(100);
+    look_at(5, static_cast<std::uint16_t>(radius));
+    for (const Said& each : run_dry()) edited.push_back(each.key);
+  }
+  void payload_of_source(std::size_t bytes) { source.payload_bytes = bytes; }
+  void edit_all() {
+    ++revision;
+    std::vector<ChunkChange> changes;
+    for (const ChunkKey key : edited) {
+      source.in_memory[key] = scripted_chunk(key, revision, kWholeBytes);
+      changes.push_back({key, revision - 1, revision});
+    }
+    mailbox->put_changes(std::make_shared<const std::vector<ChunkChange>>(std::move(changes)));
+    take_mail();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a chunk that was sent again pauses before it is sent once more, then in its newest version") {
+  EditedWhole bench{0};
+  bench.edit_all();
+  REQUIRE(kinds(bench.output()) == Kinds{Body::Chunk});
+  CHECK(bench.session.sendable_at() == Clock::time_point::max());
+  const auto until = bench.clock.now() + ResendPauses::kPause;
+  for (int edits = 0; edits < 10; ++edits) {
+    bench.edit_all();
+    CHECK(bench.output().empty());
+    CHECK(bench.session.sendable_at() == until);
+    bench.clock.advance(std::chrono::milliseconds{20});
+  }
+  bench.clock.advance(until - bench.clock.now());
+  CHECK(bench.session.sendable_at() <= bench.clock.now());
+  const auto said = bench.output();
+  REQUIRE(kinds(said) == Kinds{Body::Chunk});
+  CHECK(said[0].revision == 11);
+  CHECK(bench.session.sendable_at() == Clock::time_point::max());
+}
+
+TEST_CASE("what pauses is forgotten with the View, and by a session that ends") {
+  EditedWhole bench{0};
+  bench.edit_all();
+  CHECK(bench.output().size() == 1);
+  bench.edit_all();
+  CHECK(bench.output().empty());
+  REQUIRE(bench.session.sendable_at() != Clock::time_point::max());
+  if (GENERATE(true, false)) {
+    bench.look_at(50, 0);
+  } else {
+    bench.session.abandon();
+  }
+  CHECK(bench.session.sendable_at() == Clock::time_point::max());
+  bench.clock.advance(ResendPauses::kPause);
+  CHECK(bench.output().empty());
+}
+
+TEST_CASE("a View comes while all that the client holds is edited whole, again and again") {
+  EditedWhole bench{4};
+  REQUIRE(bench.edited.size() == 81);
+  bench.payload_of_source(3000);
+  bench.edit_all();
+  bench.view_number = 2;
+  bench.look_at(5 + 9, 13);  // what it holds, and 648 chunks more
+  std::size_t resent = 0;
+  std::size_t viewed = 0;
+  bool complete = false;
+  while (!complete && viewed + resent < std::size_t{16} << 20) {
+    bench.answer_all();
+    for (const Said& each : bench.output(16 << 10)) {
+      complete = complete || each.kind == Body::ViewComplete;
+      if (each.kind == Body::Chunk) (each.revision > 0 ? resent : viewed) += each.frame_bytes;
+    }
+    // A link of 100 kB a second.
+    bench.clock.advance(std::chrono::milliseconds{160});
+    bench.edit_all();
+  }
+  CHECK(complete);
+  CHECK(resent <= viewed + 2 * kWholeBytes);
+  CHECK(resent + 4 * kWholeBytes >= viewed);
+}
+
+TEST_CASE("chunks that are to be sent again take no more than half of the room for what waits") {
+  Bench bench{1};
+  bench.limits.queued_bytes = 100'000;
+  bench.look_at(5, 4);
+  const auto sent = bench.run_dry();
+  std::vector<ChunkChange> changes;
+  for (const Said& each : sent) {
+    bench.source.revisions[each.key] = 1;
+    changes.push_back({each.key, 0, 1});
+  }
+  bench.mailbox->put_changes(std::make_shared<const std::vector<ChunkChange>>(std::move(changes)));
+  bench.take_mail();
+  CHECK(bench.output().empty());
+  CHECK(bench.source.waiting.size() == Delivery::kMaxUpdatesUnderWay);
+  // They come, and wait for the client; the View begins all the same.
+  while (!bench.source.waiting.empty()) {
+    const ChunkKey key = bench.source.waiting.begin()->first;
+    bench.source.mail(key, scripted_chunk(key, 1, 5000));
+  }
+  bench.take_mail();
+  bench.look_at(5 + 9, 13);
+  CHECK(bench.source.waiting.size() > 0);
+}

@@ -148,22 +148,24 @@ class WebWorld(Queries):
             return self._get(f"{self._world}/{self.info['codec']}/{name}"), 0
         path = f"{self._world}/{self._store}/{self.info['codec']}/{name}"
         for _ in range(_TRIES):
-            moved = self._follow(f"{path}@{revision}")
-            if isinstance(moved, bytes):
-                return moved, revision
-            revision = moved
+            body, revision = self._follow(f"{path}@{revision}", revision)
+            if body is not None:
+                return body, revision
         raise ServerError(ErrorCode.overloaded, f"{path} is edited faster than it is sent", 0)
 
-    def _follow(self, path):
-        """The body, or the revision that is the newest instead."""
+    def _follow(self, path, revision):
+        """The body and its revision, or None and the revision that is the newest instead."""
         try:
-            return self._get(path)
+            body, said = self._get_with_revision(path)
+            if said is not None and not _is_number(said):
+                raise ProtocolError(f"{path} is answered by revision {said!r}")
+            return body, revision if said is None else int(said)
         except _Moved as moved:
             there = urllib.parse.urljoin(path, moved.location)
             base, _, revision = there.rpartition("@")
-            if there == path or base != path.rpartition("@")[0] or not (revision.isascii() and revision.isdigit()):
+            if there == path or base != path.rpartition("@")[0] or not _is_number(revision):
                 raise ProtocolError(f"{path} leads to {moved.location!r}") from None
-            return int(revision)
+            return None, int(revision)
 
     def edited_columns(self, x, z, lod=0):
         """Revisions of the columns of chunks that were ever edited in the region (x, z) of 32 x 32 columns, by (x, z)."""
@@ -187,6 +189,10 @@ class WebWorld(Queries):
             raise ProtocolError(f"{path} is not answered by JSON") from None
 
     def _get(self, path):
+        return self._get_with_revision(path)[0]
+
+    def _get_with_revision(self, path):
+        """The body, and what Talus-Revision says: of land that is edited just now another than the path's; None: nothing."""
         request = urllib.request.Request(self._root + path, headers=self._headers)
         for turn in range(_TRIES):
             try:
@@ -194,7 +200,7 @@ class WebWorld(Queries):
                     body = answer.read(_MOST_BYTES + 1)
                 if len(body) > _MOST_BYTES:
                     raise ProtocolError(f"{path} is answered by over {_MOST_BYTES} bytes")
-                return body
+                return body, answer.headers.get("Talus-Revision")
             except http.client.HTTPException as error:
                 raise ProtocolError(f"{path} is not answered by HTTP: {error!r}") from None
             except urllib.error.HTTPError as refusal:
@@ -226,6 +232,10 @@ class _EditedColumns:
         if region not in self._regions:
             self._regions[region] = self._world.edited_columns(*region)
         return self._regions[region].get((x, z), 0)
+
+
+def _is_number(text):
+    return text.isascii() and text.isdigit() and len(text) <= 20
 
 
 def _error(path, refusal):

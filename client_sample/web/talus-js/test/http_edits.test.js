@@ -56,8 +56,11 @@ function edits(...columns) {
   return body;
 }
 
-/** `answers` by path: bytes, or a path to which it redirects; a column otherwise. */
-function serve(t, { storeId = STORE, interval = Infinity, answers = new Map() } = {}) {
+/**
+ * `answers` by path: bytes, or a path to which it redirects; a column otherwise. `revisions` by path: what Talus-Revision
+ * says of it.
+ */
+function serve(t, { storeId = STORE, interval = Infinity, answers = new Map(), revisions = new Map() } = {}) {
   const asked = [];
   const fetch = async (url) => {
     let path = new URL(url).pathname;
@@ -67,7 +70,7 @@ function serve(t, { storeId = STORE, interval = Infinity, answers = new Map() } 
       path === '/v1/world'
         ? new TextEncoder().encode(JSON.stringify(world(storeId)))
         : (answers.get(path) ?? (path.includes('/edits/') ? edits() : column(marked(5), marked(6))));
-    const response = new Response(body);
+    const response = new Response(body, revisions.has(path) ? { headers: { 'Talus-Revision': revisions.get(path) } } : {});
     Object.defineProperty(response, 'url', { value: `http://server${path}` });
     return response;
   };
@@ -153,6 +156,25 @@ test('a redirection says which revision came', async (t) => {
   assert.equal((await taken(3))[0].revision, 8n);
   const chunk = await client.getChunk({ lod: 0, x: 0, y: 0, z: 0 });
   assert.deepEqual([chunk.revision, mark(chunk)], [5n, 4]);
+});
+
+test('land that is edited just now comes under an older path, and says of which revision it is', async (t) => {
+  const answers = new Map([
+    [`${EDITS}/0/0`, edits([0, 0, 7])],
+    [`${EDITED}/0/0@7`, `${EDITED}/0/0@8`],
+    [`${EDITED}/0/0/0@7`, marked(4)],
+  ]);
+  const revisions = new Map([
+    [`${EDITED}/0/0@8`, '18446744073709551615'],
+    [`${EDITED}/0/0/0@7`, '9'],
+  ]);
+  const { look, taken, client } = serve(t, { answers, revisions });
+  await look(0, 0);
+  assert.equal((await taken(3))[0].revision, 2n ** 64n - 1n);
+  const key = { lod: 0, x: 0, y: 0, z: 0 };
+  assert.equal((await client.getChunk(key)).revision, 9n);
+  revisions.set(`${EDITED}/0/0/0@7`, '-9');
+  await assert.rejects(client.getChunk(key), { kind: 'broken_protocol' });
 });
 
 test('a square with edits comes by the greatest of its columns\' revisions', () => {

@@ -16,7 +16,7 @@ import {
   regionName,
   regionOf,
   revisionOf,
-  revisionOfPath,
+  revisionOfAnswer,
 } from './edits.js';
 import { get, type Getter, type Got, HttpError } from './get.js';
 import { readHeights } from './heights.js';
@@ -308,11 +308,11 @@ export class HttpClient extends ClientBase {
         const { tile } = task;
         const edited = this.editedOf(tile.lod, tile.x, tile.z)!;
         const revision = revisionOf(tile, edited);
-        const { body, url } = await this.get(this.chunksUrl(tileName(tile), revision), MAX_BODY_BYTES, controller.signal);
+        const got = await this.get(this.chunksUrl(tileName(tile), revision), MAX_BODY_BYTES, controller.signal);
         if (controller.signal.aborted) return;
         this.backoff.reset();
-        this.stats.chunkBytes += body.length;
-        this.takeTile(tile, body, edited, revisionOfPath(url, revision));
+        this.stats.chunkBytes += got.body.length;
+        this.takeTile(tile, got.body, edited, revisionOfAnswer(got, revision));
       } else {
         const { key } = task;
         const { payload, revision } = await this.getPayload(key, controller.signal);
@@ -336,8 +336,8 @@ export class HttpClient extends ClientBase {
     signal: AbortSignal,
     asked = this.editedOf(key.lod, key.x, key.z)?.revision(key.x, key.z) ?? 0n, // its column's
   ): Promise<{ payload: Uint8Array<ArrayBuffer>; revision: bigint }> {
-    const { body, url } = await this.get(this.chunksUrl(keyName(key), asked), MAX_PAYLOAD_BYTES, signal);
-    return { payload: body.slice(), revision: revisionOfPath(url, asked) };
+    const got = await this.get(this.chunksUrl(keyName(key), asked), MAX_PAYLOAD_BYTES, signal);
+    return { payload: got.body.slice(), revision: revisionOfAnswer(got, asked) };
   }
 
   /** `revision`: of the square. That of a column in it is at least what was known of it when it was asked for. */

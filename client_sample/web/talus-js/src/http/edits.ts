@@ -1,5 +1,6 @@
 // Which columns of chunks were edited: PROTOCOL.md, "Edited land". Nothing of it is trusted.
 import { broken } from '../wire/table.js';
+import type { Got } from './get.js';
 import type { Tile } from './tiles.js';
 
 const REGION = 32; // columns along each side
@@ -59,7 +60,14 @@ export function revisionOf(tile: Tile, edited: EditedColumns): bigint {
   return greatest;
 }
 
-/** What the path of an answer says, as a redirection may have led to a newer revision; else `asked`. */
+/** Of an answer: what it says itself; else what its path says, as a redirection may have led to a newer one; else `asked`. */
+export function revisionOfAnswer({ url, revision }: Pick<Got, 'url' | 'revision'>, asked: bigint): bigint {
+  if (revision === null) return revisionOfPath(url, asked);
+  if (!/^[0-9]{1,20}$/.test(revision)) throw broken(`a revision ${revision.slice(0, 40)}`);
+  return BigInt(revision);
+}
+
+/** What a path says; else `asked`. */
 export function revisionOfPath(url: string, asked: bigint): bigint {
   const mark = /@([0-9]{1,20})$/.exec(url);
   return mark === null ? asked : BigInt(mark[1]!);

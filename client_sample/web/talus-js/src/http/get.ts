@@ -26,6 +26,8 @@ export interface Getter {
 export interface Got {
   readonly body: Uint8Array;
   readonly url: string;
+  /** Of land that is edited just now, another than the URL's: Talus-Revision; null: it is the URL's. */
+  readonly revision: string | null;
 }
 
 /** The body has at most `most` bytes. */
@@ -48,7 +50,8 @@ export async function get(
       ...(token === undefined ? {} : { headers: { Authorization: `Bearer ${token}` } }),
     });
     if (!response.ok) throw await failure(response, url);
-    return { body: await readBounded(response, most, url), url: response.url };
+    const revision = response.headers.get('Talus-Revision');
+    return { body: await readBounded(response, most, url), url: response.url, revision };
   } catch (error) {
     if (error instanceof TalusError) throw error;
     if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);
