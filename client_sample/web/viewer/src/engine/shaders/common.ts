@@ -98,7 +98,7 @@ uniform float nightly;                // 0 by day, 1 at night: eyes see less col
 vec3 display(vec3 light) {
   light *= exposure;
   float grey = dot(light, vec3(0.2126, 0.7152, 0.0722));
-  light = mix(light, vec3(grey) * vec3(0.85, 0.95, 1.15), nightly * 0.45);
+  light = mix(light, vec3(grey) * vec3(0.78, 0.94, 1.24), nightly * 0.5);
   const mat3 toRrt = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
   const mat3 fromOdt = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
   vec3 v = toRrt * light;
