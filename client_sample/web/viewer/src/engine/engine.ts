@@ -1,5 +1,5 @@
 // The engine of the viewer: streams chunks, meshes them in workers and draws them.
-import { connect, type Client, type Edit, type EditDone, type EditLimits, type TalusError, type World } from 'talus';
+import type { Edit, EditDone, EditLimits, World } from 'talus';
 import type { EngineEvents, EngineOptions, EngineState, Hit, Marker, Slice, Stats, Vector, WorldInfo } from './api.js';
 import { Frame, type Eye } from './draw/frame.js';
 import { Ground } from './draw/ground.js';
@@ -15,6 +15,7 @@ import { Rate, Sample } from './meter.js';
 import { castRay } from './raycast.js';
 import { decodeChunk } from './stream/decode.js';
 import { Land } from './stream/land.js';
+import { Link } from './stream/link.js';
 import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
 import { ViewSender } from './stream/view_sender.js';
@@ -42,8 +43,8 @@ export class Engine {
   }
 
   private info: WorldInfo | null = null;
-  private client!: Client;
-  private joined!: Promise<World>;
+  private readonly link: Link;
+  private joined: Promise<World>;
   private readonly frames: Frame;
   private readonly pool: Pool;
   private readonly land: Land<TerrainMesh>;
@@ -65,7 +66,6 @@ export class Engine {
   private readonly predictions: Predictions;
   private readonly editing: Editing;
   private readonly nearestFirst = new NearestFirst<TerrainMesh>();
-  private clientEnded = false;
   private lost = false;
   private disposed = false;
   private readonly started = performance.now();
@@ -77,7 +77,6 @@ export class Engine {
   /** Time in update() since the last frame(). */
   private updated = 0;
   private readonly rate = new Rate();
-  private readonly untaken: Parameters<Client['taken']>[0][] = [];
   private seaLevel: number | null = null;
   private drawnVersion = -1;
   private reducedMotion: boolean;
@@ -88,8 +87,31 @@ export class Engine {
     this.horizon = options.horizon;
     this.token = options.token;
     this.reducedMotion = options.reducedMotion;
+    this.link = new Link(
+      options,
+      {
+        connected: (world, sameWorld) => this.onConnected(world, sameWorld),
+        chunk: (chunk) => {
+          const { lod, x, y, z } = chunk.key;
+          this.rate.add(performance.now());
+          const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
+          if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
+        },
+        left: (key) => {
+          if (key.lod === 0) this.predictions.left(key);
+          this.land.leave(key.lod, key.x, key.y, key.z);
+        },
+        viewComplete: () => {
+          this.viewComplete = true;
+          this.workSoon();
+        },
+        lost: (text, refused) => this.setState(refused ? 'refused' : 'lost', text),
+        error: (text) => this.emit('error', text),
+      },
+      () => this.land.waiting >= WAITING_MAX,
+    );
     // What waits for the network and for other threads begins first.
-    this.connect();
+    this.joined = this.link.open(this.token);
     this.pool = new Pool(
       workersFor(navigator.hardwareConcurrency ?? 2),
       () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
@@ -106,7 +128,7 @@ export class Engine {
     try {
       this.frames = new Frame(options.canvas, options.quality);
     } catch (error) {
-      this.client.close();
+      this.link.close();
       this.pool.dispose();
       throw new Error(`this browser cannot draw the world: it needs WebGL 2 (${(error as Error).message})`);
     }
@@ -128,7 +150,7 @@ export class Engine {
       },
       show: ({ x, y, z }, { payload, material }) => this.addChunk(0, x, y, z, payload, material),
     });
-    this.editing = new Editing(this.predictions, () => (this.disposed ? null : this.client));
+    this.editing = new Editing(this.predictions, () => (this.disposed ? null : this.link.client));
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
     options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
   }
@@ -227,12 +249,12 @@ export class Engine {
 
   /** Rejects with a TalusError where the server does not let this player edit. */
   editLimits(): Promise<EditLimits> {
-    return this.client.editLimits();
+    return this.link.client.editLimits();
   }
 
   /** Sends an edit, and shows `changes`, which are what it does, at once: they are taken back where it is refused. */
   edit(edit: Edit, changes: readonly VoxelChange[]): Promise<EditDone> {
-    return this.editing.edit(this.client, edit, changes);
+    return this.editing.edit(this.link.client, edit, changes);
   }
 
   setRadius(radius: number, horizon: number): void {
@@ -257,15 +279,14 @@ export class Engine {
 
   /** Where the connection is lost: tries at once what would be tried later. Edits that wait go on waiting. */
   hurry(): void {
-    if (this.clientEnded) this.reconnect();
-    else this.client.retry();
+    if (!this.link.hurry()) this.reconnect();
   }
 
   /** Begins anew with the server; what is drawn stays until it comes again. */
   reconnect(): void {
-    this.client.close();
+    this.link.drop();
     this.setState('connecting', '');
-    this.connect();
+    this.joined = this.link.open(this.token);
   }
 
   /** The next picture as a PNG; the first one waits for land, a few seconds at most. */
@@ -289,7 +310,7 @@ export class Engine {
       current: this.land.version === this.drawnVersion,
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
-      receivedBytes: this.client.stats.receivedBytes,
+      receivedBytes: this.link.client.stats.receivedBytes,
       get latency() {
         const of = latency.percentiles(0.5, 0.95, 0.99);
         return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };
@@ -323,48 +344,9 @@ export class Engine {
     this.disposed = true;
     this.options.canvas.removeEventListener('webglcontextlost', this.onContextLost);
     this.options.canvas.removeEventListener('webglcontextrestored', this.onContextRestored);
-    this.client.close();
+    this.link.close();
     this.pool.dispose();
     this.frames.dispose();
-  }
-
-  private connect(): void {
-    const url = new URL(this.options.url);
-    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    const client = connect({ url: url.href, token: this.token, clientName: 'talus-viewer', manualCredit: true });
-    this.client = client;
-    this.clientEnded = false;
-    const current = () => client === this.client && !this.disposed;
-    client.on('connected', (world, sameWorld) => current() && this.onConnected(world, sameWorld));
-    client.on('chunk', (chunk) => {
-      if (!current()) return;
-      const { lod, x, y, z } = chunk.key;
-      this.rate.add(performance.now());
-      const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
-      if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
-      if (this.land.waiting < WAITING_MAX) client.taken(chunk);
-      else this.untaken.push(chunk);
-    });
-    client.on('chunkLeft', (key) => {
-      if (!current()) return;
-      if (key.lod === 0) this.predictions.left(key);
-      this.land.leave(key.lod, key.x, key.y, key.z);
-    });
-    client.on('viewComplete', () => {
-      if (!current()) return;
-      this.viewComplete = true;
-      this.workSoon();
-    });
-    client.on('disconnected', (error, retryInMs) => {
-      if (current() && retryInMs !== null) this.setState('lost', error.message);
-    });
-    client.on('error', (error) => current() && this.emit('error', error.message));
-    client.on('closed', (error: TalusError | null) => {
-      if (current()) this.clientEnded = true;
-      if (current() && error !== null) this.setState(error.kind === 'refused' ? 'refused' : 'lost', error.message);
-    });
-    this.joined = client.ready();
-    this.joined.catch(() => {}); // told by `closed` as well
   }
 
   private onConnected(world: World, sameWorld: boolean): void {
@@ -440,7 +422,7 @@ export class Engine {
     if (next === null) return;
     const { view, moved } = next;
     try {
-      this.client.setView(view);
+      this.link.client.setView(view);
     } catch (error) {
       this.emit('error', (error as Error).message);
       return;
@@ -458,7 +440,7 @@ export class Engine {
 
   /** What is to be done between frames too, so that slow ones do not hold up what streams. */
   private work(): void {
-    this.takeBacklog();
+    this.link.takeBacklog();
     this.land.update(this.eye, 4);
     this.pool.flush();
     this.settle(performance.now());
@@ -473,10 +455,6 @@ export class Engine {
     }, 6);
   }
   private working = false;
-
-  private takeBacklog(): void {
-    while (this.untaken.length > 0 && this.land.waiting < WAITING_MAX) this.client.taken(this.untaken.shift()!);
-  }
 
   private settle(now: number): void {
     if (!this.viewComplete || this.complete || !this.land.settled) return;

@@ -72,11 +72,18 @@ float cloudShade(vec3 p) {
   return 1.0 - 0.55 * smoothstep(0.56 - cloudCover * 0.25, 0.78 - cloudCover * 0.25, cloudNoise(at) + 0.04);
 }
 
+/** What water sends itself: bright from above and around the sun, dark from the deep. */
+vec3 waterColour(vec3 direction) {
+  float up = direction.y * 0.5 + 0.5;
+  float toSun = max(dot(direction, sunDirection), 0.0);
+  return waterFog.rgb * (mix(0.45, 1.7, up * up) + 0.5 * pow(toSun, 3.0) + 0.9 * pow(toSun, 24.0));
+}
+
 /** What the air does to light on its way. */
 vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   float distance = length(ray);
   vec3 direction = ray / max(distance, 0.001);
-  if (waterFog.w > 0.5) return mix(waterFog.rgb, colour * vec3(0.34, 0.68, 0.74), exp(-distance * 0.06));
+  if (waterFog.w > 0.5) return mix(waterColour(direction), colour * vec3(0.42, 0.76, 0.82), exp(-distance * vec3(0.075, 0.045, 0.04)));
   float far = distance / horizonBlocks;
   float thick = far * far * 3.4 * fogDensity;
   // Mist lies low: the integral of exp(-height / 40) along the ray.

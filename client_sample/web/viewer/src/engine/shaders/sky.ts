@@ -77,7 +77,7 @@ void main() {
     clear = pow(1.0 - thick, 4.0);
   }
   if (stars > 0.0 && d.y > -0.02) colour += starLight(d) * stars * clear * (1.0 - disc) * smoothstep(-0.02, 0.25, d.y);
-  if (waterFog.w > 0.5) colour = waterFog.rgb;
+  if (waterFog.w > 0.5) colour = waterColour(d);
   // Less than a step of colour, so that gradients show no bands.
   float noisy = hash2(ivec2(gl_FragCoord.xy)) - 0.5;
   result = vec4(display(colour) + noisy / 255.0, 1.0);
