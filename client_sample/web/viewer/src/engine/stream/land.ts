@@ -41,8 +41,9 @@ export interface LandOptions<D extends Drawable> {
 }
 
 const COVER_EVERY_MS = 80;
-/** Where it takes long, it is found so many times more seldom. */
+/** Where it takes long, it is found after so many times as long; but a page that was not let run is not to wait for that. */
 const COVER_SHARE = 40;
+const COVER_LATEST_MS = 240;
 
 export class Land<D extends Drawable> {
   shape: Shape = [];
@@ -215,7 +216,7 @@ export class Land<D extends Drawable> {
     }
     this.dispatch();
     // While it fills, a few times a second are enough; for the first that is drawn nobody is to wait.
-    const isDue = start - this.coveredAt > Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs) || this.cover.size === 0;
+    const isDue = start - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.size === 0;
     if ((this.coverStale || this.heightsStale) && isDue) this.recover(budgetMs);
   }
 
