@@ -44,6 +44,7 @@ tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
     if (task.tile()) metrics_.map_tiles_made.add();
     if (keeps) maps_->put(*task.tile(), found.picture);
     task.add(found);
+    if (task.left() == 0) task.write_body();
     return AfterStep::go_on;
   } catch (const std::exception& error) {
     log_->error("{} of {} columns failed: {}", task.tile() ? "a map" : "heights", task.left(), error.what());

@@ -54,4 +54,8 @@ void HeightsTask::add(const HeightsFound& found) {
   making_.reset();
 }
 
+void HeightsTask::write_body() {
+  if (query_.body) found_ = {.body = query_.body(found_)};
+}
+
 }  // namespace talus::server

@@ -36,6 +36,8 @@ class HeightsTask {
   [[nodiscard]] bool is_begun() const { return making_ != nullptr; }
   /// Of exactly those columns; they are no longer in the making.
   void add(const HeightsFound& found);
+  /// Once none is left: what was found becomes the body that the query wants of it, if it wants one.
+  void write_body();
   /// No more are made.
   void give_up() {
     done_ = columns_;

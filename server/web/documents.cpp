@@ -110,26 +110,25 @@ std::string access_fields(const AccessLine& line) {
   return fields.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-std::string heights_document(const WorldInfo& world, const HeightsRoute& route, const HeightsFound& found) {
+std::string heights_document(const HeightsForm& form, const HeightsFound& found) {
   const std::size_t columns = found.heights_fx.size();
   std::string json = fmt::format(R"({{"subvoxels_per_voxel":{})", terrain::kSubvoxels);
-  if (route.width > 0) {
-    fmt::format_to(std::back_inserter(json), R"(,"w":{},"h":{})", route.width,
-                   columns / static_cast<std::size_t>(route.width));
+  if (form.width > 0) {
+    fmt::format_to(std::back_inserter(json), R"(,"w":{},"h":{})", form.width, columns / form.width);
   }
   json += R"(,"heights":)";
   append_array(json, columns, [&](std::size_t i) { return found.heights_fx[i]; });
-  if (route.looks) {
+  if (!form.looks.empty()) {
     std::vector<std::string> names;
-    for (const std::string& look : world.looks) names.push_back(ordered_json(look).dump());
+    for (const std::string& look : form.looks) names.push_back(ordered_json(look).dump());
     json += R"(,"looks":)";
     append_array(json, found.looks.size(),
                  [&](std::size_t i) -> const std::string& { return names.at(found.looks[i]); });
   }
-  const std::size_t fields = route.fields.size();
+  const std::size_t fields = form.fields.size();
   for (std::size_t field = 0; field < fields; ++field) {
     json += field == 0 ? R"(,"fields":{)" : ",";
-    json += ordered_json(std::string{route.fields[field]}).dump() + ':';
+    json += ordered_json(form.fields[field]).dump() + ':';
     append_array(json, found.values.size() / fields,
                  [&](std::size_t i) { return found.values[i * fields + field]; });
   }
@@ -137,14 +136,11 @@ std::string heights_document(const WorldInfo& world, const HeightsRoute& route, 
   return json;
 }
 
-std::string heights_npy(const HeightsRoute& route, const HeightsFound& found) {
+std::string heights_npy(std::size_t width, const HeightsFound& found) {
   static_assert(std::endian::native == std::endian::little);
   const std::size_t count = found.heights_fx.size();
   std::vector<std::size_t> shape{count};
-  if (route.width > 0) {
-    const auto width = static_cast<std::size_t>(route.width);
-    shape = {count / width, width};
-  }
+  if (width > 0) shape = {count / width, width};
   std::string array = files::npy_header(files::NpyType::int32, shape);
   return array.append(reinterpret_cast<const char*>(found.heights_fx.data()), count * sizeof(std::int32_t));
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <talus/protocol/message.h>
 
@@ -50,10 +51,15 @@ struct AccessLine {
 };
 [[nodiscard]] std::string access_fields(const AccessLine& line);
 
-/// Heights in subvoxels, and what else the route asks for. `found` is of its columns.
-[[nodiscard]] std::string heights_document(const WorldInfo& world, const HeightsRoute& route,
-                                           const HeightsFound& found);
+/// What a document of heights says beside them.
+struct HeightsForm {
+  std::size_t width = 0;              // of a grid; 0: a list
+  std::vector<std::string> looks{};   // the world's, by number, where columns have looks
+  std::vector<std::string> fields{};  // names of the values of each column
+};
+/// Heights in subvoxels, and looks and values where the form has them.
+[[nodiscard]] std::string heights_document(const HeightsForm& form, const HeightsFound& found);
 /// int32[row][column], or int32[column] of a list.
-[[nodiscard]] std::string heights_npy(const HeightsRoute& route, const HeightsFound& found);
+[[nodiscard]] std::string heights_npy(std::size_t width, const HeightsFound& found);
 
 }  // namespace talus::server::web

@@ -29,6 +29,16 @@ tl::expected<HeightsQuery, std::string_view> query_of(const HeightsRoute& route,
   return query;
 }
 
+/// How the route wants what is found written. Tens of thousands of numbers take milliseconds: no other
+/// connection is to wait for that.
+HeightsBody body_of(const HeightsRoute& route, const WorldInfo& world) {
+  const auto width = static_cast<std::size_t>(route.width);
+  if (route.npy) return [width](const HeightsFound& found) { return heights_npy(width, found); };
+  HeightsForm form{width, {}, {route.fields.begin(), route.fields.end()}};
+  if (route.looks) form.looks = world.looks;
+  return [form = std::move(form)](const HeightsFound& found) { return heights_document(form, found); };
+}
+
 }  // namespace
 
 Answer answer_now(Exchange& exchange, const HeightsRoute& route) {
@@ -55,10 +65,10 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const HeightsRo
   if (!shared.memory.takes_work()) co_return no_memory();
   auto query = query_of(route, shared.world);
   exchange.hold(route.columns.size() * (kColumnBytes + 2 * sizeof(float) * query->fields.size()));
-  const auto found = co_await exchange.start_fetch().heights(*std::move(query), exchange.deadline());
+  query->body = body_of(route, shared.world);
+  auto found = co_await exchange.start_fetch().heights(*std::move(query), exchange.deadline());
   if (!found) co_return fetch_failed(found.error(), shared.memory);
-  if (route.npy) co_return http::Response{200, "application/octet-stream", heights_npy(route, *found)};
-  co_return http::Response{200, kJson, heights_document(shared.world, route, *found)};
+  co_return http::Response{200, route.npy ? "application/octet-stream" : kJson, std::move(found->body)};
 }
 
 }  // namespace talus::server::web

@@ -11,7 +11,10 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "failing_allocations.h"
@@ -209,6 +212,31 @@ TEST_CASE("heights come by their ticket, failed ones too") {
   fake.service.submit_heights(client.mailbox(), 7, HeightsQuery{.columns = {{1, 2}}});
   client.await(2);
   CHECK(client.heights()[1].first == 7);
+  CHECK_FALSE(client.heights()[1].second.has_value());
+}
+
+TEST_CASE("a body of heights is written by the thread that makes them, once and of all") {
+  FakeService fake;
+  WaitingClient client;
+  std::thread::id writer;
+  int written = 0;
+  HeightsQuery query{.columns = {{1, 2}, {300, 400}}};
+  query.body = [&](const HeightsFound& found) {
+    writer = std::this_thread::get_id();
+    ++written;
+    return std::to_string(found.heights_fx.size());
+  };
+  fake.service.submit_heights(client.mailbox(), 1, query);
+  client.await(1);
+  const HeightsFound& found = client.heights()[0].second.value();
+  CHECK(found.body == "2");
+  CHECK(found.heights_fx.empty());
+  CHECK(written == 1);
+  CHECK(writer != std::this_thread::get_id());
+
+  query.body = [](const HeightsFound&) -> std::string { throw std::bad_alloc{}; };
+  fake.service.submit_heights(client.mailbox(), 2, query);
+  client.await(2);
   CHECK_FALSE(client.heights()[1].second.has_value());
 }
 

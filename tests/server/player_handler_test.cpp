@@ -824,6 +824,32 @@ TEST_CASE("files beside /v1 need no token, and count in the rates as all request
   CHECK(site.ask("/", "", "POST").status == 405);
 }
 
+TEST_CASE("heights are written where they are made, as JSON or as an array") {
+  Site site;
+  const auto client = site.connect();
+  const auto answer_to = [&](const std::string& target) {
+    client->send("GET " + target + " HTTP/1.1\r\nHost: a\r\n\r\n");
+    site.io.poll();
+    REQUIRE(site.source.waiting_heights.size() == 1);
+    const auto [ticket, mailbox] = *site.source.waiting_heights.begin();
+    site.source.answer_heights(ticket);  // the source writes them, as the generators do
+    mailbox->wake();
+    site.io.poll();
+    Answer answer = answers_in(client->text()).back();
+    CHECK(answer.status == 200);
+    return answer;
+  };
+  const Answer list = answer_to("/v1/heights?columns=1,2;3,4");
+  CHECK(list.field("Content-Type") == "application/json");
+  CHECK(list.body == "{\"subvoxels_per_voxel\":256,\"heights\":[256,256]}\n");
+  const Answer grid = answer_to("/v1/heights?x=0&z=0&w=2&h=1&step=1");
+  CHECK(grid.body == "{\"subvoxels_per_voxel\":256,\"w\":2,\"h\":1,\"heights\":[256,256]}\n");
+  const Answer array = answer_to("/v1/heights?x=0&z=0&w=2&h=1&step=1&format=npy");
+  CHECK(array.field("Content-Type") == "application/octet-stream");
+  CHECK(array.body.substr(0, 6) == "\x93NUMPY");
+  CHECK(array.body.substr(array.body.size() - 8) == std::string("\0\1\0\0\0\1\0\0", 8));
+}
+
 TEST_CASE("a tile of the map is drawn once in the client's turn, and kept by every cache") {
   Site site;
   const std::string path = "/v1/00000000000000020000000000000001/map/8/-1/2.png";

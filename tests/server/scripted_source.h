@@ -111,6 +111,7 @@ class ScriptedSource final : public ChunkSource {
     waiting_heights[ticket] = mailbox;
     heights_[ticket] = query.columns.size();
     if (query.tile) waiting_maps[ticket] = *query.tile;
+    bodies_[ticket] = std::move(query.body);
   }
   void cancel_heights(ClientId, std::uint64_t ticket) override {
     waiting_heights.erase(ticket);
@@ -137,8 +138,10 @@ class ScriptedSource final : public ChunkSource {
   }
   /// Every height is 256.
   void answer_heights(std::uint64_t ticket) {
-    waiting_heights.at(ticket)->put(
-        HeightsReady{ticket, HeightsFound{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)}});
+    HeightsFound found{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)};
+    if (const HeightsBody& body = bodies_[ticket]) found = {.body = body(found)};
+    const MailboxPtr mailbox = waiting_heights.at(ticket);
+    mailbox->put(HeightsReady{ticket, std::move(found)});
     waiting_heights.erase(ticket);
   }
   void answer_map(std::uint64_t ticket) {
@@ -153,6 +156,7 @@ class ScriptedSource final : public ChunkSource {
 
  private:
   std::map<std::uint64_t, std::size_t> heights_;  // how many
+  std::map<std::uint64_t, HeightsBody> bodies_;
 };
 
 }  // namespace talus::server

@@ -1,6 +1,7 @@
 // The viewer's page: puts its parts together. Each frame: what the player wants, the body's step, the engine's picture.
-import { Session, type Trouble } from './connection/session';
+import { mark } from './connection/marks';
 import { Server } from './connection/server';
+import { Session, type Trouble } from './connection/session';
 import { TokenStore } from './connection/token';
 import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
@@ -9,11 +10,12 @@ import { Touch } from './controls/touch';
 import { Builder } from './edit/builder';
 import { EditBar } from './edit/edit_bar';
 import { editCommands, undoByHabit } from './edit/hands';
-import type { Engine, Stats, Vector } from './engine/engine';
+import type { Engine, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
 import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
 import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
+import { Traveller } from './place/traveller';
 import { find, say, showFocusToTabs } from './ui/dom';
 import { Hud, share } from './ui/hud';
 import { Notices } from './ui/notices';
@@ -30,7 +32,6 @@ const isReducedBySystem = matchMedia('(prefers-reduced-motion: reduce)');
 const storage = () => localStorage;
 const DAY_S = 24 * 60;
 const SPAWN_PITCH = -8;
-const SPAWN_RISE = 14;
 
 let kept = load(defaults(isPhone), storage);
 const settings: Settings = mend(kept, fromLink(location.hash));
@@ -44,47 +45,11 @@ const address = new Address();
 const stage = find('stage');
 let engine: Engine | null = null;
 let hours = readLink(location.hash).time ?? 10.5;
-let isPlaced = false;
-/** Whether one is to be lifted out of water, once it is known whether there is any. */
-let surfaces = false;
 
 // --- Where one is ---
 
-function place(): Place {
-  const [x, y, z] = body.position;
-  return { x, y, z, yaw: body.yaw, pitch: body.pitch, time: hours, mode: body.mode };
-}
-
-/** To the ground of a column where y is null. */
-async function travel(x: number, y: number | null, z: number): Promise<void> {
-  let row = y;
-  if (row === null) {
-    const ground = Math.max(await server.ground(x, z), engine?.world.seaLevel ?? -Infinity);
-    row = ground + (body.mode === 'fly' ? SPAWN_RISE : 0);
-  }
-  body.place(x, row, z);
-  surfaces = y === null;
-  isPlaced = true;
-}
-
-/** Heights are those of the ground: water may stand on it. */
-function surface(engine: Engine): void {
-  const [x, y, z] = body.position;
-  const at = (row: number) => engine.voxelAt(Math.floor(x), row, Math.floor(z));
-  let row = Math.floor(y);
-  while (engine.isLiquid(at(row) ?? 0)) ++row;
-  if (at(row) === undefined) return;
-  surfaces = false;
-  if (row > y) body.place(x, row + (body.mode === 'fly' ? SPAWN_RISE : 0), z);
-}
-
-function toSpawn(): void {
-  if (engine === null) return;
-  const { x, y, z } = engine.world.spawn;
-  body.place(x + 0.5, y + (body.mode === 'fly' ? SPAWN_RISE : 0), z + 0.5);
-  surfaces = false;
-  isPlaced = true;
-}
+const traveller = new Traveller(body, server, () => engine);
+const place = () => traveller.place(hours);
 
 function follow(link: Partial<Place>): void {
   body.mode = link.mode ?? body.mode;
@@ -92,16 +57,16 @@ function follow(link: Partial<Place>): void {
   body.pitch = link.pitch ?? body.pitch;
   if (link.time !== undefined) setTime(link.time);
   if (link.x !== undefined && link.z !== undefined)
-    travel(link.x, link.y ?? null, link.z).catch((error: Error) => {
+    traveller.to(link.x, link.y ?? null, link.z).catch((error: Error) => {
       hud.status(error.message, 'bad');
-      if (!isPlaced) toSpawn();
+      if (!traveller.isPlaced) traveller.toSpawn();
     });
-  else if (!isPlaced) toSpawn();
+  else if (!traveller.isPlaced) traveller.toSpawn();
 }
 
 addEventListener('hashchange', () => follow(readLink(location.hash)));
 addEventListener('pagehide', () => {
-  if (isPlaced) address.write(place());
+  if (traveller.isPlaced) address.write(place());
 });
 
 // --- Light ---
@@ -180,12 +145,12 @@ find('goto-form').addEventListener('submit', (event) => {
   const wrong = find('goto-wrong');
   if (to === null) return say(wrong, 'Two or three numbers, such as 1200 -340 or 1200 90 -340.');
   say(wrong, '');
-  travel(to.x, to.y, to.z).then(
+  traveller.to(to.x, to.y, to.z).then(
     () => panels.close(),
     (error: Error) => say(wrong, error.message),
   );
 });
-find('goto-spawn').addEventListener('click', () => (toSpawn(), panels.close()));
+find('goto-spawn').addEventListener('click', () => (traveller.toSpawn(), panels.close()));
 
 // --- Digging and building ---
 
@@ -201,7 +166,7 @@ const notices = new Notices({
   reload: () => void session.open(),
   byHttp: () => change({ transport: 'http' }),
   askToken: (why) => tokenDialog.ask(why),
-  toSpawn,
+  toSpawn: () => traveller.toSpawn(),
 });
 
 const session = new Session(stage, settings, server, tokens, isReduced, {
@@ -216,7 +181,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
     opened.setSlice(slice.slice);
     applyMotion();
     applyBorders();
-    if (!isPlaced) follow(startingPlace());
+    if (!traveller.isPlaced) follow(startingPlace());
     hud.opening('The land is on its way', null);
     say(find('help-world'), `${opened.world.server}, world ${opened.world.fingerprint}`);
   },
@@ -334,7 +299,7 @@ async function openMap(): Promise<void> {
   openMapOverlay(find('map'), server, {
     place,
     world: () => engine?.world ?? null,
-    go: (x, z) => travel(x, null, z),
+    go: (x, z) => traveller.to(x, null, z),
     closed: toStage,
   });
 }
@@ -350,9 +315,9 @@ const loop = new Loop({
   cap: () => (isFirstPicture() ? 0 : settings.frameRate),
   step(now, seconds) {
     if (settings.timeRuns) setTime(hours + (seconds * 24) / DAY_S);
-    if (isPlaced) player.step(seconds);
-    if (engine !== null && isPlaced) {
-      if (surfaces) surface(engine);
+    if (traveller.isPlaced) player.step(seconds);
+    if (engine !== null && traveller.isPlaced) {
+      traveller.surface(engine);
       player.look(engine);
       builder.look(eye(), gaze.ahead());
       if (now - looked > 100) {
@@ -367,10 +332,10 @@ const loop = new Loop({
     }
   },
   update() {
-    if (engine !== null && isPlaced) engine.update();
+    if (engine !== null && traveller.isPlaced) engine.update();
   },
   draw(now) {
-    if (engine !== null && isPlaced) engine.frame(now);
+    if (engine !== null && traveller.isPlaced) engine.frame(now);
   },
 });
 
@@ -381,22 +346,11 @@ function isFirstPicture(): boolean {
   return stats.meshes > 0 && !hasPicture;
 }
 
-/** For measurements: when the first terrain was submitted, and when all of the view was. From the address on, in ms. */
-function mark(stats: Stats): void {
-  const marks: [string, number | null][] = [['talus:first', stats.firstFrameMs], ['talus:complete', stats.completeMs]]; // prettier-ignore
-  for (const [name, since] of marks) {
-    if (since === null || marked.has(name)) continue;
-    marked.add(name);
-    performance.mark(name, { startTime: session.began + since });
-  }
-}
-const marked = new Set<string>();
-
 function tell(now: number): void {
   notices.tick(now);
   if (engine === null) return;
   const stats = engine.stats();
-  mark(stats);
+  mark(stats, session.began);
   hud.connection(stats);
   editBar.waits(stats.state === 'lost' ? builder.waiting : 0);
   hud.where(place(), body);

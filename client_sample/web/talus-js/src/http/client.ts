@@ -8,7 +8,9 @@ import type { Chunk, ChunkKey, ConnectOptions, EditDone, EditLimits, Places } fr
 import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
 import { broken } from '../wire/table.js';
+import { Asked } from './asked.js';
 import { MAX_BODY_BYTES, readColumn, readSquare } from './columns.js';
+import { EditedRegions } from './edited_regions.js';
 import {
   EditedColumns,
   MAX_REGION_BYTES,
@@ -19,7 +21,7 @@ import {
   revisionOfAnswer,
 } from './edits.js';
 import { get, type Getter, type Got, HttpError } from './get.js';
-import { readHeights } from './heights.js';
+import { askHeights } from './heights.js';
 import { forEachColumn, quarters, type Tile, tileName, tilesOf } from './tiles.js';
 import { readWorld } from './world.js';
 
@@ -27,7 +29,6 @@ const MAX_PAYLOAD_BYTES = 65_538;
 const MAX_WORLD_BYTES = 4 << 20;
 const MAX_REQUESTS_AT_ONCE = 6; // a browser's connections to one server
 const DEFAULT_WINDOW_BYTES = 1 << 20;
-const HEIGHTS_PATH_BYTES = 700; // of columns; servers and caches bound the length of a path
 
 const DEFAULT_EDITS_INTERVAL_MS = 5_000;
 const NO_STORE = '0'.repeat(32);
@@ -53,11 +54,13 @@ export class HttpClient extends ClientBase {
   private abort = new AbortController();
   private tasks: Task[] = [];
   private running = new Map<Task, AbortController>();
-  private readonly asked: (() => void)[] = []; // requests of the application, before all tasks
-  private askedRunning = 0;
+  private readonly asked = new Asked(
+    () => (this.isClosed ? this.closedError() : null),
+    () => this.pump(),
+  );
   private readonly columns = new Map<string, GivenColumn>();
   private store = NO_STORE; // whose edits the columns have
-  private readonly regions = new Map<string, { readonly region: Region; edited: EditedColumns | null }>(); // of the View
+  private readonly regions = new EditedRegions();
   private editsTimer: ReturnType<typeof setTimeout> | undefined;
   private completeToTell = false;
   private holdTimer: ReturnType<typeof setTimeout> | undefined;
@@ -152,13 +155,12 @@ export class HttpClient extends ClientBase {
     for (const task of [...this.tasks, ...this.running.keys()]) {
       if ('region' in task) asked.add(regionName(task.region));
     }
-    const regions = [...this.regions].filter(([name]) => !asked.has(name));
-    this.tasks.unshift(...regions.map(([, { region }]) => ({ region })));
+    this.tasks.unshift(...this.regions.others(asked).map((region) => ({ region })));
   }
 
   private editedOf(lod: number, x: number, z: number): EditedColumns | null {
     if (!this.hasEdits) return EditedColumns.none;
-    return this.regions.get(regionName(regionOf(lod, x, z)))?.edited ?? null;
+    return this.regions.of(lod, x, z);
   }
 
   private isOld({ revision }: GivenColumn, lod: number, x: number, z: number): boolean {
@@ -166,9 +168,7 @@ export class HttpClient extends ClientBase {
   }
 
   private takeRegion(region: Region, edited: EditedColumns): void {
-    const held = this.regions.get(regionName(region));
-    if (held === undefined) return;
-    held.edited = edited;
+    if (!this.regions.take(region, edited)) return;
     const newer: Task[] = [];
     for (const [name, given] of this.columns) {
       const [lod, x, z] = name.split('/').map(Number) as [number, number, number];
@@ -178,19 +178,6 @@ export class HttpClient extends ClientBase {
     }
     const coming = new Set([...this.tasks, ...this.running.keys()].map((task) => ('tile' in task ? tileName(task.tile) : '')));
     this.tasks.unshift(...newer.filter((task) => 'tile' in task && !coming.has(tileName(task.tile))));
-  }
-
-  /** The regions of the View; what is known of others is forgotten. */
-  private followRegions(): void {
-    const { shape } = this.tracker;
-    const before = new Map(this.regions);
-    this.regions.clear();
-    if (!this.hasEdits) return;
-    shape?.forEachColumn((lod, x, z) => {
-      const region = regionOf(lod, x, z);
-      const name = regionName(region);
-      if (!this.regions.has(name)) this.regions.set(name, before.get(name) ?? { region, edited: null });
-    });
   }
 
   private fail(error: TalusError): void {
@@ -212,7 +199,7 @@ export class HttpClient extends ClientBase {
 
   protected stopped(): void {
     this.halt();
-    for (const start of this.asked.splice(0)) start(); // they fail at once
+    this.asked.failAll();
   }
 
   // ---- the View
@@ -222,7 +209,7 @@ export class HttpClient extends ClientBase {
     this.completeToTell = view !== null;
     const toAsk = this.tasks.filter((task) => 'region' in task);
     this.tasks = [];
-    this.followRegions();
+    this.regions.follow(this.hasEdits ? shape : null);
     for (const [name, { rows }] of this.columns) {
       const [lod, x, z] = name.split('/').map(Number) as [number, number, number];
       const now = shape?.rows(lod, x, z);
@@ -232,9 +219,8 @@ export class HttpClient extends ClientBase {
     const asked = new Set<string>(); // regions
     for (const [task, controller] of this.running) {
       if ('region' in task) {
-        const name = regionName(task.region);
-        if (this.regions.has(name)) {
-          asked.add(name);
+        if (this.regions.has(task.region)) {
+          asked.add(regionName(task.region));
         } else {
           this.running.delete(task);
           controller.abort();
@@ -260,12 +246,11 @@ export class HttpClient extends ClientBase {
       }).map((tile) => ({ tile }));
     }
     for (const task of toAsk) {
-      if (!('region' in task) || !this.regions.has(regionName(task.region))) continue;
+      if (!('region' in task) || !this.regions.has(task.region)) continue;
       asked.add(regionName(task.region));
       this.tasks.unshift(task);
     }
-    const unknown = [...this.regions].filter(([name, { edited }]) => edited === null && !asked.has(name));
-    this.tasks.unshift(...unknown.map(([, { region }]) => ({ region })));
+    this.tasks.unshift(...this.regions.others(asked, true).map((region) => ({ region })));
     this.pump();
   }
 
@@ -273,8 +258,8 @@ export class HttpClient extends ClientBase {
   private pump(): void {
     if (!this.connected) return;
     const most = Math.max(1, Math.min(MAX_REQUESTS_AT_ONCE, this.options.requestsAtOnce ?? MAX_REQUESTS_AT_ONCE));
-    const isFull = () => this.askedRunning + this.running.size >= most;
-    while (!isFull() && this.asked.length > 0) this.asked.shift()!();
+    const isFull = () => this.asked.running + this.running.size >= most;
+    while (!isFull() && this.asked.startNext());
     const window = this.options.windowBytes ?? DEFAULT_WINDOW_BYTES;
     while (!isFull() && this.holdTimer === undefined && this.owedBytes < window) {
       const next = this.tasks.findIndex((each) => this.mayStart(each));
@@ -435,34 +420,9 @@ export class HttpClient extends ClientBase {
 
   // ---- what the application asks
 
-  /** In turn with the View's requests, and before them. */
-  private ask(path: () => string, most: number): Promise<Uint8Array> {
-    return this.inTurn(async () => (await this.get(path(), most)).body);
-  }
-
-  private inTurn<T>(what: () => Promise<T>): Promise<T> {
-    return new Promise((resolve, reject) => {
-      if (this.isClosed) throw this.closedError();
-      this.asked.push(() => {
-        if (this.isClosed) {
-          reject(this.closedError());
-          return;
-        }
-        ++this.askedRunning;
-        what()
-          .then(resolve, reject)
-          .finally(() => {
-            --this.askedRunning;
-            this.pump();
-          });
-      });
-      this.pump();
-    });
-  }
-
   async getChunk(key: ChunkKey): Promise<Chunk> {
     checkKey(key);
-    const { payload, revision } = await this.inTurn(async () => {
+    const { payload, revision } = await this.asked.inTurn(async () => {
       if (!this.hasEdits) return this.getPayload(key, this.abort.signal);
       // Whatever is known of its region may be old.
       const region = regionOf(key.lod, key.x, key.z);
@@ -475,31 +435,10 @@ export class HttpClient extends ClientBase {
 
   async getPlaces(
     columns: readonly { readonly x: number; readonly z: number }[],
-    { looks = false, fields = [] }: { readonly looks?: boolean; readonly fields?: readonly string[] } = {},
+    wanted: { readonly looks?: boolean; readonly fields?: readonly string[] } = {},
   ): Promise<Places> {
-    const all: Places = {
-      heightsFx: new Int32Array(columns.length),
-      looks: looks ? new Uint8Array(columns.length) : null,
-      values: fields.length > 0 ? new Float32Array(columns.length * fields.length) : null,
-    };
-    const rest = [
-      ...(looks ? ['&looks=1'] : []),
-      ...(fields.length > 0 ? [`&fields=${fields.map(encodeURIComponent).join(',')}`] : []),
-    ].join('');
-    for (let at = 0; at < columns.length; ) {
-      let list = '';
-      let end = at;
-      for (; end < columns.length && list.length < HEIGHTS_PATH_BYTES; ++end) {
-        list += `${list === '' ? '' : ';'}${columns[end]!.x},${columns[end]!.z}`;
-      }
-      const body = await this.ask(() => `${this.base}/v1/heights?columns=${list}${rest}`, MAX_BODY_BYTES);
-      const places = readHeights(body, end - at, looks, fields, this.world!.looks);
-      all.heightsFx.set(places.heightsFx, at);
-      if (places.looks !== null) all.looks!.set(places.looks, at);
-      if (places.values !== null) all.values!.set(places.values, at * fields.length);
-      at = end;
-    }
-    return all;
+    const get = async (query: string) => (await this.get(`${this.base}/v1/heights?${query}`, MAX_BODY_BYTES)).body;
+    return askHeights(columns, wanted, () => this.world!.looks, (query) => this.asked.inTurn(() => get(query)));
   }
 
   async edit(): Promise<EditDone> {

@@ -43,3 +43,38 @@ export function readHeights(
   }
   return { heightsFx, looks: places, values };
 }
+
+const PATH_BYTES = 700; // of columns; servers and caches bound the length of a path
+
+type Columns = readonly { readonly x: number; readonly z: number }[];
+
+/** Asks for columns by as many requests as their paths take; `get(query)` gives a body. */
+export async function askHeights(
+  columns: Columns,
+  { looks = false, fields = [] }: { readonly looks?: boolean; readonly fields?: readonly string[] },
+  knownLooks: () => readonly string[],
+  get: (query: string) => Promise<Uint8Array>,
+): Promise<Places> {
+  const all: Places = {
+    heightsFx: new Int32Array(columns.length),
+    looks: looks ? new Uint8Array(columns.length) : null,
+    values: fields.length > 0 ? new Float32Array(columns.length * fields.length) : null,
+  };
+  const rest = [
+    ...(looks ? ['&looks=1'] : []),
+    ...(fields.length > 0 ? [`&fields=${fields.map(encodeURIComponent).join(',')}`] : []),
+  ].join('');
+  for (let at = 0; at < columns.length; ) {
+    let list = '';
+    let end = at;
+    for (; end < columns.length && list.length < PATH_BYTES; ++end) {
+      list += `${list === '' ? '' : ';'}${columns[end]!.x},${columns[end]!.z}`;
+    }
+    const places = readHeights(await get(`columns=${list}${rest}`), end - at, looks, fields, knownLooks());
+    all.heightsFx.set(places.heightsFx, at);
+    if (places.looks !== null) all.looks!.set(places.looks, at);
+    if (places.values !== null) all.values!.set(places.values, at * fields.length);
+    at = end;
+  }
+  return all;
+}

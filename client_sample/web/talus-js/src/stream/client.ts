@@ -1,41 +1,27 @@
 // A client over a stream of frames: PROTOCOL.md from "States" on.
 import { ClientBase } from '../client/base.js';
-import { PayloadCache } from '../client/payload_cache.js';
-import { decodeChunk } from '../decode.js';
-import { readRuns } from '../edits/runs.js';
 import { EDIT_ID_BIT } from '../edits/open_edits.js';
 import { EditSession } from '../edits/session.js';
-import { encodeChunk } from '../encode.js';
 import { TalusError } from '../errors.js';
-import { hashVoxels } from '../hash.js';
 import { checkKey, keyName, sameKey } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, Edit, EditDone, EditLimits, Places } from '../types.js';
 import { materialOf, uniformPayload } from '../uniform.js';
 import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
 import { broken } from '../wire/table.js';
-import {
-  CHUNK_REQUEST_BYTES,
-  type ChunkRequest,
-  COLUMN_BYTES,
-  creditFrame,
-  getChunksFrame,
-  getHeightsFrame,
-  helloFrame,
-  KNOWN_CHUNK_BYTES,
-  type KnownChunk,
-  pingFrame,
-  REST_BYTES,
-  viewFrame,
-} from '../wire/write.js';
+import { creditFrame, helloFrame, KNOWN_CHUNK_BYTES, pingFrame, REST_BYTES, viewFrame } from '../wire/write.js';
+import { Credit } from './credit.js';
+import { KeptChunks } from './kept_chunks.js';
 import { Pace } from './pace.js';
+import { Pings } from './pings.js';
 import { Requests } from './requests.js';
+import { Sending } from './sending.js';
+import { errorOf } from './server_error.js';
 import type { OpenTransport, Transport } from './transport.js';
 
 const OLDEST_PROTOCOL = 1;
 const PROTOCOL = 2;
 const CODEC = 4;
-const CHUNK_VOLUME = 32_768;
 const MAX_TEXT_BYTES = 4_096; // of token and client in Hello
 const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_KEEP_BYTES = 16 << 20;
@@ -49,41 +35,34 @@ const NOWHERE = 2 ** 40;
 
 type Message<K extends ServerMessage['kind']> = Extract<ServerMessage, { kind: K }>;
 
-interface OpenPing {
-  readonly sent: number;
-  resolve(milliseconds: number): void;
-  reject(error: TalusError): void;
-}
-
-/** Of a chunk whose credit is not given yet. */
-interface Debt {
-  readonly connection: number;
-  readonly bytes: number;
-}
-
 export class StreamClient extends ClientBase {
   private transport: Transport | null = null;
   private connection = 0; // counts attempts
   private reader = new FrameReader();
   private readonly requests = new Requests();
   private readonly pace = new Pace();
-  private readonly cache: PayloadCache;
-  private readonly pings = new Map<bigint, OpenPing>();
-  private lastNonce = 0;
-  private debts = new WeakMap<Chunk, Debt>();
-  private takenBytes = 0;
-  private creditedBytes = 0;
+  private readonly kept: KeptChunks;
+  private readonly pings = new Pings();
+  private readonly credit = new Credit();
   private viewNumber = 0;
-  private viewToSend = false;
   private completeToTell = false;
   /** Whether the chunk changed again while it is on its way. */
   private readonly refetching = new Map<string, boolean>();
-  private readonly edits = new EditSession(() => this.connected && this.sendLater(0));
+  private readonly edits = new EditSession(() => this.connected && this.sending.later(0));
+  private readonly sending = new Sending(
+    {
+      openWorld: () => (this.connected && this.leaving === null ? this.world : null),
+      send: (frame) => this.send(frame),
+      sendView: () => this.sendView(),
+    },
+    this.pace,
+    this.requests,
+    this.edits,
+  );
   private leaving: TalusError | null = null; // since GoAway, or an Error that ends the connection
   private heardAt = 0;
   private deadline: ReturnType<typeof setTimeout> | undefined;
   private heartbeat: ReturnType<typeof setInterval> | undefined;
-  private sendTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly uniform = new Map<number, Uint8Array<ArrayBuffer>>();
 
   constructor(
@@ -97,7 +76,7 @@ export class StreamClient extends ClientBase {
         throw new TalusError('out_of_range', `${name} has ${bytes} bytes; at most ${MAX_TEXT_BYTES} are allowed`);
       }
     }
-    this.cache = new PayloadCache(options.keepBytes ?? DEFAULT_KEEP_BYTES);
+    this.kept = new KeptChunks(options.keepBytes ?? DEFAULT_KEEP_BYTES);
     this.attempt();
   }
 
@@ -107,7 +86,7 @@ export class StreamClient extends ClientBase {
     const connection = ++this.connection;
     const isCurrent = () => connection === this.connection && !this.isClosed;
     this.reader = new FrameReader();
-    this.takenBytes = this.creditedBytes = 0;
+    this.credit.begin();
     this.leaving = null;
     const timeout = this.options.connectTimeoutMs ?? DEFAULT_CONNECT_TIMEOUT_MS;
     this.deadline = setTimeout(() => {
@@ -142,7 +121,7 @@ export class StreamClient extends ClientBase {
   private drop(error: TalusError): void {
     this.disconnect();
     const wasJoined = this.connected;
-    if (wasJoined) for (const ping of this.takePings()) ping.reject(error);
+    if (wasJoined) this.pings.failAll(error);
     this.lost(error);
   }
 
@@ -150,30 +129,22 @@ export class StreamClient extends ClientBase {
     ++this.connection; // what the transport still says is of no interest
     clearTimeout(this.deadline);
     clearInterval(this.heartbeat);
-    clearTimeout(this.sendTimer);
-    this.sendTimer = undefined;
+    this.sending.stop();
     this.transport?.close();
     this.transport = null;
     this.refetching.clear();
     this.completeToTell = false;
-    this.viewToSend = false;
     this.requests.putAllBack();
     this.edits.connectionEnded();
-  }
-
-  private takePings(): OpenPing[] {
-    const pings = [...this.pings.values()];
-    this.pings.clear();
-    return pings;
   }
 
   protected stopped(): void {
     this.disconnect();
     const error = this.closedError();
-    for (const ping of this.takePings()) ping.reject(error);
+    this.pings.failAll(error);
     this.requests.failAll(error);
     this.edits.failAll(error);
-    this.cache.clear();
+    this.kept.clear();
   }
 
   private receive(bytes: Uint8Array, isCurrent: () => boolean): void {
@@ -217,11 +188,11 @@ export class StreamClient extends ClientBase {
       case 'edit_result':
         this.backoff.reset();
         this.edits.handleResult(message);
-        return this.sendRequests();
+        return this.sending.now();
       case 'attached':
         this.backoff.reset();
         this.edits.handleAttached(message);
-        return this.sendRequests();
+        return this.sending.now();
       case 'pong':
         return this.handlePong(message);
       case 'go_away':
@@ -241,12 +212,12 @@ export class StreamClient extends ClientBase {
   }
 
   protected worldKnown(sameWorld: boolean): void {
-    if (!sameWorld) this.cache.clear();
+    if (!sameWorld) this.kept.clear();
     this.edits.joined(this.world!, sameWorld);
     const idle = this.world!.limits.idleTimeoutMs || PING_INTERVAL_MS * 3;
     this.heardAt = performance.now();
     this.heartbeat = setInterval(() => this.beat(), Math.min(PING_INTERVAL_MS, idle / 3));
-    this.sendRequests();
+    this.sending.now();
   }
 
   private beat(): void {
@@ -262,7 +233,7 @@ export class StreamClient extends ClientBase {
     const { id, key, revision, hash, payload } = message;
     this.stats.chunkBytes += frameBytes;
     const chunk: Chunk = { key, revision, hash, payload, material: materialOf(payload) };
-    this.debts.set(chunk, { connection: this.connection, bytes: frameBytes });
+    this.credit.owe(chunk, frameBytes);
     this.edits.saw(revision);
     let given = false;
     if (id !== 0) {
@@ -274,24 +245,19 @@ export class StreamClient extends ClientBase {
       this.backoff.reset();
       given = true;
       request.resolve(chunk);
-      this.sendRequests();
+      this.sending.now();
     } else if (this.tracker.shape?.covers(key)) {
       this.backoff.reset();
-      this.keep(chunk);
+      this.kept.keep(chunk);
       given = this.deliver(chunk);
     }
     if (!given || !this.options.manualCredit) this.taken(chunk);
   }
 
   taken(chunk: Chunk): void {
-    const debt = this.debts.get(chunk);
-    if (debt === undefined) return;
-    this.debts.delete(chunk);
-    if (debt.connection !== this.connection || !this.connected) return;
-    this.takenBytes += debt.bytes;
-    if (2 * (this.takenBytes - this.creditedBytes) < this.world!.limits.windowBytes) return;
-    this.creditedBytes = this.takenBytes;
-    this.send(creditFrame(this.takenBytes));
+    if (!this.connected) return;
+    const sum = this.credit.taken(chunk, this.world!.limits.windowBytes);
+    if (sum !== null) this.send(creditFrame(sum));
   }
 
   private handleUnchanged({ id, key, revision, hash }: Message<'unchanged'>): void {
@@ -302,37 +268,25 @@ export class StreamClient extends ClientBase {
     const held = this.tracker.find(key);
     if (held !== undefined && revision < held.revision) return; // it crossed an edit
     if (held?.hash === hash) return this.tracker.confirm(held, revision);
-    const kept = this.cache.find(keyName(key));
-    if (kept?.hash !== hash) this.refetch(key);
+    const kept = this.kept.find(key, hash);
+    if (kept === undefined) this.refetch(key);
     else this.deliver({ key, revision, hash, payload: kept.payload.slice(), material: null });
   }
 
   /** The revision says whether it is news, and whether it applies to what is here. Where it does not, or what is here was
    *  not kept, the chunk is asked for: that is always right. */
-  private handleEditBroadcast({ key, revision, previousRevision, runs }: Message<'edit_broadcast'>): void {
+  private handleEditBroadcast(message: Message<'edit_broadcast'>): void {
+    const { key, revision } = message;
     const held = this.tracker.find(key);
     this.edits.saw(revision);
     if (held === undefined || revision <= held.revision) return;
-    const payload = held.material === null ? this.cache.find(keyName(key)) : uniformPayload(held.material);
-    const isHeld = payload instanceof Uint8Array || (payload !== undefined && payload.hash === held.hash);
-    if (!isHeld || runs.length === 0 || previousRevision > held.revision) {
+    const chunk = this.kept.edited(held, message);
+    if (chunk === null) {
       this.refetch(key);
       return;
     }
-    const edited = new Uint16Array(CHUNK_VOLUME);
-    const before = decodeChunk(payload instanceof Uint8Array ? payload : payload!.payload, { into: edited });
-    if (before.voxels === null) edited.fill(before.uniform);
-    readRuns(runs, (first, end, material) => edited.fill(material, first, end));
-    const after = encodeChunk({ uniform: null, voxels: edited });
-    const chunk: Chunk = { key, revision, hash: hashVoxels({ uniform: null, voxels: edited }), payload: after, material: materialOf(after) };
-    this.keep(chunk);
+    this.kept.keep(chunk);
     this.deliver(chunk);
-  }
-
-  /** So that it can be told by its hash, and changed by what is broadcast. */
-  private keep({ key, revision, hash, payload, material }: Chunk): void {
-    if (material === null && hash !== null) this.cache.put(keyName(key), { key, revision, hash, payload });
-    else this.cache.erase(keyName(key));
   }
 
   private handleUniformColumn({ x, z, lod, revision, runs }: Message<'uniform_column'>): void {
@@ -364,7 +318,7 @@ export class StreamClient extends ClientBase {
   }
 
   private handleViewComplete({ number }: Message<'view_complete'>): void {
-    if (number !== this.viewNumber || this.viewToSend || this.tracker.view === null) return; // one replaced since
+    if (number !== this.viewNumber || this.sending.viewWaits || this.tracker.view === null) return; // one replaced since
     this.completeToTell = true;
     // Sent, but while a View that the server then refused did not have it.
     for (const key of this.tracker.missing()) this.refetch(key);
@@ -394,15 +348,13 @@ export class StreamClient extends ClientBase {
       looks: request.looks ? looks : null,
       values: request.fields.length > 0 ? values : null,
     });
-    this.sendRequests();
+    this.sending.now();
   }
 
   private handlePong({ nonce }: Message<'pong'>): void {
-    const ping = this.pings.get(nonce);
-    if (ping === undefined) throw broken('a Pong that no Ping asked for');
-    this.pings.delete(nonce);
-    this.stats.latencyMs = performance.now() - ping.sent;
-    ping.resolve(this.stats.latencyMs);
+    const took = this.pings.answered(nonce, performance.now());
+    if (took === null) throw broken('a Pong that no Ping asked for');
+    this.stats.latencyMs = took;
   }
 
   private handleGoAway({ reason, retryAfterMs }: Message<'go_away'>): void {
@@ -424,35 +376,30 @@ export class StreamClient extends ClientBase {
       case 'request':
         if (message.requestId >= EDIT_ID_BIT) {
           this.edits.editRefused(message, error, waits);
-          return this.sendRequests();
+          return this.sending.now();
         }
         if (this.requests.find(message.requestId) === undefined) {
           throw broken(`an Error about request ${message.requestId}, which is not in flight`);
         }
         if (waits) this.requests.putBack(message.requestId);
         else this.requests.take(message.requestId)!.reject(error);
-        this.sendRequests();
+        this.sending.now();
         return;
       case 'view':
         if (message.viewNumber !== this.viewNumber) return;
-        if (comesBack) this.viewToSend = true;
+        if (comesBack) this.sending.viewWaits = true;
         else this.emit('error', error);
-        this.sendRequests();
+        this.sending.now();
         return;
       case 'attach':
         this.edits.attachRefused(error, waits);
-        return this.sendRequests();
+        return this.sending.now();
       case 'view_chunk':
         if (message.chunk !== null && this.tracker.shape?.covers(message.chunk)) this.refetch(message.chunk);
         return;
-      case 'ping': {
-        // Pings are answered in their order.
-        const [oldest] = this.pings.entries();
-        if (oldest === undefined) return;
-        this.pings.delete(oldest[0]);
-        oldest[1].reject(error);
+      case 'ping':
+        this.pings.refuseOldest(error);
         return;
-      }
       case 'connection':
         this.leaving = error; // the close that follows tells
         return;
@@ -465,25 +412,20 @@ export class StreamClient extends ClientBase {
 
   protected viewApplied(): void {
     this.completeToTell = false;
-    this.viewToSend = true;
+    this.sending.viewWaits = true;
     this.viewNumber = (this.viewNumber % 0xffffffff) + 1;
-    this.sendRequests();
+    this.sending.now();
   }
 
   private sendView(): void {
     const { view } = this.tracker;
-    this.viewToSend = false;
     if (view === null) {
       const nowhere = { centre: { x: NOWHERE, y: 0, z: 0 }, horizontalRadius: 0, verticalRadius: 0 };
       this.send(viewFrame(nowhere, this.viewNumber, []));
       return;
     }
     const room = (this.world!.limits.frameBytes - 2 * REST_BYTES) / KNOWN_CHUNK_BYTES;
-    const known: KnownChunk[] = [];
-    for (const [, { key, hash }] of this.cache.entries()) {
-      if (known.length >= Math.min(room, MAX_KNOWN)) break;
-      if (this.tracker.shape!.covers(key)) known.push({ key, hash });
-    }
+    const known = this.kept.known(Math.min(room, MAX_KNOWN), (key) => this.tracker.shape!.covers(key));
     this.send(viewFrame(view, this.viewNumber, known));
   }
 
@@ -522,7 +464,7 @@ export class StreamClient extends ClientBase {
     if (this.isClosed) throw this.closedError();
     this.requests.add(request);
     // Soon, so that requests that are made together go together.
-    if (this.connected) this.sendLater(0);
+    if (this.connected) this.sending.later(0);
   }
 
   /** Asks anew for a chunk of the View. */
@@ -535,7 +477,7 @@ export class StreamClient extends ClientBase {
         const again = this.refetching.get(name) ?? false;
         this.refetching.delete(name);
         const before = this.tracker.find(key)?.revision ?? -1n;
-        if (this.tracker.shape?.covers(key) && chunk.revision >= before) this.keep(chunk);
+        if (this.tracker.shape?.covers(key) && chunk.revision >= before) this.kept.keep(chunk);
         const given = this.deliver(chunk);
         if (!given || !this.options.manualCredit) this.taken(chunk);
         if (again && this.connected && this.tracker.has(key)) this.refetch(key);
@@ -550,104 +492,11 @@ export class StreamClient extends ClientBase {
     );
   }
 
-  private sendLater(milliseconds: number): void {
-    if (this.sendTimer !== undefined) {
-      if (milliseconds > 0) return;
-      clearTimeout(this.sendTimer);
-    }
-    this.sendTimer = setTimeout(() => {
-      this.sendTimer = undefined;
-      this.sendRequests();
-    }, milliseconds);
-  }
-
-  /** Sends what the server's limits and rates allow. */
-  private sendRequests(): void {
-    if (!this.connected || this.leaving !== null) return;
-    const { limits } = this.world!;
-    const room = limits.frameBytes - 2 * REST_BYTES;
-    let chunks: ChunkRequest[] = [];
-    const flush = () => {
-      if (chunks.length > 0) this.send(getChunksFrame(chunks));
-      chunks = [];
-    };
-    for (;;) {
-      const wait = this.pace.wait(performance.now());
-      const next = this.requests.peek();
-      const hasNext = next !== undefined && this.requests.inFlightCount < limits.requestsInFlight;
-      if (!this.viewToSend && !hasNext && !this.edits.hasNext) break;
-      if (wait > 0) {
-        this.sendLater(wait);
-        break;
-      }
-      this.pace.take();
-      if (this.viewToSend) {
-        this.sendView();
-        continue;
-      }
-      if (this.edits.hasNext) {
-        const frame = this.edits.next(limits.frameBytes);
-        if (frame !== null) this.send(frame);
-        continue;
-      }
-      const { id, request } = this.requests.next()!;
-      if (request.kind === 'chunk') {
-        chunks.push({ id, key: request.key, known: null });
-        if (CHUNK_REQUEST_BYTES * (chunks.length + 1) > room) flush();
-        continue;
-      }
-      flush();
-      const most = Math.min(limits.heightsPerRequest, Math.floor(room / COLUMN_BYTES));
-      const fields = request.fields.map((name) => this.world!.fields.indexOf(name));
-      if (request.columns.length > most) {
-        const count = request.columns.length;
-        this.requests.take(id)!.reject(new TalusError('out_of_range', `${count} columns; this server takes ${most}`));
-      } else if (fields.includes(-1)) {
-        const name = request.fields[fields.indexOf(-1)];
-        const known = this.world!.fields.join(', ');
-        this.requests.take(id)!.reject(new TalusError('out_of_range', `no field ${name} here; there are: ${known}`));
-      } else {
-        this.send(getHeightsFrame(id, request.columns, request.looks, fields));
-      }
-    }
-    flush();
-  }
-
   ping(): Promise<number> {
     return new Promise((resolve, reject) => {
       if (!this.connected) throw new TalusError('disconnected', 'ping: the client is not connected');
       this.pace.take();
-      this.pings.set(BigInt(++this.lastNonce), { sent: performance.now(), resolve, reject });
-      this.send(pingFrame(this.lastNonce));
+      this.send(pingFrame(this.pings.add(performance.now(), resolve, reject)));
     });
-  }
-}
-
-function errorOf({ code, text, retryAfterMs }: Message<'error'>): TalusError {
-  const said = `the server says: ${text}`;
-  switch (code) {
-    case 'version':
-    case 'unauthorized':
-    case 'forbidden':
-    case 'unsupported':
-      return new TalusError('refused', said);
-    case 'malformed':
-    case 'unexpected':
-      return new TalusError('broken_protocol', said);
-    case 'too_large':
-    case 'too_many_requests':
-    case 'out_of_range':
-      return new TalusError('out_of_range', said);
-    case 'overloaded':
-      return new TalusError('overloaded', said, retryAfterMs);
-    case 'cancelled':
-      return new TalusError('cancelled', said);
-    case 'conflict':
-    case 'not_applied':
-      return new TalusError(code, said);
-    case 'timeout':
-      return new TalusError('timed_out', said);
-    default:
-      return new TalusError('server_failed', said, retryAfterMs);
   }
 }

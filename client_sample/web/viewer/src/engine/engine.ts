@@ -1,26 +1,28 @@
 // The engine of the viewer: streams chunks, meshes them in workers and draws them.
-import { connect, type Client, type Edit, type EditDone, type EditLimits, type TalusError, type World } from 'talus';
+import type { Edit, EditDone, EditLimits, World } from 'talus';
 import type { EngineEvents, EngineOptions, EngineState, Hit, Marker, Slice, Stats, Vector, WorldInfo } from './api.js';
 import { Frame, type Eye } from './draw/frame.js';
 import { Ground } from './draw/ground.js';
 import { materialTexture } from './draw/materials.js';
+import { NearestFirst } from './draw/nearest_first.js';
 import type { TerrainMesh } from './draw/terrain.js';
-import { Predictions, type Prediction, type VoxelChange } from './edit/predictions.js';
+import { Editing } from './edit/editing.js';
+import { Predictions, type VoxelChange } from './edit/predictions.js';
 import { touchedNeighbours } from './edit/touched.js';
-import { GAS, LIQUID, SOLID } from './mesh/mesher.js';
+import { kindIn, tablesOf } from './mesh/kinds.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
 import { Rate, Sample } from './meter.js';
 import { castRay } from './raycast.js';
 import { decodeChunk } from './stream/decode.js';
-import { Land, type Column, type Kind } from './stream/land.js';
+import { Land } from './stream/land.js';
+import { Link } from './stream/link.js';
 import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
+import { ViewSender } from './stream/view_sender.js';
 import { Voxels } from './stream/voxels.js';
 
 export type * from './api.js';
 
-/** A View is sent when the camera has gone a chunk or turned by 30 degrees, and no more often than this. */
-const VIEW_EVERY_MS = 250;
 /** Chunks that may wait for workers before the server is let know that no more are taken. */
 const WAITING_MAX = 3000;
 /** The first picture waits so long for land: one of the sky alone would only hold it up. */
@@ -41,8 +43,8 @@ export class Engine {
   }
 
   private info: WorldInfo | null = null;
-  private client!: Client;
-  private joined!: Promise<World>;
+  private readonly link: Link;
+  private joined: Promise<World>;
   private readonly frames: Frame;
   private readonly pool: Pool;
   private readonly land: Land<TerrainMesh>;
@@ -53,8 +55,7 @@ export class Engine {
   private viewComplete = false;
   private complete = false;
   private eye: Eye = { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
-  /** `chunks` names those of the View; empty: none was sent. */
-  private viewSent = { chunks: '', yaw: 0, at: -Infinity };
+  private readonly views = new ViewSender();
   private chunksWanted = 0;
   private radius: number;
   private horizon: number;
@@ -63,7 +64,8 @@ export class Engine {
   private selection: Vector | null = null;
   private marker: Marker | null = null;
   private readonly predictions: Predictions;
-  private clientEnded = false;
+  private readonly editing: Editing;
+  private readonly nearestFirst = new NearestFirst<TerrainMesh>();
   private lost = false;
   private disposed = false;
   private readonly started = performance.now();
@@ -75,7 +77,6 @@ export class Engine {
   /** Time in update() since the last frame(). */
   private updated = 0;
   private readonly rate = new Rate();
-  private readonly untaken: Parameters<Client['taken']>[0][] = [];
   private seaLevel: number | null = null;
   private drawnVersion = -1;
   private reducedMotion: boolean;
@@ -86,8 +87,31 @@ export class Engine {
     this.horizon = options.horizon;
     this.token = options.token;
     this.reducedMotion = options.reducedMotion;
+    this.link = new Link(
+      options,
+      {
+        connected: (world, sameWorld) => this.onConnected(world, sameWorld),
+        chunk: (chunk) => {
+          const { lod, x, y, z } = chunk.key;
+          this.rate.add(performance.now());
+          const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
+          if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
+        },
+        left: (key) => {
+          if (key.lod === 0) this.predictions.left(key);
+          this.land.leave(key.lod, key.x, key.y, key.z);
+        },
+        viewComplete: () => {
+          this.viewComplete = true;
+          this.workSoon();
+        },
+        lost: (text, refused) => this.setState(refused ? 'refused' : 'lost', text),
+        error: (text) => this.emit('error', text),
+      },
+      () => this.land.waiting >= WAITING_MAX,
+    );
     // What waits for the network and for other threads begins first.
-    this.connect();
+    this.joined = this.link.open(this.token);
     this.pool = new Pool(
       workersFor(navigator.hardwareConcurrency ?? 2),
       () => new Worker(new URL('./stream/worker.ts', import.meta.url), { type: 'module' }),
@@ -104,14 +128,14 @@ export class Engine {
     try {
       this.frames = new Frame(options.canvas, options.quality);
     } catch (error) {
-      this.client.close();
+      this.link.close();
       this.pool.dispose();
       throw new Error(`this browser cannot draw the world: it needs WebGL 2 (${(error as Error).message})`);
     }
     this.land = new Land<TerrainMesh>({
       drawer: this.frames.terrain,
       meshers: this.pool,
-      kindOf: (material) => this.kindOf(material),
+      kindOf: (material) => kindIn(this.kinds, material),
       now: () => performance.now(),
       heights: (column) => {
         this.frames.ground?.set(column);
@@ -126,6 +150,7 @@ export class Engine {
       },
       show: ({ x, y, z }, { payload, material }) => this.addChunk(0, x, y, z, payload, material),
     });
+    this.editing = new Editing(this.predictions, () => (this.disposed ? null : this.link.client));
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
     options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
   }
@@ -181,11 +206,11 @@ export class Engine {
   }
 
   isSolid(material: number): boolean {
-    return this.kindOf(material) === 'solid';
+    return kindIn(this.kinds, material) === 'solid';
   }
 
   isLiquid(material: number): boolean {
-    return this.kindOf(material) === 'liquid';
+    return kindIn(this.kinds, material) === 'liquid';
   }
 
   /** 0 to 24; the sun rises at 6. */
@@ -224,37 +249,12 @@ export class Engine {
 
   /** Rejects with a TalusError where the server does not let this player edit. */
   editLimits(): Promise<EditLimits> {
-    return this.client.editLimits();
+    return this.link.client.editLimits();
   }
 
   /** Sends an edit, and shows `changes`, which are what it does, at once: they are taken back where it is refused. */
-  async edit(edit: Edit, changes: readonly VoxelChange[]): Promise<EditDone> {
-    const prediction = this.predictions.begin(changes);
-    try {
-      const done = await this.client.edit(edit);
-      this.predictions.settled(prediction, done.revision, done.changed > 0);
-      void this.resolve(prediction);
-      return done;
-    } catch (error) {
-      this.predictions.refused(prediction);
-      throw error;
-    }
-  }
-
-  /** Asks for chunks that still show an edit that happened, where they do not come by themselves. */
-  private async resolve(prediction: Prediction): Promise<void> {
-    if (this.predictions.behind(prediction).length === 0) return;
-    const { client } = this;
-    try {
-      await client.ping(); // mostly they were on their way
-      for (const place of this.predictions.behind(prediction)) {
-        const chunk = await client.getChunk({ lod: 0, ...place });
-        if (client !== this.client || this.disposed) return;
-        this.predictions.resolved(prediction, place, chunk.revision, chunk);
-      }
-    } catch {
-      if (client === this.client && !this.disposed) this.predictions.refused(prediction); // what came is all there is
-    }
+  edit(edit: Edit, changes: readonly VoxelChange[]): Promise<EditDone> {
+    return this.editing.edit(this.link.client, edit, changes);
   }
 
   setRadius(radius: number, horizon: number): void {
@@ -279,15 +279,14 @@ export class Engine {
 
   /** Where the connection is lost: tries at once what would be tried later. Edits that wait go on waiting. */
   hurry(): void {
-    if (this.clientEnded) this.reconnect();
-    else this.client.retry();
+    if (!this.link.hurry()) this.reconnect();
   }
 
   /** Begins anew with the server; what is drawn stays until it comes again. */
   reconnect(): void {
-    this.client.close();
+    this.link.drop();
     this.setState('connecting', '');
-    this.connect();
+    this.joined = this.link.open(this.token);
   }
 
   /** The next picture as a PNG; the first one waits for land, a few seconds at most. */
@@ -311,7 +310,7 @@ export class Engine {
       current: this.land.version === this.drawnVersion,
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
-      receivedBytes: this.client.stats.receivedBytes,
+      receivedBytes: this.link.client.stats.receivedBytes,
       get latency() {
         const of = latency.percentiles(0.5, 0.95, 0.99);
         return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };
@@ -345,48 +344,9 @@ export class Engine {
     this.disposed = true;
     this.options.canvas.removeEventListener('webglcontextlost', this.onContextLost);
     this.options.canvas.removeEventListener('webglcontextrestored', this.onContextRestored);
-    this.client.close();
+    this.link.close();
     this.pool.dispose();
     this.frames.dispose();
-  }
-
-  private connect(): void {
-    const url = new URL(this.options.url);
-    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    const client = connect({ url: url.href, token: this.token, clientName: 'talus-viewer', manualCredit: true });
-    this.client = client;
-    this.clientEnded = false;
-    const current = () => client === this.client && !this.disposed;
-    client.on('connected', (world, sameWorld) => current() && this.onConnected(world, sameWorld));
-    client.on('chunk', (chunk) => {
-      if (!current()) return;
-      const { lod, x, y, z } = chunk.key;
-      this.rate.add(performance.now());
-      const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
-      if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
-      if (this.land.waiting < WAITING_MAX) client.taken(chunk);
-      else this.untaken.push(chunk);
-    });
-    client.on('chunkLeft', (key) => {
-      if (!current()) return;
-      if (key.lod === 0) this.predictions.left(key);
-      this.land.leave(key.lod, key.x, key.y, key.z);
-    });
-    client.on('viewComplete', () => {
-      if (!current()) return;
-      this.viewComplete = true;
-      this.workSoon();
-    });
-    client.on('disconnected', (error, retryInMs) => {
-      if (current() && retryInMs !== null) this.setState('lost', error.message);
-    });
-    client.on('error', (error) => current() && this.emit('error', error.message));
-    client.on('closed', (error: TalusError | null) => {
-      if (current()) this.clientEnded = true;
-      if (current() && error !== null) this.setState(error.kind === 'refused' ? 'refused' : 'lost', error.message);
-    });
-    this.joined = client.ready();
-    this.joined.catch(() => {}); // told by `closed` as well
   }
 
   private onConnected(world: World, sameWorld: boolean): void {
@@ -401,14 +361,14 @@ export class Engine {
       this.seaLevel = null;
       this.prepareMaterials(world);
       this.makeGround();
-      if (this.viewSent.chunks === '' && this.eye.x === 0 && this.eye.z === 0) {
+      if (!this.views.hasSent && this.eye.x === 0 && this.eye.z === 0) {
         this.eye = { ...this.eye, x: world.spawn.x + 0.5, y: world.spawn.y + 1.6, z: world.spawn.z + 0.5 };
       }
     }
     this.setState('streaming', '');
     // At once, so that the end of the View is not told before it is waited for.
-    if (this.viewSent.chunks !== '') {
-      this.viewSent = { ...this.viewSent, chunks: '', at: -Infinity };
+    if (this.views.hasSent) {
+      this.views.reset();
       this.sendView(performance.now());
     }
     this.emit('world', this.world, !isNew);
@@ -432,13 +392,7 @@ export class Engine {
 
   private prepareMaterials(world: World): void {
     const materials = world.materials.slice(0, MATERIALS_MAX);
-    const highest = materials.reduce((most, m) => Math.max(most, m.id), 0);
-    const kinds = new Uint8Array(highest + 1).fill(SOLID);
-    const places = new Uint16Array(65536);
-    materials.forEach((material, place) => {
-      kinds[material.id] = material.phase === 'gas' ? GAS : material.phase === 'liquid' ? LIQUID : SOLID;
-      places[material.id] = place;
-    });
+    const { kinds, places } = tablesOf(materials);
     this.kinds = kinds;
     this.pool.setWorld(kinds, places);
     this.frames.setMaterials(materialTexture(materials));
@@ -455,11 +409,6 @@ export class Engine {
   }
   private groundBase = 0;
 
-  private kindOf(material: number): Kind {
-    const kind = this.kinds[material] ?? SOLID;
-    return kind === GAS ? 'gas' : kind === LIQUID ? 'liquid' : 'solid';
-  }
-
   private seeSea(liquids: Int16Array, lod: number): void {
     for (const height of liquids) {
       if (height <= -32768) continue;
@@ -469,38 +418,29 @@ export class Engine {
   }
 
   private sendView(now: number): void {
-    if (this.info === null || now - this.viewSent.at < VIEW_EVERY_MS) return;
-    const { yaw, pitch } = this.eye;
-    const direction = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
-    const view = viewFor(this.info, this.eye, direction, this.radius, this.horizon);
-    const chunk = (v: number) => Math.floor(v / 32);
-    const { x, y, z } = view.centre;
-    const chunks = JSON.stringify([chunk(x), chunk(y), chunk(z), view.horizontalRadius, view.verticalRadius, view.rings]);
-    const before = this.viewSent;
-    const turned = Math.abs(Math.atan2(Math.sin(yaw - before.yaw), Math.cos(yaw - before.yaw))) > Math.PI / 6;
-    // Only another View has another end: one moves through rows of chunks without.
-    const moved = chunks !== before.chunks;
-    if (!moved && !(turned && !this.complete)) return;
-    this.viewSent = { chunks, yaw, at: now };
+    const next = this.info && this.views.next(now, this.info, this.eye, this.radius, this.horizon, this.complete);
+    if (next === null) return;
+    const { view, moved } = next;
     try {
-      this.client.setView(view);
+      this.link.client.setView(view);
     } catch (error) {
       this.emit('error', (error as Error).message);
       return;
     }
     if (!moved) return;
-    const shape = shapeOf(view, this.info);
+    const shape = shapeOf(view, this.info!);
     this.land.setShape(shape);
     this.chunksWanted = chunksOf(shape);
     this.viewComplete = this.complete = false;
     if (this.state === 'complete') this.setState('streaming', '');
-    const middle = (v: number) => chunk(v) * 32 + 16;
+    const middle = (v: number) => Math.floor(v / 32) * 32 + 16;
+    const { x, z } = view.centre;
     this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, Math.min(this.horizon, 32 * (view.rings!.at(-1)?.radius ?? view.horizontalRadius)));
   }
 
   /** What is to be done between frames too, so that slow ones do not hold up what streams. */
   private work(): void {
-    this.takeBacklog();
+    this.link.takeBacklog();
     this.land.update(this.eye, 4);
     this.pool.flush();
     this.settle(performance.now());
@@ -515,10 +455,6 @@ export class Engine {
     }, 6);
   }
   private working = false;
-
-  private takeBacklog(): void {
-    while (this.untaken.length > 0 && this.land.waiting < WAITING_MAX) this.client.taken(this.untaken.shift()!);
-  }
 
   private settle(now: number): void {
     if (!this.viewComplete || this.complete || !this.land.settled) return;
@@ -537,7 +473,7 @@ export class Engine {
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
     const drew = this.frames.draw({
       eye,
-      columns: this.nearestFirst(),
+      columns: this.nearestFirst.of(this.land.drawn, this.land.coverVersion, eye.x, eye.z),
       seconds: still ?? now / 1000,
       now: performance.now(),
       slice: this.land.slice,
@@ -555,22 +491,6 @@ export class Engine {
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
   }
-
-  /** Columns to draw, so that what is near hides what is behind it before that is shaded. */
-  private nearestFirst(): Column<TerrainMesh>[] {
-    const { x, z } = this.eye;
-    if (this.sorted.version !== this.land.version || Math.abs(x - this.sorted.x) + Math.abs(z - this.sorted.z) > 32) {
-      const distance = (c: Column<TerrainMesh>) => {
-        const size = 32 * 2 ** c.lod;
-        return Math.hypot((c.x + 0.5) * size - x, (c.z + 0.5) * size - z) - size / 2;
-      };
-      const keyed = Array.from(this.land.drawn, (column) => ({ column, at: distance(column) }));
-      keyed.sort((a, b) => a.at - b.at);
-      this.sorted = { version: this.land.version, x, z, columns: keyed.map((k) => k.column) };
-    }
-    return this.sorted.columns;
-  }
-  private sorted: { version: number; x: number; z: number; columns: Column<TerrainMesh>[] } = { version: -1, x: 0, z: 0, columns: [] };
 
   private setState(state: EngineState, reason: string): void {
     if (state === this.state && reason === '') return;

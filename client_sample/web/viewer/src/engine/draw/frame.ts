@@ -24,7 +24,7 @@ import {
   type IUniform,
   type Texture,
 } from 'three';
-import type { Column } from '../stream/land.js';
+import type { Column } from '../stream/column.js';
 import type { SlicePlane } from '../stream/messages.js';
 import { skyFragment, skyVertex } from '../shaders/sky.js';
 import { shadowFragment, shadowVertex, terrainFragment, terrainVertex } from '../shaders/terrain.js';

@@ -1,7 +1,7 @@
 // Heights of the land by level of detail, for light: what hides the sky, what casts shadows far away, how deep water
 // is. Each level is a square of voxels that wraps around, as the View moves over it.
 import { DataArrayTexture, DataUtils, HalfFloatType, LinearFilter, RGFormat, RepeatWrapping, type WebGLRenderer } from 'three';
-import { NO_HEIGHT, type Column, type Drawable } from '../stream/land.js';
+import { NO_HEIGHT, type Column, type Drawable } from '../stream/column.js';
 import { bind } from './pages.js';
 
 const NONE = DataUtils.toHalfFloat(-2048);

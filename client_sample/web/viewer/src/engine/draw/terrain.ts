@@ -11,7 +11,8 @@ import {
 } from 'three';
 import type { ChunkMesh } from '../mesh/mesher.js';
 import { GROUPS, SLOTS } from '../mesh/quad.js';
-import type { Column, Drawable, Drawer } from '../stream/land.js';
+import type { Column, Drawable } from '../stream/column.js';
+import type { Drawer } from '../stream/land.js';
 import { sideOf } from '../stream/slice.js';
 import type { SlicePlane } from '../stream/messages.js';
 import { PageMesh, Pages, bind, type Place } from './pages.js';
@@ -23,10 +24,7 @@ export interface TerrainMesh extends Drawable {
   readonly scale: number;
   /** Of the chunk, in blocks of the world. */
   readonly x: number;
-  readonly y: number;
   readonly z: number;
-  readonly low: number;
-  readonly high: number;
 }
 
 const SLOT_WIDTH = 256;
@@ -106,7 +104,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     this.quads += quads;
     return {
       slot, place, counts: mesh.counts, quads, scale,
-      x: x * 32 * scale, y: y * 32 * scale, z: z * 32 * scale, low: mesh.low, high: mesh.high,
+      x: x * 32 * scale, z: z * 32 * scale, bottom: (y * 32 + mesh.low) * scale, top: (y * 32 + mesh.high + 1) * scale,
     };
   }
 
@@ -135,12 +133,14 @@ export class Terrain implements Drawer<TerrainMesh> {
       const x = column.x * size - eye.x;
       const z = column.z * size - eye.z;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
+      if (!isVisible(planes, x, column.bottom - eye.y, z, size, column.top - eye.y)) continue;
+      // Caves deep under the land, seen from above it far away: nobody does.
+      const hides = hideBuried && column.ready && (column.lod > 0 || x * x + z * z > 25600);
+      const buried = hides ? (column.lowest - 6) * 2 ** column.lod : -Infinity;
       for (const mesh of column.drawables) {
-        const low = mesh.y + mesh.low * mesh.scale - eye.y;
-        const high = mesh.y + (mesh.high + 1) * mesh.scale - eye.y;
-        // Caves deep under the land, seen from above it far away: nobody does.
-        if (hideBuried && column.ready && mesh.y + (mesh.high + 1) * mesh.scale < (column.lowest - 6) * mesh.scale &&
-          (column.lod > 0 || x * x + z * z > 25600)) continue;
+        if (mesh.top < buried) continue;
+        const low = mesh.bottom - eye.y;
+        const high = mesh.top - eye.y;
         if (!isVisible(planes, x, low, z, size, high)) continue;
         this.push(mesh, x, low, z, size, high, column.skirts);
       }
@@ -157,10 +157,10 @@ export class Terrain implements Drawer<TerrainMesh> {
       const x = column.x * size - eye.x;
       const z = column.z * size - eye.z;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
+      if (!isVisible(planes, x, column.bottom - eye.y, z, size, column.top - eye.y)) continue;
       for (const mesh of column.drawables) {
-        const high = mesh.y + (mesh.high + 1) * mesh.scale;
-        if (column.ready && high < (column.lowest - 2) * mesh.scale) continue;
-        if (!isVisible(planes, x, mesh.y + mesh.low * mesh.scale - eye.y, z, size, high - eye.y)) continue;
+        if (column.ready && mesh.top < (column.lowest - 2) * mesh.scale) continue;
+        if (!isVisible(planes, x, mesh.bottom - eye.y, z, size, mesh.top - eye.y)) continue;
         // Of each mesh the faces that see the light are enough.
         const c = mesh.counts;
         const shadow = this.sets[mesh.place.page]!.shadow;

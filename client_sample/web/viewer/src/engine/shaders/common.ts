@@ -72,11 +72,18 @@ float cloudShade(vec3 p) {
   return 1.0 - 0.55 * smoothstep(0.56 - cloudCover * 0.25, 0.78 - cloudCover * 0.25, cloudNoise(at) + 0.04);
 }
 
+/** What water sends itself: bright from above and around the sun, dark from the deep. */
+vec3 waterColour(vec3 direction) {
+  float up = direction.y * 0.5 + 0.5;
+  float toSun = max(dot(direction, sunDirection), 0.0);
+  return waterFog.rgb * (mix(0.45, 1.7, up * up) + 0.5 * pow(toSun, 3.0) + 0.9 * pow(toSun, 24.0));
+}
+
 /** What the air does to light on its way. */
 vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   float distance = length(ray);
   vec3 direction = ray / max(distance, 0.001);
-  if (waterFog.w > 0.5) return mix(waterFog.rgb, colour * vec3(0.34, 0.68, 0.74), exp(-distance * 0.06));
+  if (waterFog.w > 0.5) return mix(waterColour(direction), colour * vec3(0.42, 0.76, 0.82), exp(-distance * vec3(0.075, 0.045, 0.04)));
   float far = distance / horizonBlocks;
   float thick = far * far * 3.4 * fogDensity;
   // Mist lies low: the integral of exp(-height / 40) along the ray.
@@ -98,7 +105,7 @@ uniform float nightly;                // 0 by day, 1 at night: eyes see less col
 vec3 display(vec3 light) {
   light *= exposure;
   float grey = dot(light, vec3(0.2126, 0.7152, 0.0722));
-  light = mix(light, vec3(grey) * vec3(0.85, 0.95, 1.15), nightly * 0.45);
+  light = mix(light, vec3(grey) * vec3(0.78, 0.94, 1.24), nightly * 0.5);
   const mat3 toRrt = mat3(0.59719, 0.07600, 0.02840, 0.35458, 0.90834, 0.13383, 0.04823, 0.01566, 0.83777);
   const mat3 fromOdt = mat3(1.60475, -0.10208, -0.00327, -0.53108, 1.10813, -0.07276, -0.07367, -0.00605, 1.07602);
   vec3 v = toRrt * light;

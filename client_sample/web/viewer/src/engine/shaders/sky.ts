@@ -43,20 +43,21 @@ void main() {
   vec3 d = normalize(direction);
   vec3 colour = skyColour(d);
   if (d.y < 0.0) colour = mix(colour, horizon * 0.9, min(-d.y * 3.0, 1.0));
-  if (stars > 0.0 && d.y > -0.02) colour += starLight(d) * stars * smoothstep(-0.02, 0.25, d.y);
   float toSun = dot(d, glowDirection);
   colour += sunDisc * vec3(1.0, 0.86, 0.62) * (smoothstep(0.99955, 0.99975, toSun) * 22.0 + pow(max(toSun, 0.0), 900.0) * 2.0);
   float toMoon = dot(d, moonDirection);
+  float disc = 0.0;                     // of the moon, which stars do not shine through
   if (stars > 0.0 && toMoon > 0.99) {
     vec3 right = normalize(cross(moonDirection, vec3(0.0, 0.0, 1.0)));
     vec3 upward = cross(right, moonDirection);
     vec2 m = vec2(dot(d, right), dot(d, upward)) / 0.028;
-    float disc = 1.0 - smoothstep(0.96, 1.02, length(m));
+    disc = 1.0 - smoothstep(0.96, 1.02, length(m));
     float spots = noise(m * 3.0 + 40.0, 1) * 0.6 + noise(m * 7.0 + 90.0, 1) * 0.4;
     colour = mix(colour, vec3(0.95, 0.94, 0.88) * (0.55 + 0.45 * spots) * 1.3, disc * min(stars * 2.0, 1.0));
     colour += vec3(0.10, 0.12, 0.16) * stars * pow(max(toMoon, 0.0), 1200.0);
   }
 
+  float clear = 1.0;                    // of clouds
   // Clouds on a plane high above: thick where noise is high, lit from the sun's side, lost in the distance.
   if (d.y > 0.015 && eye.y < CLOUD_HEIGHT) {
     float reach = (CLOUD_HEIGHT - eye.y) / d.y;
@@ -70,9 +71,13 @@ void main() {
     vec3 shade = horizon * 0.32 + zenith * 0.3 + skyLight * 0.18;
     float silver = pow(max(toSun, 0.0), 12.0) * (1.0 - density) * 1.6;
     vec3 cloud = mix(shade, sunLight * 0.42 + skyLight * 0.36, lit * 0.85) + glow * (0.22 * lit + silver);
-    colour = mix(colour, cloud, density * 0.92 * smoothstep(0.02, 0.16, d.y));
+    float thick = density * smoothstep(0.02, 0.16, d.y);
+    colour = mix(colour, cloud, thick * 0.92);
+    // A star is a point: what dims a bright sky little puts it out.
+    clear = pow(1.0 - thick, 4.0);
   }
-  if (waterFog.w > 0.5) colour = waterFog.rgb;
+  if (stars > 0.0 && d.y > -0.02) colour += starLight(d) * stars * clear * (1.0 - disc) * smoothstep(-0.02, 0.25, d.y);
+  if (waterFog.w > 0.5) colour = waterColour(d);
   // Less than a step of colour, so that gradients show no bands.
   float noisy = hash2(ivec2(gl_FragCoord.xy)) - 0.5;
   result = vec4(display(colour) + noisy / 255.0, 1.0);

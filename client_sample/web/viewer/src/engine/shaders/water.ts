@@ -68,8 +68,9 @@ void main() {
   float alpha;
   if (below) {
     // From under water: the sky in a round window, and beyond its rim the water itself.
-    float window = smoothstep(0.6, 0.75, toEye.y * -1.0);
-    colour = mix(waterFog.rgb * 1.2, skyColour(normalize(vec3(-toEye.x, max(-toEye.y, 0.05), -toEye.z))), window);
+    float window = smoothstep(0.6, 0.75, -toEye.y + (n.x + n.z) * 0.25);
+    vec3 mirrored = waterColour(reflect(-toEye, n)) * 1.2 + waterFog.rgb * max(n.x + n.z, 0.0) * 1.5;
+    colour = mix(mirrored, skyColour(normalize(vec3(-toEye.x, max(-toEye.y, 0.05), -toEye.z))), window);
     alpha = mix(0.85, 0.35, window);
   } else {
     vec3 away = reflect(-toEye, n);

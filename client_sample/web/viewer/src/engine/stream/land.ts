@@ -3,17 +3,15 @@
 // A chunk is meshed once all its neighbours in the View are here, so that no seam shows, and again when a neighbour
 // comes that the View had not before. Chunks that left stay drawn until what replaces them is there (cover.ts).
 import type { ChunkMesh } from '../mesh/mesher.js';
-import { coverOf, nearestMissing } from './cover.js';
 import { ALL_AROUND } from '../edit/touched.js';
+import { Chunk, Column, type Drawable, type Kind } from './column.js';
+import { coverOf, nearestMissing } from './cover.js';
+import { refreshHeights } from './heights.js';
 import { columnKey } from './keys.js';
+import { MeshQueue } from './mesh_queue.js';
 import type { Job, SlicePlane } from './messages.js';
 import { hasColumn, type Shape } from './shape.js';
 import { sideOf } from './slice.js';
-
-/** A mesh on the GPU. */
-export interface Drawable {
-  readonly slot: number;
-}
 
 /** Where meshes go. */
 export interface Drawer<D extends Drawable> {
@@ -32,75 +30,6 @@ export interface Meshers {
   mesh(chunk: Chunk, job: Job): void;
 }
 
-export type Kind = 'gas' | 'liquid' | 'solid';
-
-
-export class Chunk<D extends Drawable = Drawable> {
-  payload: Uint8Array | null = null;
-  /** Of a chunk of one material. */
-  material: number | null = null;
-  arrived = 0;
-  /** Neighbours that are held, as bits (Job.known). */
-  known = 0;
-  /** What the mesh was made with; -1: not meshed yet. */
-  meshedWith = -1;
-  meshedSlice: SlicePlane | null = null;
-  changed = false;
-  /** Something in it was edited: it goes before all that is not. */
-  hurried = false;
-  job: { id: number; known: number; slice: SlicePlane | null; slot: number } | null = null;
-  queued = false;
-  left = false;
-  drawable: D | null = null;
-  tops: Uint8Array | null = null;
-  liquidTops: Uint8Array | null = null;
-
-  constructor(
-    readonly column: Column<D>,
-    readonly y: number,
-  ) {}
-
-  get lod(): number {
-    return this.column.lod;
-  }
-  get x(): number {
-    return this.column.x;
-  }
-  get z(): number {
-    return this.column.z;
-  }
-}
-
-export class Column<D extends Drawable = Drawable> {
-  readonly chunks = new Map<number, Chunk<D>>();
-  /** Of the View: bit (dz + 1) * 3 + dx + 1 for the columns around. */
-  around = 0;
-  wanted = false;
-  drawn = false;
-  ready = false;
-  begun = false;
-  stale = true;
-  /** Voxel rows of the level, of the highest solid voxel + 1 and of liquid; a great negative number: none. */
-  heights: Int16Array | null = null;
-  liquids: Int16Array | null = null;
-  lowest = -32768;
-  /** Of its chunks. */
-  drawables: D[] = [];
-  left = 0;
-  /** Whether a slice cut it when that was last looked at. */
-  cut = false;
-  /** Sides (mesh/quad.ts, SKIRTS) beyond which another level is drawn, as bits. */
-  skirts = 0;
-
-  constructor(
-    readonly lod: number,
-    readonly x: number,
-    readonly z: number,
-  ) {}
-}
-
-export const NO_HEIGHT = -32768;
-
 export interface LandOptions<D extends Drawable> {
   readonly drawer: Drawer<D>;
   readonly meshers: Meshers;
@@ -111,20 +40,27 @@ export interface LandOptions<D extends Drawable> {
   arrivedToDrawn(ms: number): void;
 }
 
+const COVER_EVERY_MS = 80;
+/** Where it takes long, it is found after so many times as long; but a page that was not let run is not to wait for that. */
+const COVER_SHARE = 40;
+const COVER_LATEST_MS = 240;
+
 export class Land<D extends Drawable> {
   shape: Shape = [];
   slice: SlicePlane | null = null;
   private readonly columns = new Map<number, Column<D>>();
   private readonly jobs = new Map<number, Chunk<D>>();
-  private queue: Chunk<D>[] = [];
-  private queueSorted = false;
-  private sortedAt = -Infinity;
+  private readonly queue = new MeshQueue<D>((chunk) => this.sliceOf(chunk));
   private nextJob = 1;
   private coverStale = true;
+  private heightsStale = false; // of some columns
   private coveredAt = -Infinity;
+  private coverMs = 0; // what it took last
   private cover = new Set<Column<D>>();
   /** Grows whenever what is drawn may have changed. */
   version = 0;
+  /** Grows whenever other columns are drawn. */
+  coverVersion = 0;
   private camera = { x: 0, y: 0, z: 0 };
   held = 0;
   payloadBytes = 0;
@@ -142,7 +78,7 @@ export class Land<D extends Drawable> {
 
   /** Whether all of the View that is here is meshed and drawn as it is to be. */
   get settled(): boolean {
-    return this.queue.length === 0 && this.jobs.size === 0 && !this.coverStale;
+    return this.queue.length === 0 && this.jobs.size === 0 && !this.coverStale && !this.heightsStale;
   }
 
   get waiting(): number {
@@ -258,7 +194,7 @@ export class Land<D extends Drawable> {
     if (job.slice === null) {
       chunk.tops = mesh.tops;
       chunk.liquidTops = mesh.liquidTops;
-      chunk.column.stale = true;
+      chunk.column.stale = this.heightsStale = true;
     }
     this.consider(chunk);
   }
@@ -276,11 +212,12 @@ export class Land<D extends Drawable> {
     const start = this.options.now();
     if (Math.abs(camera.x - this.camera.x) + Math.abs(camera.z - this.camera.z) > 24) {
       this.camera = { ...camera };
-      this.queueSorted = false;
+      this.queue.moved();
     }
     this.dispatch();
     // While it fills, a few times a second are enough; for the first that is drawn nobody is to wait.
-    if (this.coverStale && (start - this.coveredAt > 80 || this.cover.size === 0)) this.recover(budgetMs);
+    const isDue = start - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.size === 0;
+    if ((this.coverStale || this.heightsStale) && isDue) this.recover(budgetMs);
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */
@@ -288,7 +225,6 @@ export class Land<D extends Drawable> {
     for (const column of this.columns.values()) {
       column.ready = column.begun = false;
       column.stale = true;
-      column.drawables = [];
       for (const chunk of [...column.chunks.values()]) {
         if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
         chunk.drawable = null;
@@ -296,6 +232,7 @@ export class Land<D extends Drawable> {
         if (chunk.left) this.forget(chunk);
         else this.consider(chunk);
       }
+      column.gather();
     }
     this.coverStale = true;
   }
@@ -307,7 +244,7 @@ export class Land<D extends Drawable> {
         this.forget(chunk);
       }
     }
-    this.queue = [];
+    this.queue.clear();
     this.coverStale = true;
     this.recover(Infinity);
   }
@@ -359,13 +296,11 @@ export class Land<D extends Drawable> {
       chunk.changed = chunk.hurried = false;
       if (first || chunk.tops !== null) {
         chunk.tops = null;
-        chunk.column.stale = true;
+        chunk.column.stale = this.heightsStale = true;
       }
       return;
     }
-    chunk.queued = true;
-    this.queue.push(chunk);
-    this.queueSorted = false;
+    this.queue.add(chunk);
   }
 
   /** What a slice does to it: null where it leaves the chunk whole. */
@@ -412,44 +347,20 @@ export class Land<D extends Drawable> {
     if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
     const had = chunk.drawable !== null;
     chunk.drawable = drawable;
-    if (had || drawable !== null) this.gather(chunk.column);
+    if (had || drawable !== null) chunk.column.gather();
     chunk.meshedWith = known;
     chunk.meshedSlice = slice;
-    chunk.column.begun ||= drawable !== null;
-    chunk.column.stale ||= !chunk.column.ready;
-    this.coverStale = true;
+    const { column } = chunk;
+    if (!column.begun && drawable !== null) column.begun = this.coverStale = true;
+    column.stale ||= !column.ready;
+    this.heightsStale ||= column.stale;
     this.version++;
   }
 
-  private priority(chunk: Chunk<D>): number {
-    const size = 32 * 2 ** chunk.lod;
-    const dx = (chunk.x + 0.5) * size - this.camera.x;
-    const dy = (chunk.y + 0.5) * size - this.camera.y;
-    const dz = (chunk.z + 0.5) * size - this.camera.z;
-    // A chunk that is drawn already can wait; what lies deep too.
-    if (chunk.hurried) return Math.hypot(dx, dz) - 100_000;
-    return Math.hypot(dx, dz) + (dy > 0 ? dy * 0.25 : -dy * 0.5) + (chunk.meshedWith >= 0 && chunk.meshedSlice === this.sliceOf(chunk) ? 200 : 0);
-  }
-
   private dispatch(): void {
-    if (this.queue.length === 0) return;
-    const now = this.options.now();
-    if (!this.queueSorted && now - this.sortedAt > 120) {
-      this.sortedAt = now;
-      const by = new Map(this.queue.map((chunk) => [chunk, this.priority(chunk)]));
-      this.queue.sort((a, b) => by.get(b)! - by.get(a)!);
-      this.queueSorted = true;
-    }
-    const kept: Chunk<D>[] = [];
-    while (this.queue.length > 0 && kept.length < 32) {
-      const chunk = this.queue.pop()!;
-      chunk.queued = false;
-      if (chunk.left || (this.wantedAround(chunk) & ~chunk.known) !== 0) continue;
-      if (!this.options.meshers.hasRoom(chunk)) {
-        chunk.queued = true;
-        kept.push(chunk);
-        continue;
-      }
+    this.queue.forEachNext(this.options.now(), this.camera, (chunk) => {
+      if (chunk.left || (this.wantedAround(chunk) & ~chunk.known) !== 0) return true;
+      if (!this.options.meshers.hasRoom(chunk)) return false;
       const slice = this.sliceOf(chunk);
       const slot = this.options.drawer.takeSlot(chunk.lod, chunk.x, chunk.y, chunk.z);
       const id = this.nextJob++;
@@ -457,8 +368,8 @@ export class Land<D extends Drawable> {
       chunk.changed = chunk.hurried = false;
       this.jobs.set(id, chunk);
       this.options.meshers.mesh(chunk, { id, lod: chunk.lod, x: chunk.x, y: chunk.y, z: chunk.z, slot, known: chunk.known, slice });
-    }
-    for (let i = kept.length - 1; i >= 0; i--) this.queue.push(kept[i]!);
+      return true;
+    });
   }
 
   private cancel(chunk: Chunk<D>): void {
@@ -474,28 +385,38 @@ export class Land<D extends Drawable> {
     const column = chunk.column;
     if (chunk.left) column.left--;
     column.chunks.delete(chunk.y);
-    this.gather(column);
+    column.gather();
     if (column.chunks.size === 0) this.columns.delete(columnKey(column.lod, column.x, column.z));
   }
 
-  private gather(column: Column<D>): void {
-    column.drawables = [];
-    for (const chunk of column.chunks.values()) if (chunk.drawable !== null) column.drawables.push(chunk.drawable);
-  }
-
   private recover(budgetMs: number): void {
-    this.coverStale = false;
     this.coveredAt = this.options.now();
+    this.heightsStale = false;
     let refreshed = 0;
     for (const column of this.columns.values()) {
       if (!column.stale) continue;
       if (refreshed++ >= 24 && this.options.now() - this.coveredAt > budgetMs) {
-        this.coverStale = true; // the rest next time
+        this.heightsStale = true; // the rest next time
         break;
       }
-      this.refresh(column);
+      const { ready } = column;
+      column.stale = false;
+      const level = this.shape[column.lod];
+      if (level === undefined || column.chunks.size === 0) continue;
+      if (refreshHeights(column, level, this.options.kindOf)) this.options.heights(column);
+      this.coverStale ||= ready !== column.ready;
     }
     this.version++;
+    if (!this.coverStale) return;
+    this.coverStale = false;
+    const began = this.options.now();
+    this.drawAnew();
+    this.coverMs = this.options.now() - began;
+  }
+
+  /** Finds the columns to draw, and lets go what is drawn no more. */
+  private drawAnew(): void {
+    this.coverVersion++;
     const before = this.cover;
     this.cover = coverOf(this.shape, this);
     for (const column of before) column.drawn = false;
@@ -512,50 +433,4 @@ export class Land<D extends Drawable> {
       for (const chunk of [...column.chunks.values()]) if (chunk.left && !(column.drawn && !column.ready)) this.forget(chunk);
     }
   }
-
-  /** Heights, and whether all is meshed that can be seen from above: from the top down to where no column is open. */
-  private refresh(column: Column<D>): void {
-    column.stale = false;
-    const level = this.shape[column.lod];
-    if (level === undefined || column.chunks.size === 0) return;
-    let heights: Int16Array | null = null;
-    let liquids: Int16Array | null = null;
-    let open = 1024;
-    let ready = true;
-    for (let y = level.y1; y >= level.y0 && open > 0; y--) {
-      const chunk = column.chunks.get(y);
-      if (chunk === undefined || chunk.meshedWith < 0) {
-        ready = false;
-        continue;
-      }
-      const kind = chunk.material === null ? null : this.options.kindOf(chunk.material);
-      if (kind === 'gas' || (kind === null && chunk.tops === null)) continue;
-      heights ??= new Int16Array(1024).fill(NO_HEIGHT);
-      if (kind === 'liquid' || chunk.liquidTops !== null) {
-        liquids ??= new Int16Array(1024).fill(NO_HEIGHT);
-        for (let i = 0; i < 1024; i++) {
-          const top = kind === 'liquid' ? 32 : chunk.liquidTops![i]!;
-          if (top > 0 && heights[i] === NO_HEIGHT && liquids[i] === NO_HEIGHT) liquids[i] = y * 32 + top;
-        }
-      }
-      if (kind === 'liquid') continue;
-      for (let i = 0; i < 1024; i++) {
-        if (heights[i] !== NO_HEIGHT) continue;
-        const top = kind === 'solid' ? 32 : chunk.tops![i]!;
-        if (top === 0) continue;
-        heights[i] = y * 32 + top;
-        open--;
-      }
-    }
-    column.ready = ready;
-    if (heights !== null || liquids !== null) {
-      column.heights = heights;
-      column.liquids = liquids;
-      let lowest = 32767;
-      if (heights !== null) for (let i = 0; i < 1024; i++) if (heights[i]! < lowest) lowest = heights[i]!;
-      column.lowest = heights === null ? NO_HEIGHT : lowest;
-      this.options.heights(column);
-    }
-  }
 }
-

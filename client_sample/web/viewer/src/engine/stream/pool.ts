@@ -1,5 +1,6 @@
 // The meshing workers. Each owns squares of 8 x 8 columns of chunks, and holds what lies in them and right around.
-import type { Chunk, Meshers } from './land.js';
+import type { Chunk } from './column.js';
+import type { Meshers } from './land.js';
 import type { ChunkData, FromWorker, Job, ToWorker } from './messages.js';
 
 const SQUARE = 3; // 2^3 columns

@@ -2,7 +2,7 @@
 import { voxelIndex } from '../mesh/volume.js';
 import { decodeChunk } from './decode.js';
 import { chunkKey } from './keys.js';
-import type { Chunk } from './land.js';
+import type { Chunk } from './column.js';
 
 const KEPT = 128; // chunks: 8 MiB
 

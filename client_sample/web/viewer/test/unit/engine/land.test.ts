@@ -1,7 +1,8 @@
 // Chunks come and go in any order; meshes follow, and nothing is left behind.
 import { describe, expect, it } from 'vitest';
 import type { ChunkMesh } from '../../../src/engine/mesh/mesher.js';
-import { Land, type Chunk, type Drawable } from '../../../src/engine/stream/land.js';
+import type { Chunk, Drawable } from '../../../src/engine/stream/column.js';
+import { Land } from '../../../src/engine/stream/land.js';
 import type { Job } from '../../../src/engine/stream/messages.js';
 import { hasColumn, ringsFor, shapeOf, type Shape } from '../../../src/engine/stream/shape.js';
 
@@ -56,7 +57,7 @@ function stage(room = 4) {
       },
       freeSlot: (slot) => expect(slots.delete(slot), 'slot freed twice').toBe(true),
       add: (slot) => {
-        const drawable = { slot };
+        const drawable = { slot, bottom: 0, top: 32 };
         drawn.add(drawable);
         return drawable;
       },

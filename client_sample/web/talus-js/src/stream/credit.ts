@@ -1,0 +1,35 @@
+// Bytes of chunks that the application is done with: the server sends as many again. PROTOCOL.md, "Credit".
+import type { Chunk } from '../types.js';
+
+interface Debt {
+  readonly connection: number;
+  readonly bytes: number;
+}
+
+export class Credit {
+  private readonly debts = new WeakMap<Chunk, Debt>();
+  private connection = 0; // counts them: what came by one before is not owed any more
+  private takenBytes = 0;
+  private creditedBytes = 0;
+
+  /** A connection begins. */
+  begin(): void {
+    ++this.connection;
+    this.takenBytes = this.creditedBytes = 0;
+  }
+
+  owe(chunk: Chunk, bytes: number): void {
+    this.debts.set(chunk, { connection: this.connection, bytes });
+  }
+
+  /** The sum to tell the server, once half a window is taken; null: not yet. */
+  taken(chunk: Chunk, windowBytes: number): number | null {
+    const debt = this.debts.get(chunk);
+    if (debt === undefined) return null;
+    this.debts.delete(chunk);
+    if (debt.connection !== this.connection) return null;
+    this.takenBytes += debt.bytes;
+    if (2 * (this.takenBytes - this.creditedBytes) < windowBytes) return null;
+    return (this.creditedBytes = this.takenBytes);
+  }
+}

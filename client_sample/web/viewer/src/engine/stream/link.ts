@@ -1,0 +1,80 @@
+// The connection to the server, made anew as often as it is wanted. Of a client before, nothing is heard.
+import { connect, type Chunk, type ChunkKey, type Client, type TalusError, type World } from 'talus';
+import type { EngineOptions } from '../api.js';
+
+export interface LinkEvents {
+  connected(world: World, sameWorld: boolean): void;
+  chunk(chunk: Chunk): void;
+  left(key: ChunkKey): void;
+  viewComplete(): void;
+  /** It comes back by itself, unless `refused`. */
+  lost(text: string, refused: boolean): void;
+  error(text: string): void;
+}
+
+export class Link {
+  client!: Client;
+  /** The client gave up: only another one connects. */
+  private hasEnded = false;
+  private isClosed = false;
+  private readonly untaken: Chunk[] = [];
+
+  /** `isFull`: no more chunks are wanted for now, so the server is let know of none that were taken. */
+  constructor(
+    private readonly options: Pick<EngineOptions, 'url' | 'transport'>,
+    private readonly events: LinkEvents,
+    private readonly isFull: () => boolean,
+  ) {}
+
+  /** Resolves once the server has said what its world is; a later end is told by events alone. */
+  open(token: string | undefined): Promise<World> {
+    const url = new URL(this.options.url);
+    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+    const client = connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true });
+    this.client = client;
+    this.hasEnded = false;
+    const { events } = this;
+    const current = () => client === this.client && !this.isClosed;
+    client.on('connected', (world, sameWorld) => current() && events.connected(world, sameWorld));
+    client.on('chunk', (chunk) => {
+      if (!current()) return;
+      events.chunk(chunk);
+      if (this.isFull()) this.untaken.push(chunk);
+      else client.taken(chunk);
+    });
+    client.on('chunkLeft', (key) => current() && events.left(key));
+    client.on('viewComplete', () => current() && events.viewComplete());
+    client.on('disconnected', (error, retryInMs) => {
+      if (current() && retryInMs !== null) events.lost(error.message, false);
+    });
+    client.on('error', (error) => current() && events.error(error.message));
+    client.on('closed', (error: TalusError | null) => {
+      if (!current()) return;
+      this.hasEnded = true;
+      if (error !== null) events.lost(error.message, error.kind === 'refused');
+    });
+    const joined = client.ready();
+    joined.catch(() => {}); // told by `closed` as well
+    return joined;
+  }
+
+  /** Tries at once what would be tried later; false: there is nothing to try. */
+  hurry(): boolean {
+    if (!this.hasEnded) this.client.retry();
+    return !this.hasEnded;
+  }
+
+  takeBacklog(): void {
+    while (this.untaken.length > 0 && !this.isFull()) this.client.taken(this.untaken.shift()!);
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.client.close();
+  }
+
+  /** The next one is another. */
+  drop(): void {
+    this.client.close();
+  }
+}

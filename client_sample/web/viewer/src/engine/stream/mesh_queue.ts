@@ -1,0 +1,67 @@
+// Chunks that are to be meshed, nearest first.
+import type { Chunk, Drawable } from './column.js';
+import type { SlicePlane } from './messages.js';
+
+const SORT_EVERY_MS = 120;
+/** Chunks that find no place are passed over, but no more than so many at a time. */
+const PASSED_MOST = 32;
+
+export class MeshQueue<D extends Drawable> {
+  private chunks: Chunk<D>[] = []; // the next is the last
+  private isSorted = false;
+  private sortedAt = -Infinity;
+
+  /** `sliceOf`: what a slice does to a chunk now. */
+  constructor(private readonly sliceOf: (chunk: Chunk<D>) => SlicePlane | null) {}
+
+  get length(): number {
+    return this.chunks.length;
+  }
+
+  add(chunk: Chunk<D>): void {
+    chunk.queued = true;
+    this.chunks.push(chunk);
+    this.isSorted = false;
+  }
+
+  clear(): void {
+    this.chunks = [];
+  }
+
+  /** The camera is elsewhere. */
+  moved(): void {
+    this.isSorted = false;
+  }
+
+  /** Each leaves the queue; back comes one for which `start` gives false, as it finds no place now. */
+  forEachNext(now: number, camera: { x: number; y: number; z: number }, start: (chunk: Chunk<D>) => boolean): void {
+    if (this.chunks.length === 0) return;
+    if (!this.isSorted && now - this.sortedAt > SORT_EVERY_MS) this.sort(now, camera);
+    const passed: Chunk<D>[] = [];
+    while (this.chunks.length > 0 && passed.length < PASSED_MOST) {
+      const chunk = this.chunks.pop()!;
+      chunk.queued = false;
+      if (start(chunk)) continue;
+      chunk.queued = true;
+      passed.push(chunk);
+    }
+    for (let i = passed.length - 1; i >= 0; i--) this.chunks.push(passed[i]!);
+  }
+
+  private sort(now: number, camera: { x: number; y: number; z: number }): void {
+    this.sortedAt = now;
+    const by = new Map(this.chunks.map((chunk) => [chunk, this.distance(chunk, camera)]));
+    this.chunks.sort((a, b) => by.get(b)! - by.get(a)!);
+    this.isSorted = true;
+  }
+
+  private distance(chunk: Chunk<D>, camera: { x: number; y: number; z: number }): number {
+    const size = 32 * 2 ** chunk.lod;
+    const dx = (chunk.x + 0.5) * size - camera.x;
+    const dy = (chunk.y + 0.5) * size - camera.y;
+    const dz = (chunk.z + 0.5) * size - camera.z;
+    if (chunk.hurried) return Math.hypot(dx, dz) - 100_000;
+    // A chunk that is drawn already can wait; what lies deep too.
+    return Math.hypot(dx, dz) + (dy > 0 ? dy * 0.25 : -dy * 0.5) + (chunk.meshedWith >= 0 && chunk.meshedSlice === this.sliceOf(chunk) ? 200 : 0);
+  }
+}

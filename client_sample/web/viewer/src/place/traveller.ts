@@ -1,0 +1,63 @@
+// Brings the player somewhere: to a coordinate, to what a link names, to the spawn.
+import type { Server } from '../connection/server';
+import type { Body } from '../controls/body';
+import type { Engine } from '../engine/engine';
+import type { Place } from './place';
+
+const SPAWN_RISE = 14;
+
+export class Traveller {
+  /** The player is somewhere; before, the engine is not to be looked through. */
+  isPlaced = false;
+  /** Whether one is to be lifted out of water, once it is known whether there is any. */
+  #surfaces = false;
+
+  constructor(
+    private readonly body: Body,
+    private readonly server: Server,
+    private readonly engine: () => Engine | null,
+  ) {}
+
+  place(time: number): Place {
+    const [x, y, z] = this.body.position;
+    const { yaw, pitch, mode } = this.body;
+    return { x, y, z, yaw, pitch, time, mode };
+  }
+
+  /** To the ground of a column where y is null. */
+  async to(x: number, y: number | null, z: number): Promise<void> {
+    let row = y;
+    if (row === null) {
+      const ground = Math.max(await this.server.ground(x, z), this.engine()?.world.seaLevel ?? -Infinity);
+      row = ground + this.#rise;
+    }
+    this.body.place(x, row, z);
+    this.#surfaces = y === null;
+    this.isPlaced = true;
+  }
+
+  toSpawn(): void {
+    const engine = this.engine();
+    if (engine === null) return;
+    const { x, y, z } = engine.world.spawn;
+    this.body.place(x + 0.5, y + this.#rise, z + 0.5);
+    this.#surfaces = false;
+    this.isPlaced = true;
+  }
+
+  /** For each step. Heights are those of the ground: water may stand on it. */
+  surface(engine: Engine): void {
+    if (!this.#surfaces) return;
+    const [x, y, z] = this.body.position;
+    const at = (row: number) => engine.voxelAt(Math.floor(x), row, Math.floor(z));
+    let row = Math.floor(y);
+    while (engine.isLiquid(at(row) ?? 0)) ++row;
+    if (at(row) === undefined) return;
+    this.#surfaces = false;
+    if (row > y) this.body.place(x, row + this.#rise, z);
+  }
+
+  get #rise(): number {
+    return this.body.mode === 'fly' ? SPAWN_RISE : 0;
+  }
+}
