@@ -61,7 +61,10 @@ function follow(link: Partial<Place>): void {
       hud.status(error.message, 'bad');
       if (!traveller.isPlaced) traveller.toSpawn();
     });
-  else if (!traveller.isPlaced) traveller.toSpawn();
+  else if (!traveller.isPlaced) {
+    traveller.toSpawn();
+    if (link.yaw === undefined) void traveller.lookOut();
+  }
 }
 
 addEventListener('hashchange', () => follow(readLink(location.hash)));

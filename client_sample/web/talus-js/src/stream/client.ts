@@ -90,7 +90,7 @@ export class StreamClient extends ClientBase {
     this.leaving = null;
     const timeout = this.options.connectTimeoutMs ?? DEFAULT_CONNECT_TIMEOUT_MS;
     this.deadline = setTimeout(() => {
-      this.drop(new TalusError('timed_out', `${this.options.url} did not answer within ${timeout / 1_000} s`));
+      this.drop(new TalusError('timed_out', `no answer from ${this.options.url} within ${timeout / 1_000} s: it is away, or this program is too busy`));
     }, timeout);
     this.transport = this.open({
       opened: () => isCurrent() && this.sayHello(),

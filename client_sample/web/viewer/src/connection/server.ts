@@ -1,4 +1,5 @@
 // What the page itself asks the server by HTTP: whether it is there, heights, tiles of the map.
+import { bestHeading, outlookRequest } from '../place/outlook';
 
 export interface ServerWorld {
   readonly server: string;
@@ -39,6 +40,13 @@ export class Server {
     if (!answer.ok) throw new Error(await reasonOf(answer));
     const { heights } = (await answer.json()) as { heights: number[] };
     return (heights[0]! + 127) >> 8;
+  }
+
+  /** Degrees toward which one looks over open ground to high land. */
+  async outlook(x: number, z: number): Promise<number> {
+    const answer = await this.fetch(outlookRequest(x, z));
+    if (!answer.ok) throw new Error(await reasonOf(answer));
+    return bestHeading(((await answer.json()) as { heights: number[] }).heights);
   }
 
   /** Asked after a failure: what stands between this page and the world; null: nothing any more. */

@@ -1,5 +1,5 @@
 // The engine of the viewer: streams chunks, meshes them in workers and draws them.
-import type { Edit, EditDone, EditLimits, World } from 'talus';
+import type { Edit, EditDone, EditLimits, View, World } from 'talus';
 import type { EngineEvents, EngineOptions, EngineState, Hit, Marker, Slice, Stats, Vector, WorldInfo } from './api.js';
 import { Frame, type Eye } from './draw/frame.js';
 import { Ground } from './draw/ground.js';
@@ -435,7 +435,7 @@ export class Engine {
     if (this.state === 'complete') this.setState('streaming', '');
     const middle = (v: number) => Math.floor(v / 32) * 32 + 16;
     const { x, z } = view.centre;
-    this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, Math.min(this.horizon, 32 * (view.rings!.at(-1)?.radius ?? view.horizontalRadius)));
+    this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, this.reach(view));
   }
 
   /** What is to be done between frames too, so that slow ones do not hold up what streams. */
@@ -490,6 +490,12 @@ export class Engine {
     this.drawnVersion = this.land.version;
     if (this.firstFrameMs === null && this.frames.triangles > 1) this.firstFrameMs = performance.now() - this.started;
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
+  }
+
+  /** How far one sees, in blocks. */
+  private reach(view: View): number {
+    const asked = 32 * (view.rings?.at(-1)?.radius ?? view.horizontalRadius);
+    return this.horizon === 0 ? asked : Math.min(this.horizon, asked);
   }
 
   private setState(state: EngineState, reason: string): void {

@@ -45,6 +45,18 @@ export class Traveller {
     this.isPlaced = true;
   }
 
+  /** Turns one who has just arrived, and has not looked around yet, toward the best view. */
+  async lookOut(): Promise<void> {
+    const [x, , z] = this.body.position;
+    const { yaw } = this.body;
+    try {
+      const best = await this.server.outlook(x, z);
+      if (this.body.yaw === yaw) this.body.yaw = best;
+    } catch {
+      // A server that gives no heights: north is as good.
+    }
+  }
+
   /** For each step. Heights are those of the ground: water may stand on it. */
   surface(engine: Engine): void {
     if (!this.#surfaces) return;

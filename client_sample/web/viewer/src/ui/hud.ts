@@ -51,7 +51,8 @@ export class Hud {
     if (stats.state === 'connecting') return this.status('Connecting', 'busy');
     if (stats.state === 'complete') return this.status('All here', 'good');
     const done = share(stats);
-    this.status(done === null ? 'Receiving' : `Receiving ${Math.floor(done * 100)} %`, 'busy');
+    const what = stats.chunksWanted > 0 && stats.chunks >= stats.chunksWanted ? 'Drawing' : 'Receiving';
+    this.status(done === null ? what : `${what} ${Math.floor(done * 100)} %`, 'busy');
   }
 
   where(place: Place, body: Body): void {
