@@ -376,6 +376,10 @@ Outbox::Update Delivery::write_update(ChunkKey key) {
       return {.frame = std::move(frame)};
     }
   }
+  if (chunk != nullptr && (changed || chunk->frame_bytes() <= kMaxSmallUpdateBytes)) {
+    updated(key, chunk->revision());
+    return {.chunk = chunk};
+  }
   if (pauses_.holds(key, context_.clock.now())) return {};
   if (chunk == nullptr) updates_.want(key);
   return {.whole = chunk != nullptr};

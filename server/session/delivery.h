@@ -54,6 +54,9 @@ class Delivery {
   /// use when it is its turn.
   static constexpr std::size_t kMaxUpdatesUnderWay = 16;
 
+  /// A chunk of so many bytes is sent again as if it were an EditBroadcast: at once, and however often.
+  static constexpr std::size_t kMaxSmallUpdateBytes = 4096;
+
   /// An EditBroadcast has at most so many voxels; beyond, the whole chunk is sent again.
   static constexpr std::size_t kMaxBroadcastVoxels = 1024;
 
@@ -110,9 +113,9 @@ class Delivery {
   /// A chunk leaves: replaces it by a newer version that is in memory. Where the client holds that version,
   /// returns an Unchanged, which goes in its place.
   [[nodiscard]] std::optional<protocol::Frame> write(Outbox::Entry& entry);
-  /// An update leaves: an EditBroadcast where the client knows it and it is smaller than the chunk, else the
-  /// whole chunk, when it has its turn. Nothing where that pauses, or is to be asked for first, or where the
-  /// client has it already.
+  /// An update leaves: an EditBroadcast where the client knows it and it is smaller than the chunk, or else
+  /// the chunk, at once where it is small, and when it has its turn where it is not. Nothing where that
+  /// pauses, or is to be asked for first, or where the client has it already.
   [[nodiscard]] Outbox::Update write_update(ChunkKey key);
   /// The newest version of a chunk that is sent again; null where it is to be asked for first, or the client
   /// has it already.

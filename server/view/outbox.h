@@ -38,9 +38,11 @@ class Outbox {
     std::size_t chunk_bytes = SIZE_MAX;  // the last chunk may pass it
   };
 
-  /// What goes for an update: a frame, the whole chunk when it has its turn, or else nothing.
+  /// What goes for an update: a frame or a small chunk, the whole chunk when it has its turn, or else
+  /// nothing.
   struct Update {
     protocol::Frame frame{};
+    EncodedChunkPtr chunk{};
     bool whole = false;
   };
 
@@ -109,6 +111,7 @@ class Outbox {
       --updates;
       const Update update = write_update(key);
       if (update.whole) resends_.push_back(key);
+      if (update.chunk != nullptr) return append(update.chunk, 0, key);
       output.append(update.frame);
       return update.frame.size();
     };

@@ -245,7 +245,7 @@ TEST_CASE("updates go after control frames and before chunks, each once a write"
         return kItself;
       },
       [&](ChunkKey key) {
-        if (key == second) return Outbox::Update{{}, true};
+        if (key == second) return Outbox::Update{{}, {}, true};
         begins.push_back(output.size());
         outbox.push_update(key);
         return Outbox::Update{protocol::Frame(11)};
@@ -289,7 +289,7 @@ struct EditedLand {
           return kItself;
         },
         [&](ChunkKey key) {
-          if (broadcast_bytes == 0 || key.coord.x % 2 != 0) return Outbox::Update{{}, true};
+          if (broadcast_bytes == 0 || key.coord.x % 2 != 0) return Outbox::Update{{}, {}, true};
           broadcasts_sent += broadcast_bytes;
           outbox.push_update(key);
           return Outbox::Update{protocol::Frame(broadcast_bytes)};

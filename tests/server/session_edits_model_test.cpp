@@ -177,7 +177,9 @@ class ModelSource final : public ChunkSource {
  private:
   EncodedChunkPtr encoded(ChunkKey key) {
     const Version version = newest(key);
-    std::vector<std::byte> payload(sizeof(Content) + static_cast<std::size_t>(random_.below(300)));
+    // Some are so large that they pause before they are sent again.
+    const std::size_t more = random_.one_in(5) ? Delivery::kMaxSmallUpdateBytes : 0;
+    std::vector<std::byte> payload(sizeof(Content) + more + static_cast<std::size_t>(random_.below(300)));
     std::memcpy(payload.data(), version.content.data(), sizeof(Content));
     const bool uniform = version.revision == 0 && key.coord.y != 0;
     return std::make_shared<const EncodedChunk>(hash_of(version.content), payload, version.revision, uniform);

@@ -466,3 +466,18 @@ TEST_CASE("chunks that are to be sent again take no more than half of the room f
   bench.look_at(5 + 9, 13);
   CHECK(bench.source.waiting.size() > 0);
 }
+
+TEST_CASE("small chunks are sent again at once, however often, as broadcasts are") {
+  const bool knows_broadcasts = GENERATE(true, false);
+  Bench bench{knows_broadcasts ? protocol::kEditsProtocol : std::uint16_t{1}};
+  bench.see();
+  for (std::uint64_t revision = 1; revision < 10; ++revision) {
+    // Of the one the chunk is smaller than a broadcast, of the other it is all that goes.
+    bench.edit(revision, 1000);
+    bench.source.in_memory[kKey] = scripted_chunk(kKey, revision, knows_broadcasts ? 0 : 3000);
+    bench.tell(revision - 1, revision);
+    const auto said = bench.output();
+    REQUIRE(kinds(said) == Kinds{Body::Chunk});
+    CHECK(said[0].revision == revision);
+  }
+}
