@@ -70,7 +70,7 @@ TEST_CASE("the cache of edited chunks gives way, a little at a time, and what it
   editor.attach(store);
   for (std::int64_t chunk = 0; chunk < 50; ++chunk) {
     edits::Edit fill;
-    fill.fills.push_back({{chunk * 32, 0, 0}, {chunk * 32 + 7, 7, 7}, MaterialId{3}, std::nullopt});
+    fill.fills.push_back({{chunk * 32, 0, 0}, {chunk * 32 + 7, 7, 7}, MaterialId{9}, std::nullopt});
     REQUIRE(editor.edit(store, fill).has_value());
   }
   store.close();  // then all is in the database

@@ -160,11 +160,14 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
   const std::int64_t since = griefed.next_moment();
   const auto write = [&](std::size_t who, std::int64_t x) {
     edits::Edit edit;
-    edit.writes.push_back({{x, 1, 1}, MaterialId{9}});
+    edit.writes.push_back({{x, 1, 1}, MaterialId{256}});
     REQUIRE(griefed.editors[who].edit(griefed.store, edit).has_value());
   };
   write(1, 40);
   for (std::int64_t x = 1'000; x < 1'320; x += 32) write(0, x);
+  griefed.store.close();
+  REQUIRE(griefed.store.open_without_log() == "");
+  REQUIRE(griefed.store.database().bind({{"brick", MaterialId{256}}}));  // an export names what it has
   griefed.store.close();
   const auto chunks_of = [](const fs::path& path) {
     const auto store = ReadOnlyStore::open(path);
