@@ -234,7 +234,7 @@ TEST_CASE("why a server does not start is said in the log's format, and obeyed b
   const std::string in_json = scratch.write("json.toml", "[log]\nformat = \"json\"\n");
   const std::string nowhere = "/nowhere/\x1b[31m.toml";
   CHECK_THAT(one_line(run_talusd({"--world", nowhere})),
-             Catch::StartsWith("talusd: /nowhere/\\x1b[31m.toml: "));
+             Catch::StartsWith("talusd: world: /nowhere/\\x1b[31m.toml: "));
   CHECK_THAT(one_line(run_talusd({"--config", nowhere})),
              Catch::StartsWith("talusd: /nowhere/\\x1b[31m.toml: "));
   for (const Ended& ended : {run_talusd({"--config", in_json, "--world", nowhere}),

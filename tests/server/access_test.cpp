@@ -233,7 +233,8 @@ TEST_CASE("talusd token names nobody who edits by what cannot be printed") {
   const Files files;
   const std::string key = files.settings.signing_key_file.string();
   for (const char* subject : {"a\nb", "\x1b[2J", "\xff"}) {
-    const auto refused = command({"--key-file", key.c_str(), "--subject", subject, "--rights", "read,edit"});
+    const auto refused =
+        command({"--key-file", key.c_str(), "--subject", subject, "--rights", "read,edit", "--valid", "1h"});
     REQUIRE_FALSE(refused.has_value());
     CHECK_THAT(refused.error().text, Catch::Contains("--subject"));
   }

@@ -31,11 +31,11 @@ std::string value_of(const std::string& text, const std::string& series) {
 enum class Reason : std::uint8_t { nothing, late, broken };
 constexpr std::array<std::string_view, 3> kReasons{"", "late", "broken"};
 
-std::string text_of(const Metrics& metrics,
-                    const RuntimeGauges& gauges = {.memory_bytes = {1, 2, 3},
-                                                   .certificate_expires = 1'900'000'000,
-                                                   .edits = RuntimeGauges::Edits{},
-                                                   .cluster = RuntimeGauges::Cluster{}}) {
+std::string text_of(const Metrics& metrics, const RuntimeGauges& gauges = {
+                                                .memory_bytes = {1, 2, 3},
+                                                .certificate_expires = 1'900'000'000,
+                                                .edits = RuntimeGauges::Edits{.history_start = 1'700'000'000},
+                                                .cluster = RuntimeGauges::Cluster{}}) {
   const BuildInfo build{"1.2.3", 2, "abc", "avx2"};
   const MetricLabels labels{kReasons, kReasons, kReasons, kReasons, kReasons, kReasons, kReasons};
   return metrics_page({metrics, gauges, read_process(), build, labels});
@@ -136,7 +136,7 @@ TEST_CASE("alerts and dashboard use only metrics that exist") {
   const LatencyHistogram publishing;
   const std::string text = text_of({}, {.memory_bytes = {1, 2, 3},
                                         .certificate_expires = 1'900'000'000,
-                                        .edits = RuntimeGauges::Edits{},
+                                        .edits = RuntimeGauges::Edits{.history_start = 1'700'000'000},
                                         .cluster = RuntimeGauges::Cluster{.publishing = &publishing}});
   const std::string file = GENERATE(as<std::string>{}, "docker/alerts.yml", "docker/grafana/talus.json");
   const std::set<std::string> used = names_in(file_text(file));
@@ -262,7 +262,8 @@ TEST_CASE("edits are shown where they are stored: how many wait where, who edits
   Metrics metrics;
   metrics.edit_latency.add(3ms);
   metrics.edits_refused[Reason::broken].add(4);
-  const std::string text = text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true, 9, 10}});
+  const std::string text =
+      text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true, 9, 10, 11, 12, 13}});
   CHECK(value_of(text, "talus_edits_revision") == "5");
   CHECK(value_of(text, "talus_edits_waiting{where=\"intake\"}") == "6");
   CHECK(value_of(text, "talus_edits_waiting{where=\"log\"}") == "7");
@@ -270,6 +271,9 @@ TEST_CASE("edits are shown where they are stored: how many wait where, who edits
   CHECK(value_of(text, "talus_edits_read_only") == "1");
   CHECK(value_of(text, "talus_edit_index_bytes") == "9");
   CHECK(value_of(text, "talus_edit_index_limit_bytes") == "10");
+  CHECK(value_of(text, "talus_edits_history_bytes") == "11");
+  CHECK(value_of(text, "talus_edits_history_limit_bytes") == "12");
+  CHECK(value_of(text, "talus_edits_history_start_timestamp_seconds") == "13");
   CHECK(value_of(text, "talus_edits_refused_total{reason=\"broken\"}") == "4");
   CHECK(value_of(text, "talus_edit_latency_seconds_count") == "1");
   const std::string none = text_of(metrics, {});

@@ -90,7 +90,7 @@ TEST_CASE("a reload revokes the tokens of those who are in, and a bad list chang
   CHECK(access.withdrawn(grant));
   files.revoke("jti two\nrubbish\n");
   CHECK_THAT(access.reload(files.settings).error(),
-             Catch::Contains("revoked: line 2: ") && Catch::Contains("stay in use"));
+             Catch::Contains("revoked: line 2: ") && Catch::Contains("old list stays in use"));
   CHECK(access.withdrawn(grant));
   CHECK_FALSE(access.admit(token(claims("alice", "one")), kNow).has_value());
 }

@@ -24,5 +24,5 @@ TEST_CASE("what is no regular file is refused as a world, and not waited for") {
 TEST_CASE("a world that is too large is refused with the limit") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("large.toml", std::string(talus::kMaxTomlBytes + 1, '#'));
-  CHECK_THAT(load_world(file).error(), Catch::StartsWith(file + ": has over 1048576 bytes; "));
+  CHECK_THAT(load_world(file).error(), Catch::StartsWith("world: " + file + ": has over 1048576 bytes; "));
 }
