@@ -16,6 +16,7 @@ export function outlookRequest(x: number, z: number): string {
 
 /** `heights`: row by row from the north-west. Degrees, 0 is north, 90 east. */
 export function bestHeading(heights: ArrayLike<number>): number {
+  const here = heights[REACH * SIDE + REACH]!;
   let best = 0;
   let bestScore = -Infinity;
   for (let heading = 0; heading < 360; heading += 360 / HEADINGS) {
@@ -25,7 +26,9 @@ export function bestHeading(heights: ArrayLike<number>): number {
       const x = REACH + Math.round(Math.sin(angle) * sample);
       const z = REACH - Math.round(Math.cos(angle) * sample);
       const height = heights[z * SIDE + x]!;
-      score += height * (sample <= WAY ? -0.3 : sample <= OPEN ? -1.2 : 1);
+      // A slope close by hides what lies behind it.
+      if (sample <= WAY) score -= 4 * Math.max(0, height - here);
+      else score += height * (sample <= OPEN ? -1.2 : 1);
     }
     if (score > bestScore) [bestScore, best] = [score, heading];
   }
