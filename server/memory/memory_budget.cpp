@@ -62,8 +62,10 @@ std::uint64_t MemoryBudget::left_by(std::uint64_t bytes) const {
 
 std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
   if (limit_ == 0) return wanted;
-  const std::uint64_t left = left_by(beside_caches() + used(MemoryUse::edit_cache));
-  return std::min(wanted, std::max(left, limit_ / 16));
+  const std::uint64_t edits = used(MemoryUse::edit_cache);
+  // The least that all caches have is a 16th, of which that of edits has its 64th.
+  return std::min(wanted,
+                  std::max(left_by(beside_caches() + edits), limit_ / 16 - std::min(edits, limit_ / 64)));
 }
 
 std::uint64_t MemoryBudget::for_edit_cache(std::uint64_t wanted) const {

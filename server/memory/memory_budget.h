@@ -72,7 +72,8 @@ class MemoryBudget {
   void when_jobs_resume(std::function<void()> resumed);
 
   /// How much of `wanted` bytes caches of chunks and patches may hold now: what everything else, and the
-  /// cache of edits, leaves of 7/8 of the limit, and at least 1/16 of it.
+  /// cache of edits, leaves of 7/8 of the limit, and at least 1/16 of it, less what the latter has of its
+  /// least.
   [[nodiscard]] std::uint64_t for_caches(std::uint64_t wanted) const;
   /// The same of the cache of edits: an eighth of what caches may have, and at least 1/64 of the limit.
   [[nodiscard]] std::uint64_t for_edit_cache(std::uint64_t wanted) const;

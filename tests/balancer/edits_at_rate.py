@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Edits at a rate over several talusd that share a log by three nats-servers, beside bare JetStream's acknowledgements of as many
-edits, by turns on the same nats-servers: how much longer an edit takes, and when players at other servers see it. Bare JetStream
-has as many publishers as there are talusd, each with one message in flight as a talusd has it; by one alone it is measured too.
+edits, by turns on the same nats-servers: how much longer an edit takes, and when players at other servers see it. The ratio to bare
+JetStream by one publisher is judged; that to as many publishers as there are talusd, each with one message in flight, is told.
 
 Ends with 1 where an edit was lost, or a limit is passed."""
 
@@ -77,10 +77,10 @@ with tempfile.TemporaryDirectory(prefix="talus-rate-") as scratch, contextlib.Ex
         output, _ = process.communicate()
         seen = figures(folder / "load.json")
         cpu = [server.metrics()["process_cpu_seconds_total"] - then for server, then in zip(servers, before)]
-        ratio = seen["edit_ack_p99_ms"] / bare[1]
+        ratio = seen["edit_ack_p99_ms"] / by_one[1]
         rows.append((ratio, seen["edit_other_server_p99_ms"]))
         say(f"turn {turn + 1:<9}{seen['edits_per_s']:>9.0f}{seen['edit_ack_p50_ms']:>9.2f}{seen['edit_ack_p99_ms']:>9.2f}{bare[0]:>10.2f}"
-            f"{bare[1]:>9.2f}{ratio:>7.2f}{by_one[0]:>12.2f}{by_one[1]:>9.2f}{seen['edit_ack_p99_ms'] / by_one[1]:>7.2f}"
+            f"{bare[1]:>9.2f}{seen['edit_ack_p99_ms'] / bare[1]:>7.2f}{by_one[0]:>12.2f}{by_one[1]:>9.2f}{ratio:>7.2f}"
             f"{seen['edit_other_server_p50_ms']:>20.2f}{seen['edit_other_server_p99_ms']:>9.2f}{sum(cpu) / len(cpu):>12.2f}")
         if process.returncode != 0 or seen["edits_missing"] or seen["edits_unknown"] or seen["wrong"]:
             failures.append(output)

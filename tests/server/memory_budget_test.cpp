@@ -127,8 +127,7 @@ TEST_CASE("while work is taken, it and the caches together are below the budget"
     if (!budget.takes_work()) return;
     budget.set(MemoryUse::edit_cache, budget.for_edit_cache(UINT64_MAX));
     const std::uint64_t caches = budget.for_caches(UINT64_MAX) + budget.used(MemoryUse::edit_cache);
-    // 13/16 of work at most, and then the least that both caches have: a 16th and a 64th.
-    RC_ASSERT(beside + caches <= budget.limit_bytes() / 64 * 57 + 64);
+    RC_ASSERT(beside + caches <= budget.limit_bytes() / 8 * 7 + 7);
   }));
 }
 
