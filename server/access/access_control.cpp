@@ -49,9 +49,9 @@ tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
 
 /// Of what is read again and again while others still use what was read before.
 template <class Part>
-using Read = tl::expected<std::shared_ptr<const Part>, std::string>;
+using PartOrError = tl::expected<std::shared_ptr<const Part>, std::string>;
 
-Read<TokenKeys> read_token_keys(const Access& settings) {
+PartOrError<TokenKeys> read_token_keys(const Access& settings) {
   TokenKeys keys;
   const auto secret = load("access.secret_file", settings.secret_file, kSecretBounds, keys.warnings);
   if (!secret) return tl::make_unexpected(secret.error());
@@ -66,7 +66,7 @@ Read<TokenKeys> read_token_keys(const Access& settings) {
   return std::make_shared<const TokenKeys>(std::move(keys));
 }
 
-Read<RevokedTokens> read_revoked(const Access& settings) {
+PartOrError<RevokedTokens> read_revoked(const Access& settings) {
   if (settings.revoked_file.empty()) return std::make_shared<const RevokedTokens>();
   if (settings.signing_key_file.empty() && settings.previous_signing_key_file.empty()) {
     return tl::make_unexpected(
@@ -78,7 +78,7 @@ Read<RevokedTokens> read_revoked(const Access& settings) {
   return std::make_shared<const RevokedTokens>(*std::move(read));
 }
 
-Read<BlockedFlows> read_blocked(const Access& settings) {
+PartOrError<BlockedFlows> read_blocked(const Access& settings) {
   if (settings.blocked_file.empty()) return std::make_shared<const BlockedFlows>();
   auto read = BlockedFlows::read(settings.blocked_file);
   if (!read) return tl::make_unexpected(fmt::format("access.blocked_file {}", read.error()));
@@ -87,8 +87,8 @@ Read<BlockedFlows> read_blocked(const Access& settings) {
 
 /// Puts it into its place, or says why what is there stays.
 template <class Part>
-void take(Read<Part> read, std::shared_ptr<const Part>& place, std::string_view stays,
-          std::vector<std::string>& failures) {
+void take_part(PartOrError<Part> read, std::shared_ptr<const Part>& place, std::string_view stays,
+               std::vector<std::string>& failures) {
   if (read) {
     place = *std::move(read);
   } else {
@@ -179,9 +179,9 @@ tl::expected<std::string, std::string> AccessControl::reload(const Access& setti
   settings_.blocked_file = settings.blocked_file;
   auto fresh = std::make_shared<Keys>(*keys());
   std::vector<std::string> failures;
-  take(read_token_keys(settings_), fresh->tokens, "the old keys stay in use", failures);
-  take(read_revoked(settings_), fresh->revoked, "the old list stays in use", failures);
-  take(read_blocked(settings_), fresh->blocked, "the old list stays in use", failures);
+  take_part(read_token_keys(settings_), fresh->tokens, "the old keys stay in use", failures);
+  take_part(read_revoked(settings_), fresh->revoked, "the old list stays in use", failures);
+  take_part(read_blocked(settings_), fresh->blocked, "the old list stays in use", failures);
   const TokenKeys& tokens = *fresh->tokens;
   std::string line = tokens.any() ? "the tokens' keys were read again" : "no token keys are configured";
   if (!settings_.revoked_file.empty())
