@@ -38,7 +38,7 @@ async function open(): Promise<void> {
     const { fingerprint, spawn } = await server.world();
     const [x, , z] = spawn;
     screen.setWorld({ fingerprint, spawn: { x: x + 0.5, z: z + 0.5 } });
-    if (link.x === undefined) screen.view.look({ ...screen.view.camera, x, z });
+    if (link.x === undefined) screen.centre({ x, z });
     screen.say('');
   } catch {
     const obstacle = await server.obstacle();

@@ -71,8 +71,8 @@ export class MapScreen {
     tools.append(
       button('Zoom in', '+', () => this.view.zoomBy(1)),
       button('Zoom out', '−', () => this.view.zoomBy(-1)),
-      button('Where you are', 'Me', () => this.#player !== null && this.#centre(this.#player)),
-      button('The spawn', 'Spawn', () => this.#world !== null && this.#centre(this.#world.spawn)),
+      button('Where you are', 'Me', () => this.#player !== null && this.centre(this.#player)),
+      button('The spawn', 'Spawn', () => this.#world !== null && this.centre(this.#world.spawn)),
     );
     const close = button('Close the map', '', handlers.close);
     close.className = 'map-close';
@@ -128,8 +128,10 @@ export class MapScreen {
     this.#canvas.parentElement?.replaceChildren();
   }
 
-  #centre({ x, z }: { x: number; z: number }): void {
+  /** Moves the map there, and tells what is there. */
+  centre({ x, z }: { x: number; z: number }): void {
     this.view.look({ ...this.view.camera, x, z });
+    this.#hover(x, z);
   }
 
   readonly #onKey = (event: KeyboardEvent) => {

@@ -27,6 +27,7 @@ test('the map page', async (t) => {
     const { spawn } = await (await fetch(`${site.url}v1/world`)).json();
     const { x, z } = await camera(page);
     assert.deepEqual([x, z], [spawn[0], spawn[2]]);
+    await page.waitForFunction((text) => document.querySelector('.map-at').textContent.startsWith(text), `${x}, ${z}`);
     if (!hasTiles) return assert.match(await page.locator('.map-weather').textContent(), /draws no map/);
     const colours = await page.evaluate(() => {
       const canvas = document.querySelector('#map canvas');
