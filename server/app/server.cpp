@@ -65,6 +65,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
                Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site,
                std::unique_ptr<WorldEdits> edits, std::unique_ptr<ColumnCache> columns)
     : config_{config},
+      history_limit_bytes_{config.edits.history_bytes},
       read_settings_{std::move(read_settings)},
       clock_{clock},
       log_{std::move(log)},
@@ -179,9 +180,9 @@ std::string Server::metrics_text() {
     const EditState& state = edits_->state();
     const HistoryKept history = edits_->history();
     gauges.edits = {
-        log.head.revision,           edits_->preparing(),    log.waiting,         state.editor_count(),
-        log.read_only.has_value(),   state.index().bytes(),  state.index_limit(), history.bytes,
-        config_.edits.history_bytes, history.since_ms / 1000};
+        log.head.revision,         edits_->preparing(),    log.waiting,         state.editor_count(),
+        log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
+        history_limit_bytes_,      history.since_ms / 1000};
   }
   std::vector<std::string_view> error_codes{""};  // "none" is no error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {

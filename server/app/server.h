@@ -115,6 +115,7 @@ class Server {
   // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
   // connections in the contexts hold slots and stand in the registry.
   Config config_;  // in use; of the main thread once it runs
+  const std::uint64_t history_limit_bytes_;
   const ReadSettings read_settings_;
   const Clock& clock_;
   Logger log_;

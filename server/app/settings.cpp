@@ -78,11 +78,15 @@ RateLimits rate_limits(const Config& all) {
   const Rate editors{config.address_editors, config.address_editors * kSavedUp};
   // An address that has saved up all fills the index in a day at least, however little that may have.
   constexpr std::uint64_t kHoursToFill = 32;
-  constexpr std::uint64_t kFewNewChunks = 16;  // so that one edit may be as large as any
+  constexpr std::uint64_t kFewNewChunks = 16;
   const std::uint64_t fitting =
       edit_state_settings(all).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
   const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));
-  const Rate new_chunks{an_hour, an_hour * kSavedUp};
+  Rate new_chunks{an_hour, an_hour * kSavedUp};
+  // However few, one edit may be as large as any, with those beside it into which loose material slides.
+  if (new_chunks.limited()) {
+    new_chunks.burst = std::max<std::uint64_t>(new_chunks.burst, 2 * edits::kMaxChunks * kNewChunkTokens);
+  }
   return {{rate(config.session_chunks), rate(config.session_bytes), rate(config.session_requests),
            voxels(config.session_voxels)},
           {rate(config.address_chunks), rate(config.address_bytes), rate(config.address_requests),

@@ -104,7 +104,11 @@ class CheckpointDownload::Transfer {
       transfer.paused_ = true;
       return CURL_WRITEFUNC_PAUSE;
     }
-    transfer.held_.append(bytes, one * size);
+    try {
+      transfer.held_.append(bytes, one * size);
+    } catch (const std::bad_alloc&) {
+      return 0;  // nothing may be thrown through libcurl, which fails by this
+    }
     return one * size;
   }
 

@@ -24,14 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a checkpoint copies is RocksDB's log: two write buffers at most. With less free none is made.
-constexpr std::uint64_t kCopiedBytes = std::uint64_t{128} << 20U;
 /// Who takes less than this a second in all is cut off.
 constexpr std::uint64_t kLeastRate = std::uint64_t{1} << 20U;
 constexpr std::chrono::seconds kGrace{60};
 constexpr std::chrono::seconds kBetweenComplaints{1};
 constexpr std::chrono::milliseconds kRateBurst{100};
-constexpr std::string_view kBearer = "Bearer ";
 
 http::Response refusal(int status, std::string text, std::vector<http::Field> fields = {}) {
   return {status, http::kPlainText, std::move(text) + "\n", std::move(fields)};
@@ -135,10 +132,7 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
                   "this server has no keys, so nobody may take its store; set access.signing_key_file, or "
                   "access.secret_file with access.secret_rights \"read,edit,admin\"");
   }
-  const std::string* const field = request.field("Authorization");
-  const bool bearer = field != nullptr && field->starts_with(kBearer);
-  const auto token = bearer ? std::string_view{*field}.substr(kBearer.size()) : std::string_view{};
-  const auto grant = parts_.access.admit(token, parts_.clock.wall());
+  const auto grant = parts_.access.admit(request.bearer_token(), parts_.clock.wall());
   if (!grant) {
     parts_.metrics.denied(grant.error().failure).add();
     return refuse(401, std::string{describe(grant.error().failure)}, {{"WWW-Authenticate", "Bearer"}});
@@ -156,16 +150,12 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
 tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointService::make(
     std::uint64_t number) const {
   const fs::path path = checkpoint_path(parts_.directory, fmt::format("http-{}", number));
-  if (const auto enough = check_space(parts_.directory, kCopiedBytes); !enough) {
-    return tl::unexpected{enough.error()};
+  if (const auto made = make_checkpoint(path, kCheckpointCopiesBytes, parts_.make); !made) {
+    return tl::unexpected{made.error()};
   }
-  std::error_code code;
-  fs::remove_all(path, code);
-  fs::create_directory(path, code);
-  if (code) return tl::unexpected{fmt::format("{}: {}", path.string(), code.message())};
-  auto made = parts_.make(path / "db");
-  auto tar = made ? CheckpointTar::open(path) : tl::unexpected{made.error()};
-  if (!tar) fs::remove_all(path, code);
+  auto tar = CheckpointTar::open(path);
+  std::error_code ignored;
+  if (!tar) fs::remove_all(path, ignored);
   return tar;
 }
 

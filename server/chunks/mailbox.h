@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <memory>
@@ -114,11 +115,11 @@ class Mailbox {
     }
   }
 
-  /// Any thread. Wakes the owner where mail waits and no wake-up is pending.
+  /// Any thread. Wakes the owner where mail waits, or was lost, and no wake-up is pending.
   void wake() {
     {
       const std::lock_guard lock{mutex_};
-      if (mail_.empty() || std::exchange(woken_, true)) return;
+      if ((mail_.empty() && !lost_) || std::exchange(woken_, true)) return;
     }
     try {
       wake_();
@@ -129,8 +130,15 @@ class Mailbox {
     }
   }
 
-  /// Any thread. There is no memory for mail that the owner waits for.
-  void lose() noexcept { lost_ = true; }
+  /// Any thread. There is no memory for mail that the owner waits for. Wakes the owner, who may wait for
+  /// nothing else; where that fails the next wake() does.
+  void lose_mail() noexcept {
+    lost_ = true;
+    try {
+      wake();
+    } catch (const std::exception&) {
+    }
+  }
   /// Whether mail was lost: what the owner waits for may never come.
   [[nodiscard]] bool has_lost() const noexcept { return lost_; }
 

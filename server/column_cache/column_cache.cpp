@@ -96,8 +96,9 @@ bool ColumnCache::is_ours() const {
 tl::expected<void, std::string> ColumnCache::begin_anew() {
   std::error_code error;
   if (std::filesystem::exists(settings_.path, error)) {
-    for (const auto& entry : std::filesystem::directory_iterator{settings_.path, error}) {
-      const std::string name = entry.path().filename().string();
+    for (std::filesystem::directory_iterator entry{settings_.path, error}, end; !error && entry != end;
+         entry.increment(error)) {
+      const std::string name = entry->path().filename().string();
       if (name == "identity" || name == "db" || name == "pregen") continue;
       return tl::unexpected{
           fmt::format("it holds \"{}\", which is not of such a cache; move that away", name)};

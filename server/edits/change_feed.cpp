@@ -87,7 +87,7 @@ void ChangeFeed::tell() {
       mailbox->put_changes(changes);
       mailbox->wake();
     } catch (const std::exception& error) {
-      mailbox->lose();
+      mailbox->lose_mail();
       log_->error("changes could not be told: {}", error.what());
     }
   }

@@ -15,11 +15,6 @@ std::size_t bytes_of(const Chunk& chunk) {
          chunk.overrides().size() * sizeof(Override);
 }
 
-LocalPos local_of(std::uint16_t index) {
-  return {static_cast<std::uint8_t>(index % kChunkSize), static_cast<std::uint8_t>(index / kChunkArea),
-          static_cast<std::uint8_t>(index / kChunkSize % kChunkSize)};
-}
-
 }  // namespace
 
 DecodedChunkPtr DecodedBases::find(ChunkCoord chunk) {

@@ -31,7 +31,7 @@ void tell(const MailboxPtr& mailbox, Mail mail) noexcept {
     mailbox->put(std::move(mail));
     mailbox->wake();
   } catch (const std::exception&) {
-    mailbox->lose();
+    mailbox->lose_mail();
   }
 }
 
@@ -215,8 +215,10 @@ void EditIntake::work() {
       // again.
       log_->error("edits: {}", error.what());
       const std::lock_guard working{work_};
-      for (const auto& [client, lane] : lanes_) lane.session->lose();
+      for (const auto& [client, lane] : lanes_) lane.session->lose_mail();
+      for (const auto& [session, what] : taken_in_) session->lose_mail();
       lanes_.clear();
+      taken_in_.clear();
       attaching_as_.clear();
       turns_ = {};
       first_.clear();
@@ -234,7 +236,6 @@ void EditIntake::do_what_waits() {
 }
 
 bool EditIntake::take_in() {
-  decltype(came_) came;
   decltype(attached_) attached_now;
   decltype(forgotten_) forgotten;
   decltype(looked_up_) looked_up;
@@ -242,12 +243,12 @@ bool EditIntake::take_in() {
     const std::lock_guard lock{mutex_};
     if (stopping_) return false;
     if (!std::exchange(called_, false)) return true;
-    came.swap(came_);
+    taken_in_.swap(came_);
     attached_now.swap(attached_);
     forgotten.swap(forgotten_);
     looked_up.swap(looked_up_);
   }
-  for (auto& [mailbox, what] : came) {
+  for (auto& [mailbox, what] : taken_in_) {
     Lane& lane = lane_of(mailbox);
     if (auto* const edit = std::get_if<Editing>(&what)) {
       lane.waiting.push_back(std::move(*edit));
@@ -256,12 +257,13 @@ bool EditIntake::take_in() {
       begin_attach(lane, std::get<AttachRequest>(std::move(what)));
     }
   }
+  taken_in_.clear();
   for (const Attached& each : attached_now) attached(each);
   for (const std::uint64_t client : looked_up) {
     Lane* const lane = find_lane(ClientId{client});
     if (lane == nullptr) continue;
     take_look_ups(*lane);
-    if (lane->look_ups->has_lost()) lane->session->lose();
+    if (lane->look_ups->has_lost()) lane->session->lose_mail();
     enter(*lane);
   }
   for (const ClientId client : forgotten) forget_lane(client);
@@ -407,7 +409,7 @@ void EditIntake::log_attach(Lane& lane) {
       attached_.push_back(std::move(answered));
       called_ = true;
     } catch (const std::exception&) {
-      session->lose();  // no memory
+      session->lose_mail();  // no memory
     }
     comes_.notify_one();
   };
@@ -570,10 +572,14 @@ void EditIntake::log_edit(const Lane& lane, Prepared edit) {
   auto done = [this, session = lane.session, id, came = edit.edit.came,
                in_log = lane.in_log](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
     --*in_log;
-    auto result = outcome_of(outcome);
-    if (!result) return refuse(session, id, result.error().why, std::move(result.error().text));
-    parts_.metrics.edit_latency.add(parts_.clock.now() - came);
-    tell(session, EditAnswer{id, *result});
+    try {
+      auto result = outcome_of(outcome);
+      if (!result) return refuse(session, id, result.error().why, std::move(result.error().text));
+      parts_.metrics.edit_latency.add(parts_.clock.now() - came);
+      tell(session, EditAnswer{id, *result});
+    } catch (const std::exception&) {
+      session->lose_mail();  // no memory
+    }
   };
   if (const auto taken = append(std::move(entry), std::move(done)); !taken) {
     --*lane.in_log;

@@ -126,6 +126,7 @@ class EditIntake final : public EditTaker {
     /// Edits of it that the log has not answered.
     std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
+  using Came = std::pair<MailboxPtr, std::variant<AttachRequest, Editing>>;
   /// An Attach that the log has answered.
   struct Attached {
     ClientId client{};
@@ -180,7 +181,7 @@ class EditIntake final : public EditTaker {
   std::condition_variable comes_;
   bool called_ = false;
   bool stopping_ = false;
-  std::vector<std::pair<MailboxPtr, std::variant<AttachRequest, Editing>>> came_;
+  std::vector<Came> came_;
   std::vector<Attached> attached_;
   std::vector<ClientId> forgotten_;
   std::unordered_set<std::uint64_t> looked_up_;  // owners of look-ups with mail
@@ -194,6 +195,7 @@ class EditIntake final : public EditTaker {
   std::mutex work_;  // held while the thread works; locked before mutex_
 
   // Of who holds that.
+  std::vector<Came> taken_in_;  // and has no lane yet
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
   EditTurns turns_;

@@ -15,23 +15,25 @@
 
 namespace talus::server {
 
+/// What waits for the log at most, in all.
+struct EntryQueueLimits {
+  std::size_t entries = 8'192;
+  std::size_t bytes = std::size_t{32} << 20U;
+};
+
 /// Of one entry: `Entry` as the log has it. Any thread puts, one takes.
 template <typename Entry>
 class EntryQueue {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  struct Limits {
-    std::size_t entries = 8'192;
-    std::size_t bytes = std::size_t{32} << 20U;
-  };
   struct Waiting {
     Entry entry;
     EditLog::Done done;
     std::size_t bytes = 0;
   };
 
-  explicit EntryQueue(const Limits& limits) : limits_{limits} {}
+  explicit EntryQueue(const EntryQueueLimits& limits) : limits_{limits} {}
 
   [[nodiscard]] tl::expected<void, LogFailure> put(Waiting waiting) {
     using Kind = LogFailure::Kind;
@@ -111,7 +113,7 @@ class EntryQueue {
  private:
   [[nodiscard]] std::size_t waiting_now() const { return queue_.size() - first_; }
 
-  const Limits limits_;
+  const EntryQueueLimits limits_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::vector<Waiting> queue_;

@@ -31,7 +31,7 @@ LocalLog::LocalLog(EditDatabase& database, EditState& state, const Clock& clock,
     : database_{database},
       state_{state},
       clock_{clock},
-      queue_{{settings.queue_entries, settings.queue_bytes}},
+      queue_{settings.queue},
       writer_{database, state, settings, std::move(on_changed)} {
   thread_ = std::thread{[this] { run(); }};
 }

@@ -16,8 +16,7 @@
 namespace talus::server {
 
 struct LocalLogSettings : StoreWriterSettings {
-  std::size_t queue_entries = 8'192;
-  std::size_t queue_bytes = std::size_t{32} << 20U;
+  EntryQueueLimits queue;
 };
 
 class LocalLog final : public EditLog {

@@ -18,7 +18,7 @@ void do_or_lose(Mailbox& mailbox, const Logger& log, Step&& step) {
       step();
     }
   } catch (const std::exception& error) {
-    mailbox.lose();
+    mailbox.lose_mail();
     log->error("an answer could not be delivered: {}", error.what());
   }
 }

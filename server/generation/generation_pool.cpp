@@ -200,7 +200,7 @@ void GenerationPool::put_back(WorkQueue::Work& work) {
     try {
       if (heights->left() > 0) queue_.put_back(std::move(*heights));
     } catch (const std::bad_alloc&) {
-      heights->mailbox()->lose();
+      heights->mailbox()->lose_mail();
     }
     return;
   }
@@ -216,7 +216,7 @@ void GenerationPool::put_back(WorkQueue::Work& work) {
 void GenerationPool::lose(const WorkQueue::Batch& batch) {
   for (const ChunkKey key : batch.keys) {
     if (!queue_.begin(key)) continue;
-    for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose();
+    for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose_mail();
   }
 }
 

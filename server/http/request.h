@@ -31,6 +31,8 @@ struct Request {
   /// The values of all fields of this name as one list, in order. Source: RFC 9110, 5.2. Empty: there is
   /// none.
   [[nodiscard]] std::string list(std::string_view name) const;
+  /// Of `Authorization: Bearer`, in any case; empty: there is none. Source: RFC 6750, 2.1; RFC 9110, 11.1.
+  [[nodiscard]] std::string_view bearer_token() const;
 };
 
 /// Why a request cannot be answered as asked. The connection closes: where the next request would begin is

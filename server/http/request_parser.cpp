@@ -109,6 +109,15 @@ std::string Request::list(std::string_view name) const {
   return values;
 }
 
+std::string_view Request::bearer_token() const {
+  constexpr std::string_view kScheme = "Bearer ";
+  const std::string* const credentials = field("Authorization");
+  if (credentials == nullptr) return {};
+  const std::string_view text{*credentials};
+  return same_name(text.substr(0, kScheme.size()), kScheme) ? text.substr(kScheme.size())
+                                                            : std::string_view{};
+}
+
 struct RequestParser::State {
   explicit State(const RequestBounds& wanted) : bounds{wanted} { begin(); }
 

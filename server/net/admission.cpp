@@ -1,6 +1,7 @@
 #include "net/admission.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -74,14 +75,19 @@ AddressBucketsPtr Admission::rates_of(const asio::ip::address& counted) const {
   return by_address_.at(counted).rates;
 }
 
-void Admission::leave(const asio::ip::address& counted) {
+void Admission::leave(const asio::ip::address& counted) noexcept {
   const std::lock_guard lock{mutex_};
   --connections_;
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
     const auto now = clock_.now();
     here.forget_at = now + std::max<Clock::duration>(limits_.memory, here.rates->saved_up_in(now));
-    if (!std::exchange(here.listed, true)) left_.push_back(counted);
+    try {
+      if (!here.listed) left_.push_back(counted);
+      here.listed = true;
+    } catch (const std::bad_alloc&) {
+      by_address_.erase(counted);  // at once: its rates begin anew
+    }
   }
   forget();
 }

@@ -85,7 +85,7 @@ class Admission {
 
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, bool of_proxy);
   [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
-  void leave(const asio::ip::address& counted);
+  void leave(const asio::ip::address& counted) noexcept;
   void forget();
 
   const Clock& clock_;

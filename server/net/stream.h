@@ -1,7 +1,8 @@
-// A connection's bytes, whatever carries them: TcpStream, TlsStream, and a stream in memory for tests.
+// A connection's bytes, whatever carries them: TcpStream, TlsStream, WebSocketStream over either, and a
+// stream in memory for tests.
 //
 // A Stream is an AsyncReadStream and AsyncWriteStream of Asio, and says the protocol's end by itself: TLS a
-// close_notify; messages, pings and closing handshakes of a WebSocket would live in its stream too. Who uses
+// close_notify; a WebSocket's messages, pings and closing handshake are its stream's business too. Who uses
 // one sees bytes in, bytes out, and the end. One read and one write may be in flight at a time, on its
 // executor.
 #pragma once

@@ -24,9 +24,7 @@ std::optional<Box> box_of(const edits::Paste& paste) {
   std::optional<Box> box;
   for (std::size_t index = 0; index < voxels->size(); ++index) {
     if ((*voxels)[index] == kAir) continue;
-    const auto place = static_cast<std::int64_t>(index);
-    const VoxelPos at{paste.origin.x + place % kChunkSize, paste.origin.y + place / kChunkArea,
-                      paste.origin.z + place / kChunkSize % kChunkSize};
+    const VoxelPos at = voxel_at(paste.origin, local_of(index));
     if (!box) box = Box{at, at};
     box->first = {std::min(box->first.x, at.x), std::min(box->first.y, at.y), std::min(box->first.z, at.z)};
     box->last = {std::max(box->last.x, at.x), std::max(box->last.y, at.y), std::max(box->last.z, at.z)};

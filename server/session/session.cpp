@@ -335,11 +335,6 @@ void Session::on(const wire::Edit& edit) {
   }
   const Grant& grant = greeting_->grant;
   checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
-  const EditCosts::Priced priced = edit_costs_.price(*checked, checked->settles && editing_.settles());
-  if (const auto refusal = rates_.refuse_edit(received_at_, priced.cost)) {
-    return say_refusal(subject, *refusal);
-  }
-  edit_costs_.pay(priced);
   if (!checked->subject.empty() && !grant.rights.has(Right::gateway)) {
     return replies_.error(
         subject, ErrorCode::forbidden,
@@ -352,6 +347,12 @@ void Session::on(const wire::Edit& edit) {
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
+  // Last: what may write nothing takes nothing of what others at the address may.
+  const EditCosts::Priced priced = edit_costs_.price(*checked, checked->settles && editing_.settles());
+  if (const auto refusal = rates_.refuse_edit(received_at_, priced.cost)) {
+    return say_refusal(subject, *refusal);
+  }
+  edit_costs_.pay(priced);
   editing_.edit(edit.id(), edit.sequence(), *std::move(checked));
 }
 

@@ -53,8 +53,12 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
   const fs::path old = next / "old";
   std::error_code code;
   for (const std::string_view part : kParts) {
-    if (!fs::exists(next / part)) continue;
-    if (fs::exists(directory / part)) {
+    const bool comes = fs::exists(next / part, code);
+    if (code) return swap_failure(next / part, code);
+    if (!comes) continue;
+    const bool replaces = fs::exists(directory / part, code);
+    if (code) return swap_failure(directory / part, code);
+    if (replaces) {
       fs::create_directory(old, code);
       if (code) return swap_failure(old, code);
       if (auto moved = rename_now(directory / part, old / part); !moved) {
@@ -64,7 +68,9 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
     if (auto moved = rename_now(next / part, directory / part); !moved) return tl::unexpected{moved.error()};
   }
   fs::path kept;
-  if (fs::exists(old)) {
+  const bool has_old = fs::exists(old, code);
+  if (code) return swap_failure(old, code);
+  if (has_old) {
     kept = place_for_old(directory);
     if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
   }
@@ -99,6 +105,18 @@ Done check_space(const fs::path& directory, std::uint64_t bytes) {
 
 fs::path checkpoint_path(const fs::path& directory, std::string_view name) {
   return directory / fmt::format("{}{}", kCheckpoint, name);
+}
+
+Done make_checkpoint(const fs::path& path, std::uint64_t copied_bytes,
+                     const std::function<Done(const fs::path&)>& make) {
+  if (auto enough = check_space(path.parent_path(), copied_bytes); !enough) return enough;
+  std::error_code code;
+  fs::remove_all(path, code);
+  if (!code) fs::create_directory(path, code);
+  if (code) return swap_failure(path, code);
+  auto made = make(path / "db");
+  if (!made) fs::remove_all(path, code);
+  return made;
 }
 
 tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {

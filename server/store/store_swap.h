@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,16 @@ namespace talus::server {
 /// killed.
 [[nodiscard]] std::filesystem::path checkpoint_path(const std::filesystem::path& directory,
                                                     std::string_view name);
+
+/// What a checkpoint copies is RocksDB's log, of what is not flushed: four write buffers at most. All else is
+/// linked.
+inline constexpr std::uint64_t kCheckpointCopiesBytes = std::uint64_t{128} << 20U;
+
+/// `make`, which is given a path in it, makes the database's checkpoint in the directory `path`, which is
+/// empty then. Where the disk has less than `copied_bytes` free none is made; after an error nothing is left.
+[[nodiscard]] tl::expected<void, std::string> make_checkpoint(
+    const std::filesystem::path& path, std::uint64_t copied_bytes,
+    const std::function<tl::expected<void, std::string>(const std::filesystem::path&)>& make);
 
 /// Returns when the directory's names are on the disk.
 [[nodiscard]] tl::expected<void, std::string> sync_directory(const std::filesystem::path& directory);

@@ -13,11 +13,6 @@ namespace {
 constexpr std::chrono::milliseconds kRetry{200};
 constexpr int kMaxTries = 300;
 
-VoxelPos voxel_at(VoxelPos origin, std::uint16_t index) {
-  return {origin.x + index % kChunkSize, origin.y + index / kChunkArea,
-          origin.z + index / kChunkSize % kChunkSize};
-}
-
 /// Whether `at` of `size` voxels along one axis and the box have any in common.
 bool meets(std::int64_t at, std::int64_t first, std::int64_t last) {
   return at <= last && at + kChunkSize > first;
@@ -52,7 +47,7 @@ bool Rollback::add(const LogRecord& record) {
         touched->second.put = voxel.after;
         continue;
       }
-      const VoxelPos at = voxel_at(origin, voxel.index);
+      const VoxelPos at = voxel_at(origin, local_of(voxel.index));
       const bool inside = at.x >= first.x && at.x <= last.x && at.y >= first.y && at.y <= last.y &&
                           at.z >= first.z && at.z <= last.z;
       if (!inside) continue;

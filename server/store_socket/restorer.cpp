@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{30};
 
-VoxelPos voxel_of(ChunkCoord chunk, std::uint16_t index) {
-  const VoxelPos origin = chunk_origin(chunk);
-  return {origin.x + index % kChunkSize, origin.y + index / kChunkArea,
-          origin.z + index / kChunkSize % kChunkSize};
-}
-
 /// Voxels side by side that change alike are one fill.
 void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fills) {
   std::uint16_t last = 0;
@@ -34,7 +28,7 @@ void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fil
     if (next) {
       ++fills.back().last.x;
     } else {
-      const VoxelPos at = voxel_of(changes.chunk, voxel.index);
+      const VoxelPos at = voxel_at(chunk_origin(changes.chunk), local_of(voxel.index));
       fills.push_back({at, at, voxel.after, voxel.before});
     }
     last = voxel.index;

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include "store/bytes.h"
-#include "store/store_swap.h"
 #include "store_socket/pregen_fields.h"
 #include "store_socket/restorer.h"
 #include "store_socket/unix_address.h"
@@ -181,14 +180,8 @@ void StoreSocket::serve(Command& command) {
 }
 
 tl::expected<void, std::string> StoreSocket::make_checkpoint(const fs::path& path) const {
-  std::error_code code;
-  fs::remove_all(path, code);
-  if (auto enough = check_space(directory_, parts_.checkpoint_bytes); !enough) return enough;
-  fs::create_directory(path, code);
-  if (code) return tl::unexpected{fmt::format("{}: {}", path.string(), code.message())};
-  auto made = parts_.database.checkpoint(path / "db");
-  if (!made) fs::remove_all(path, code);
-  return made;
+  return server::make_checkpoint(path, parts_.checkpoint_copies_bytes,
+                                 [this](const fs::path& db) { return parts_.database.checkpoint(db); });
 }
 
 bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer& restorer) {

@@ -24,6 +24,7 @@
 #include "log/logger.h"
 #include "pregen/pregen.h"
 #include "store/edit_database.h"
+#include "store/store_swap.h"
 #include "store_socket/socket_frames.h"
 
 namespace talus::server {
@@ -52,8 +53,7 @@ class StoreSocket {
     std::function<std::optional<std::string>()> read_only;  // why no edits are taken; any thread
     RunPregen pregen;                                       // on a thread of the socket's; may be empty
     Patience patience{};
-    /// What a checkpoint copies is RocksDB's log: two write buffers at most. With less free none is made.
-    std::uint64_t checkpoint_bytes = std::uint64_t{128} << 20U;
+    std::uint64_t checkpoint_copies_bytes = kCheckpointCopiesBytes;
   };
 
   /// Makes the socket in `directory`, whose lock the process has, and starts its threads. An error is one

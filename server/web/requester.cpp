@@ -17,13 +17,6 @@ using wire::ErrorCode;
 // A rate makes a request wait so long at most.
 constexpr std::chrono::seconds kMaxThrottle{5};
 
-std::string_view bearer_token(const http::Request& request) {
-  constexpr std::string_view kScheme = "Bearer ";
-  const std::string* const field = request.field("Authorization");
-  if (field == nullptr || !field->starts_with(kScheme)) return {};
-  return std::string_view{*field}.substr(kScheme.size());
-}
-
 }  // namespace
 
 Requester::Caller::Caller(Admission::Slot of, const WebContext& context)
@@ -75,7 +68,7 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
   }
   audience.anybody = shared_.access.lets_anybody_read();
   audience.caches = for_caches && audience.anybody;
-  const std::string_view token = bearer_token(request);
+  const std::string_view token = request.bearer_token();
   if (audience.caches && token.empty()) return std::nullopt;
   const auto grant = shared_.access.admit(token, shared_.clock.wall());
   if (!grant) {

@@ -70,8 +70,13 @@ void become_session(S stream, std::span<const std::byte> unread, PlayerHandler& 
   const ConnectionId id = info.id;
   const auto runner = SessionRunner<WebSocket>::make(WebSocket{std::move(stream), unread}, std::move(info),
                                                      handler.requester().take_slot(), runner_context);
-  runner_context->registry.add(id, runner);
-  runner->start();
+  try {
+    runner_context->registry.add(id, runner);
+    runner->start();
+  } catch (...) {
+    runner_context->registry.remove(id);
+    throw;
+  }
 }
 
 template <Stream S>
@@ -93,13 +98,19 @@ void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const Web
       std::make_shared<http::Connection<S>>(std::move(stream), context->service, handler, take_over);
   peer->set_connection(connection);
   metrics.web_open.rise();
-  registry.add(info.id, peer);
-  asio::post(executor, [connection, handler] {
-    // What changed before the registry had it.
-    if (handler->requester().blocked()) return connection->close();
-    handler->requester().rates_changed();
-    connection->start();
-  });
+  try {
+    registry.add(info.id, peer);
+    asio::post(executor, [connection, handler] {
+      // What changed before the registry had it.
+      if (handler->requester().blocked()) return connection->close();
+      handler->requester().rates_changed();
+      connection->start();
+    });
+  } catch (...) {
+    registry.remove(info.id);
+    metrics.web_open.fall();
+    throw;
+  }
 }
 
 }  // namespace

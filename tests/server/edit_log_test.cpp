@@ -142,7 +142,7 @@ TEST_CASE("each chunk that a batch changed is told once, after the index has its
 TEST_CASE("the queue is bounded, and whoever was taken is answered before the log stops") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
-  store.log_settings.queue_entries = 4;
+  store.log_settings.queue.entries = 4;
   REQUIRE(store.open() == "");
   std::promise<void> holds;
   std::promise<void> let_go;
@@ -312,7 +312,7 @@ TEST_CASE("edits of a chunk that cannot be read fail by its name, and the log go
 TEST_CASE("of editors that never edited the first make place, and a store that is opened again agrees") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "live"};
-  store.log_settings.queue_entries = 100'000;
+  store.log_settings.queue.entries = 100'000;
   store.log_settings.flush_interval = std::chrono::milliseconds{1};
   REQUIRE(store.open() == "");
   std::atomic<int> full{0};

@@ -70,7 +70,21 @@ TEST_CASE("a request gives its method, target, path and fields") {
   CHECK(*request.field("x-a") == "b c");
   CHECK(request.field("accept")->empty());
   CHECK(request.field("cookie") == nullptr);
+  CHECK(request.bearer_token().empty());
   CHECK(request.keep_alive);
+}
+
+TEST_CASE("a bearer token's scheme is one in any case, and other credentials are none") {
+  const auto token = [](std::string credentials) {
+    Request request;
+    request.fields.push_back({"Authorization", std::move(credentials)});
+    return std::string{request.bearer_token()};
+  };
+  CHECK(token("Bearer aB.c") == "aB.c");
+  CHECK(token("bearer aB.c") == "aB.c");
+  CHECK(token("BEARER aB.c") == "aB.c");
+  CHECK(token("Bearer").empty());
+  CHECK(token("Basic aB.c").empty());
 }
 
 TEST_CASE("fields of one name are one list, in their order") {

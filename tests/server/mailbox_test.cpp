@@ -45,6 +45,25 @@ TEST_CASE("an owner is woken for mail alone, and not again before it took it") {
   CHECK(woken == 2);
 }
 
+TEST_CASE("an owner whose only mail is lost is woken to notice") {
+  bool fails = false;
+  int woken = 0;
+  Mailbox box{ClientId{1}, [&] {
+                if (fails) throw std::bad_alloc{};
+                ++woken;
+              }};
+  box.lose_mail();
+  CHECK(woken == 1);
+  CHECK(box.has_lost());
+  CHECK(box.take().empty());
+  fails = true;
+  box.lose_mail();
+  CHECK(woken == 1);
+  fails = false;
+  box.wake();
+  CHECK(woken == 2);
+}
+
 TEST_CASE("an owner that could not be woken is woken by the next who tries, and loses no mail") {
   bool fails = true;
   int woken = 0;

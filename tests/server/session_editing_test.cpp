@@ -243,7 +243,13 @@ TEST_CASE("an edit pays for the new chunks that loose material may slide into") 
 }
 
 TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and its session stays") {
-  Bench shared{{}, editors(), {*Boxes::parse("-16,-16:16,16"), false}};
+  RateLimits limits;
+  limits.address.voxels = {1, 1};
+  limits.address.new_chunks = {1, kNewChunkTokens};
+  Bench shared{limits,
+               editors(),
+               {*Boxes::parse("-16,-16:16,16"), false},
+               std::make_shared<AddressBuckets>(limits.address)};
   shared.attached();
   shared.bench.write_voxel(4, 1, {3, 4, 5});
   shared.bench.write_voxel(5, 2, {17, 4, 5});

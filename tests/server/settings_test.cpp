@@ -145,6 +145,10 @@ TEST_CASE("one address takes a day at least to fill the index of edited chunks, 
     CHECK(in_a_day * ChunkIndex::kMostBytesEach <= edit_state_settings(config).index_bytes);
     CHECK(new_chunks.burst >= 100 * kNewChunkTokens);  // an edit of 64 chunks, and what slides
   }
+  // However few an hour, an edit of 64 chunks has them.
+  config.limits.memory_bytes = 0;
+  config.rates.address_new_chunks = 1;
+  CHECK(rate_limits(config).address.new_chunks.burst >= 100 * kNewChunkTokens);
   config.rates.address_new_chunks = 0;
   CHECK_FALSE(rate_limits(config).address.new_chunks.limited());
 }

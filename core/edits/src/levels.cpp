@@ -6,15 +6,6 @@
 #include <utility>
 
 namespace talus::edits {
-namespace {
-
-VoxelPos voxel_at(ChunkCoord chunk, std::uint16_t index) {
-  const VoxelPos origin = chunk_origin(chunk);
-  return {origin.x + index % kChunkSize, origin.y + index / kChunkArea,
-          origin.z + index / kChunkSize % kChunkSize};
-}
-
-}  // namespace
 
 std::optional<CoarseVoxel> sampled_by(VoxelPos voxel) {
   // Two's complement: a negative number has the trailing zeros and remainders of its absolute value. 0
@@ -36,7 +27,7 @@ std::vector<ChunkWrites> coarse_writes(ChunkCoord chunk, std::span<const Overrid
   // A base chunk lies within one chunk of each level, where the order of voxels by index is the same.
   std::array<std::vector<OverrideWrite>, Lod::kMax + 1> levels;
   for (const OverrideWrite& write : writes) {
-    const auto coarse = sampled_by(voxel_at(chunk, write.index));
+    const auto coarse = sampled_by(voxel_at(chunk_origin(chunk), local_of(write.index)));
     if (!coarse) continue;
     const std::size_t index = voxel_index(local_pos(coarse->voxel));
     levels[static_cast<std::size_t>(coarse->lod.value())].push_back(

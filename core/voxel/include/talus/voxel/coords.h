@@ -129,6 +129,16 @@ struct HeightRange {
   return (std::size_t{pos.y} * kChunkSize + pos.z) * kChunkSize + pos.x;
 }
 
+/// Where the voxel of that index is; `index` < 32^3.
+[[nodiscard]] constexpr LocalPos local_of(std::size_t index) {
+  return {static_cast<std::uint8_t>(index % kChunkSize), static_cast<std::uint8_t>(index / kChunkArea),
+          static_cast<std::uint8_t>(index / kChunkSize % kChunkSize)};
+}
+/// Of level 0, `local` of a chunk that begins at `origin`.
+[[nodiscard]] constexpr VoxelPos voxel_at(VoxelPos origin, LocalPos local) {
+  return {origin.x + local.x, origin.y + local.y, origin.z + local.z};
+}
+
 /// A column inside a chunk: z slowest, then x.
 [[nodiscard]] constexpr std::size_t column_index(int x, int z) {
   return static_cast<std::size_t>(z) * kChunkSize + static_cast<std::size_t>(x);
