@@ -596,7 +596,6 @@ void ClusterLog::applied(std::uint64_t sequence) {
       parts_.log->info("cluster: it is decided whose state is right; edits are taken again");
     }
   }
-  changed_.notify_all();
   tell_whether_it_takes();
   if (verdict == Verdict::wrong) {
     lose(Lost::wrong_state, comparison_.what() + ", as most have; this server's store is wrong");
