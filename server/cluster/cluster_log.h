@@ -102,10 +102,13 @@ class ClusterLog final : public EditLog {
 
  private:
   using TimePoint = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::milliseconds kSoon{20};
+  static constexpr std::chrono::milliseconds kRetryOfFault{1'000};
 
-  // The applier's thread.
+  // The applier's thread (cluster_log_applier.cpp).
   void apply_all();
-  /// Whether the store's place in the stream is known, and what comes next is to be had; looks once.
+  /// Whether the store's place in the stream is known, and what comes next is to be had; looks once
+  /// (cluster_log_place.cpp).
   [[nodiscard]] bool find_place();
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
   void next_message();

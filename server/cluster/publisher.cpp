@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cluster/entry_codec.h"
+#include "cluster/message_pace.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -136,7 +137,10 @@ std::int64_t Publisher::time_ms() const {
 
 void Publisher::run() {
   constexpr std::chrono::hours kLong{1};
+  SentMessage last;
   for (;;) {
+    // So short that nobody who calls meanwhile need be heard.
+    std::this_thread::sleep_until(next_message_at(last, queue_.size()));
     const std::size_t room = kBatchBytes - batch_overhead(parts_.settles);
     auto taken = queue_.take(kMaxEntries, room, std::chrono::steady_clock::now() + kLong);
     std::optional<Stand> stand;
@@ -156,6 +160,7 @@ void Publisher::run() {
       continue;
     }
     if (taken.empty() && !stand) continue;
+    last = {std::chrono::steady_clock::now(), taken.size()};
     if (!stand) stand = parts_.stand();
     const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<Bytes> entries;

@@ -1,6 +1,6 @@
 // One server's writing end of the shared log: a thread with one message in flight. All that comes meanwhile
-// waits for the next. A message is published again, with the same bytes, until the stream acknowledges it or
-// it is seen in the stream: applying takes it once.
+// waits for the next, which is sent when its pace allows (message_pace.h). A message is published again, with
+// the same bytes, until the stream acknowledges it or it is seen in the stream: applying takes it once.
 #pragma once
 
 #include <atomic>

@@ -103,6 +103,12 @@ int Arrived::status() const {
 
 /// Called by libnats.
 struct Connection::Callbacks {
+  /// Of a subscription, on its thread.
+  struct Handled {
+    Handler handler;
+    DiscardedMessages discarded;
+  };
+
   static Link& link(void* closure) { return **static_cast<std::shared_ptr<Link>*>(closure); }
 
   static void set_connected(Link& link, bool now) {
@@ -163,10 +169,12 @@ struct Connection::Callbacks {
   }
   static void message(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsMsg* message,
                       void* closure) {
-    const NatsMessage owned{message};
-    (*static_cast<Handler*>(closure))(Arrived{message});
+    NatsMessage owned{message};
+    auto& handled = *static_cast<Handled*>(closure);
+    handled.handler(Arrived{message});
+    handled.discarded.add(std::move(owned));
   }
-  static void subscription_ended(void* closure) { delete static_cast<Handler*>(closure); }
+  static void subscription_ended(void* closure) { delete static_cast<Handled*>(closure); }
 };
 
 tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
@@ -262,7 +270,7 @@ void Connection::close() {
 tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subject, Handler handler,
                                                         int pending_messages, int pending_bytes) {
   const SignalsBlocked blocked;
-  auto owned = std::make_unique<Handler>(std::move(handler));
+  auto owned = std::make_unique<Callbacks::Handled>(Callbacks::Handled{std::move(handler), {}});
   natsSubscription* made = nullptr;
   const natsStatus status =
       natsConnection_Subscribe(&made, connection_.get(), subject.c_str(), &Callbacks::message, owned.get());
@@ -323,6 +331,12 @@ natsStatus Connection::await_acks() {
   return status;
 }
 
+tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const Arrived& answer) {
+  const auto said = parse_answer(answer.text());
+  if (!said) return tl::unexpected{unavailable(fmt::format("NATS: {}", words_of(said.error().what)))};
+  return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
+}
+
 tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
                                                                  std::span<const std::byte> bytes,
                                                                  std::chrono::milliseconds patience,
@@ -334,26 +348,38 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
     return tl::unexpected{failure_of(status, began, subject)};
   }
   const std::string reply = fmt::format("{}.{}", acks_to_, ++published_);
+  natsStatus status =
+      only == Only::always ? send_to_stream(subject, reply, bytes) : send_as_first(subject, reply, bytes);
+  while (status == NATS_OK) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(began + patience - Clock::now());
+    natsMsg* come = nullptr;
+    status = natsSubscription_NextMsg(&come, acks_.get(), std::max<std::int64_t>(left.count(), 0));
+    if (status != NATS_OK) break;
+    NatsMessage owned{come};
+    const bool is_late = Arrived{come}.subject() != reply;
+    const auto ack = is_late ? tl::expected<Ack, StreamFailure>{} : ack_of(Arrived{come});
+    discarded_.add(std::move(owned));
+    if (!is_late) return ack;
+  }
+  return tl::unexpected{failure_of(status, began, subject)};
+}
+
+natsStatus Connection::send_to_stream(const std::string& subject, const std::string& reply,
+                                      std::span<const std::byte> bytes) {
+  return natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(), bytes.data(),
+                                       static_cast<int>(bytes.size()));
+}
+
+natsStatus Connection::send_as_first(const std::string& subject, const std::string& reply,
+                                     std::span<const std::byte> bytes) {
   natsMsg* made = nullptr;
   natsStatus status =
       natsMsg_Create(&made, subject.c_str(), reply.c_str(), reinterpret_cast<const char*>(bytes.data()),
                      static_cast<int>(bytes.size()));
   const NatsMessage message{made};
-  if (status == NATS_OK && only == Only::as_first) {
-    status = natsMsgHeader_Set(made, "Nats-Expected-Last-Sequence", "0");
-  }
+  if (status == NATS_OK) status = natsMsgHeader_Set(made, "Nats-Expected-Last-Sequence", "0");
   if (status == NATS_OK) status = natsConnection_PublishMsg(connection_.get(), made);
-  while (status == NATS_OK) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(began + patience - Clock::now());
-    natsMsg* come = nullptr;
-    status = natsSubscription_NextMsg(&come, acks_.get(), std::max<std::int64_t>(left.count(), 0));
-    const NatsMessage answer{come};
-    if (status != NATS_OK || Arrived{come}.subject() != reply) continue;  // one that came too late
-    const auto said = parse_answer(Arrived{come}.text());
-    if (!said) return tl::unexpected{unavailable(fmt::format("NATS: {}", words_of(said.error().what)))};
-    return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
-  }
-  return tl::unexpected{failure_of(status, began, subject)};
+  return status;
 }
 
 tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,

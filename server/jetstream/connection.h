@@ -19,6 +19,7 @@
 #include "cluster/log_stream.h"
 #include "config/server_urls.h"
 #include "jetstream/credentials.h"
+#include "jetstream/discarded_messages.h"
 #include "jetstream/nats_handles.h"
 
 namespace talus::server::jetstream {
@@ -132,6 +133,11 @@ class Connection {
   explicit Connection(std::shared_ptr<Link> link) : link_{std::move(link)} {}
   /// Where acknowledgements come to publish().
   [[nodiscard]] natsStatus await_acks();
+  [[nodiscard]] natsStatus send_to_stream(const std::string& subject, const std::string& reply,
+                                          std::span<const std::byte> bytes);
+  [[nodiscard]] natsStatus send_as_first(const std::string& subject, const std::string& reply,
+                                         std::span<const std::byte> bytes);
+  [[nodiscard]] static tl::expected<Ack, StreamFailure> ack_of(const Arrived& answer);
   [[nodiscard]] StreamFailure failure_of(natsStatus status, std::chrono::steady_clock::time_point since,
                                          std::string_view doing) const;
 
@@ -144,6 +150,7 @@ class Connection {
   // between.
   std::mutex publishing_;
   NatsSubscription acks_;
+  DiscardedMessages discarded_;
   std::string acks_to_;  // subject, without the number
   std::uint64_t published_ = 0;
 };

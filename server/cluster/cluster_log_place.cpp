@@ -1,0 +1,107 @@
+// Where a store goes on in the stream.
+#include <fmt/format.h>
+
+#include "cluster/cluster_log.h"
+#include "cluster/log_reasons.h"
+
+namespace talus::server::cluster {
+namespace {
+
+using std::chrono::milliseconds;
+using SteadyClock = std::chrono::steady_clock;
+
+}  // namespace
+
+bool ClusterLog::find_place() {
+  const auto stream = parts_.stream.state();
+  if (!stream) {
+    trouble(stream.error().reason);
+    return false;
+  }
+  const StreamPlace place = parts_.database.meta().stream;
+  if (stream->last == 0) {
+    trouble("the stream has no genesis; run talusd cluster init");
+    const std::lock_guard lock{mutex_};
+    began_silent_ = false;  // it spoke, and this is no stream to wait for
+    return false;
+  }
+  if (place.sequence == 0) {
+    if (!begin_at_genesis(*stream)) return false;
+  } else if (place.created_ns != stream->created_ns) {
+    lose(Lost::other, kMadeAnew);
+    return false;
+  } else if (stream->first > place.sequence + 1) {
+    lose(Lost::too_old,
+         fmt::format("the stream keeps messages from {} on, and this server has those up to {}",
+                     stream->first, place.sequence));
+    return false;
+  }
+  const StreamPlace now = parts_.database.meta().stream;
+  placed_ = true;
+  {
+    const std::lock_guard lock{mutex_};
+    places_known_ = true;
+    created_ns_ = now.created_ns;
+    sequence_ = now.sequence;
+    end_.applied(now.sequence);
+    trouble_.clear();
+  }
+  const edits::Head& head = parts_.state.head();
+  comparison_.stands(head.revision, head.hash);
+  parts_.log->info("cluster: goes on behind message {} of {}", now.sequence, stream->last);
+  tell_whether_it_takes();
+  return true;
+}
+
+bool ClusterLog::begin_at_genesis(const StreamState& stream) {
+  const edits::Head& own = parts_.state.head();
+  const bool is_empty = own.position == 0;
+  if (stream.first > 1) {
+    lose(is_empty ? Lost::no_start : Lost::too_old,
+         fmt::format("the stream keeps messages from {} on, and this server has none of it", stream.first));
+    return false;
+  }
+  const auto first = parts_.stream.next(0, SteadyClock::now() + milliseconds{500});
+  if (!first || !*first) {
+    trouble(first ? "the stream's first message does not come" : first.error().reason);
+    return false;
+  }
+  const auto genesis = decode_genesis((*first)->bytes);
+  if (!genesis) {
+    const MessageFault& fault = genesis.error();
+    stop_applying(not_applied(1, fmt::format("{}{}", fault.reason, remedy_of(fault))));
+    return false;
+  }
+  if (genesis->identity.store_id != identity_.store_id) {
+    stop_applying(fmt::format("the stream is of store {}; this server has store {}",
+                              to_string(genesis->identity.store_id), to_string(identity_.store_id)));
+  } else if (genesis->identity.fingerprint != identity_.fingerprint) {
+    stop_applying(
+        fmt::format("the stream is of the world with fingerprint {}; this server's world has {}; "
+                    "all servers of a store must have the same world",
+                    to_string(genesis->identity.fingerprint), to_string(identity_.fingerprint)));
+  } else if (genesis->level_rule != edits::kLevelRule) {
+    stop_applying(
+        fmt::format("the stream's coarse levels are made by rule {}; this talusd has rule {}; all "
+                    "servers of a store must have the same",
+                    genesis->level_rule, edits::kLevelRule));
+  } else if (settings_.settles != nullptr && *settings_.settles != genesis->settles) {
+    stop_applying(
+        "loose material slides otherwise in this world than in the stream's; all servers of a "
+        "store must have the same world");
+  } else if (genesis->head != own) {
+    lose(is_empty ? Lost::no_start : Lost::other,
+         fmt::format("the stream begins at revision {}, entry {}; this server's store is at revision {}, "
+                     "entry {}",
+                     genesis->head.revision, genesis->head.position, own.revision, own.position));
+  } else {
+    EditDatabase::Done entered;
+    if (is_empty && !genesis->materials.empty()) entered = parts_.database.bind(genesis->materials);
+    if (entered) entered = parts_.database.enter({1, stream.created_ns});
+    writer_.entered();
+    if (entered) return true;
+    trouble(entered.error());
+  }
+  return false;
+}
+}  // namespace talus::server::cluster

@@ -1,0 +1,18 @@
+// Why a server does not go on with the log, in words that several parts of it have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace talus::server::cluster {
+
+inline constexpr const char* kMadeAnew = "the stream was made anew since this server read it";
+
+inline std::string not_applied(std::uint64_t sequence, std::string_view reason) {
+  return fmt::format("message {} of the log cannot be applied: {}", sequence, reason);
+}
+
+}  // namespace talus::server::cluster

@@ -1,0 +1,103 @@
+// When a server's messages are sent, and what is in them.
+#include "cluster/publisher.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "clock/manual_clock.h"
+#include "cluster/message_pace.h"
+
+namespace talus::server::cluster {
+namespace {
+
+using namespace std::chrono_literals;
+using TimePoint = std::chrono::steady_clock::time_point;
+
+constexpr StoreIdentity kOwnStore{{1, 2}, {3, 4}};
+
+/// Acknowledges when it is told to.
+class SlowStream final : public LogStream {
+ public:
+  struct Published {
+    TimePoint at;
+    std::size_t entries = 0;
+  };
+
+  tl::expected<std::uint64_t, StreamFailure> publish(std::span<const std::byte> message) override {
+    const auto now = std::chrono::steady_clock::now();
+    const auto batch = decode_batch(message, kOwnStore);
+    std::unique_lock lock{mutex_};
+    published_.push_back({now, batch ? batch->entries.size() : 0});
+    changed_.notify_all();
+    changed_.wait(lock, [&] { return stopped_ || acknowledged_ >= published_.size(); });
+    return published_.size();
+  }
+  tl::expected<std::uint64_t, StreamFailure> publish_first(std::span<const std::byte> message) override {
+    return publish(message);
+  }
+  tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t /*after*/,
+                                                                 TimePoint /*until*/) override {
+    return std::nullopt;
+  }
+  tl::expected<StreamState, StreamFailure> state() override { return StreamState{}; }
+  tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t /*sequence*/) override { return 0; }
+  void wake() override {}
+  void stop() override {
+    const std::lock_guard lock{mutex_};
+    stopped_ = true;
+    changed_.notify_all();
+  }
+
+  /// The message of that number, from 1 on; waits for it.
+  Published await(std::size_t number) {
+    std::unique_lock lock{mutex_};
+    changed_.wait(lock, [&] { return published_.size() >= number; });
+    return published_[number - 1];
+  }
+  void acknowledge(std::size_t number) {
+    const std::lock_guard lock{mutex_};
+    acknowledged_ = number;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Published> published_;
+  std::size_t acknowledged_ = 0;
+  bool stopped_ = false;
+};
+
+TEST_CASE("a message is not sent at once after another where they have many entries, and is where few") {
+  const TimePoint now{5s};
+  CHECK(next_message_at({now, kFewEntries}, 1) == now + kMessagePace);
+  CHECK(next_message_at({now, 1}, kFewEntries) == now + kMessagePace);
+  CHECK(next_message_at({now, kFewEntries - 1}, 1) == now);
+  CHECK(next_message_at({now, kFewEntries}, 0) == now);
+}
+
+TEST_CASE("what comes while a message is in flight is in the next, when the pace allows it") {
+  SlowStream stream;
+  const ManualClock clock;
+  Publisher publisher{{stream, clock, kOwnStore, 1, nullptr, [] { return Publisher::Stand{}; }, [] {}}};
+  publisher.start();
+  const auto append = [&] {
+    const edits::AttachEntry entry{{1, 2}, 1, "somebody"};
+    REQUIRE(publisher.append(entry, [](const auto& /*outcome*/) {}));
+  };
+  const TimePoint began = std::chrono::steady_clock::now();
+  append();
+  const auto first = stream.await(1);
+  for (std::size_t i = 0; i < 10; ++i) append();
+  stream.acknowledge(1);
+  const auto second = stream.await(2);
+  stream.stop();
+  publisher.stop();
+  CHECK(first.entries == 1);
+  CHECK(second.entries == 10);
+  CHECK(second.at - began >= kMessagePace);
+}
+
+}  // namespace
+}  // namespace talus::server::cluster
