@@ -130,6 +130,13 @@ class Mailbox {
     }
   }
 
+  /// The owner's thread: whether the log is to answer an edit of it.
+  void expect_answer(bool expects) noexcept { expects_answer_.store(expects, std::memory_order_relaxed); }
+  /// Any thread. Then it is about to be woken, and what is put until then costs it no turn of its own.
+  [[nodiscard]] bool expects_answer() const noexcept {
+    return expects_answer_.load(std::memory_order_relaxed);
+  }
+
   /// Any thread. There is no memory for mail that the owner waits for. Wakes the owner, who may wait for
   /// nothing else; where that fails the next wake() does.
   void lose_mail() noexcept {
@@ -142,13 +149,13 @@ class Mailbox {
   /// Whether mail was lost: what the owner waits for may never come.
   [[nodiscard]] bool has_lost() const noexcept { return lost_; }
 
-  /// The owner's thread. All that waits, oldest first.
-  [[nodiscard]] std::vector<Mail> take() {
+  /// The owner's thread. All that waits, oldest first. `memory`, which is empty, is used for what comes next.
+  [[nodiscard]] std::vector<Mail> take(std::vector<Mail> memory = {}) {
     const std::lock_guard lock{mutex_};
     woken_ = false;
     changes_ = 0;
     any_changed_ = false;
-    return std::exchange(mail_, {});
+    return std::exchange(mail_, std::move(memory));
   }
 
  private:
@@ -162,6 +169,7 @@ class Mailbox {
   bool any_changed_ = false;  // a ChunksChanged without a list is in mail_
   bool woken_ = false;
   std::atomic<bool> lost_{false};
+  std::atomic<bool> expects_answer_{false};
 };
 using MailboxPtr = std::shared_ptr<Mailbox>;
 

@@ -27,21 +27,31 @@ void ChangeFeed::run() {
   block_signals();
   std::unique_lock lock{gathering_};
   for (;;) {
+    thread_waits_ = true;
     changed_.wait(lock, [this] { return stopping_ || has_gathered(); });
+    thread_waits_ = false;
     if (stopping_) return;
     lock.unlock();
     tell();
     lock.lock();
-    changed_.wait_for(lock, kInterval, [this] { return stopping_; });
+    auto left = kInterval;
+    if (has_held()) {
+      changed_.wait_for(lock, kWithAnswer, [this] { return stopping_; });
+      lock.unlock();
+      wake_held();
+      lock.lock();
+      left -= kWithAnswer;
+    }
+    changed_.wait_for(lock, left, [this] { return stopping_; });
   }
 }
 
 void ChangeFeed::on_changed(std::span<const ChunkChange> changes) noexcept {
   if (changes.empty()) return;
-  bool first = false;
+  bool wakes = false;
   {
     const std::lock_guard lock{gathering_};
-    first = !has_gathered();
+    wakes = thread_waits_ && !has_gathered();
     try {
       for (const ChunkChange& change : changes) {
         if (any_changed_) break;
@@ -54,7 +64,7 @@ void ChangeFeed::on_changed(std::span<const ChunkChange> changes) noexcept {
     }
     if (any_changed_) gathered_.clear();
   }
-  if (first) changed_.notify_one();
+  if (wakes) changed_.notify_one();
 }
 
 void ChangeFeed::tell() {
@@ -85,12 +95,31 @@ void ChangeFeed::tell() {
   for (const auto& [mailbox, changes] : told) {
     try {
       mailbox->put_changes(changes);
-      mailbox->wake();
+      if (mailbox->expects_answer()) {
+        held_.push_back(mailbox);
+      } else {
+        mailbox->wake();
+      }
     } catch (const std::exception& error) {
-      mailbox->lose_mail();
-      log_->error("changes could not be told: {}", error.what());
+      lose(*mailbox, error);
     }
   }
+}
+
+void ChangeFeed::wake_held() {
+  for (const MailboxPtr& mailbox : held_) {
+    try {
+      mailbox->wake();
+    } catch (const std::exception& error) {
+      lose(*mailbox, error);
+    }
+  }
+  held_.clear();
+}
+
+void ChangeFeed::lose(Mailbox& mailbox, const std::exception& error) const {
+  mailbox.lose_mail();
+  log_->error("changes could not be told: {}", error.what());
 }
 
 std::vector<ChangeFeed::Told> ChangeFeed::tell_all() {

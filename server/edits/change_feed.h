@@ -1,7 +1,9 @@
 // Tells sessions which chunks of their Views were edited.
 //
 // Changes are gathered, and told at most every kInterval by one thread: an edit wakes no session by itself,
-// and of many edits of a chunk one change is told. Each is told those of its own boxes alone. Bounded: beyond
+// and of many edits of a chunk one change is told. Each is told those of its own boxes alone. A session that
+// waits for the log's answer is about to be woken by that: changes and answer then leave in one write, so for
+// kWithAnswer nothing else wakes it. Bounded: beyond
 // kMaxGathered chunks, and beyond what a Mailbox takes of its own, "any chunk may have changed" is told
 // instead.
 #pragma once
@@ -11,6 +13,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <mutex>
 #include <span>
 #include <thread>
@@ -30,6 +33,7 @@ namespace talus::server {
 class ChangeFeed {
  public:
   static constexpr std::chrono::milliseconds kInterval{5};
+  static constexpr std::chrono::milliseconds kWithAnswer{2};
   static constexpr std::size_t kMaxGathered = 16'384;
 
   explicit ChangeFeed(Logger log) : log_{std::move(log)} {}
@@ -48,8 +52,12 @@ class ChangeFeed {
   /// Chunks were changed. Whoever asks for their revisions must find these already. Waits for nobody.
   void on_changed(std::span<const ChunkChange> changes) noexcept;
 
-  /// Tells now what was gathered: what the thread does.
+  // What the thread does; not on two threads at once.
+  /// Tells now what was gathered. Who expects an answer of the log finds it, and is not woken.
   void tell();
+  /// Wakes those, but for who has found it by now.
+  void wake_held();
+  [[nodiscard]] bool has_held() const { return !held_.empty(); }
 
   /// Who watches anything.
   [[nodiscard]] std::size_t watchers() const;
@@ -66,6 +74,8 @@ class ChangeFeed {
   };
 
   void run();
+  /// Its owner is to end: it could not be told.
+  void lose(Mailbox& mailbox, const std::exception& error) const;
   [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
   void remove(const Watcher& watcher);
   /// All who watch anything, that any chunk may have changed.
@@ -82,7 +92,9 @@ class ChangeFeed {
   std::unordered_map<ChunkKey, ChunkChange> gathered_;
   bool any_changed_ = false;
   bool stopping_ = false;
+  bool thread_waits_ = false;  // for changes
   std::thread thread_;
+  std::vector<MailboxPtr> held_;  // the thread's
 
   mutable std::mutex watching_;
   std::unordered_map<ClientId, Watcher> watchers_;

@@ -26,18 +26,23 @@ class MailRounds final : public asio::execution_context::service {
     virtual void read_mail() = 0;
   };
 
-  explicit MailRounds(asio::execution_context& context) : service{context} {}
+  explicit MailRounds(asio::execution_context& context) : service{context} { now_.reserve(kAtOnce); }
 
   /// From any thread: `reader` reads its mail soon, on `executor`, which is of the context. Throws where
-  /// there is no memory, and then it does not.
+  /// there is no memory, and then it does not, and who entered at that very moment does with the next.
   void enter(std::shared_ptr<Reader> reader, const asio::any_io_executor& executor);
 
  private:
   void shutdown() noexcept override;
+  /// Reads for all who entered, also since it began, so that these need no handler of their own.
   void go_round(const asio::any_io_executor& executor);
+  /// At most so many of those who entered first, to now_. False: there are none, and who enters next posts.
+  [[nodiscard]] bool take(std::size_t most);
 
   std::mutex mutex_;
-  std::vector<std::shared_ptr<Reader>> readers_;  // where there are any, a handler is posted
+  std::vector<std::shared_ptr<Reader>> readers_;
+  bool posted_ = false;                       // a handler that takes them
+  std::vector<std::shared_ptr<Reader>> now_;  // of go_round(); has memory for kAtOnce
 };
 
 }  // namespace talus::server

@@ -12,6 +12,7 @@ void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit) {
   unanswered_.insert(id, {edit.voxels, edit.bytes, edit.prepared_bytes});
   bytes_ += edit.bytes;
   prepared_bytes_.insert(edit.prepared_bytes);
+  mailbox_->expect_answer(true);
   taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
                           std::move(edit.subject), edit.settles});
 }
@@ -35,6 +36,7 @@ void Editing::receive(EditAnswer&& mail) {
   prepared_bytes_.erase(prepared_bytes_.find(edit->prepared_bytes));
   if (mail.answer && mail.answer->changed > edit->voxels) slid_voxels_ += mail.answer->changed - edit->voxels;
   unanswered_.erase(mail.id);
+  mailbox_->expect_answer(unanswered_.size() > 0);
   if (mail.answer) {
     replies_.edit_result(mail.id, *mail.answer);
   } else {
@@ -48,6 +50,7 @@ void Editing::abandon() {
   attaching_ = false;
   editor_.reset();
   unanswered_.clear();
+  mailbox_->expect_answer(false);
   bytes_ = 0;
   prepared_bytes_.clear();
 }

@@ -98,6 +98,29 @@ TEST_CASE("each is told of its own chunks alone") {
   CHECK(keys(both) == std::set{at(0), at(1), at(100)});
 }
 
+TEST_CASE("who expects an answer finds its changes beside it, or is woken for them after all") {
+  Bench bench;
+  Client answered{1};
+  Client waits{2};
+  Client looks_on{3};
+  for (Client* const client : {&answered, &waits, &looks_on}) {
+    bench.feed.watch(client->mailbox, boxes_around(0, 2));
+  }
+  answered.mailbox->expect_answer(true);
+  waits.mailbox->expect_answer(true);
+  bench.changed(change(at(1), 0, 1));
+  bench.feed.tell();
+  CHECK(looks_on.wakes == 1);
+  CHECK(answered.wakes + waits.wakes == 0);
+  CHECK(answered.take().size() == 1);
+  CHECK(bench.feed.has_held());
+  bench.feed.wake_held();
+  CHECK_FALSE(bench.feed.has_held());
+  CHECK(answered.wakes == 0);
+  CHECK(waits.wakes == 1);
+  CHECK(waits.take().size() == 1);
+}
+
 TEST_CASE("several edits of a chunk are told as one change") {
   Bench bench;
   Client client{1};

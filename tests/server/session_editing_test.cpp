@@ -122,6 +122,23 @@ TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
   CHECK(said.revision == 10);
 }
 
+TEST_CASE("while an edit is not answered the mailbox says that its owner is about to be woken") {
+  Bench shared;
+  shared.attached();
+  const Mailbox& mailbox = *shared.bench.mailbox;
+  CHECK_FALSE(mailbox.expects_answer());
+  shared.bench.write_voxel(4, 17, {-1, 2, 3}, 5);
+  shared.bench.write_voxel(5, 18, {-1, 2, 3}, 6);
+  CHECK(mailbox.expects_answer());
+  (void)shared.answered({4, edits::EditResult{17, 10, 1, {}}});
+  CHECK(mailbox.expects_answer());
+  (void)shared.answered({5, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0 does not hold", {}}}});
+  CHECK_FALSE(mailbox.expects_answer());
+  shared.bench.write_voxel(6, 19, {-1, 2, 3}, 5);
+  shared.bench.session.abandon();
+  CHECK_FALSE(mailbox.expects_answer());
+}
+
 TEST_CASE("an edit that does not happen is an Error about its request") {
   Bench shared;
   shared.attached();

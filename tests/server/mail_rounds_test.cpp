@@ -1,0 +1,67 @@
+#include "net/mail_rounds.h"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+
+using namespace talus::server;
+
+namespace {
+
+struct Reader final : MailRounds::Reader {
+  explicit Reader(std::function<void()> does = [] {}) : meanwhile{std::move(does)} {}
+  void read_mail() override {
+    ++reads;
+    meanwhile();
+  }
+  std::function<void()> meanwhile;
+  int reads = 0;
+};
+
+struct Bench {
+  asio::io_context io{1};
+  asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
+  MailRounds& rounds = asio::use_service<MailRounds>(io);
+
+  void enter(const std::shared_ptr<Reader>& reader) { rounds.enter(reader, io.get_executor()); }
+};
+
+}  // namespace
+
+TEST_CASE("all who enter are read by one handler, and who enters later by another") {
+  Bench bench;
+  const auto reader = std::make_shared<Reader>();
+  bench.enter(reader);
+  bench.enter(reader);
+  CHECK(bench.io.poll() == 1);
+  CHECK(reader->reads == 2);
+  bench.enter(reader);
+  CHECK(bench.io.poll() == 1);
+  CHECK(reader->reads == 3);
+}
+
+TEST_CASE("who enters while others are read is read by the same handler") {
+  Bench bench;
+  const auto late = std::make_shared<Reader>();
+  bench.enter(std::make_shared<Reader>([&] { bench.enter(late); }));
+  CHECK(bench.io.poll() == 1);
+  CHECK(late->reads == 1);
+}
+
+TEST_CASE("a handler reads for so many and no more, also for those who enter meanwhile") {
+  Bench bench;
+  int left = 3 * static_cast<int>(MailRounds::kAtOnce);
+  const auto again = std::make_shared<Reader>();
+  again->meanwhile = [&] {
+    if (--left > 0) bench.enter(again);
+  };
+  bench.enter(again);
+  CHECK(bench.io.poll_one() == 1);
+  CHECK(again->reads == static_cast<int>(MailRounds::kAtOnce));
+  bench.io.poll();
+  CHECK(again->reads == 3 * static_cast<int>(MailRounds::kAtOnce));
+}
