@@ -202,6 +202,36 @@ TEST_CASE("a client says Ping before the server's idle time-out, however seldom 
   run(io, {visit, [&]() -> asio::awaitable<void> { co_await peer.welcome(1, 1U << 20, 64, 60'000); }});
 }
 
+TEST_CASE("a server that answers no Ping is sent few to keep the connection alive") {
+  constexpr int kMost = 8;
+  asio::io_context io;
+  Peer peer{io};
+  ManualClock clock;
+  Options options;
+  options.clock = &clock;
+  options.ping_interval = std::chrono::seconds{1};
+  options.silence_timeout = std::chrono::hours{1};
+  Client client{io.get_executor(), options};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    co_await join(client, peer);
+    for (int interval = 0; interval < 2 * kMost; ++interval) {
+      while (!clock.next()) co_await asio::post(io, asio::use_awaitable);
+      clock.advance(*clock.next() - clock.now());
+    }
+    while (!clock.next()) co_await asio::post(io, asio::use_awaitable);
+    const auto own = co_await client.ping();
+    CHECK(own.has_value());
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome();
+    for (int pings = 0; pings < kMost; ++pings) (void)co_await peer.receive();
+    const auto nonce = (co_await peer.receive())->body_as_Ping()->nonce();
+    co_await peer.send(protocol::make_frame([&](auto& b) { return wire::CreatePong(b, nonce); }));
+    peer.hang_up();
+  };
+  run(io, {visit, serve});
+}
+
 TEST_CASE("close answers what is open") {
   asio::io_context io;
   Peer peer{io};

@@ -65,8 +65,8 @@ TEST_CASE("the horizon alone makes another View") {
   const View view = with_horizon();
   View plain = view;
   plain.horizon = false;
-  CHECK(same_view(view, view));
-  CHECK_FALSE(same_view(view, plain));
+  CHECK(view == View{view});
+  CHECK(view != plain);
 }
 
 TEST_CASE("a horizon's rows are those of the world, however many a run names") {
@@ -142,6 +142,48 @@ TEST_CASE("after a reconnect a horizon has the rows that the server tells then, 
   CHECK(left == std::multiset<ChunkKey>{key_at(0, 4, 0, 1)});
   CHECK(views == 2);
   CHECK(errors == std::vector{ErrorKind::out_of_range});
+}
+
+TEST_CASE("after a reconnect a View beyond the limits that the server tells then is kept, and not sent") {
+  asio::io_context io;
+  Peer peer{io};
+  Options options;
+  options.reconnect.max_attempts = 5;
+  options.reconnect.first_delay = options.reconnect.max_delay = std::chrono::milliseconds{1};
+  std::vector<std::string> errors;
+  Events events;
+  events.on_error = [&](const ClientError& error) { errors.push_back(error.message); };
+  std::size_t views = 0;
+  std::size_t horizons = 0;
+  const auto visit = [&]() -> asio::awaitable<void> {
+    Client client{io.get_executor(), options, events};
+    co_await join(client, peer);
+    View view = with_horizon();
+    view.rings[0].radius = 16;
+    REQUIRE(client.set_view(view).has_value());
+    (void)co_await client.get(key_at(1000, 0, 0));
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    const auto meet = [&](std::int64_t max_y) -> asio::awaitable<void> {
+      co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {true, max_y});
+    };
+    co_await meet(320);
+    auto last = co_await read_request(peer, views, horizons);
+    CHECK(views == 1);
+    peer.hang_up();
+    co_await meet(kMaxWorldRows);  // in which it has more chunks than the server allows
+    last = co_await read_request(peer, views, horizons);
+    CHECK(views == 1);
+    CHECK(errors.size() == 1);
+    peer.hang_up();
+    co_await meet(200);
+    last = co_await read_request(peer, views, horizons);
+    CHECK(views == 2);
+    co_await peer.send(error_frame(wire::ErrorCode::internal, "the end", last));
+  };
+  run(io, {visit, serve});
+  REQUIRE(errors.size() == 1);
+  CHECK(errors[0].find("a View whose chunks number") == 0);
 }
 
 TEST_CASE("rings grow by one ratio, from level 1 to the farthest radius") {

@@ -1,5 +1,6 @@
 // What a broken or wicked server sends must become an error, never a crash and never a chunk.
 #include <algorithm>
+#include <limits>
 
 #include <rapidcheck.h>
 #include <asio/use_awaitable.hpp>
@@ -103,6 +104,30 @@ TEST_CASE("a connection that ends inside a frame says so") {
     return frame;
   });
   CHECK(kind_of(received) == ErrorKind::disconnected);
+}
+
+TEST_CASE("a Welcome with heights that no world has is refused, and no View gets their rows") {
+  const auto welcomed_with = [](std::int64_t max_y) {
+    asio::io_context io;
+    Peer peer{io};
+    std::optional<Result<WorldInfo>> world;
+    const auto visit = [&]() -> asio::awaitable<void> {
+      Client client{io.get_executor()};
+      world = co_await client.connect("127.0.0.1", peer.port());
+    };
+    run(io, {visit, [&]() -> asio::awaitable<void> {
+               co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {true, max_y});
+             }});
+    return *world;
+  };
+  CHECK(welcomed_with(kMaxWorldRows).has_value());
+  for (const std::int64_t max_y : {kMaxWorldRows + 1, std::numeric_limits<std::int64_t>::max(),
+                                   std::int64_t{-1}, std::numeric_limits<std::int64_t>::min()}) {
+    const auto world = welcomed_with(max_y);
+    REQUIRE_FALSE(world.has_value());
+    CHECK(world.error().kind == ErrorKind::broken_protocol);
+    CHECK(world.error().message.find(std::to_string(max_y)) != std::string::npos);
+  }
 }
 
 TEST_CASE("an answer with any bytes changed is the chunk or an error") {

@@ -42,12 +42,11 @@ asio::awaitable<void> Peer::send(protocol::Frame frame) {
 
 asio::awaitable<void> Peer::welcome(std::uint64_t fingerprint, std::uint64_t window_bytes,
                                     std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
-                                    std::optional<Rates> rates, WelcomeHorizon horizon) {
+                                    std::optional<Rates> rates, WelcomeMore more) {
   co_await accept();
   const auto* hello = co_await receive();
   REQUIRE(hello->body_type() == wire::Body::Hello);
-  co_await send(
-      welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms, rates, horizon));
+  co_await send(welcome_frame(fingerprint, window_bytes, requests_in_flight, idle_timeout_ms, rates, more));
 }
 
 asio::awaitable<void> Peer::until_closed() {
@@ -105,7 +104,7 @@ Chunk some_chunk(const ChunkKey& key) {
 
 protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
                               std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
-                              std::optional<Rates> session_rates, WelcomeHorizon horizon) {
+                              std::optional<Rates> session_rates, WelcomeMore more) {
   return protocol::make_frame([&](auto& b) {
     const auto material = [&](std::uint16_t id, const char* name, wire::Phase phase) {
       return wire::CreateMaterial(b, id, b.CreateString(name), 0x808080, phase);
@@ -119,16 +118,16 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
       rates = wire::CreateRates(b, session_rates->chunks, session_rates->bytes, session_rates->requests,
                                 static_cast<std::uint32_t>(session_rates->burst.count()));
     }
-    const auto limits = wire::CreateLimits(b, 65536, requests_in_flight, 2048, 32, 16, 65536, window_bytes,
-                                           idle_timeout_ms, rates, 0, horizon.view_horizon);
+    const auto limits = wire::CreateLimits(b, 65536, requests_in_flight, more.heights_per_request, 32, 16,
+                                           65536, window_bytes, idle_timeout_ms, rates, 0, more.view_horizon);
     const wire::Hash128 world{fingerprint, 0};
     const wire::Hash128 store{7, 7};
     const wire::Voxel spawn{8, 70, -8};
     const auto server = b.CreateString("a test");
     const auto looks = b.CreateVectorOfStrings({"", "snow"});
     const auto fields = b.CreateVectorOfStrings({"temperature", "moisture"});
-    return wire::CreateWelcome(b, 1, kCodecVersion, &world, &store, 32, material_list, 0, horizon.max_y,
-                               &spawn, limits, server, looks, fields);
+    return wire::CreateWelcome(b, more.protocol, kCodecVersion, &world, &store, 32, material_list, 0,
+                               more.max_y, &spawn, limits, server, looks, fields);
   });
 }
 

@@ -21,10 +21,12 @@
 
 namespace talus::client::testing {
 
-/// What a Welcome says that Views with a horizon need.
-struct WelcomeHorizon {
+/// What few tests need of a Welcome.
+struct WelcomeMore {
   bool view_horizon = false;
   std::int64_t max_y = 320;
+  std::uint16_t protocol = 1;
+  std::uint32_t heights_per_request = 2048;
 };
 
 class Peer {
@@ -42,7 +44,7 @@ class Peer {
                                               std::uint32_t requests_in_flight = 64,
                                               std::uint32_t idle_timeout_ms = 60'000,
                                               std::optional<Rates> rates = std::nullopt,
-                                              WelcomeHorizon horizon = {});
+                                              WelcomeMore more = {});
   /// Reads until the client closes.
   [[nodiscard]] asio::awaitable<void> until_closed();
   void hang_up();
@@ -75,7 +77,7 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
 [[nodiscard]] protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_bytes,
                                             std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
                                             std::optional<Rates> session_rates = std::nullopt,
-                                            WelcomeHorizon horizon = {});
+                                            WelcomeMore more = {});
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,

@@ -8,9 +8,14 @@
 #include <random>
 #include <set>
 
+#include <asio/post.hpp>
+#include <asio/use_awaitable.hpp>
 #include <catch2/catch.hpp>
 
 #include <talus/edits/evaluate.h>
+
+#include "failing_allocations.h"
+#include "peer.h"
 
 namespace talus::client {
 namespace {
@@ -211,6 +216,64 @@ TEST_CASE("what is answered when the prediction is gone or cleared changes nothi
   CHECK(player.store.size() == 0);
   player.own.done(id, EditDone{1, 1});
   CHECK(player.own.open() == 0);
+}
+
+TEST_CASE("a chunk that no open edit touches comes and leaves without a look at the edits") {
+  Server server;
+  Player player{server};
+  Edit fill;
+  fill.fills.push_back({{-16, 0, -16}, {15, 31, 15}, kBrick, std::nullopt});  // 8,192 voxels in each chunk
+  (void)player.own.begin(fill);
+  player.changed.clear();
+  const auto chunk = std::make_shared<const Chunk>(Chunk::uniform(kStone));
+  const ChunkKey far{{9, 0, 0}, Lod{}};
+  const ChunkKey coarse{{0, 0, 0}, Lod::of(3)};
+  {
+    const test::FailingAllocations none_that_large{0, 16'384};
+    for (const ChunkKey& key : {far, coarse}) player.own.put({key, 0, content_hash(*chunk), chunk});
+    for (const ChunkKey& key : {far, coarse}) player.own.erase(key);
+    CHECK_FALSE(none_that_large.has_failed());
+  }
+  CHECK(player.changed == std::vector{far, coarse});
+  CHECK_FALSE(player.store.contains(far));
+  CHECK(player.own.open() == 1);
+}
+
+TEST_CASE("an edit that changed less than was seen leaves no trace where the connection breaks after it") {
+  using namespace testing;
+  asio::io_context io;
+  Peer peer{io};
+  Server server;
+  Player player{server};
+  Events events;
+  bool is_lost = false;
+  events.on_disconnect = [&](const ClientError&, bool) { is_lost = true; };
+  Client client{io.get_executor(), Options{}, events};
+  const auto visit = [&]() -> asio::awaitable<void> {
+    co_await join(client, peer);
+    player.own.edit(client, write_of({1, 2, 3}, kBrick), [&](const Result<EditDone>& done) {
+      CHECK(done.has_value());
+      CHECK(player.sees({1, 2, 3}) == kBrick);
+    });
+    while (!is_lost) co_await asio::post(io, asio::use_awaitable);
+  };
+  const auto serve = [&]() -> asio::awaitable<void> {
+    co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {false, 320, 2});
+    const auto* attach = co_await peer.receive();
+    CHECK(attach->body_type() == wire::Body::Attach);
+    co_await peer.send(protocol::make_frame([](auto& b) {
+      const wire::Hash128 editor{5, 5};
+      return wire::CreateAttached(b, &editor, 1, 0, false, 0, wire::CreateEditLimits(b, 65'536, 64, 8));
+    }));
+    const auto id = (co_await peer.receive())->body_as_Edit()->id();
+    co_await peer.send(protocol::make_frame([&](auto& b) { return wire::CreateEditResult(b, id, 1, 1); }));
+    const auto* ping = co_await peer.receive();  // in front of asking for the chunk
+    CHECK(ping->body_type() == wire::Body::Ping);
+    peer.hang_up();
+  };
+  run(io, {visit, serve});
+  CHECK(player.own.open() == 0);
+  CHECK(player.sees({1, 2, 3}) == kAir);
 }
 
 // The server gets edits in order and answers when it likes; updates of each chunk come in order, and merged.

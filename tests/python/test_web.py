@@ -186,6 +186,11 @@ class Scripted(unittest.TestCase):
             talus.connect(f"http://127.0.0.1:{listener.getsockname()[1]}")
         thread.join()
 
+    def test_heights_that_no_world_has(self):
+        world = json.dumps({**WORLD, "max_y": (1 << 17) + 1}).encode()
+        with self.assertRaisesRegex(talus.ProtocolError, "heights from 0 to 131073"):
+            talus.connect(self.serve({"/v1/world": [(200, world)]}))
+
     def test_an_answer_that_is_no_json(self):
         with self.assertRaisesRegex(talus.ProtocolError, "not answered by JSON"):
             talus.connect(self.serve({"/v1/world": [(200, b"<html>")]}))

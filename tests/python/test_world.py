@@ -16,9 +16,10 @@ UNIFORM = bytes.fromhex("030001ac02")  # of the vectors
 UNIFORM_HASH = protocol.Hash128(0x77FFA3CA1005EF6D, 0x8FD40E1B20C8F078)
 
 
-def welcome(**limits):
+def welcome(fields=None, **limits):
+    """`fields`: of Welcome, in place of the usual ones."""
     given = dict(frame_bytes=65536, requests_in_flight=64, heights_per_request=2048, window_bytes=1 << 17)
-    return protocol.Welcome(
+    usual = dict(
         protocol=1,
         codec=4,
         fingerprint=protocol.Hash128(1, 2),
@@ -30,6 +31,7 @@ def welcome(**limits):
         looks=["", "desert"],
         fields=["height", "temperature"],
     )
+    return protocol.Welcome(**{**usual, **(fields or {})})
 
 
 class Peer:
@@ -296,6 +298,42 @@ class Silence(Scripted):
             world.chunk(0, 0, 0)
         self.assertIsInstance(seen.get(timeout=20), protocol.Ping)
 
+    def test_it_pings_before_the_servers_limit(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet(welcome(idle_timeout_ms=30))
+            id = peer.ids()[0]
+            seen.put(peer.receive())  # only then the answer
+            peer.send(self.chunk(id, (0, 0, 0, 0)))
+
+        with mock.patch("talus.connection.PING_AFTER_S", 3600), talus.connect(self.serve(script)) as world:
+            world.chunk(0, 0, 0)
+        self.assertIsInstance(seen.get(timeout=20), protocol.Ping)
+
+    def test_pings_are_a_third_of_the_limit_apart_and_never_a_flood(self):
+        for limit_ms, seconds in ((0, 20), (3000, 1), (90_000, 20), (1, 0.005)):
+            with talus.connect(self.serve(lambda peer: peer.greet(welcome(idle_timeout_ms=limit_ms)))) as world:
+                self.assertEqual(world._connection.ping_after_s, seconds)
+                self.assertEqual(world._connection.socket.gettimeout(), seconds)
+
+    def test_a_client_that_waits_for_its_pace_sends_pings(self):
+        seen = queue.Queue()
+
+        def script(peer):
+            peer.greet(welcome(idle_timeout_ms=15))
+            about = dict(about=ErrorAbout.request, request_id=peer.ids()[0])
+            peer.send(protocol.Error(code=ErrorCode.overloaded, retry_after_ms=500, **about))
+            message = peer.receive()
+            seen.put(message)
+            while isinstance(message, protocol.Ping):
+                message = peer.receive()
+            peer.send(self.chunk(message.requests[0].id, (0, 0, 0, 0)))
+
+        with talus.connect(self.serve(script)) as world:
+            world.chunk(0, 0, 0)
+        self.assertIsInstance(seen.get(timeout=20), protocol.Ping)
+
     def test_a_server_that_says_nothing_for_long_is_dead(self):
         def script(peer):
             peer.greet()
@@ -315,6 +353,35 @@ class Uniform(unittest.TestCase):
             self.assertTrue(chunk.is_uniform)
             self.assertEqual((int(chunk.voxels.min()), int(chunk.voxels.max())), (material, material))
             self.assertEqual(chunk.origin, (64, 128, 192))
+
+
+class Welcomes(Scripted):
+    def refuses(self, text, **fields):
+        with self.assertRaisesRegex(protocol.ProtocolError, text):
+            talus.connect(self.serve(lambda peer: peer.greet(welcome(fields)))).close()
+
+    def test_one_that_this_client_cannot_use_is_refused(self):
+        self.refuses("16 voxels along an edge", chunk_size=16)
+        self.refuses("protocol version 3, which was not offered", protocol=3)
+        self.refuses("codec 3, which was not offered", codec=3)
+        self.refuses("whole Welcome", spawn=None)
+        self.refuses("unknown phase", materials=[protocol.Material(id=1, name="dark matter", phase=9)])
+
+    def test_heights_that_no_world_has_are_refused(self):
+        for low, high in ((0, (1 << 17) + 1), (-(1 << 62), 1 << 62), (1, 0), (1 << 36, (1 << 36) + 1)):
+            self.refuses(f"heights from {low} to {high}", min_y=low, max_y=high)
+        with talus.connect(self.serve(lambda peer: peer.greet(welcome(dict(max_y=1 << 17))))) as world:
+            self.assertEqual(world.welcome.max_y, 1 << 17)
+
+    def test_where_no_request_is_allowed_one_is_asked_at_once(self):
+        def script(peer):
+            peer.greet(welcome(requests_in_flight=0))
+            for x in range(2):
+                (id,) = peer.ids()
+                peer.send(self.chunk(id, (x, 0, 0, 0)))
+
+        with talus.connect(self.serve(script)) as world:
+            self.assertEqual([chunk.key[0] for chunk in world.chunks([(0, 0, 0), (1, 0, 0)])], [0, 1])
 
 
 class Broken(Scripted):

@@ -154,16 +154,16 @@ typedef struct talus_world {
   uint32_t material_count;                    /* talus_get_material() */
   uint64_t fingerprint_low, fingerprint_high; /* worlds of one fingerprint have equal voxels everywhere */
   uint64_t store_low, store_high;             /* revisions of one store may be compared */
-  int64_t min_y, max_y;                       /* below min_y all is one rock, from max_y on all is air */
-  int64_t spawn_x, spawn_y, spawn_z;          /* base voxel: feet, the first free one above dry ground */
-  const char* server;                         /* its name and version */
-  uint32_t look_count, field_count;           /* talus_look_name(), talus_field_name() */
-  uint32_t max_horizontal_radius; /* of a View, base chunks; of a ring of level l, 2^l times as many */
-  uint32_t max_vertical_radius;   /* base chunks */
-  uint32_t max_view_chunks;       /* of all levels in one View */
-  uint32_t max_columns;           /* in one talus_get_heights() */
-  uint32_t has_horizon;           /* 1: Views may have TALUS_VIEW_HORIZON */
-  uint32_t reserved;              /* 0 */
+  int64_t min_y, max_y;              /* as generated: below min_y all is one rock, from max_y on air */
+  int64_t spawn_x, spawn_y, spawn_z; /* base voxel: feet, the first free one above dry ground */
+  const char* server;                /* its name and version */
+  uint32_t look_count, field_count;  /* talus_look_name(), talus_field_name() */
+  uint32_t max_horizontal_radius;    /* of a View, base chunks; of a ring of level l, 2^l times as many */
+  uint32_t max_vertical_radius;      /* base chunks */
+  uint32_t max_view_chunks;          /* of all levels in one View */
+  uint32_t max_columns;              /* in one talus_get_heights() */
+  uint32_t has_horizon;              /* 1: Views may have TALUS_VIEW_HORIZON */
+  uint32_t reserved;                 /* 0 */
 } talus_world;
 
 typedef struct talus_material {

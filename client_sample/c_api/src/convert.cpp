@@ -188,15 +188,6 @@ Checked<client::Edit> edit_of(const talus_edit& edit) {
   return own;
 }
 
-bool is_same_view(const client::View& a, const client::View& b) {
-  const auto same_ring = [](const client::LodRing& p, const client::LodRing& q) {
-    return p.lod == q.lod && p.radius == q.radius;
-  };
-  return a.centre == b.centre && a.direction == b.direction && a.horizontal_radius == b.horizontal_radius &&
-         a.vertical_radius == b.vertical_radius && a.horizon == b.horizon &&
-         std::equal(a.rings.begin(), a.rings.end(), b.rings.begin(), b.rings.end(), same_ring);
-}
-
 talus_world world_of(const client::WorldInfo& world) {
   talus_world own{};
   own.material_count = static_cast<std::uint32_t>(world.materials.size());

@@ -29,7 +29,6 @@ using Checked = tl::expected<T, std::string>;
 [[nodiscard]] Checked<client::View> view_of(const talus_view& view);
 [[nodiscard]] Checked<client::Edit> edit_of(const talus_edit& edit);
 /// As Client::set_view() compares: then it sends nothing.
-[[nodiscard]] bool is_same_view(const client::View& a, const client::View& b);
 [[nodiscard]] talus_world world_of(const client::WorldInfo& world);
 [[nodiscard]] talus_material material_of(const client::Material& material);
 

@@ -137,7 +137,7 @@ QueuedEvent Session::pop() {
 client::Result<void> Session::set_view(const client::View& view) {
   auto set = client_->set_view(view);
   if (out_of_memory_) throw std::bad_alloc{};
-  if (set && !(view_ && is_same_view(*view_, view))) {
+  if (set && view_ != view) {
     view_ = view;
     // It would be taken for the new View's.
     std::erase_if(queue_, [](const QueuedEvent& e) { return e.type == TALUS_EVENT_VIEW_COMPLETE; });

@@ -20,7 +20,30 @@ ClientError beyond(const std::string& what, std::uint64_t asked, std::uint64_t l
       {}};
 }
 
-// The server's rules for a View: one that it would refuse must not become what the client believes in.
+Result<void> check_heights(const HeightsRequest& request, const WorldInfo& world) {
+  const std::size_t most =
+      std::min<std::size_t>(world.limits.heights_per_request, columns_per_frame(world.limits.frame_bytes));
+  if (request.columns.size() > most) {
+    return tl::unexpected{beyond("a request for heights of columns:", request.columns.size(), most)};
+  }
+  if (request.fields.size() > protocol::kMaxFieldsPerRequest) {
+    return tl::unexpected{
+        beyond("a request for fields:", request.fields.size(), protocol::kMaxFieldsPerRequest)};
+  }
+  if (request.looks && world.looks.empty()) {
+    return tl::unexpected{ClientError{ErrorKind::out_of_range, "this server does not tell looks", {}}};
+  }
+  for (const std::string& field : request.fields) {
+    if (std::find(world.fields.begin(), world.fields.end(), field) == world.fields.end()) {
+      return tl::unexpected{
+          ClientError{ErrorKind::out_of_range, "this world has no field '" + field + "'", {}}};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<void> check_view(const View& view, const WorldInfo& world) {
   const ServerLimits& limits = world.limits;
   if (view.horizon && !limits.view_horizon) return tl::unexpected{kNoHorizon};
@@ -53,30 +76,6 @@ Result<void> check_view(const View& view, const WorldInfo& world) {
   }
   return {};
 }
-
-Result<void> check_heights(const HeightsRequest& request, const WorldInfo& world) {
-  const std::size_t most =
-      std::min<std::size_t>(world.limits.heights_per_request, columns_per_frame(world.limits.frame_bytes));
-  if (request.columns.size() > most) {
-    return tl::unexpected{beyond("a request for heights of columns:", request.columns.size(), most)};
-  }
-  if (request.fields.size() > protocol::kMaxFieldsPerRequest) {
-    return tl::unexpected{
-        beyond("a request for fields:", request.fields.size(), protocol::kMaxFieldsPerRequest)};
-  }
-  if (request.looks && world.looks.empty()) {
-    return tl::unexpected{ClientError{ErrorKind::out_of_range, "this server does not tell looks", {}}};
-  }
-  for (const std::string& field : request.fields) {
-    if (std::find(world.fields.begin(), world.fields.end(), field) == world.fields.end()) {
-      return tl::unexpected{
-          ClientError{ErrorKind::out_of_range, "this world has no field '" + field + "'", {}}};
-    }
-  }
-  return {};
-}
-
-}  // namespace
 
 RequestId Core::get(ChunkKey key, std::optional<ContentHash> known,
                     std::function<void(Result<ReceivedChunk>)> handler) {
@@ -138,7 +137,7 @@ void Core::add(HeightsRequest request) {
 Result<void> Core::set_view(const View& view) {
   if (!running_ || !world_) return tl::unexpected{kNotConnected};
   if (auto checked = check_view(view, *world_); !checked) return checked;
-  if (tracker_.view() && same_view(*tracker_.view(), view)) return {};
+  if (tracker_.view() && *tracker_.view() == view) return {};
   const auto self = shared_from_this();
   const Generation mine = generation_;
   const auto left = tracker_.replace(view, world_->heights());

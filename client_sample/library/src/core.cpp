@@ -194,21 +194,23 @@ Result<void> Core::accept_world(const WorldInfo& world) {
   if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
     fail_all_edits({ErrorKind::refused, "this server stores no edits", {}});
   }
-  if (tracker_.view() && world.heights() != world_->heights()) {  // another release may know them better
-    const auto left = tracker_.replace(*tracker_.view(), world.heights());
+  // Another release may know the heights better.
+  if (tracker_.view() && check_view(*tracker_.view(), world)) {
+    const auto left = tracker_.replace(View{*tracker_.view()}, world.heights());
     if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
   }
   return {};
 }
 
-bool Core::server_knows_view() const {
-  return !tracker_.view() || !tracker_.view()->horizon || world_->limits.view_horizon;
+Result<void> Core::check_kept_view() const {
+  return tracker_.view() ? check_view(*tracker_.view(), *world_) : Result<void>{};
 }
 
-// A server met again may be of another release.
+// A server met again may be of another release, or have other limits.
 void Core::keep_view(Generation mine) {
   tell_left(mine);
-  if (mine == generation_ && !server_knows_view()) report(kNoHorizon);
+  if (mine != generation_) return;
+  if (const auto kept = check_kept_view(); !kept) report(kept.error());
 }
 
 void Core::start_session(const ConnectionPtr& connection) {
@@ -217,7 +219,7 @@ void Core::start_session(const ConnectionPtr& connection) {
   useful_ = false;
   taken_bytes_ = 0;
   credited_bytes_ = 0;
-  view_to_send_ = tracker_.view().has_value() && server_knows_view();
+  view_to_send_ = tracker_.view().has_value() && check_kept_view().has_value();
   view_sent_ = false;
   sent_shape_ = {};
   complete_to_tell_ = false;
@@ -323,7 +325,10 @@ asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::mil
       connection->close({ErrorKind::timed_out, "the server has said nothing for too long", {}});
       co_return;
     }
-    ping(nullptr);
+    // A Pong may come late, behind much else. From a server that answers none no more are asked for.
+    constexpr std::ptrdiff_t kMostUnanswered = 8;
+    const auto keeps_alive = [](const auto& ping) { return ping.second.handler == nullptr; };
+    if (std::ranges::count_if(open_pings_, keeps_alive) < kMostUnanswered) ping(nullptr);
   }
 }
 

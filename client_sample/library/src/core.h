@@ -37,6 +37,9 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
   return {ErrorKind::outcome_unknown, why.message + "; the edit was sent before, and may have happened", {}};
 }
 
+/// The server's rules for a View: one that it would refuse must not become what the client believes in.
+[[nodiscard]] Result<void> check_view(const View& view, const WorldInfo& world);
+
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
 using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
 
@@ -76,7 +79,8 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval);
 
   [[nodiscard]] Result<void> accept_world(const WorldInfo& world);
-  [[nodiscard]] bool server_knows_view() const;
+  /// Whether the server that was met last takes the View.
+  [[nodiscard]] Result<void> check_kept_view() const;
   void keep_view(Generation mine);
   void start_session(const ConnectionPtr& connection);
   void end_session();

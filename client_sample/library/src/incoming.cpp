@@ -3,6 +3,8 @@
 #include <talus/edits/runs.h>
 #include <talus/voxel/codec.h>
 
+#include "printable_line.h"
+
 namespace talus::client {
 namespace {
 
@@ -80,12 +82,7 @@ ClientError broken_protocol(std::string what) {
 }
 
 std::string read_text(const flatbuffers::String* text) {
-  if (text == nullptr) return {};
-  std::string line{text->string_view().substr(0, kMaxTextBytes)};
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return line;
+  return text == nullptr ? std::string{} : printable_line(text->string_view(), kMaxTextBytes);
 }
 
 ContentHash read_hash(const wire::Hash128* hash) {
@@ -118,6 +115,11 @@ Result<WorldInfo> read_welcome(const wire::Welcome& welcome) {
   }
   world.min_y = welcome.min_y();
   world.max_y = welcome.max_y();
+  if (!is_height_range(world.heights())) {
+    return tl::unexpected{broken_protocol("Welcome has heights from " + std::to_string(world.min_y) + " to " +
+                                          std::to_string(world.max_y) + "; a world has at most " +
+                                          std::to_string(kMaxWorldRows) + " rows")};
+  }
   world.spawn = {welcome.spawn()->x(), welcome.spawn()->y(), welcome.spawn()->z()};
   world.limits = read_limits(*welcome.limits());
   world.server = read_text(welcome.server());

@@ -29,7 +29,7 @@ namespace talus::client {
 [[nodiscard]] ContentHash read_hash(const wire::Hash128* hash);
 [[nodiscard]] ClientError read_error(const wire::Error& error);
 
-/// A server's text as one printable line of bounded length.
+/// A server's text as one printable line of bounded length, in UTF-8.
 [[nodiscard]] std::string read_text(const flatbuffers::String* text);
 
 }  // namespace talus::client

@@ -56,14 +56,27 @@ void Prediction::put(const ReceivedChunk& chunk) {
   if (chunk.unchanged() || (held != nullptr && held->revision > chunk.revision)) return;
   if (chunk.key.lod == Lod{}) confirmed_.erase(chunk.key.coord);
   store_.put(chunk);
-  rebuild(chunk.key);
+  if (is_touched(chunk.key) || covers_lost()) return rebuild(chunk.key);
+  if (changed_) changed_(chunk.key);
 }
 
 void Prediction::erase(const ChunkKey& key) {
   store_.erase(key);
-  if (key.lod != Lod{}) return;
+  if (!is_touched(key)) return;
   confirmed_.erase(key.coord);
   rebuild();
+}
+
+bool Prediction::is_touched(const ChunkKey& key) const {
+  return key.lod == Lod{} && std::ranges::any_of(edits_, [&](const Open& open) {
+           const auto at = std::ranges::lower_bound(open.touched, key.coord, {}, &edits::TouchedChunk::chunk);
+           return at != open.touched.end() && at->chunk == key.coord;
+         });
+}
+
+bool Prediction::covers_lost() const {
+  return std::ranges::any_of(confirmed_,
+                             [&](const auto& covered) { return !store_.contains(covered.second.key); });
 }
 
 std::size_t Prediction::open() const {
@@ -95,8 +108,13 @@ void Prediction::ask_later(const std::weak_ptr<Prediction*>& self, Client& clien
   // for.
   client.ping([self, &client, id](Result<std::chrono::nanoseconds> answered) {
     const auto there = self.lock();
-    if (!answered || there == nullptr || *there == nullptr) return;
-    for (const ChunkKey& key : (*there)->behind(id)) {
+    if (there == nullptr || *there == nullptr) return;
+    const std::vector<ChunkKey> behind = (*there)->behind(id);
+    if (!answered) {  // The next connection brings the View's chunks anew. The client may be gone.
+      for (const ChunkKey& key : behind) (*there)->resolve(id, key);
+      return;
+    }
+    for (const ChunkKey& key : behind) {
       client.get(key, std::nullopt, [self, id, key](Result<ReceivedChunk> chunk) {
         const auto still = self.lock();
         if (still == nullptr || *still == nullptr) return;

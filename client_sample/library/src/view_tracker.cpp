@@ -73,13 +73,4 @@ std::vector<ChunkKey> ViewTracker::missing() const {
   return missing;
 }
 
-bool same_view(const View& a, const View& b) {
-  const auto same_ring = [](const LodRing& p, const LodRing& q) {
-    return p.lod == q.lod && p.radius == q.radius;
-  };
-  return a.centre == b.centre && a.direction == b.direction && a.horizontal_radius == b.horizontal_radius &&
-         a.vertical_radius == b.vertical_radius && a.horizon == b.horizon &&
-         std::equal(a.rings.begin(), a.rings.end(), b.rings.begin(), b.rings.end(), same_ring);
-}
-
 }  // namespace talus::client

@@ -58,7 +58,4 @@ class ViewTracker {
   ChunkStore kept_;
 };
 
-/// A and B ask for the same chunks in the same order.
-[[nodiscard]] bool same_view(const View& a, const View& b);
-
 }  // namespace talus::client

@@ -6,7 +6,8 @@ import time
 
 from . import protocol
 
-PING_AFTER_S = 20  # of silence
+PING_AFTER_S = 20  # of silence, or sooner where the server's limit is lower
+SHORTEST_PING_AFTER_S = 0.005  # whatever a server claims, no flood
 DEAD_AFTER_S = 60
 
 
@@ -31,15 +32,24 @@ class Connection:
                 self.socket.close()
                 if place == len(addresses) - 1:
                     raise
-        self.socket.settimeout(PING_AFTER_S)
+        self.obey_idle_timeout(0)
         self.buffer = bytearray()
         self.sent_at = self.heard_at = time.monotonic()
 
     def close(self):
         self.socket.close()
 
+    def obey_idle_timeout(self, idle_timeout_ms):
+        """Pings at a third of it: one may be late and the next still comes in time. 0: there is none."""
+        self.ping_after_s = PING_AFTER_S
+        if idle_timeout_ms:
+            self.ping_after_s = max(min(PING_AFTER_S, idle_timeout_ms / 3000), SHORTEST_PING_AFTER_S)
+        self.socket.settimeout(self.ping_after_s)
+
     def send(self, message):
+        self.socket.settimeout(PING_AFTER_S)
         self.socket.sendall(protocol.write(message))
+        self.socket.settimeout(self.ping_after_s)
         self.sent_at = time.monotonic()
 
     def idle_s(self):
@@ -47,8 +57,15 @@ class Connection:
         return time.monotonic() - self.sent_at
 
     def keep_alive(self):
-        if self.idle_s() > PING_AFTER_S:
+        if self.idle_s() > self.ping_after_s:
             self.send(protocol.Ping())
+
+    def sleep(self, seconds):
+        """As time.sleep(), and pings where that is long."""
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0:
+            self.keep_alive()
+            time.sleep(min(left, self.ping_after_s / 2))
 
     def receive(self):
         """The next message and the bytes of its frame."""

@@ -2,7 +2,11 @@
 
 import dataclasses
 
+from .protocol import ProtocolError
+
 CHUNK_SIZE = 32
+_EDGE = CHUNK_SIZE << 31
+_MAX_WORLD_ROWS = 1 << 17
 _EMPTY = range(0)
 
 
@@ -27,6 +31,13 @@ class LevelBox:
     def __len__(self):
         inner = len(_overlap(self.x, self.inner_x)) * len(_overlap(self.z, self.inner_z))
         return (len(self.x) * len(self.z) - inner) * len(self.y)
+
+
+def world_heights(min_y, max_y):
+    """(min_y, max_y), where a world may have them: a View with a horizon has all rows from the one to the other."""
+    if not (-_EDGE <= min_y <= max_y <= _EDGE and max_y - min_y <= _MAX_WORLD_ROWS):
+        raise ProtocolError(f"heights from {min_y} to {max_y}; a world has at most {_MAX_WORLD_ROWS} rows")
+    return min_y, max_y
 
 
 def level_boxes(centre, horizontal_radius, vertical_radius, rings=(), heights=None, cut=True):
@@ -63,8 +74,7 @@ def _wholly_inside(finer, finer_lod, lod):
 
 
 def _rows_of_world(min_y, max_y, lod):
-    edge = CHUNK_SIZE << 31
-    low, high = (min(max(y, -edge), edge) for y in (min_y, max_y))
+    low, high = (min(max(y, -_EDGE), _EDGE) for y in (min_y, max_y))
     return range(((low >> lod) - 1) // CHUNK_SIZE, (high - 1 >> lod) // CHUNK_SIZE + 1)
 
 

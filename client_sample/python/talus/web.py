@@ -20,7 +20,7 @@ from .errors import ServerError, again_later
 from .pace import LONGEST_WAIT_S
 from .protocol import ErrorCode, Material, Phase, ProtocolError
 from .queries import Places, Queries
-from .view_shape import CHUNK_SIZE, level_boxes
+from .view_shape import CHUNK_SIZE, level_boxes, world_heights
 
 _MOST_BYTES = 4 << 20
 _SQUARE = 4
@@ -47,6 +47,7 @@ class WebWorld(Queries):
         handlers = [_NoRedirects()] + ([urllib.request.HTTPSHandler(context=context)] if context else [])
         self._opener = urllib.request.build_opener(*handlers)
         self.info = self._get_json("/v1/world")  # Welcome as JSON
+        self._heights = world_heights(int(self.info["min_y"]), int(self.info["max_y"]))
         self._world = f"/v1/{self.info['fingerprint']}"
         self._store = self.info.get("store_id", "").strip("0") and self.info["store_id"]  # empty: none
 
@@ -109,7 +110,7 @@ class WebWorld(Queries):
         """Yields every Chunk around base voxel (x, y, z), by squares of columns, nearest first."""
         if y is None:
             y = self.heights([(x, z)])[0]
-        heights = (int(self.info["min_y"]), int(self.info["max_y"])) if horizon else None
+        heights = self._heights if horizon else None
         edited = _EditedColumns(self)
         for box in level_boxes((math.floor(x), math.floor(y), math.floor(z)), radius, vertical_radius, rings, heights):
             squares = {(cx // _SQUARE, cz // _SQUARE) for cx in box.x for cz in box.z if box.has_column(cx, cz)}

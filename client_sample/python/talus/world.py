@@ -15,8 +15,10 @@ from .errors import ServerError, ServerLeaving, WorldChanged, again_later
 from .pace import Pace
 from .protocol import ChunkKey, ChunkRequest, ErrorAbout
 from .queries import Places, Queries
-from .view_shape import level_boxes
+from .view_shape import CHUNK_SIZE, level_boxes, world_heights
 
+_PROTOCOLS = range(1, 3)
+_CODEC = 4
 _REQUESTS_AT_ONCE = 64
 # So few that they fit the kernel's buffer: a server has then never to wait for a program that computes between chunks.
 _WINDOW_BYTES = 128 * 1024
@@ -184,9 +186,9 @@ class World(Queries):
         self._unanswered, self._answers = set(), {}
         self._viewing, self._ponged = False, 0
         hello = protocol.Hello(
-            protocol_min=1,
-            protocol_max=2,
-            codecs=b"\4",
+            protocol_min=_PROTOCOLS[0],
+            protocol_max=_PROTOCOLS[-1],
+            codecs=bytes([_CODEC]),
             token=self._token,
             client="talus for Python",
             window_bytes=_WINDOW_BYTES,
@@ -196,13 +198,13 @@ class World(Queries):
             welcome, _ = self._connection.receive()
             if isinstance(welcome, protocol.Error):
                 raise ServerError(welcome.code, welcome.text, welcome.retry_after_ms)
-            if not isinstance(welcome, protocol.Welcome) or not welcome.limits or not welcome.fingerprint:
-                raise protocol.ProtocolError("the server did not answer Hello by a whole Welcome")
+            _check_welcome(welcome)
         except BaseException:
             self._connection.close()
             raise
         self.welcome = welcome
-        self._pace = Pace(welcome.limits)
+        self._connection.obey_idle_timeout(welcome.limits.idle_timeout_ms)
+        self._pace = Pace(welcome.limits, sleep=self._connection.sleep)
 
     def _wake(self):
         """Connects again where nobody asked for so long that the server has ended the session."""
@@ -223,7 +225,7 @@ class World(Queries):
         keys = iter(keys)
         asked = collections.deque()  # (id, key), in order
         to_ask = collections.deque()
-        most = min(_REQUESTS_AT_ONCE, self.welcome.limits.requests_in_flight)
+        most = max(1, min(_REQUESTS_AT_ONCE, self.welcome.limits.requests_in_flight))
         try:
             while True:
                 try:
@@ -289,10 +291,10 @@ class World(Queries):
         message = protocol.GetHeights(columns=columns, looks=looks, fields=bytes(known.index(f) for f in fields))
         answer = None
         while answer is None:
-            self._pace.wait(1)
-            message.id = self._new_id()
-            self._unanswered.add(message.id)
             try:
+                self._pace.wait(1)
+                message.id = self._new_id()
+                self._unanswered.add(message.id)
                 self._connection.send(message)
                 while message.id not in self._answers:
                     self._receive()
@@ -466,3 +468,20 @@ class _View:
 
 def _chunk(message):
     return Chunk(message.key, message.payload, message.hash.high << 64 | message.hash.low, message.revision)
+
+
+def _check_welcome(welcome):
+    if not isinstance(welcome, protocol.Welcome) or not (welcome.limits and welcome.fingerprint and welcome.spawn):
+        raise protocol.ProtocolError("the server did not answer Hello by a whole Welcome")
+    if welcome.chunk_size != CHUNK_SIZE:
+        raise protocol.ProtocolError(
+            f"the server's chunks have {welcome.chunk_size} voxels along an edge; this client reads chunks of {CHUNK_SIZE}"
+        )
+    if welcome.protocol not in _PROTOCOLS:
+        raise protocol.ProtocolError(f"Welcome picks protocol version {welcome.protocol}, which was not offered")
+    if welcome.codec != _CODEC:
+        raise protocol.ProtocolError(f"Welcome picks chunk codec {welcome.codec}, which was not offered")
+    for material in welcome.materials:
+        if not isinstance(material.phase, protocol.Phase):
+            raise protocol.ProtocolError("Welcome has a material of an unknown phase")
+    world_heights(welcome.min_y, welcome.max_y)

@@ -21,7 +21,7 @@
 // nothing until then.
 //
 // Not thread-safe: the client's executor. It costs as much as the edits without an answer name voxels, each
-// time that a chunk comes which they touch.
+// time that a chunk comes or leaves which one of them touches; other chunks cost what the store costs.
 #pragma once
 
 #include <cstdint>
@@ -84,6 +84,10 @@ class Prediction {
   static void ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id);
   /// Whether the chunk is held, and without the edit.
   [[nodiscard]] bool waits(const Open& open, ChunkCoord chunk) const;
+  /// Whether an open edit names voxels of it.
+  [[nodiscard]] bool is_touched(const ChunkKey& key) const;
+  /// Whether the store has let go of a chunk that it showed otherwise.
+  [[nodiscard]] bool covers_lost() const;
   /// What the server has of it; null where it is not held.
   [[nodiscard]] const ReceivedChunk* confirmed(ChunkCoord chunk) const;
   /// Makes all open edits anew on what the server has, and tells what changed; `came` has.

@@ -18,6 +18,7 @@ using Span [[deprecated("its name is talus::ChunkRange")]] = ChunkRange;
 struct LodRing {
   Lod lod;                   // 1 and up; each ring is coarser and farther out than the one before
   std::uint16_t radius = 0;  // base chunks
+  bool operator==(const LodRing&) const = default;
 };
 
 /// Chunks around a point: of level 0 within the radii, of coarser levels in the rings. The server sends
@@ -32,6 +33,8 @@ struct View {
   /// above it, and land beneath who flies. The first ring lies under level 0, too. Of servers that say
   /// ServerLimits::view_horizon.
   bool horizon = false;
+  /// Equal Views ask for the same chunks in the same order.
+  bool operator==(const View&) const = default;
 };
 
 /// Rings of levels 1 to 6 around `radius`, out to `farthest`, all wider than the one before by the same

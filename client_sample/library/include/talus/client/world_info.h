@@ -49,6 +49,7 @@ struct WorldInfo {
   ContentHash fingerprint;  // worlds of one fingerprint have equal voxels everywhere
   ContentHash store_id;     // revisions of one store id may be compared; 0: nothing is stored
   std::vector<Material> materials;
+  // Base voxel rows of the world as generated, at most kMaxWorldRows apart. Edits reach beyond.
   std::int64_t min_y = 0;  // below this row everything is one rock
   std::int64_t max_y = 0;  // at and above this row everything is air
   VoxelPos spawn;          // feet: the first free voxel above dry ground

@@ -104,6 +104,17 @@ struct HeightRange {
   constexpr bool operator==(const HeightRange&) const = default;
 };
 
+/// The most rows from `low` to `high` that a world may have: its reader refuses more, and so does a client of
+/// what a server claims, for a View with a horizon has them all.
+inline constexpr std::int64_t kMaxWorldRows = std::int64_t{1} << 17;
+
+/// Whether a world may have these heights.
+[[nodiscard]] constexpr bool is_height_range(HeightRange heights) {
+  constexpr std::int64_t kEdge = (std::int64_t{1} << 31) * kChunkSize;
+  return heights.low >= -kEdge && heights.high <= kEdge && heights.low <= heights.high &&
+         heights.high - heights.low <= kMaxWorldRows;
+}
+
 /// `coord` as a chunk of `lod`, or an error that names the axis, the value and the range.
 [[nodiscard]] tl::expected<ChunkKey, RangeError> checked_chunk(std::int64_t x, std::int64_t y, std::int64_t z,
                                                                Lod lod);
