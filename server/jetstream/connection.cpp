@@ -286,6 +286,31 @@ tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subje
   return {};
 }
 
+tl::expected<std::shared_ptr<Connection::Source>, StreamFailure> Connection::open_source(
+    const std::string& subject, int pending_messages, int pending_bytes) {
+  natsSubscription* made = nullptr;
+  const natsStatus status = natsConnection_SubscribeSync(&made, connection_.get(), subject.c_str());
+  NatsSubscription subscription{made};
+  if (status == NATS_CONNECTION_CLOSED) return nullptr;  // refused meanwhile, which its events say
+  if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
+  natsSubscription_SetPendingLimits(made, pending_messages, pending_bytes);
+  return std::make_shared<Source>(std::move(subscription));
+}
+
+Connection::Source::Taken Connection::Source::take(std::chrono::milliseconds patience,
+                                                   const Handler& handler) {
+  natsMsg* come = nullptr;
+  const natsStatus status = natsSubscription_NextMsg(&come, subscription_.get(), patience.count());
+  if (status == NATS_OK) {
+    NatsMessage owned{come};
+    handler(Arrived{come});
+    discarded_.add(std::move(owned));
+    return Taken::message;
+  }
+  // A reader that was slow has lost some, and goes on with those that it has.
+  return status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER ? Taken::none : Taken::closed;
+}
+
 StreamFailure Connection::failure_of(natsStatus status, Clock::time_point since,
                                      std::string_view doing) const {
   const std::string missing = denied_since(since);

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -81,6 +82,24 @@ class Connection {
   /// dropped. Holds over broken connections. On one that NATS has refused nothing comes: its events say why.
   [[nodiscard]] tl::expected<void, StreamFailure> subscribe(const std::string& subject, Handler handler,
                                                             int pending_messages, int pending_bytes);
+  /// A subscription whose messages its reader takes himself, on one thread at a time. They wait in between.
+  /// It may outlive the connection, and then has none.
+  class Source {
+   public:
+    enum class Taken : std::uint8_t { message, none, closed };
+
+    explicit Source(NatsSubscription subscription) : subscription_{std::move(subscription)} {}
+    /// Calls `handler` with the next message, which is waited for so long.
+    [[nodiscard]] Taken take(std::chrono::milliseconds patience, const Handler& handler);
+
+   private:
+    NatsSubscription subscription_;
+    DiscardedMessages discarded_;
+  };
+  /// As subscribe().
+  [[nodiscard]] tl::expected<std::shared_ptr<Source>, StreamFailure> open_source(const std::string& subject,
+                                                                                 int pending_messages,
+                                                                                 int pending_bytes);
   /// Sends, and forgets it: the answer comes to `reply`, if it comes.
   [[nodiscard]] tl::expected<void, StreamFailure> send(const std::string& subject, const std::string& reply,
                                                        std::string_view text);

@@ -28,6 +28,8 @@ constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
 // election takes less.
 constexpr auto kNoLeader = 10s;
 constexpr auto kLongestNoLeader = 80s;
+/// Who waits for one of the tail and of the other threads sees so late what comes by the others.
+constexpr auto kBetweenLooks = 20ms;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 
@@ -109,7 +111,11 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       const std::lock_guard lock{mutex_};
       reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
     }
-    changed_.notify_all();
+  }
+  /// Of a connection that was made: where the reader finds the tail. Null: it was refused.
+  void hears(std::shared_ptr<Connection::Source> tail) {
+    const std::lock_guard lock{mutex_};
+    tail_ = std::move(tail);
   }
 
   /// To a Direct Get.
@@ -164,6 +170,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     std::unique_lock lock{mutex_};
     reading_.move_to(after, Clock::now());
     for (;;) {
+      if (waits_for_answers()) read_tail(lock);
       if (stopped_) return failure(Kind::unavailable, "stopped");
       if (const auto sequence = reading_.forged()) {
         fault_ =
@@ -195,7 +202,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       if (connected_ && ask(log, lock, now)) continue;  // something may have come meanwhile
       TimePoint wake = until;
       if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
-      changed_.wait_until(lock, wake);
+      wait(lock, wake);
     }
   }
 
@@ -280,6 +287,36 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
                                                  names_.stream, first_, reading_.after() + 1)};
   }
 
+  [[nodiscard]] bool waits_for_answers() const { return created_ns_ == 0 || reading_.asks(); }
+  /// Takes what waits there.
+  void read_tail(std::unique_lock<std::mutex>& lock) {
+    const auto source = tail_;
+    if (source == nullptr) return;
+    lock.unlock();
+    while (source->take(0ms, [this](const Arrived& arrived) { tail(arrived); }) ==
+           Connection::Source::Taken::message) {
+    }
+    lock.lock();
+  }
+  /// Until something comes, or `until`. The reader takes the tail itself: a thread in between would be one
+  /// more to wake for each message. All else comes by other threads: answers, where there are any on their
+  /// way, are waited for, and the rest can wait a little.
+  void wait(std::unique_lock<std::mutex>& lock, TimePoint until) {
+    const auto source = tail_;
+    if (source != nullptr && connected_) {
+      until = std::min(until, Clock::now() + kBetweenLooks);
+      if (!waits_for_answers()) {
+        lock.unlock();
+        const auto patience = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+        const auto taken =
+            source->take(std::max(patience, 0ms), [this](const Arrived& arrived) { tail(arrived); });
+        lock.lock();
+        if (taken != Connection::Source::Taken::closed) return;
+      }
+    }
+    changed_.wait_until(lock, until);
+  }
+
   /// Sends the questions that are due; whether there were any.
   bool ask(JetStreamLog& log, std::unique_lock<std::mutex>& lock, TimePoint now) {
     const std::vector<std::uint64_t> messages = reading_.wanted(now);
@@ -308,6 +345,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Reading reading_;
+  std::shared_ptr<Connection::Source> tail_;
   bool connected_ = false;
   bool woken_ = false;
   bool stopped_ = false;
@@ -349,11 +387,9 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connect()
   auto connection = Connection::open(settings_.urls, credentials_, inbox_, Retry::forever);
   if (!connection) return connection;
   const auto inbox = inbox_;
-  const auto tail = (*connection)
-                        ->subscribe(
-                            settings_.names.tail, [inbox](const Arrived& arrived) { inbox->tail(arrived); },
-                            kPendingMessages, kPendingBytes);
+  auto tail = (*connection)->open_source(settings_.names.tail, kPendingMessages, kPendingBytes);
   if (!tail) return tl::unexpected{tail.error()};
+  inbox->hears(*std::move(tail));
   const auto answers = (*connection)
                            ->subscribe(
                                reply_ + ".*.*",

@@ -60,6 +60,8 @@ class Reading {
 
   /// Sequences to ask for now; they count as asked for.
   [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
+  /// Whether an answer is on its way, as far as is known.
+  [[nodiscard]] bool asks() const { return asked_.upper_bound(after_) != asked_.end(); }
   /// When wanted() may have more.
   [[nodiscard]] TimePoint next_look() const;
 

@@ -239,7 +239,11 @@ class Farm:
     def haproxy_runs(self):
         if self.haproxy.poll() is not None:
             raise AssertionError(f"HAProxy ended:\n{(self.folder / 'haproxy.log').read_text()}")
-        return self.stats.exists()
+        try:
+            self.tell("show info")
+        except OSError:  # its socket is not there, or nobody listens yet
+            return False
+        return True
 
     def tell(self, command):
         with socket.socket(socket.AF_UNIX) as stats:

@@ -52,6 +52,24 @@ TEST_CASE("messages of the tail are given out in order, and nothing is asked for
   CHECK(reading.gaps() == 0);
 }
 
+TEST_CASE("an answer is waited for until it comes, or what it would bring has come by itself") {
+  Reading reading{kStart, 7};
+  CHECK_FALSE(reading.asks());
+  hear(reading, 3, kStart);
+  CHECK(reading.wanted(kStart) == Sequences{1, 2});
+  CHECK(reading.asks());
+  answer(reading, 1, kStart);
+  CHECK(reading.asks());
+  hear(reading, 2, kStart);
+  while (taken(reading) != 0) {
+  }
+  CHECK_FALSE(reading.asks());
+  CHECK(reading.wanted(kStart + Reading::kSilence) == Sequences{4});
+  CHECK(reading.asks());
+  reading.not_found(4, kStart + Reading::kSilence);
+  CHECK_FALSE(reading.asks());
+}
+
 TEST_CASE("what a gap of the tail lacks is asked for at once, and once") {
   Reading reading{kStart, 7};
   hear(reading, 4, kStart);
