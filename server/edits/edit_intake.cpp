@@ -155,7 +155,10 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
 
 bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
   if (!started_ || named_voxels(request.edit) > kSmallVoxels || (settles() && request.settles)) return false;
-  const std::unique_lock working{work_, std::try_to_lock};
+  // Another thread that brings an edit is done sooner than the intake's could be woken.
+  constexpr int kTries = 100;
+  std::unique_lock working{work_, std::try_to_lock};
+  for (int tries = 1; !working && !thread_works_ && tries < kTries; ++tries) (void)working.try_lock();
   if (!working) return false;
   {
     const std::lock_guard lock{mutex_};
@@ -173,7 +176,8 @@ bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
     if (chunk == nullptr) return false;
     base.emplace(each.chunk, voxels_at(*chunk, each.voxels));
   }
-  log_edit(*lane, Prepared{{std::move(request), parts_.clock.now()}, {}, std::move(base), {}, {}});
+  log_edit(*lane,
+           Prepared{{std::move(request), parts_.clock.now()}, *std::move(touched), std::move(base), {}, {}});
   return true;
 }
 
@@ -215,6 +219,7 @@ void EditIntake::work() {
       // again.
       log_->error("edits: {}", error.what());
       const std::lock_guard working{work_};
+      thread_works_ = false;
       for (const auto& [client, lane] : lanes_) lane.session->lose_mail();
       for (const auto& [session, what] : taken_in_) session->lose_mail();
       lanes_.clear();
@@ -229,10 +234,12 @@ void EditIntake::work() {
 }
 
 void EditIntake::do_what_waits() {
+  thread_works_ = true;
   const std::lock_guard working{work_};
   // What comes is taken in before each turn: the turn may be that of who came.
   while (take_in() && take_turn()) {
   }
+  thread_works_ = false;
 }
 
 bool EditIntake::take_in() {
@@ -567,7 +574,10 @@ void EditIntake::log_edit(const Lane& lane, Prepared edit) {
                          std::move(request.edit),
                          std::move(edit.base),
                          request.settles ? rules_.settles : nullptr,
-                         std::move(request.subject)};
+                         std::move(request.subject),
+                         {}};
+  // Else they are with those that settle.
+  if (entry.settles == nullptr) entry.touched = std::move(edit.touched);
   ++*lane.in_log;
   auto done = [this, session = lane.session, id, came = edit.edit.came,
                in_log = lane.in_log](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
@@ -592,7 +602,8 @@ void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditRefused
   tell(session, EditAnswer{id, tl::unexpected{refusal(why, std::move(text))}});
 }
 
-tl::expected<void, LogFailure> EditIntake::append(LogEntry entry, EditLog::Done done) {
+template <typename Done>
+tl::expected<void, LogFailure> EditIntake::append(LogEntry entry, Done done) {
   const std::size_t bytes = bytes_of(entry);
   const auto leaves = [this, bytes] {
     --log_entries_;

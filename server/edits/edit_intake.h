@@ -170,7 +170,9 @@ class EditIntake final : public EditTaker {
   void log_edit(const Lane& lane, Prepared edit);
   void refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text);
 
-  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, EditLog::Done done);
+  /// `done` as EditLog::Done, which it is a part of.
+  template <typename Done>
+  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done);
 
   const Parts parts_;
   const Rules rules_;
@@ -192,7 +194,8 @@ class EditIntake final : public EditTaker {
   std::atomic<bool> wants_room_{false};
 
   std::atomic<bool> started_{false};
-  std::mutex work_;  // held while the thread works; locked before mutex_
+  std::mutex work_;                        // held while the thread works; locked before mutex_
+  std::atomic<bool> thread_works_{false};  // holds that, or is about to
 
   // Of who holds that.
   std::vector<Came> taken_in_;  // and has no lane yet

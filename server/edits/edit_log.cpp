@@ -18,6 +18,7 @@ std::size_t bytes_of(const LogEntry& entry) {
                       edit->edit.fills.size() * sizeof(edits::Fill);
   if (edit->edit.paste) bytes += sizeof(DenseVoxels);
   for (const auto& [chunk, voxels] : edit->base) bytes += kEntry + voxels.size() * sizeof(Override);
+  for (const auto& [chunk, voxels] : edit->touched) bytes += kEntry + voxels.size() * sizeof(std::uint16_t);
   return bytes;
 }
 

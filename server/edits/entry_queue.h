@@ -53,9 +53,9 @@ class EntryQueue {
   }
 
   /// What waits, at most so many entries, and so many bytes but for the first. Waits for it itself, until
-  /// `until`, stop() or wake(); TimePoint::min(): not at all.
-  [[nodiscard]] std::vector<Waiting> take(std::size_t most, std::size_t most_bytes, TimePoint until) {
-    std::vector<Waiting> taken;
+  /// `until`, stop() or wake(); TimePoint::min(): not at all. `taken`, whose memory is used again, is empty.
+  [[nodiscard]] std::vector<Waiting> take(std::size_t most, std::size_t most_bytes, TimePoint until,
+                                          std::vector<Waiting> taken = {}) {
     std::unique_lock lock{mutex_};
     if (until != TimePoint::min()) {
       wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || waiting_now() != 0; });
@@ -63,7 +63,6 @@ class EntryQueue {
     }
     if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // mostly all
       queue_.swap(taken);
-      queue_.reserve(taken.size());
       bytes_ = 0;
       return taken;
     }

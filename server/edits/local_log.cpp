@@ -62,15 +62,17 @@ LocalLog::Status LocalLog::status() const {
 }
 
 void LocalLog::run() {
+  std::vector<Queue::Waiting> entries;
   while (!queue_.ended()) {
-    std::vector<Queue::Waiting> entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_look());
-    if (!entries.empty()) apply(std::move(entries));
+    entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_look(), std::move(entries));
+    if (!entries.empty()) apply(entries);
+    entries.clear();
     writer_.look();
   }
   writer_.flush_all();
 }
 
-void LocalLog::apply(std::vector<Queue::Waiting> entries) {
+void LocalLog::apply(std::vector<Queue::Waiting>& entries) {
   if (writer_.refuses()) {
     const auto failure = log_failure(LogFailure::Kind::unwritable, *writer_.read_only());
     for (const Queue::Waiting& each : entries) each.done(failure);

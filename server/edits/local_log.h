@@ -52,7 +52,8 @@ class LocalLog final : public EditLog {
   using Queue = EntryQueue<LogEntry>;
 
   void run();
-  void apply(std::vector<Queue::Waiting> entries);
+  /// Moves from `entries`.
+  void apply(std::vector<Queue::Waiting>& entries);
   /// Makes a batch of those that can be applied, and moves their answers to `done`. Where some cannot, as
   /// what they are of is not readable, false; `careful` finds out which before anything is made of them, and
   /// answers them.

@@ -88,9 +88,10 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   /// Reads nothing while too_much() is true.
   [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] asio::awaitable<void> write();
-  /// Where write() waits and there are answers alone, few bytes of them: writes them without a coroutine's
-  /// turn. What the stream does not take at once is left to write().
-  void write_answers();
+  /// Where write() waits and there are answers and updates alone, few bytes of them: writes them without a
+  /// coroutine's turn. What the stream does not take at once is left to write(). Whether anything was taken,
+  /// so that the session may go on.
+  bool write_little();
   [[nodiscard]] asio::awaitable<void> watch();
   void spawn(asio::awaitable<void> (SessionRunner::*loop)());
 

@@ -319,15 +319,16 @@ asio::awaitable<void> SessionRunner<S>::write() {
 }
 
 template <Stream S>
-void SessionRunner<S>::write_answers() {
+bool SessionRunner<S>::write_little() {
   if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
     // Nothing is being written, and nothing waits to be.
     const bool idle = output_waits_.deadline() != Clock::time_point::min() && !unsent_;
-    if (!idle || session_.closing() || !session_.has_answers_alone(kMostAnswerBytes)) return;
+    if (!idle || session_.closing() || !session_.has_little_to_write(kMostAnswerBytes)) return false;
     Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
     const auto pieces = output.pieces();
     std::size_t sent = 0;
-    if (pieces.size() == 1) sent = stream_.write_now({pieces.front().data(), pieces.front().size()});
+    if (output.size() > 0 && pieces.size() == 1)
+      sent = stream_.write_now({pieces.front().data(), pieces.front().size()});
     context_.session.metrics.sent_bytes.add(sent);
     session_.flow().add(FlowMeasure::sent, sent);
     if (sent == output.size()) {
@@ -335,7 +336,9 @@ void SessionRunner<S>::write_answers() {
     } else {
       unsent_.emplace(Unsent{std::move(output), sent});
     }
+    return true;
   }
+  return false;
 }
 
 template <Stream S>
@@ -379,8 +382,8 @@ void SessionRunner<S>::dispatch(Event&& event) {
 template <Stream S>
 std::size_t SessionRunner<S>::pump() {
   if (!open_) return 0;
-  const std::size_t found = session_.pump();
-  write_answers();
+  std::size_t found = session_.pump();
+  if (write_little()) found += session_.pump();
   if (session_.closing() && watchdog_.closes(now())) watch_waits_.notify();
   // Also for what a rate still holds: write() may wait without a deadline, and must learn of this one.
   if (session_.closing() || unsent_ || session_.sendable_at() < output_waits_.deadline()) {

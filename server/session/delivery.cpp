@@ -84,7 +84,8 @@ void Delivery::drop_updates() {
 }
 
 void Delivery::take_mail(Editing& editing) {
-  std::vector<Mail> mail = mailbox_->take();
+  constexpr std::size_t kKept = 8;
+  std::vector<Mail> mail = mailbox_->take(std::move(read_mail_));
   for (Mail& each : mail) {
     std::visit(
         [&]<typename Letter>(Letter& letter) {
@@ -98,6 +99,8 @@ void Delivery::take_mail(Editing& editing) {
         },
         each);
   }
+  mail.clear();
+  if (mail.capacity() <= kKept) read_mail_ = std::move(mail);
 }
 
 void Delivery::receive(ChunkReady&& mail) {

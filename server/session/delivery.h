@@ -206,6 +206,7 @@ class Delivery {
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;
   std::vector<ChunkKey> to_submit_;  // while start_view_chunk() runs
+  std::vector<Mail> read_mail_;      // empty: the memory of a few letters, for the mailbox
   bool queue_full_ = false;          // the View waits for mail before it submits again
 };
 

@@ -108,10 +108,10 @@ class Session {
   /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller
   /// looked at the clock.
   [[nodiscard]] Clock::time_point sendable_at();
-  /// Whether something may be written at once, no chunks wait, and what waits is no more than about so many
-  /// bytes.
-  [[nodiscard]] bool has_answers_alone(std::size_t most_bytes) const {
-    return outbox_.has_control() && outbox_.chunk_bytes() == 0 && outbox_.control_bytes() <= most_bytes;
+  /// Whether there are answers or updates that credit allows, no chunks wait, and the answers are no more
+  /// than about so many bytes.
+  [[nodiscard]] bool has_little_to_write(std::size_t most_bytes) const {
+    return outbox_.sendable(credit_) && outbox_.chunk_bytes() == 0 && outbox_.control_bytes() <= most_bytes;
   }
   /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
   /// are not copied.

@@ -82,6 +82,7 @@ edits::EditEntry one_voxel(edits::EditorId id, std::uint32_t chunks, std::mt1993
   edits::EditEntry entry{id, 1, 0, {}, {}};
   entry.edit.writes.push_back({at, MaterialId{static_cast<std::uint16_t>(2 + random() % 50)}});
   entry.base[chunk].push_back({index, kBase});
+  entry.touched.push_back({chunk, {index}});  // as EditIntake hands it on
   return entry;
 }
 

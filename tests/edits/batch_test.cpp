@@ -77,6 +77,7 @@ Entry any_entry(const Model& model, const std::map<EditorId, PlainEditor>& edito
   if (between(0, 3) == 0) entry.sequence = between(0, editor.last);  // sent again
   if (between(0, 9) == 0) entry.epoch = between(0, 5);
   entry.base = base_of(entry.edit);
+  if (between(0, 1) == 0) entry.touched = *touched_voxels(entry.edit);
   if (between(0, 19) == 0) entry.base.clear();
   return entry;
 }

@@ -107,6 +107,9 @@ TEST_CASE("an edit is logged with the base of what it touches, looked up in the 
   CHECK(entry.epoch == 3);
   CHECK(entry.sequence == 1);
   CHECK(entry.base == edits::BaseVoxels{{{0, 0, 0}, {{0, kStone}}}, {{1, 0, 0}, {{5 * 1024 + 1, kStone}}}});
+  REQUIRE(entry.touched.size() == 2);
+  CHECK(entry.touched[1].chunk == ChunkCoord{1, 0, 0});
+  CHECK(entry.touched[1].voxels == std::vector<std::uint16_t>{5 * 1024 + 1});
 
   bench.edit(2, {{1, 0, 0}});  // a chunk that is kept decoded
   CHECK(bench.log.entries.size() == 2);

@@ -246,6 +246,28 @@ TEST_CASE("answers that come together are taken by one wake-up") {
   CHECK(client->writes == writes + 1);
 }
 
+TEST_CASE("a chunk that an update needs is asked for at once, also where the stream takes bytes at once") {
+  Bench bench;
+  const auto client = std::make_shared<Loopback>(bench.io);
+  const auto runner = bench.begin<SessionRunner<EagerLoopbackStream>>(EagerLoopbackStream{client}, 1);
+  bench.send(*client, hello());
+  bench.send(*client, view_at(0));
+  bench.answer_all();
+  CHECK(bench.frames(*client).size() == 10);  // Welcome and nine chunks
+  const ChunkKey edited{{0, 0, 0}, Lod{}};
+  bench.source.revisions[edited] = 5;
+  bench.source.watcher->put_changes(
+      std::make_shared<const std::vector<ChunkChange>>(std::vector{ChunkChange{edited, 0, 5}}));
+  bench.source.watcher->wake();
+  bench.io.poll();
+  REQUIRE(bench.source.waiting.contains(edited));
+  bench.source.in_memory[edited] = scripted_chunk(edited, 5);
+  const std::size_t writes = client->writes;
+  bench.answer_all();
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::Chunk});
+  CHECK(client->writes == writes + 1);
+}
+
 TEST_CASE("a client that closes ends its session") {
   Bench bench;
   const auto client = bench.greeted();

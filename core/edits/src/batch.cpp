@@ -133,7 +133,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
     return repeated;
   }
   if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
-  auto outcome = evaluate(entry.edit, entry.base, staging_, entry.settles.get());
+  auto outcome = evaluate(entry.edit, entry.base, staging_, entry.settles.get(), entry.touched);
   if (!outcome) return begin(entry.editor, Kind::invalid);
 
   Applied& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);

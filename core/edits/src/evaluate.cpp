@@ -29,24 +29,10 @@ class VoxelCursor {
   std::span<const Voxel> left_;
 };
 
-/// The voxels of an edit in one chunk, as they were and as they become, by rising index.
-struct EvaluatedChunk {
-  ChunkCoord chunk;
-  std::vector<VoxelChange> voxels;
-  std::size_t next = 0;  // behind the voxel that was asked for last: operations mostly ask for it
-
-  VoxelChange& at(std::uint16_t index) {
-    if (next == voxels.size() || voxels[next].index != index) {
-      const auto found = std::ranges::lower_bound(voxels, index, {}, &VoxelChange::index);
-      next = static_cast<std::size_t>(found - voxels.begin());
-    }
-    return voxels[next++];
-  }
-};
-
-tl::expected<EvaluatedChunk, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
-                                              const OverrideSource& overrides) {
-  EvaluatedChunk staged{touched.chunk, {}};
+/// The voxels of an edit in one chunk, as they were, which as yet is what they become.
+tl::expected<ChunkChanges, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
+                                            const OverrideSource& overrides) {
+  ChunkChanges staged{touched.chunk, {}};
   staged.voxels.reserve(touched.voxels.size());
   const auto generated = base.find(touched.chunk);
   const ChunkKey key{touched.chunk, Lod{}};
@@ -72,15 +58,13 @@ tl::expected<EvaluatedChunk, EditError> stage(const TouchedChunk& touched, const
   return staged;
 }
 
-/// All that the edit touches.
-tl::expected<std::vector<EvaluatedChunk>, EditError> stage(const Edit& edit, bool settles,
-                                                           const BaseVoxels& base,
-                                                           const OverrideSource& overrides) {
-  const auto touched = touched_voxels(edit, settles);
-  if (!touched) return tl::unexpected{touched.error()};
-  std::vector<EvaluatedChunk> chunks;
-  chunks.reserve(touched->size());
-  for (const TouchedChunk& each : *touched) {
+/// All of `touched`, which the edit touches.
+tl::expected<std::vector<ChunkChanges>, EditError> stage(std::span<const TouchedChunk> touched,
+                                                         const BaseVoxels& base,
+                                                         const OverrideSource& overrides) {
+  std::vector<ChunkChanges> chunks;
+  chunks.reserve(touched.size());
+  for (const TouchedChunk& each : touched) {
     auto staged = stage(each, base, overrides);
     if (!staged) return tl::unexpected{std::move(staged.error())};
     chunks.push_back(std::move(*staged));
@@ -88,23 +72,39 @@ tl::expected<std::vector<EvaluatedChunk>, EditError> stage(const Edit& edit, boo
   return chunks;
 }
 
+tl::expected<std::vector<ChunkChanges>, EditError> stage(const Edit& edit, bool settles,
+                                                         const BaseVoxels& base,
+                                                         const OverrideSource& overrides) {
+  const auto touched = touched_voxels(edit, settles);
+  if (!touched) return tl::unexpected{touched.error()};
+  return stage(*touched, base, overrides);
+}
+
 /// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is asked
 /// first.
 class StagedVoxels {
  public:
-  explicit StagedVoxels(std::vector<EvaluatedChunk>& chunks) : chunks_{chunks} {}
+  explicit StagedVoxels(std::vector<ChunkChanges>& chunks) : chunks_{chunks} {}
 
   VoxelChange& at(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
     if (last_ == nullptr || last_->chunk != chunk) {
-      last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &EvaluatedChunk::chunk);
+      last_ = &*std::ranges::lower_bound(chunks_, chunk, {}, &ChunkChanges::chunk);
+      next_ = 0;
     }
-    return last_->at(index_of(voxel));
+    std::vector<VoxelChange>& voxels = last_->voxels;
+    const std::uint16_t index = index_of(voxel);
+    if (next_ == voxels.size() || voxels[next_].index != index) {
+      const auto found = std::ranges::lower_bound(voxels, index, {}, &VoxelChange::index);
+      next_ = static_cast<std::size_t>(found - voxels.begin());
+    }
+    return voxels[next_++];
   }
 
  private:
-  std::vector<EvaluatedChunk>& chunks_;
-  EvaluatedChunk* last_ = nullptr;
+  std::vector<ChunkChanges>& chunks_;
+  ChunkChanges* last_ = nullptr;
+  std::size_t next_ = 0;  // behind its voxel that was asked for last: operations mostly ask for it
 };
 
 void operate(const Edit& edit, StagedVoxels& staged) {
@@ -158,14 +158,14 @@ bool any_edited(ChunkKey key, std::uint16_t first, std::uint16_t last, const Ove
 
 /// Whether anything may settle: something changed, and in what was looked up for the edit, or lies over that
 /// by edits, there is material of the rules. Mostly there is none, and then the box costs one read.
-bool may_settle(const SettleRules& rules, std::span<const EvaluatedChunk> chunks, const BaseVoxels& base,
+bool may_settle(const SettleRules& rules, std::span<const ChunkChanges> chunks, const BaseVoxels& base,
                 const OverrideSource& overrides) {
   const auto is_loose = [&](MaterialId material) {
     return std::ranges::any_of(rules, [&](const SettleRule& rule) { return rule.material == material; });
   };
   bool any = false;
   bool loose = false;
-  for (const EvaluatedChunk& chunk : chunks) {
+  for (const ChunkChanges& chunk : chunks) {
     for (const VoxelChange& voxel : chunk.voxels) {
       any = any || voxel.before != voxel.after;
       loose = loose || is_loose(voxel.after);
@@ -199,8 +199,9 @@ std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
 }
 
 tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
-                                          const OverrideSource& overrides, const SettleRules* settles) {
-  auto chunks = stage(edit, false, base, overrides);
+                                          const OverrideSource& overrides, const SettleRules* settles,
+                                          std::span<const TouchedChunk> touched) {
+  auto chunks = touched.empty() ? stage(edit, false, base, overrides) : stage(touched, base, overrides);
   if (!chunks) return tl::unexpected{std::move(chunks.error())};
   StagedVoxels voxels{*chunks};
   Outcome outcome;
@@ -219,12 +220,12 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
       settle_in(*box, *settles, all);
     }
   }
-  for (EvaluatedChunk& each : *chunks) {
+  for (ChunkChanges& each : *chunks) {
     std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
-    if (each.voxels.empty()) continue;
     outcome.changed += each.voxels.size();
-    outcome.chunks.push_back({each.chunk, std::move(each.voxels)});
   }
+  std::erase_if(*chunks, [](const ChunkChanges& each) { return each.voxels.empty(); });
+  outcome.chunks = *std::move(chunks);
   return outcome;
 }
 

@@ -46,6 +46,8 @@ struct EditEntry {
   /// By which it sets material loose; null: by none. The entry has it, so that no node needs its world.
   SettleRulesPtr settles{};
   std::string subject{};  // for whom a game server edits; empty: for its editor's own subject
+  /// What touched_voxels() says of the edit, where it was asked already; empty: it is asked. No log has it.
+  std::vector<TouchedChunk> touched{};
 };
 
 /// Names of materials that may be placed: those that have no id yet get one.
@@ -92,7 +94,10 @@ class Batch {
         const MaterialIds* materials = nullptr);
 
   /// So many entries are about to be applied.
-  void expect(std::size_t entries) { applied_.reserve(entries); }
+  void expect(std::size_t entries) {
+    applied_.reserve(entries);
+    staging_.expect(entries);
+  }
   /// Each takes the next position, whatever becomes of it. What is returned lives as long as this.
   const Applied& apply(const AttachEntry& entry);
   const Applied& apply(const EditEntry& entry);

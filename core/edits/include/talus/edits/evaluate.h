@@ -60,9 +60,11 @@ struct Outcome {
 /// `edit` on the state `overrides`, and what it sets loose by `settles`; null: nothing. An error where
 /// touched_voxels() has one, or where `base` lacks a voxel that the edit touches, or, where
 /// what `base` has may settle, one of settle_box(), which is then named; the
-/// same error at every node, as both came from the log.
+/// same error at every node, as both came from the log. `touched`: touched_voxels() of `edit` without those
+/// that settle, where somebody has them already; empty: they are found.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                                         const OverrideSource& overrides,
-                                                        const SettleRules* settles = nullptr);
+                                                        const SettleRules* settles = nullptr,
+                                                        std::span<const TouchedChunk> touched = {});
 
 }  // namespace talus::edits

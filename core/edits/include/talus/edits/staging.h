@@ -33,6 +33,9 @@ class Staging final : public OverrideSource {
   /// its S.
   Staging(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
 
+  /// About so many chunks are to be staged.
+  void expect(std::size_t chunks) { chunks_.reserve(chunks); }
+
   [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
   [[nodiscard]] std::span<const OverrideWrite> staged(ChunkKey chunk) const override;
 
