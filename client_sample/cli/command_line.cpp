@@ -39,9 +39,9 @@ void add_timeout(CLI::App& command, double& seconds) {
 
 void add_get(CLI::App& app, GetOptions& options, Words& words) {
   auto* command = app.add_subcommand("get", "Fetch one chunk");
-  command->add_option("x", words.x, "Coordinates of the chunk, counted in chunks of its level")->required();
-  command->add_option("y", words.y, "")->required();
-  command->add_option("z", words.z, "")->required();
+  command->add_option("x", words.x, "East of the origin, in chunks of the level")->required();
+  command->add_option("y", words.y, "Up, in chunks of the level")->required();
+  command->add_option("z", words.z, "South of the origin, in chunks of the level")->required();
   command->add_option("--lod", words.lod, "Level of detail L, 0 to 6: a voxel spans 2^L base voxels")
       ->capture_default_str();
   command->add_option("-o,--output", options.output,
@@ -74,7 +74,9 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
                    "Radius out to which coarser levels fill the view, in chunks of level 0" +
                        or_less(FlyOptions::kFarRadius))
       ->check(CLI::Range(0, 4096));
-  command->add_option("--from", words.from, "X,Z where the flight begins (default: the spawn point)")
+  command
+      ->add_option("--from", words.from,
+                   "X,Z where the flight begins, base voxels (default: the spawn point)")
       ->delimiter(',')
       ->expected(2);
   command
@@ -93,10 +95,10 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
 
 void add_map(CLI::App& app, MapOptions& options, Words& words) {
   auto* command = app.add_subcommand("map", "Draw a map of the ground");
-  command->add_option("--center", words.center, "X,Z in voxels (default: the spawn point)")
+  command->add_option("--center", words.center, "X,Z of the middle, base voxels (default: the spawn point)")
       ->delimiter(',')
       ->expected(2);
-  command->add_option("--size", words.size, "W,H in voxels, at most 8192 each (default: 1024,1024)")
+  command->add_option("--size", words.size, "W,H in base voxels, at most 8192 each (default: 1024,1024)")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192));
@@ -109,7 +111,9 @@ void add_edit(CLI::App& app, EditOptions& options, Words& words) {
       "edit",
       "Make a box of voxels one material, or as generated; needs a token of the right edit. At most 65,536 "
       "voxels (such as 40 x 40 x 40) in 64 chunks; several edits for more");
-  command->add_option("box", words.box, "X,Y,Z of a voxel, or X,Y,Z X,Y,Z of two corners, both included")
+  command
+      ->add_option("box", words.box,
+                   "X,Y,Z of a voxel, or X,Y,Z X,Y,Z of two corners, both included; base voxels")
       ->delimiter(',')
       ->required();
   auto* material =

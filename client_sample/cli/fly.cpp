@@ -16,6 +16,7 @@
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "flight.h"
+#include "heights_of.h"
 #include "map_picture.h"
 #include "output.h"
 #include "request_timeout.h"
@@ -33,7 +34,8 @@ constexpr std::size_t kStoreBytes = std::size_t{1} << 30;
 constexpr int kViewWidth = 1280;
 constexpr int kViewHeight = 720;
 constexpr double kGraceSeconds = 10;  // beyond the flight's own: for its plan, and to fill the last view
-constexpr double kLookDown = 0.16;    // below the horizon, as a slope
+constexpr std::size_t kColumnsAtOnce = 256;
+constexpr double kLookDown = 0.16;  // below the horizon, as a slope
 
 // What the flight gathers while chunks come and go.
 struct Gathered {
@@ -109,28 +111,6 @@ class Flight {
   Altitude altitude_;
 };
 
-using Heights = client::Result<std::vector<std::int32_t>>;
-
-// Heights of any number of columns, in as many requests as the server wants: what it refuses is halved.
-asio::awaitable<Heights> heights_of(client::Client& client, const client::ServerLimits& limits,
-                                    RequestTimeout& timeout, const std::vector<client::Column>& columns) {
-  std::vector<std::int32_t> heights;
-  std::size_t most = std::max(1U, std::min(limits.heights_per_request, 256U));
-  while (heights.size() < columns.size()) {
-    const auto first = columns.begin() + static_cast<std::ptrdiff_t>(heights.size());
-    const std::size_t count = std::min(most, columns.size() - heights.size());
-    const auto part = co_await client.get_heights({first, first + static_cast<std::ptrdiff_t>(count)});
-    if (!part && part.error().kind == client::ErrorKind::out_of_range && count > 1) {
-      most = count / 2;  // in eroded land columns far apart are dear, and fewer may go into one request
-      continue;
-    }
-    if (!part) co_return tl::unexpected{part.error()};
-    heights.insert(heights.end(), part->begin(), part->end());
-    timeout.restart();
-  }
-  co_return heights;
-}
-
 asio::awaitable<client::Result<Flight>> plan(client::Client& client, const client::WorldInfo& world,
                                              const FlyOptions& options, RequestTimeout& timeout) {
   const client::Column from = options.from.value_or(client::Column{world.spawn.x, world.spawn.z});
@@ -140,12 +120,13 @@ asio::awaitable<client::Result<Flight>> plan(client::Client& client, const clien
   if (options.heading) {
     heading = radians_of(*options.heading);
   } else {
-    const auto around = co_await heights_of(client, world.limits, timeout, candidate_columns(start, length));
+    const auto around =
+        co_await heights_of(client, timeout, candidate_columns(start, length), kColumnsAtOnce);
     if (!around) co_return tl::unexpected{around.error()};
     heading = choose_heading(*around);
   }
   const Course course{start, heading, length};
-  const auto heights = co_await heights_of(client, world.limits, timeout, course_columns(course));
+  const auto heights = co_await heights_of(client, timeout, course_columns(course), kColumnsAtOnce);
   if (!heights) co_return tl::unexpected{heights.error()};
   co_return Flight{course, Altitude{*heights, options.height}};
 }

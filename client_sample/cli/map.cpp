@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <deque>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <optional>
 
+#include <asio/co_spawn.hpp>
 #include <asio/experimental/as_tuple.hpp>
-#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <asio/this_coro.hpp>
 #include <asio/use_awaitable.hpp>
@@ -14,6 +14,7 @@
 
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
+#include "heights_of.h"
 #include "map_picture.h"
 #include "output.h"
 #include "request_timeout.h"
@@ -43,8 +44,7 @@ class Survey {
       for (; open_ < kMaxOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) {
         start_square(static_cast<std::int32_t>(x), static_cast<std::int32_t>(z));
       }
-      changed_.expires_at(std::chrono::steady_clock::time_point::max());
-      co_await changed_.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+      co_await change();
       progress.show(static_cast<double>(finished_) / static_cast<double>(squares),
                     client_.stats().chunk_frames);
     }
@@ -52,8 +52,18 @@ class Survey {
     co_return std::move(surface_);
   }
 
+  /// After an error: until the last answer, which close() brings, has come.
+  asio::awaitable<void> finish() {
+    while (open_ > 0) co_await change();
+  }
+
  private:
   static constexpr int kMaxOpen = 256;
+
+  asio::awaitable<void> change() {
+    changed_.expires_at(std::chrono::steady_clock::time_point::max());
+    co_await changed_.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
+  }
 
   void start_square(std::int32_t x, std::int32_t z) {
     ++open_;
@@ -63,15 +73,21 @@ class Survey {
         columns.push_back({std::int64_t{x} * kChunkSize + dx, std::int64_t{z} * kChunkSize + dz});
       }
     }
-    client_.get_heights(std::move(columns), [this, x, z](const auto& heights) {
-      if (!heights) return fail(heights.error());
-      const auto [low, high] = std::minmax_element(heights->begin(), heights->end());
-      for (std::int32_t y = row_of_ground(*low); y <= row_of_ground(*high); ++y) {
-        start_chunk({{x, y, z}, Lod{}});
-      }
-      timeout_.restart();
-      finish_one();
-    });
+    const std::size_t at_once = columns.size();
+    asio::co_spawn(changed_.get_executor(), heights_of(client_, timeout_, std::move(columns), at_once),
+                   [this, x, z](const std::exception_ptr& thrown, const Heights& heights) {
+                     if (thrown) std::rethrow_exception(thrown);
+                     start_chunks(x, z, heights);
+                   });
+  }
+
+  void start_chunks(std::int32_t x, std::int32_t z, const Heights& heights) {
+    if (!heights) return fail(heights.error());
+    const auto [low, high] = std::minmax_element(heights->begin(), heights->end());
+    for (std::int32_t y = row_of_ground(*low); y <= row_of_ground(*high); ++y) {
+      start_chunk({{x, y, z}, Lod{}});
+    }
+    finish_one();
   }
 
   // The chunk row of the topmost solid voxel y under a height, the highest with 256 y + 128 < height. Kept to
@@ -141,9 +157,8 @@ asio::awaitable<CommandResult> map(Connecting connecting, MapOptions options) {
   if (!extent) co_return tl::unexpected{"the map leaves the world: " + extent.error().message};
   Survey survey{executor, client, *world, timeout};
   const auto surface = co_await survey.run(*extent);
-  // Answers that are still to come would find the survey gone; close() posts them, so let them run first.
   client.close();
-  co_await asio::post(executor, asio::use_awaitable);
+  co_await survey.finish();
   if (!surface) co_return tl::unexpected{surface.error()};
 
   const auto written = write_png(draw_map(*surface, world->materials, *extent, {}), options.output);

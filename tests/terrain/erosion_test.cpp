@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <regex>
 #include <set>
 
 #include <talus/terrain/generator.h>
@@ -15,6 +16,7 @@
 
 #include "reference.h"
 #include "worlds.h"
+#include "wrong_spec.h"
 
 namespace talus::terrain {
 namespace {
@@ -183,6 +185,14 @@ TEST_CASE("Erosion keeps within the rows that the world says it may reach") {
     const auto highest = *std::max_element(terrain.surface.values.begin(), terrain.surface.values.end());
     CHECK(highest <= (world->highest_fx() >> level) + world->rise_fx());
   }
+}
+
+TEST_CASE("A world whose ground erosion may raise beyond the rows of a world is refused") {
+  const std::regex angle{"angle_of_repose = [0-9.]+"};
+  CHECK(test::error_of(std::regex_replace(eroding(5, 64), angle, "angle_of_repose = 45")) == "accepted");
+  CHECK_THAT(
+      test::error_of(std::regex_replace(eroding(5, 64), angle, "angle_of_repose = 89")),
+      Catch::StartsWith("w.toml:2: erosion_steps: with these angles of repose the ground may rise to row "));
 }
 
 World eroded_small_world(std::uint64_t seed, int steps) {

@@ -175,6 +175,9 @@ TEST_CASE("Samples that are no heights are refused by their place") {
   CHECK_THAT(error({2, 2, std::vector<float>{4, 4, 4, 4}}),
              Catch::Contains("file: all samples are 4; give low and high"));
   CHECK_THAT(error({2, 2, std::vector<float>{1, 2, 3, 4}}, 9.0), Catch::Contains("low is 9 and high 4"));
+  CHECK_THAT(error({2, 2, std::vector<float>{0, 1, 2, 3}}, 0.0, 1e-310),
+             Catch::Contains("high: low is 0 and high 1e-310; high must be at least 1e-290 above low"));
+  CHECK(error({2, 2, std::vector<float>{0, 1, 2, 3}}, 0.0, 1e-290) == "accepted");
   CHECK_THAT(error({1, 4, std::vector<float>{1, 2, 3, 4}}), Catch::Contains("1 x 4 samples"));
   CHECK_THAT(error({2, 3, std::vector<float>{1, 2, 3, 4}}),
              Catch::Contains("4 samples where its shape needs 6"));

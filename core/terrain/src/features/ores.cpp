@@ -38,6 +38,14 @@ struct Columns {
     }
     return true;
   }
+
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    (void)all_of([&](std::size_t i) {
+      visit(i);
+      return true;
+    });
+  }
 };
 
 Columns columns_of(const OreLobe& lobe, ChunkKey key) {
@@ -83,13 +91,13 @@ bool join(const Overlay& lobe, const Columns& columns, Overlay& overlay) {
     return !both || (lobe.from[i] <= overlay.to[i] && lobe.to[i] >= overlay.from[i]);
   });
   if (!one_run) return false;
-  return columns.all_of([&](std::size_t i) {
-    if (lobe.from[i] >= lobe.to[i]) return true;
+  columns.for_each([&](std::size_t i) {
+    if (lobe.from[i] >= lobe.to[i]) return;
     const bool free = overlay.from[i] >= overlay.to[i];
     overlay.from[i] = free ? lobe.from[i] : std::min(overlay.from[i], lobe.from[i]);
     overlay.to[i] = free ? lobe.to[i] : std::max(overlay.to[i], lobe.to[i]);
-    return true;
   });
+  return true;
 }
 
 OreBox box_of(ChunkKey key) {

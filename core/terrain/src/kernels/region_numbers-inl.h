@@ -250,8 +250,6 @@ HWY_INLINE bool all_at_least(Two m, float least) {
   return all_at_least(hn::Min(m.a, m.b), least);
 }
 
-/// How far from their middles rivers and tributaries are felt, or further: no column beyond is cut.
-
 }  // namespace
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

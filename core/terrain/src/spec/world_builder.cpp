@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <talus/terrain/erosion.h>
+#include <talus/terrain/extraction.h>
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
 #include <talus/terrain/world.h>
@@ -55,6 +56,7 @@ struct World::Builder {
   void check_lifts();
   void derive_strata();
   void derive_loose();
+  void check_rows();
   void derive_halo();
 
   MaterialId add_material(const std::string& name, Colour colour, MaterialKind kind);
@@ -110,6 +112,7 @@ void World::Builder::build(const WorldFiles& files, std::span<const FeatureKind>
   world.highest_fx_ = highest_height_fx(surface_of(spec));
   derive_strata();
   derive_loose();
+  check_rows();
   derive_halo();
   world.fingerprint_ = hash_canonical_form(world.canonical_form());
 }
@@ -283,6 +286,13 @@ void World::Builder::derive_loose() {
     const LooseSpec& loose = world.loose_[world.loose_bottom_up_[i]];
     world.rise_fx_ += spec.erosion_steps * 8 * erosion_step_fx(loose.c_fx);
   }
+}
+
+void World::Builder::check_rows() {
+  const HeightRange rows = height_range(world);
+  if (is_height_range(rows)) return;
+  root.fail("erosion_steps", text_of("with these angles of repose the ground may rise to row ", rows.high,
+                                     "; at most ", kMaxWorldRows, " rows are allowed"));
 }
 
 const World::ShownBy* World::shown_by(MaterialId material) const {

@@ -29,11 +29,8 @@ class Planes {
 
   [[nodiscard]] bool empty() const { return tops_.empty(); }
   [[nodiscard]] std::size_t count() const { return tops_.size(); }
-  [[nodiscard]] MaterialId top_material() const { return materials_.back(); }
   [[nodiscard]] std::vector<Field>& tops() { return tops_; }
   [[nodiscard]] Field& top() { return tops_.back(); }
-  /// The plane under the top one.
-  [[nodiscard]] const Field& below_top() const { return tops_[tops_.size() - 2]; }
 
   /// A plane on top of all; its size and values are those of what it was before.
   Field& add(MaterialId material) {

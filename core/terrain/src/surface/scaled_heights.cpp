@@ -25,6 +25,9 @@ std::optional<std::string> wrong_shape(const HeightMap& map, std::size_t samples
   return std::nullopt;
 }
 
+// So that what a sample is scaled by is finite.
+constexpr double kLeastRange = 1e-290;
+
 // One written-out order in double: the same integers everywhere.
 template <class Sample>
 void scale(const std::vector<Sample>& samples, double low, double high, std::int32_t highest_fx,
@@ -68,6 +71,11 @@ tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(const He
           }
           return tl::unexpected(
               HeightsFault{key, text_of("low is ", *low, " and high ", *high, "; low must be below high")});
+        }
+        if (*high - *low < kLeastRange) {
+          return tl::unexpected(
+              HeightsFault{key, text_of("low is ", *low, " and high ", *high, "; high must be at least ",
+                                        kLeastRange, " above low")});
         }
         auto heights = std::make_shared<Field>(map.width, map.depth);
         scale(samples, *low, *high, highest_fx, *heights);

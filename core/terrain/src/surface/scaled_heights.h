@@ -21,7 +21,7 @@ struct HeightsFault {
 
 /// The samples as subvoxels: `low` becomes 0, `high` becomes highest_fx, what lies outside is clamped, halves
 /// are rounded up. `low` and `high` that are not set become 0 and 65535 for uint16, else the least and the
-/// greatest sample.
+/// greatest sample. `high` lies at least 1e-290 above `low`.
 [[nodiscard]] tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(
     const HeightMap& map, std::int32_t highest_fx, std::optional<double>& low, std::optional<double>& high);
 
