@@ -359,7 +359,7 @@ std::int32_t stacked(float noise, const LayerShape& shape, std::int32_t below, s
                   limit);
 }
 
-TEST_CASE("Layers are laid by every instruction set as by the definition, where ground is open") {
+TEST_CASE("A layer is laid by every instruction set as by the definition, where ground is open") {
   CHECK(rc::check([] {
     const auto xs = any_line();
     const auto width = static_cast<int>(xs.size());
@@ -371,8 +371,6 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
     const Fbm fbm{*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange<std::int64_t>(8, 400), 4};
     std::vector<std::uint8_t> open(xs.size() / kSegment + 1);
     for (auto& segment : open) segment = *rc::gen::element<std::uint8_t>(0, 1);
-    const bool between = *rc::gen::arbitrary<bool>();
-    const float share = static_cast<float>(*rc::gen::inRange(1, 8)) / 8;
     for (std::size_t x = 0; x < xs.size(); ++x) {
       const bool is_open = open[x / kSegment] != 0;
       below.values[x] = is_open ? std::min(below.values[x], limit.values[x]) : limit.values[x];
@@ -388,19 +386,11 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
         const float* const row = rows.row(row_z);
         return std::vector<float>(row, row + xs.size());
       };
-      std::vector<float> noise = row_at(z);
-      bool any = false;
-      if (between) {
-        const std::vector<float> south = row_at(z + 8);
-        any = strata_kernels(set).stack_between(noise.data(), south.data(), share, shape, xs.size(),
-                                                limit.values.data(), below.values.data(), left.data(),
-                                                tops.data());
-        for (std::size_t x = 0; x < xs.size(); ++x) noise[x] += share * (south[x] - noise[x]);
-      } else {
-        const auto octaves = rows.octaves(z);
-        any = strata_kernels(set).stack(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
-                                        below.values.data(), left.data(), tops.data());
-      }
+      const std::vector<float> noise = row_at(z);
+      const auto octaves = rows.octaves(z);
+      const bool any =
+          strata_kernels(set).stack(octaves.data(), octaves.size(), shape, xs.size(), limit.values.data(),
+                                    below.values.data(), left.data(), tops.data());
       RC_ASSERT(tops.back() == -1);
       bool any_expected = false;
       for (std::size_t first = 0; first < xs.size(); first += kSegment) {
@@ -422,4 +412,61 @@ TEST_CASE("Layers are laid by every instruction set as by the definition, where 
 }
 
 }  // namespace
+
+TEST_CASE("Layers between lines are laid by every instruction set one upon the other") {
+  CHECK(rc::check([] {
+    const auto width = static_cast<std::size_t>(*rc::gen::inRange(1, 200));
+    const auto columns = static_cast<int>(width);
+    const Field limit = any_field(columns, 1, 1 << 20);
+    Field below = any_field(columns, 1, *rc::gen::element(1 << 10, 1 << 20));
+    std::vector<std::uint8_t> open(width / kSegment + 1);
+    for (auto& segment : open) segment = *rc::gen::element<std::uint8_t>(0, 1);
+    for (std::size_t x = 0; x < width; ++x) {
+      const bool is_open = open[x / kSegment] != 0;
+      below.values[x] = is_open ? std::min(below.values[x], limit.values[x]) : limit.values[x];
+    }
+    const auto count = static_cast<std::size_t>(*rc::gen::inRange(1, 6));
+    const RowBetween row{0, static_cast<float>(*rc::gen::inRange(0, 8)) / 8, 0};
+    const float widest = *rc::gen::element(0.25F, 2.0F);  // where none, or some, is cut at 0
+    std::vector<std::vector<float>> noises(count);
+    std::vector<std::vector<float>> rises(count);
+    std::vector<std::vector<std::int32_t>> expected(count, std::vector<std::int32_t>(width));
+    std::vector<LayerShape> shapes;
+    std::size_t expected_taken = 0;  // where all columns of all segments are full
+    for (std::size_t i = 0; i < count; ++i) {
+      shapes.push_back({static_cast<float>(*rc::gen::inRange(1, 1 << 19)),
+                        widest * static_cast<float>(*rc::gen::inRange(0, 3)), 1048576.0F});
+      for (std::size_t x = 0; x < width; ++x) {
+        noises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 100)) / 100);
+        rises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 100)) / 100 - noises[i][x]);
+        const float noise = noises[i][x] + row.share * rises[i][x];
+        const std::int32_t lies_on = i == 0 ? below.values[x] : expected[i - 1][x];
+        expected[i][x] = stacked(noise, shapes[i], lies_on, limit.values[x]);
+        const bool missing = expected[i][x] < limit.values[x];
+        if (open[x / kSegment] != 0) expected_taken = std::max(expected_taken, i + (missing ? 2 : 1));
+      }
+    }
+    auto sets = vector_sets();
+    sets.push_back(InstructionSet::scalar);
+    for (const InstructionSet set : sets) {
+      std::vector<std::vector<std::int32_t>> tops(count, std::vector<std::int32_t>(width + 1, -1));
+      std::vector<LinedLayer> layers;
+      for (std::size_t i = 0; i < count; ++i) {
+        layers.push_back({shapes[i], noises[i].data(), rises[i].data(), tops[i].data()});
+      }
+      auto left = open;
+      const std::size_t taken = strata_kernels(set).stack_between(
+          layers.data(), count, row, width, limit.values.data(), below.values.data(), left.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        RC_ASSERT(tops[i].back() == -1);
+        tops[i].pop_back();
+        RC_ASSERT(tops[i] == expected[i]);
+      }
+      const bool any_left = std::find(left.begin(), left.end(), 1) != left.end();
+      RC_ASSERT(any_left == (taken == count + 1));
+      RC_ASSERT(taken == 0 || expected_taken == 0 || taken <= expected_taken);
+    }
+  }));
+}
+
 }  // namespace talus::terrain

@@ -32,6 +32,7 @@
 #include <talus/voxel/material.h>
 
 #include "overlay.h"
+#include "place/place_fields.h"
 #include "spec/places_section.h"
 #include "spec/table_reader.h"
 
@@ -117,20 +118,20 @@ struct OverlayRows {
 /// Feature::halo() around it are known, too.
 struct StandingGround {
   Region region;
-  int around = 0;                    // columns around the region that `height` and `shares` have
-  const Field* height = nullptr;     // level 0's subvoxels
-  std::span<const Field> shares;     // by PlacesSpec::shares; empty where one is 0 all over
-  const Field* entrances = nullptr;  // Carver::entrances(), or null
-  int open_ring = 0;                 // columns around the region that those have
+  int around = 0;                       // columns around the region that `height` and `places` have
+  const Field* height = nullptr;        // level 0's subvoxels
+  const PlaceFields* places = nullptr;  // or null where the world has no shares
+  const Field* entrances = nullptr;     // Carver::entrances(), or null
+  int open_ring = 0;                    // columns around the region that those have
   std::optional<std::int32_t> sea_fx;
 
   [[nodiscard]] std::int32_t height_fx(int x, int z) const { return height->at(x + around, z + around); }
   [[nodiscard]] bool none(const std::optional<std::size_t>& rule) const {
-    return rule && shares[*rule].values.empty();
+    return rule && !places->has_share(*rule);
   }
   /// Of kWholeShare. REQUIRES !none(rule).
   [[nodiscard]] std::int32_t share(const std::optional<std::size_t>& rule, int x, int z) const {
-    return rule ? shares[*rule].at(x + around, z + around) : kWholeShare;
+    return rule ? places->share_at(*rule, x + around, z + around) : kWholeShare;
   }
   /// Whether there is dry ground, or any where water may be, and no cave opens.
   [[nodiscard]] bool carries(int x, int z, bool in_water) const {

@@ -565,7 +565,7 @@ void Generator::start_objects(std::vector<PlacedObject>& objects) {
 bool Generator::step_objects(int columns, std::vector<PlacedObject>& objects) {
   Scratch& s = *scratch_;
   if (s.standing == nullptr) return false;
-  StandingGround ground{s.region, s.around,    &s.ground.height(), s.ground.shares(),
+  StandingGround ground{s.region, s.around,    &s.ground.height(), s.ground.places(),
                         nullptr,  s.open_ring, world_->sea_fx()};
   if (s.carver && !s.carver->entrances().values.empty()) ground.entrances = &s.carver->entrances();
   return s.standing->place(ground, columns, s.placement, objects);

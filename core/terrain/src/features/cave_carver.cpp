@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include <talus/terrain/boundary_row.h>
 
@@ -87,6 +88,12 @@ void CaveCarver::judge_all(const Field& height) {
   rock_row_.reshape(judged.width, judged.depth);
   kinds_.assign(judged.columns(), Kind::solid);
   hollows_.assign(static_cast<std::size_t>(judged.depth), {});
+  lowest_.clear();
+  for (int z = 0; shore_ != 0 && z < height.depth; ++z) {
+    std::int32_t lowest = std::numeric_limits<std::int32_t>::max();
+    for (const std::int32_t height_fx : height.row(z)) lowest = std::min(lowest, height_fx);
+    lowest_.push_back(lowest);
+  }
   const auto airy = [&](int z) {
     return z >= 0 && z < judged.depth && airy_[static_cast<std::size_t>(z)] != 0;
   };
@@ -124,6 +131,7 @@ void CaveCarver::judge_row(int z, const Field& height) {
     rock_row[x] = boundary_row(surface[x] - loose_fx);
   }
   std::fill(roof_row_.row(z).begin(), roof_row_.row(z).end(), kFarBelow);
+  shore_near_ = shore_ != 0 && !all_dry(z);
   const auto roof = roof_.row(z);
   for (int x = 0; x < surface_.width; ++x) {
     if (roof[static_cast<std::size_t>(x)] == 0) continue;
@@ -133,6 +141,13 @@ void CaveCarver::judge_row(int z, const Field& height) {
     if (hollow.last == 0) hollow.first = x;
     hollow.last = x + 1;
   }
+}
+
+// Whether even the lowest column of the row and of those beside it is over the sea.
+bool CaveCarver::all_dry(int z) const {
+  const auto first = lowest_.begin() + z;
+  const int level = region_.lod.value();
+  return (*std::min_element(first, first + 3) >> level) - (erodes_ ? loose_fx_ : 0) > sea_fx_ >> level;
 }
 
 void CaveCarver::judge(int x, int z, const Field& height) {
@@ -146,7 +161,7 @@ void CaveCarver::judge(int x, int z, const Field& height) {
   std::int32_t& rock_row = rock_row_.at(x, z);
   if (floor_row >= roof_row || rock_row - floor_row < least_rows_) return;
   bool dry = true;
-  if (shore_ != 0) {
+  if (shore_near_) {
     std::int32_t lowest = surface_.at(x, z);
     for (int south = 0; south <= 2; ++south) {
       for (int east = 0; east <= 2; ++east)
@@ -219,22 +234,23 @@ void CaveCarver::find_carried() {
 }
 
 void CaveCarver::take(CaveAir& air) const {
-  air.clear();
-  if (!any_) return;
+  if (!any_) return air.clear();
   air.floor.reshape(region_.width, region_.depth);
   air.roof.reshape(region_.width, region_.depth);
-  std::fill(air.floor.values.begin(), air.floor.values.end(), 0);
-  std::fill(air.roof.values.begin(), air.roof.values.end(), 0);
   bool any = false;
   for (int z = 0; z < region_.depth; ++z) {
+    const auto floor = air.floor.row(z);
+    const auto roof = air.roof.row(z);
+    std::fill(floor.begin(), floor.end(), 0);
+    std::fill(roof.begin(), roof.end(), 0);
     const Hollow hollow = hollows_[static_cast<std::size_t>(z + judged_)];
     const int last = std::min(hollow.last - judged_, region_.width);
     for (int x = std::max(hollow.first - judged_, 0); x < last; ++x) {
       const std::size_t i = index(x + judged_, z + judged_);
       const bool open = kinds_[i] == Kind::open;
       if (!open && (kinds_[i] != Kind::roofed || carried_[i] == 0)) continue;
-      air.floor.at(x, z) = floor_.values[i];
-      air.roof.at(x, z) = open ? surface_.values[i] : roof_.values[i];
+      floor[static_cast<std::size_t>(x)] = floor_.values[i];
+      roof[static_cast<std::size_t>(x)] = open ? surface_.values[i] : roof_.values[i];
       any = true;
     }
   }

@@ -42,6 +42,7 @@ class CaveCarver final : public Carver {
   void judge_all(const Field& height);
   void judge_row(int z, const Field& height);
   void find_entrances();
+  [[nodiscard]] bool all_dry(int z) const;
   void judge(int x, int z, const Field& height);
   void find_carried();
   /// How far a roof is from what carries it, along one line of columns: the next column's distance from this
@@ -65,6 +66,7 @@ class CaveCarver final : public Carver {
   std::int32_t loose_fx_ = 0;    // all that can be loose, at the region's level
   std::int32_t least_rows_ = 0;  // of a roof that holds
   std::int32_t least_fx_ = 0;    // where less ground than that stands, all is solid
+  bool shore_near_ = false;      // of the row that is judged
   bool any_ = false;
   bool pending_ = false;
   int next_ = 0;  // row of floors and roofs that is not computed yet
@@ -78,9 +80,10 @@ class CaveCarver final : public Carver {
   std::vector<std::uint8_t> carried_;
   std::vector<std::uint8_t> airy_;  // rows that have air before they are judged
   std::vector<Hollow> hollows_;
-  std::vector<int> distances_;  // of a row
-  Field surface_;               // of the level, over the judged columns
-  Field entrances_;             // over region_.expanded(open_ring_)
+  std::vector<std::int32_t> lowest_;  // ground of each row of heights, at level 0; where there is a shore
+  std::vector<int> distances_;        // of a row
+  Field surface_;                     // of the level, over the judged columns
+  Field entrances_;                   // over region_.expanded(open_ring_)
 };
 
 }  // namespace talus::terrain

@@ -27,12 +27,14 @@ HWY_INLINE void include_vector(Tag d, Mask mask, std::size_t x, ColumnRange& ran
 }
 
 ColumnRange start_feet(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
-                       std::int32_t wall_fx, std::int32_t* foot) {
+                       std::int32_t wall_fx, std::int32_t* foot, std::int32_t* next) {
   ColumnRange walls;
   over_row(Columns{}, width, [=, &walls](auto d, std::size_t x) HWY_ATTR {
     const auto wall = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
     include_vector(d, wall, x, walls);
-    hn::StoreU(hn::IfThenElse(wall, hn::Set(d, kNoGround_fx), hn::LoadU(d, height + x)), d, foot + x);
+    const auto low = hn::IfThenElse(wall, hn::Set(d, kNoGround_fx), hn::LoadU(d, height + x));
+    hn::StoreU(low, d, foot + x);
+    hn::StoreU(low, d, next + x);
   });
   return walls;
 }

@@ -35,9 +35,10 @@ struct ApronSupply {
 };
 
 struct ApronKernels {
-  /// foot = H where the slope is no wall's, else kNoGround_fx. Columns among which all walls are.
+  /// foot = H where the slope is no wall's, else kNoGround_fx, in two rows. Columns among which all walls
+  /// are.
   ColumnRange (*start_feet)(const std::int32_t* height, const std::int32_t* slope, std::size_t width,
-                            std::int32_t wall_fx, std::int32_t* foot);
+                            std::int32_t wall_fx, std::int32_t* foot, std::int32_t* next);
   /// In walls the lowest foot of the nine columns, or without those along diagonals; elsewhere what it was.
   /// `feet` is the row before the middle one.
   void (*descend)(const std::int32_t* feet, std::size_t stride, const std::int32_t* slope, std::size_t width,

@@ -20,91 +20,143 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using talus::HWY_NAMESPACE::round_to_even;
 
-/// `noise.with<kVectors>(f, at, use)` calls use(v, noise of vector v from column `at` on).
-template <class Noise>
-HWY_INLINE bool stack_by(const Noise noise_of, const LayerShape& shape, std::size_t width,
-                         const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open,
-                         std::int32_t* top) {
-  // Whether kVectors vectors of columns from `at` on have reached the limit.
-  // By value, as the compiler cannot tell that what is stored is not of the shape.
-  const auto stack_at = [=, own = shape]<std::size_t kVectors>(auto f, std::size_t at) HWY_ATTR {
-    const hn::RebindToSigned<decltype(f)> d;
-    auto missing = hn::Zero(d);  // less than 0 where the limit is not reached
-    noise_of.template with<kVectors>(f, at, [&](std::size_t v, auto noise) HWY_ATTR {
-      const std::size_t x = at + v * hn::Lanes(d);
-      const auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, own.swing), noise));
-      const auto thickness = hn::Mul(hn::Set(f, own.mean_fx), hn::Max(hn::Zero(f), swell));
-      const auto rise = round_to_even(f, hn::Min(thickness, hn::Set(f, own.max_fx)));
-      const auto most = hn::LoadU(d, limit + x);
-      const auto reached = hn::Min(hn::Add(hn::LoadU(d, below + x), rise), most);
-      missing = hn::Min(missing, hn::Sub(reached, most));
-      hn::StoreU(reached, d, top + x);
-    });
-    return hn::AllTrue(d, hn::Eq(missing, hn::Zero(d)));
-  };
-  const hn::ScalableTag<float> f;
+using Floats = hn::ScalableTag<float>;
+
+constexpr std::size_t kMostVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
+
+/// So many vectors of columns as the layers that are stacked on them know them.
+template <class Tag, std::size_t kVectors>
+struct Stacked {
+  using Ints = hn::RebindToSigned<Tag>;
+  hn::Vec<Ints> most[kVectors];
+  hn::Vec<Ints> reached[kVectors];
+
+  HWY_INLINE Stacked(const std::int32_t* limit, const std::int32_t* below) {
+    const Ints d;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      most[v] = hn::LoadU(d, limit + v * hn::Lanes(d));
+      reached[v] = hn::LoadU(d, below + v * hn::Lanes(d));
+    }
+  }
+
+  /// To those of vector v.
+  template <bool kBounded>
+  HWY_INLINE void add(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
+    const Tag f;
+    auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), noise));
+    if constexpr (!kBounded) swell = hn::Max(hn::Zero(f), swell);
+    auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), swell);
+    if constexpr (!kBounded) thickness = hn::Min(thickness, hn::Set(f, shape.max_fx));
+    reached[v] = hn::Min(hn::Add(reached[v], round_to_even(f, thickness)), most[v]);
+  }
+
+  HWY_INLINE void store(std::int32_t* top) const {
+    const Ints d;
+    for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(reached[v], d, top + v * hn::Lanes(d));
+  }
+
+  /// Whether a row of tops is at the limit.
+  HWY_INLINE bool is_full(const std::int32_t* top) const {
+    const Ints d;
+    auto differs = hn::Zero(d);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      differs = hn::Or(differs, hn::Xor(hn::LoadU(d, top + v * hn::Lanes(d)), most[v]));
+    }
+    return hn::AllTrue(d, hn::Eq(differs, hn::Zero(d)));
+  }
+};
+
+/// Over the open segments of a row: `stack_at<kVectors>(f, x)` says how many layers its columns take, and
+/// `fill(first, last)` is for those of closed ones. The most that any takes; 0 where none is open.
+template <class StackAt, class Fill>
+HWY_INLINE std::size_t over_open(std::size_t width, std::size_t count, std::uint8_t* open,
+                                 const StackAt& stack_at, const Fill& fill) {
+  const Floats f;
   const std::size_t lanes = hn::Lanes(f);
-  constexpr std::size_t kVectors =
-      std::min<std::size_t>(4, kSegment / hn::MaxLanes(hn::ScalableTag<float>{}));
-  bool any = false;
+  std::size_t most = 0;
   for (std::size_t x = 0; x < width; x += kSegment, ++open) {
     const std::size_t end = std::min(x + kSegment, width);
     if (*open == 0) {
-      std::copy(limit + x, limit + end, top + x);
+      fill(x, end);
       continue;
     }
-    bool full = true;
+    std::size_t taken = 0;
     std::size_t at = x;
-    for (; at + kVectors * lanes <= end; at += kVectors * lanes) {
-      full = stack_at.template operator()<kVectors>(f, at) && full;
+    for (; at + kMostVectors * lanes <= end; at += kMostVectors * lanes) {
+      taken = std::max(taken, stack_at.template operator()<kMostVectors>(f, at));
     }
-    for (; at + lanes <= end; at += lanes) full = stack_at.template operator()<1>(f, at) && full;
+    for (; at + lanes <= end; at += lanes) taken = std::max(taken, stack_at.template operator()<1>(f, at));
     if (at < end && width >= lanes) {
       // The last vector overlaps columns that are done already, and gives them the same.
-      full = stack_at.template operator()<1>(f, width - lanes) && full;
+      taken = std::max(taken, stack_at.template operator()<1>(f, width - lanes));
     } else {
-      for (; at < end; ++at) full = stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, at) && full;
+      for (; at < end; ++at) {
+        taken = std::max(taken, stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, at));
+      }
     }
-    *open = full ? 0 : 1;
-    any = any || !full;
+    *open = taken > count ? 1 : 0;
+    most = std::max(most, taken);
   }
-  return any;
+  return most;
 }
-
-struct OctavesNoise {
-  const OctaveRow* octaves;
-  std::size_t count;
-
-  template <std::size_t kVectors, class Tag, class Use>
-  HWY_INLINE void with(Tag f, std::size_t at, const Use& use) const {
-    with_noise<kVectors>(f, octaves, count, at, use);
-  }
-};
 
 bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
            const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
-  return stack_by(OctavesNoise{octaves, count}, shape, width, limit, below, open, top);
+  // By value, as the compiler cannot tell that what is stored is not of the shape.
+  const auto stack_at = [=, own = shape]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
+    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
+      columns.template add<false>(v, own, noise);
+    });
+    columns.store(top + at);
+    return columns.is_full(top + at) ? std::size_t{1} : std::size_t{2};
+  };
+  const auto fill = [=](std::size_t first, std::size_t last) {
+    std::copy(limit + first, limit + last, top + first);
+  };
+  return over_open(width, 1, open, stack_at, fill) > 1;
 }
 
-struct NoiseBetween {
-  const float* north;
-  const float* south;
-  float share;
-
-  template <std::size_t kVectors, class Tag, class Use>
-  HWY_INLINE void with(Tag f, std::size_t at, const Use& use) const {
-    for (std::size_t v = 0; v < kVectors; ++v) {
-      const auto from = hn::LoadU(f, north + at + v * hn::Lanes(f));
-      const auto to = hn::LoadU(f, south + at + v * hn::Lanes(f));
-      use(v, hn::Add(from, hn::Mul(hn::Set(f, share), hn::Sub(to, from))));
+template <bool kBounded>
+HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, const RowBetween& row,
+                                   std::size_t width, const std::int32_t* limit, const std::int32_t* below,
+                                   std::uint8_t* open) {
+  const LinedLayer* const end = layers + count;
+  const auto stack_at = [=, own = row]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
+    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    const auto share = hn::Set(f, own.share);
+    for (const LinedLayer* layer = layers; layer != end; ++layer) {
+      const LayerShape shape = layer->shape;
+      const float* const line = layer->noise + own.line + at;
+      const float* const rise = layer->rise + own.line + at;
+      for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::size_t x = v * hn::Lanes(f);
+        const auto noise = hn::Add(hn::LoadU(f, line + x), hn::Mul(share, hn::LoadU(f, rise + x)));
+        columns.template add<kBounded>(v, shape, noise);
+      }
+      columns.store(layer->top + own.top + at);
     }
-  }
-};
+    // Columns that are full stay so with what comes on top. Few are.
+    if (!columns.is_full(layers[count - 1].top + own.top + at)) return count + 1;
+    std::size_t taken = 1;
+    while (!columns.is_full(layers[taken - 1].top + own.top + at)) ++taken;
+    return taken;
+  };
+  const auto fill = [=, first_top = row.top](std::size_t first, std::size_t last) {
+    for (const LinedLayer* layer = layers; layer != end; ++layer) {
+      std::copy(limit + first, limit + last, layer->top + first_top + first);
+    }
+  };
+  return over_open(width, count, open, stack_at, fill);
+}
 
-bool stack_between(const float* north, const float* south, float share, const LayerShape& shape,
-                   std::size_t width, const std::int32_t* limit, const std::int32_t* below,
-                   std::uint8_t* open, std::int32_t* top) {
-  return stack_by(NoiseBetween{north, south, share}, shape, width, limit, below, open, top);
+std::size_t stack_between(const LinedLayer* layers, std::size_t count, const RowBetween& row,
+                          std::size_t width, const std::int32_t* limit, const std::int32_t* below,
+                          std::uint8_t* open) {
+  const bool bounded =
+      std::all_of(layers, layers + count, [](const LinedLayer& layer) { return layer.shape.is_bounded(); });
+  return bounded ? stack_lined<true>(layers, count, row, width, limit, below, open)
+                 : stack_lined<false>(layers, count, row, width, limit, below, open);
 }
 
 }  // namespace

@@ -16,6 +16,26 @@ struct LayerShape {
   float mean_fx = 0;
   float swing = 0;
   float max_fx = 0;
+
+  /// Whether no noise makes it less than 0 or cuts it at max_fx. Noise lies between -1 and 1: twice that is
+  /// more than enough for what is rounded.
+  [[nodiscard]] bool is_bounded() const { return swing <= 0.5F && mean_fx * (1 + 2 * swing) <= max_fx; }
+};
+
+/// A layer of many rows: its noise at lines of columns, what is added to it up to the next line, and its
+/// plane.
+struct LinedLayer {
+  LayerShape shape;
+  const float* noise = nullptr;
+  const float* rise = nullptr;
+  std::int32_t* top = nullptr;
+};
+
+/// A row of it: which line it lies at or past, and where its plane has it, both counted in numbers.
+struct RowBetween {
+  std::size_t line = 0;
+  float share = 0;  // of the way to the next line
+  std::size_t top = 0;
 };
 
 struct StrataKernels {
@@ -26,10 +46,11 @@ struct StrataKernels {
   /// padding; `top` is none of the others, as columns near the row's end are computed twice.
   bool (*stack)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
                 const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
-  /// The same of a noise that is so much of the way from row `north` to row `south`.
-  bool (*stack_between)(const float* north, const float* south, float share, const LayerShape& shape,
-                        std::size_t width, const std::int32_t* limit, const std::int32_t* below,
-                        std::uint8_t* open, std::int32_t* top);
+  /// The same of `count` layers one upon the other, the first on `below`; more than one of them may be of one
+  /// plane. How many of them it takes until no segment is open, or count + 1.
+  std::size_t (*stack_between)(const LinedLayer* layers, std::size_t count, const RowBetween& row,
+                               std::size_t width, const std::int32_t* limit, const std::int32_t* below,
+                               std::uint8_t* open);
 };
 
 [[nodiscard]] const StrataKernels& strata_kernels(InstructionSet set);

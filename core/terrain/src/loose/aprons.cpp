@@ -144,9 +144,9 @@ bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumb
   last_ = 0;
   const std::size_t width = inner_columns(height.width, ring);
   for (int z = ring; z < height.depth - ring; ++z) {
-    const ColumnRange walls = kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring,
-                                                   width, numbers.wall_fx, &feet_.at(ring, z));
-    std::copy_n(&feet_.at(ring, z), width, &next_.at(ring, z));
+    const ColumnRange walls =
+        kernels_->start_feet(height.row(z).data() + ring, slope.row(z).data() + ring, width, numbers.wall_fx,
+                             &feet_.at(ring, z), &next_.at(ring, z));
     if (walls.last == 0) continue;
     active_[static_cast<std::size_t>(z)] = counted_from_field(walls, ring);
     first_ = std::min(first_, z);

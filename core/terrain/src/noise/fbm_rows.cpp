@@ -14,6 +14,19 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
   return coordinate * (std::int64_t{1} << k) + offset;
 }
 
+// Columns of a run from which on it is filled at once.
+constexpr std::int64_t kLeastRun = 4;
+
+/// The distance between neighbours, where it is the same everywhere; else 0.
+std::int64_t even_distance(std::span<const std::int64_t> xs) {
+  if (xs.size() < 2) return 0;
+  const std::int64_t step = xs[1] - xs[0];
+  for (std::size_t i = 2; i < xs.size(); ++i) {
+    if (xs[i] - xs[i - 1] != step) return 0;
+  }
+  return step;
+}
+
 // Grows and never shrinks, so that what a kernel reads past the end is always there.
 template <class T>
 void grow(AlignedVector<T>& buffer, std::size_t size) {
@@ -25,6 +38,7 @@ void grow(AlignedVector<T>& buffer, std::size_t size) {
 void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights) {
   fbm_ = fbm;
   width_ = xs.size();
+  step_ = even_distance(xs);
   count_ = 0;
   while (static_cast<int>(count_) < fbm.octaves && fbm.has_octave(static_cast<int>(count_))) ++count_;
   if (octaves_.size() < count_) octaves_.resize(count_);
@@ -64,7 +78,7 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
   std::int64_t inside = 0;
   std::int64_t run_cell = 0;
   std::int64_t previous = 0;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
+  for (std::size_t i = 0; i < xs.size();) {
     const std::int64_t position = position_of(xs[i], k, offset);
     step_to(position - previous, fbm_.period, cell, inside);
     previous = position;
@@ -76,8 +90,21 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
       run_cell = cell;
       ++columns.runs;
     }
-    columns.run[i] = static_cast<std::int32_t>(columns.runs - 1);
-    columns.t[i] = static_cast<float>(inside) * reciprocal;
+    // As many columns as surely lie in the same cell: all that do, where they are evenly spaced and close.
+    const std::int64_t step = step_ * (std::int64_t{1} << k);
+    const bool close = step > 0 && kLeastRun * step <= fbm_.period;
+    const std::size_t end =
+        close ? std::min(xs.size(), i + static_cast<std::size_t>((fbm_.period - 1 - inside) / step) + 1)
+              : i + 1;
+    const auto first = static_cast<std::int32_t>(inside);
+    const auto apart = static_cast<std::int32_t>(close ? step : 0);
+    float* const t = columns.t.data() + i;
+    const auto count = static_cast<std::int32_t>(end - i);
+    for (std::int32_t j = 0; j < count; ++j) t[j] = static_cast<float>(first + j * apart) * reciprocal;
+    std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(i),
+              columns.run.begin() + static_cast<std::ptrdiff_t>(end),
+              static_cast<std::int32_t>(columns.runs - 1));
+    i = end;
   }
   for (std::size_t i = 0; i < xs.size(); ++i) columns.faded[i] = fade(columns.t[i]);
   // Lanes past the end belong to the last run, so that they stay within a vector of it.

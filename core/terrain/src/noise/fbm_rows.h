@@ -52,6 +52,7 @@ class FbmRows {
   const NoiseKernels* kernels_;
   Fbm fbm_;
   std::size_t width_ = 0;
+  std::int64_t step_ = 0;  // from column to column, where it is the same everywhere
   std::size_t count_ = 0;  // octaves in use; more may be kept for their memory
   std::vector<Octave> octaves_;
   std::vector<OctaveRow> shares_;

@@ -3,21 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include <talus/vectors/tables.h>
 
-#include "surface/ground_tiles.h"
+#include "noise/lattice_place.h"
 
 namespace talus::terrain {
 
 PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
-                         InstructionSet set)
+                         InstructionSet set, std::vector<bool> at_points)
     : places_{std::move(places)},
       kernels_{place_kernels(set)},
       sea_fx_{sea_fx},
       units_a_subvoxel_{1 / subvoxels_a_unit},
-      ranges_(places_->quantities) {
+      ranges_(places_->quantities),
+      at_points_{std::move(at_points)} {
   for (const auto& cases : places_->looks) {
     for (const Places::Case& one : cases) {
       for (const Places::Condition& condition : one.conditions) asked_.push_back(condition.quantity);
@@ -25,7 +27,9 @@ PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_
   }
   for (const Places::Share& share : places_->shares) {
     for (const Places::Ramp& ramp : share.early) asked_.push_back(ramp.quantity);
-    late_ = late_ || !share.late.empty();
+  }
+  for (std::size_t i = 0; i < places_->shares.size(); ++i) {
+    late_ = late_ || (!is_at_points(i) && !places_->shares[i].late.empty());
   }
   std::sort(asked_.begin(), asked_.end());
   asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
@@ -43,7 +47,12 @@ void PlaceFields::start(int width, int depth) {
     if (!shares_[i].values.empty()) std::swap(shares_[i], spare_[i]);
   }
   any_.resize(shares_.size());
-  for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), 0);
+  for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), Any::none);
+  only_.resize(looks_.size());
+  for (auto& rows : only_) rows.assign(static_cast<std::size_t>(depth), kSeveral);
+  from_tiles_ = false;
+  each_used_ = 0;
+  some_.assign(shares_.size(), 0);
   gathered_.resize(places_->quantities);
   rows_.resize(places_->quantities);
   share_.resize(padded(columns));
@@ -79,10 +88,14 @@ void PlaceFields::set_looks(int z, std::size_t width) {
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     const std::span<const Places::Case> cases = narrowed_.of(places_->looks[i], ranges_);
     const auto looks = looks_[i].row(z);
+    std::int16_t& only = only_[i][static_cast<std::size_t>(z)];
     if (cases.empty() || cases.front().conditions.empty()) {
-      std::fill(looks.begin(), looks.end(), cases.empty() ? 0 : cases.front().look);
+      const std::uint8_t look = cases.empty() ? std::uint8_t{0} : cases.front().look;
+      std::fill(looks.begin(), looks.end(), look);
+      only = look;
     } else {
       kernels_.look(cases, rows_, width, looks.data());
+      only = kSeveral;
     }
   }
 }
@@ -90,21 +103,31 @@ void PlaceFields::set_looks(int z, std::size_t width) {
 // Most rows have few looks, and most rules ask for others.
 void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64_t present) {
   const Places::Share& rule = places_->shares[i];
-  std::uint8_t& any = any_[i][static_cast<std::size_t>(z)];
-  any = present == 0 || (rule.looks & present) != 0 ? 1 : 0;
+  Any& any = any_[i][static_cast<std::size_t>(z)];
+  any = Any::none;
+  if (present != 0 && (rule.looks & present) == 0) return;
   // A ramp and its rounding are monotone, so that the ends of a row's range bound what it leaves there.
+  bool thins = false;
   for (const Places::Ramp& ramp : rule.early) {
-    if (ramp.at(ranges_[ramp.quantity].low) <= 0 && ramp.at(ranges_[ramp.quantity].high) <= 0) any = 0;
+    const float at_low = ramp.at(ranges_[ramp.quantity].low);
+    const float at_high = ramp.at(ranges_[ramp.quantity].high);
+    if (at_low <= 0 && at_high <= 0) return;
+    thins = thins || at_low < 1 || at_high < 1;
   }
-  if (any == 0) return;
+  const bool all_looks = (present & ~rule.looks) == 0;
+  any = thins || !all_looks ? Any::some : Any::whole;
   const auto out = share_to_set(i).row(z);
+  if (any == Any::whole) {
+    std::fill(out.begin(), out.end(), kWholeShare);
+    return;
+  }
   std::fill_n(share_.begin(), width, kWholeShare);
   for (const Places::Ramp& ramp : rule.early) {
     if (ramp.at(ranges_[ramp.quantity].low) >= 1 && ramp.at(ranges_[ramp.quantity].high) >= 1) continue;
     kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
     std::swap(share_, thinned_);
   }
-  if ((present & ~rule.looks) == 0) {
+  if (all_looks) {
     std::copy_n(share_.begin(), width, out.begin());
   } else {
     kernels_.keep(rule.looks, looks_.front().row(z).data(), share_.data(), width, out.data());
@@ -143,15 +166,30 @@ GroundTile::Values<Value> tile_values(const Row& row) {
   return values;
 }
 
-// Part of row z of a tile.
+// Part of row z of a tile, most often all of it: then its length is known to the compiler.
 template <class Value, class To>
 void take_tile_row(const GroundTile::Values<Value>& values, int z, int first, int count, To* to) {
-  if (!values.each) {
-    std::fill_n(to, count, static_cast<To>(values.all));
-    return;
+  const Value* const from =
+      values.each ? &(*values.each)[static_cast<std::size_t>(kGroundTileSide * z + first)] : nullptr;
+  const auto take = [&](auto columns) {
+    if (from == nullptr) {
+      std::fill_n(to, columns, static_cast<To>(values.all));
+    } else {
+      std::copy_n(from, columns, to);
+    }
+  };
+  if (count == kGroundTileSide) {
+    take(std::integral_constant<int, kGroundTileSide>{});
+  } else {
+    take(count);
   }
-  const Value* const from = &(*values.each)[static_cast<std::size_t>(kGroundTileSide * z + first)];
-  std::copy_n(from, count, to);
+}
+
+// Whether all rows of a tile are so.
+template <class Row>
+bool all_rows(const std::vector<Row>& rows, int z, Row so) {
+  const auto first = rows.begin() + z;
+  return std::all_of(first, first + kGroundTileSide, [&](Row row) { return row == so; });
 }
 
 }  // namespace
@@ -161,14 +199,23 @@ void PlaceFields::fill(int x, int z, GroundTile& tile) const {
   tile.looks.resize(looks_.size());
   tile.shares.resize(shares_.size());
   for (std::size_t i = 0; i < looks_.size(); ++i) {
+    const std::int16_t only = only_[i][static_cast<std::size_t>(z)];
+    if (only != kSeveral && all_rows(only_[i], z, only)) {
+      tile.looks[i].all = static_cast<std::uint8_t>(only);
+      continue;
+    }
     tile.looks[i] =
         tile_values<std::uint8_t>([&](int row) { return looks_[i].row(z + row).data() + column; });
   }
   static constexpr std::array<std::int32_t, kGroundTileSide> kNone{};
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    if (shares_[i].values.empty()) continue;
+    if (shares_[i].values.empty() || all_rows(any_[i], z, Any::none)) continue;
+    if (all_rows(any_[i], z, Any::whole)) {
+      tile.shares[i].all = kWholeShare;
+      continue;
+    }
     tile.shares[i] = tile_values<std::uint16_t>([&](int row) {
-      const bool any = any_[i][static_cast<std::size_t>(z + row)] != 0;
+      const bool any = any_[i][static_cast<std::size_t>(z + row)] != Any::none;
       return any ? shares_[i].row(z + row).data() + column : kNone.data();
     });
   }
@@ -180,6 +227,7 @@ void PlaceFields::take(int x, int z, const GroundTile& tile) {
   const int first_row = std::max(-z, 0);
   const int last_row = std::min(depth_ - z, kGroundTileSide);
   if (count <= 0 || first_row >= last_row) return;
+  take_at_points(x, z, tile);
   const auto to = static_cast<std::size_t>(x + first);
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     for (int row = first_row; row < last_row; ++row) {
@@ -188,20 +236,71 @@ void PlaceFields::take(int x, int z, const GroundTile& tile) {
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     const GroundTile::Values<std::uint16_t>& values = tile.shares[i];
-    if (!values.each && values.all == 0) continue;
+    if (is_at_points(i) || (!values.each && values.all == 0)) continue;
     Field& share = share_to_set(i);
     for (int row = first_row; row < last_row; ++row) {
-      std::uint8_t& any = any_[i][static_cast<std::size_t>(z + row)];
+      Any& any = any_[i][static_cast<std::size_t>(z + row)];
       const auto columns = share.row(z + row);
-      if (any == 0) std::fill(columns.begin(), columns.end(), 0);
-      any = 1;
+      if (any == Any::none) std::fill(columns.begin(), columns.end(), 0);
+      any = Any::some;
       take_tile_row(values, row, first, count, columns.data() + to);
     }
   }
 }
 
+// Objects stand on few columns: what a tile has is looked up there.
+void PlaceFields::take_at_points(int x, int z, const GroundTile& tile) {
+  if (at_points_.empty()) return;
+  if (!from_tiles_) {
+    from_tiles_ = true;
+    tile_x_ = static_cast<int>(kGroundTileSide - floor_mod(x, kGroundTileSide));
+    tile_z_ = static_cast<int>(kGroundTileSide - floor_mod(z, kGroundTileSide));
+    tiles_a_row_ = (width_ + tile_x_ + kGroundTileSide - 1) / kGroundTileSide;
+    const int rows = (depth_ + tile_z_ + kGroundTileSide - 1) / kGroundTileSide;
+    tile_shares_.assign(static_cast<std::size_t>(tiles_a_row_ * rows) * shares_.size(), {});
+  }
+  const int place = (z + tile_z_) / kGroundTileSide * tiles_a_row_ + (x + tile_x_) / kGroundTileSide;
+  TileShare* const shares = &tile_shares_[static_cast<std::size_t>(place) * shares_.size()];
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    const GroundTile::Values<std::uint16_t>& values = tile.shares[i];
+    if (!at_points_[i] || (!values.each && values.all == 0)) continue;
+    some_[i] = 1;
+    shares[i].all = values.all;
+    if (!values.each) continue;
+    if (each_used_ == each_.size()) each_.emplace_back();
+    shares[i].each = static_cast<std::int32_t>(each_used_);
+    each_[each_used_++] = *values.each;
+  }
+}
+
+bool PlaceFields::has_share(std::size_t i) const {
+  return is_at_points(i) && from_tiles_ ? some_[i] != 0 : !shares_[i].values.empty();
+}
+
+std::int32_t PlaceFields::early_share_at(std::size_t i, int x, int z) const {
+  if (!from_tiles_) return any_[i][static_cast<std::size_t>(z)] == Any::none ? 0 : shares_[i].at(x, z);
+  const int place = (z + tile_z_) / kGroundTileSide * tiles_a_row_ + (x + tile_x_) / kGroundTileSide;
+  const TileShare& share = tile_shares_[static_cast<std::size_t>(place) * shares_.size() + i];
+  if (share.each < 0) return share.all;
+  const int column = (z + tile_z_) % kGroundTileSide * kGroundTileSide + (x + tile_x_) % kGroundTileSide;
+  return each_[static_cast<std::size_t>(share.each)][static_cast<std::size_t>(column)];
+}
+
+std::int32_t PlaceFields::share_at(std::size_t i, int x, int z) const {
+  if (!is_at_points(i)) return shares_[i].at(x, z);
+  std::int32_t share = early_share_at(i, x, z);
+  for (const Places::Ramp& ramp : places_->shares[i].late) {
+    const bool by_slope = ramp.quantity == number_of(Quantity::slope);
+    if (!by_slope && cliff_ == nullptr) continue;
+    share = ramp.thinned(share, static_cast<float>((by_slope ? slope_ : cliff_)->at(x, z)));
+  }
+  return share;
+}
+
 // Most rows are nowhere as steep as a ramp begins, or near no cliff; what a ramp leaves whole is not touched.
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
+  slope_ = &slope;
+  cliff_ = cliff;
   for (int z = 0; z < depth_; ++z) {
     const auto row = static_cast<std::size_t>(z);
     const auto width = static_cast<std::size_t>(width_);
@@ -210,9 +309,9 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
     if (late_) slopes = kernels_.range_of_int32(slope.row(z).data(), width);
     if (late_ && cliff != nullptr) cliffs = kernels_.range_of_int32(cliff->row(z).data(), width);
     for (std::size_t i = 0; i < shares_.size(); ++i) {
-      if (shares_[i].values.empty()) continue;
+      if (is_at_points(i) || shares_[i].values.empty()) continue;
       const auto share = shares_[i].row(z);
-      bool any = any_[i][row] != 0;
+      bool any = any_[i][row] != Any::none;
       for (const Places::Ramp& ramp : places_->shares[i].late) {
         const bool by_slope = ramp.quantity == number_of(Quantity::slope);
         if (!any || (!by_slope && cliff == nullptr)) continue;

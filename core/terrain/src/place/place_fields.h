@@ -12,16 +12,16 @@
 #include "kernels/places.h"
 #include "place/narrowed_cases.h"
 #include "place/places.h"
+#include "surface/ground_tiles.h"
 
 namespace talus::terrain {
-
-struct GroundTile;
 
 /// Keeps its memory from region to region. For one thread at a time.
 class PlaceFields {
  public:
+  /// `at_points`: by share, whether share_at() alone asks for it; none where that is empty. It has no field.
   PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
-              InstructionSet set);
+              InstructionSet set, std::vector<bool> at_points = {});
 
   void start(int width, int depth);
   /// Row z of the region: a row of each quantity, of which columns first, first + step, ... are the region's.
@@ -33,15 +33,34 @@ class PlaceFields {
   void fill(int x, int z, GroundTile& tile) const;
   /// From one that may reach out of the region. Instead of rows, for all columns of the region.
   void take(int x, int z, const GroundTile& tile);
-  /// Once all rows or tiles are set: ramps of slope, and of cliff, 0 to kWholeShare, where there is any.
+  /// Once all rows or tiles are set: ramps of slope, and of cliff, 0 to kWholeShare, where there is any. Both
+  /// must live as long as share_at() is asked.
   void thin_late(const Field& slope, const Field* cliff);
 
   [[nodiscard]] const std::vector<LookField>& looks() const { return looks_; }
-  /// 0 to kWholeShare. Empty where it is 0 all over the region.
+  /// 0 to kWholeShare. Empty where it is 0 all over the region. REQUIRES that share_at() is not the only one
+  /// that asks for it.
   [[nodiscard]] const std::vector<Field>& shares() const { return shares_; }
+  /// Whether share i may be more than 0 somewhere.
+  [[nodiscard]] bool has_share(std::size_t i) const;
+  /// Share i at column (x, z) of the region. REQUIRES has_share(i), after thin_late().
+  [[nodiscard]] std::int32_t share_at(std::size_t i, int x, int z) const;
 
  private:
+  /// What a row has of a share: 0 all along, kWholeShare all along, or anything.
+  enum class Any : std::uint8_t { none, whole, some };
+  static constexpr std::int16_t kSeveral = -1;
+
+  /// A share at points, of one tile.
+  struct TileShare {
+    std::uint16_t all = 0;
+    std::int32_t each = -1;  // of `each_`; -1: `all` everywhere
+  };
+
   [[nodiscard]] Field& share_to_set(std::size_t i);
+  [[nodiscard]] bool is_at_points(std::size_t i) const { return !at_points_.empty() && at_points_[i]; }
+  void take_at_points(int x, int z, const GroundTile& tile);
+  [[nodiscard]] std::int32_t early_share_at(std::size_t i, int x, int z) const;
   void set_looks(int z, std::size_t width);
   void set_share(std::size_t i, int z, std::size_t width, std::uint64_t present);
 
@@ -57,8 +76,20 @@ class PlaceFields {
   NarrowedCases narrowed_;
   std::vector<LookField> looks_;
   std::vector<Field> shares_;
-  std::vector<Field> spare_;                    // the memory of those that are empty
-  std::vector<std::vector<std::uint8_t>> any_;  // of a share: 0 where a row is 0 all along
+  std::vector<Field> spare_;  // the memory of those that are empty
+  std::vector<std::vector<Any>> any_;
+  std::vector<std::vector<std::int16_t>> only_;  // of rows: the look that all of it has, or kSeveral
+  std::vector<bool> at_points_;
+  bool from_tiles_ = false;  // shares at points are known by tile, not by row
+  int tile_x_ = 0;           // columns and rows from a tile's border to the region's corner
+  int tile_z_ = 0;
+  int tiles_a_row_ = 0;
+  std::vector<TileShare> tile_shares_;  // by tile of rows and columns of them, and by share
+  std::vector<GroundTile::Columns<std::uint16_t>> each_;
+  std::size_t each_used_ = 0;
+  std::vector<std::uint8_t> some_;  // of a share at points: whether a tile has any
+  const Field* slope_ = nullptr;
+  const Field* cliff_ = nullptr;
   std::vector<AlignedVector<float>> gathered_;
   std::vector<const float*> rows_;
   AlignedVector<std::int32_t> share_;

@@ -1,6 +1,7 @@
 // Places in the numbers they are computed with: which look a column has, and how much of a material there is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct Places {
 
     /// Before it is cut to 0 and 1.
     [[nodiscard]] float at(float value) const { return (value - none) * reciprocal; }
+    /// What it leaves of a share of kWholeShare, to the bit as PlaceKernels::thin.
+    [[nodiscard]] std::int32_t thinned(std::int32_t share, float value) const {
+      const float unit = std::min(std::max(at(value), 0.0F), 1.0F);
+      return share * static_cast<std::int32_t>(unit * static_cast<float>(kWholeShare)) / kWholeShare;
+    }
   };
   struct Share {
     std::vector<Ramp> early;  // of what is known with the height

@@ -40,6 +40,14 @@ class Planes {
     spare_.pop_back();
     return tops_.back();
   }
+  /// The lowest `count` planes, or all where there are fewer.
+  void keep(std::size_t count) {
+    while (tops_.size() > count) {
+      spare_.push_back(std::move(tops_.back()));
+      tops_.pop_back();
+      materials_.pop_back();
+    }
+  }
 
  private:
   std::vector<MaterialId>& materials_;

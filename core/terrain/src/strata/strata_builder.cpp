@@ -1,6 +1,8 @@
 #include "strata/strata_builder.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <utility>
 
 #include <talus/terrain/strata.h>
@@ -13,6 +15,8 @@ namespace {
 
 // What is stacked on this many rows at once stays in the nearest cache, layer by layer.
 constexpr std::size_t kBandDepth = 16;
+// And so many layers are stacked at once on a row, which is read and written once for all of them.
+constexpr std::size_t kLayersAtOnce = 4;
 // Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight
 // times as long.
 constexpr std::int64_t kRowStep = 16;
@@ -71,6 +75,7 @@ void StrataBuilder::step() {
     return start_layers(reach_);
   }
   if (band_ < zs_.size()) return step_band();
+  if (filled_ == 0) drop_planes();
   if (filled_ < planes_->count()) return fill_plane(filled_++);
   pending_ = false;
   if (!deformations_.empty()) lift();
@@ -125,83 +130,136 @@ void StrataBuilder::start_band(std::size_t first) {
 
 void StrataBuilder::step_band() {
   do {
-    add_layer();
-    ++layer_;
+    if (keeps_lines_ && !full_ && layer_ + 1 < layers_.size()) {
+      add_layers();
+    } else {
+      add_layer();
+      ++layer_;
+    }
     if (layer_ < layers_.size() && !(full_ && extent_ == Extent::until_full)) continue;
     planes_of_bands_.push_back(layers_[layer_ - 1].plane + 1);
     return start_band(band_end_);
   } while (keeps_lines_);
 }
 
+/// The plane of a layer, added where it is the next one.
+std::int32_t* StrataBuilder::plane_of(std::size_t layer) {
+  const std::size_t plane = layers_[layer].plane;
+  if (plane == planes_->count()) {
+    planes_->add(world_.strata()[layer].material).reshape(limit_fx_->width, limit_fx_->depth);
+  }
+  return planes_->tops()[plane].values.data();
+}
+
 /// To the rows of the band.
 void StrataBuilder::add_layer() {
-  Planes& planes = *planes_;
   const std::size_t width = xs_.size();
   const Layer& layer = layers_[layer_];
-  const std::size_t plane = layer.plane;
-  if (plane == planes.count()) {
-    planes.add(world_.strata()[layer_].material).reshape(limit_fx_->width, limit_fx_->depth);
-  }
   const std::int32_t* const limit = limit_fx_->values.data();
-  std::int32_t* const top = planes.tops()[plane].values.data();
+  std::int32_t* const top = plane_of(layer_);
   if (full_ || layer_ + 1 == layers_.size()) {
     std::copy(limit + band_ * width, limit + band_end_ * width, top + band_ * width);
     full_ = true;
     return;
   }
-  LinesOfLayer* lines = nullptr;
-  if (!layer.slow) {
+  LinesOfLayer* const lines = layer.slow ? &kept_.front() : nullptr;
+  if (lines == nullptr) {
     noise_.start(layer.noise, xs_);
   } else {
-    lines = &kept_[keeps_lines_ ? layer_ : 0];
-    if (!keeps_lines_ || !lines->drawn) draw_lines(*lines);
+    draw_lines(layer_, *lines);
   }
+  const LinedLayer lined = lines != nullptr ? lined_layer(layer_, *lines, top) : LinedLayer{};
   full_ = true;
   for (std::size_t z = band_; z < band_end_; ++z) {
     if (open_rows_[z] == 0) {
       std::copy_n(limit + z * width, width, top + z * width);
       continue;
     }
-    const bool open = stack_row(z, lines);
+    const bool open = lines != nullptr ? stack_between(z, {&lined, 1}) > 1 : stack_row(z, top);
     open_rows_[z] = open ? 1 : 0;
     full_ = full_ && !open;
   }
 }
 
-void StrataBuilder::draw_lines(LinesOfLayer& lines) {
+/// Slow layers to the rows of the band, from `layer_` on: kLayersAtOnce, or as many as fill the band.
+void StrataBuilder::add_layers() {
+  const std::size_t width = xs_.size();
+  const std::int32_t* const limit = limit_fx_->values.data();
+  const std::size_t count = std::min(kLayersAtOnce, layers_.size() - 1 - layer_);
+  std::array<LinedLayer, kLayersAtOnce> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    LinesOfLayer& lines = kept_[layer_ + i];
+    if (!lines.drawn) draw_lines(layer_ + i, lines);
+    all[i] = lined_layer(layer_ + i, lines, plane_of(layer_ + i));
+  }
+  const std::span<const LinedLayer> layers{all.data(), count};
+  std::size_t taken = 1;
+  for (std::size_t z = band_; z < band_end_; ++z) {
+    if (open_rows_[z] == 0) {
+      for (const LinedLayer& layer : layers) std::copy_n(limit + z * width, width, layer.top + z * width);
+      continue;
+    }
+    const std::size_t of_row = stack_between(z, layers);
+    open_rows_[z] = of_row > count ? 1 : 0;
+    taken = std::max(taken, of_row);
+  }
+  full_ = taken <= count;
+  layer_ += std::min(taken, count);
+}
+
+void StrataBuilder::draw_lines(std::size_t layer, LinesOfLayer& lines) {
   const std::size_t row = padded(xs_.size());
-  noise_.start(layers_[layer_].noise, xs_);
+  noise_.start(layers_[layer].noise, xs_);
   lines.noise.resize(lines_.size() * row);
+  lines.rise.resize(lines_.size() * row);
   lines.drawn = true;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     std::copy_n(noise_.row(lines_[i]), xs_.size(), lines.noise.data() + i * row);
   }
+  const float* const noise = lines.noise.data();
+  const std::size_t last = (lines_.size() - 1) * row;
+  std::transform(noise + row, noise + row + last, noise, lines.rise.data(), std::minus<>{});
+  std::fill_n(lines.rise.data() + last, row, 0.0F);
 }
 
-bool StrataBuilder::stack_row(std::size_t z, const LinesOfLayer* lines) {
-  const std::size_t width = xs_.size();
-  const std::size_t row = z * width;
-  const Layer& layer = layers_[layer_];
-  const std::size_t plane = layer.plane;
-  std::int32_t* const top = planes_->tops()[plane].values.data() + row;
-  const std::int32_t* under = level_.data();
+LinedLayer StrataBuilder::lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const {
+  return {layers_[layer].shape, lines.noise.data(), lines.rise.data(), top};
+}
+
+/// What `layer_` lies on in row z.
+const std::int32_t* StrataBuilder::under(std::size_t z) {
+  const std::size_t plane = layers_[layer_].plane;
+  const std::size_t row = z * xs_.size();
   if (layer_ > 0 && layers_[layer_ - 1].plane == plane) {
-    std::copy_n(top, width, under_.data());
-    under = under_.data();
-  } else if (plane > 0) {
-    under = planes_->tops()[plane - 1].values.data() + row;
+    std::copy_n(planes_->tops()[plane].values.data() + row, xs_.size(), under_.data());
+    return under_.data();
   }
-  const std::int32_t* const limit = limit_fx_->values.data() + row;
-  std::uint8_t* const open = open_segments_.data() + z * ((width + kSegment - 1) / kSegment);
-  if (lines == nullptr) {
-    const auto octaves = noise_.octaves(zs_[z]);
-    return kernels_.stack(octaves.data(), octaves.size(), layer.shape, width, limit, under, open, top);
-  }
+  return plane > 0 ? planes_->tops()[plane - 1].values.data() + row : level_.data();
+}
+
+std::uint8_t* StrataBuilder::open_of(std::size_t z) {
+  return open_segments_.data() + z * ((xs_.size() + kSegment - 1) / kSegment);
+}
+
+bool StrataBuilder::stack_row(std::size_t z, std::int32_t* top) {
+  const std::size_t width = xs_.size();
+  const auto octaves = noise_.octaves(zs_[z]);
+  return kernels_.stack(octaves.data(), octaves.size(), layers_[layer_].shape, width,
+                        limit_fx_->values.data() + z * width, under(z), open_of(z), top + z * width);
+}
+
+std::size_t StrataBuilder::stack_between(std::size_t z, std::span<const LinedLayer> layers) {
+  const std::size_t width = xs_.size();
   const BetweenLines& at = rows_[z];
-  const std::size_t line = padded(width);
-  const float* const north = lines->noise.data() + at.north * line;
-  const float* const south = at.share == 0 ? north : north + line;
-  return kernels_.stack_between(north, south, at.share, layer.shape, width, limit, under, open, top);
+  const RowBetween row{at.north * padded(width), at.share, z * width};
+  return kernels_.stack_between(layers.data(), layers.size(), row, width,
+                                limit_fx_->values.data() + z * width, under(z), open_of(z));
+}
+
+/// Those that no band has filled: layers are stacked several at once.
+void StrataBuilder::drop_planes() {
+  const auto most = std::max_element(planes_of_bands_.begin(), planes_of_bands_.end());
+  planes_->keep(most == planes_of_bands_.end() ? 0 : *most);
 }
 
 /// Where a band was full before it came to this plane.

@@ -60,6 +60,7 @@ class StrataBuilder {
   struct LinesOfLayer {
     bool drawn = false;
     AlignedVector<float> noise;
+    AlignedVector<float> rise;  // from each line to the next
   };
 
   void find_lines();
@@ -67,9 +68,17 @@ class StrataBuilder {
   void start_band(std::size_t first);
   void step_band();
   void add_layer();
-  void draw_lines(LinesOfLayer& lines);
-  /// Puts the layer on row z. Whether a column of it has not reached the limit.
-  bool stack_row(std::size_t z, const LinesOfLayer* lines);
+  void add_layers();
+  [[nodiscard]] std::int32_t* plane_of(std::size_t layer);
+  void draw_lines(std::size_t layer, LinesOfLayer& lines);
+  [[nodiscard]] LinedLayer lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const;
+  [[nodiscard]] const std::int32_t* under(std::size_t z);
+  [[nodiscard]] std::uint8_t* open_of(std::size_t z);
+  /// Puts `layer_` on row z. Whether a column of it has not reached the limit.
+  bool stack_row(std::size_t z, std::int32_t* top);
+  /// The same of slow layers, as StrataKernels::stack_between does.
+  std::size_t stack_between(std::size_t z, std::span<const LinedLayer> layers);
+  void drop_planes();
   void fill_plane(std::size_t plane);
   void lift();
 

@@ -28,7 +28,11 @@ Ground::Ground(const World& world, InstructionSet set, bool places, std::shared_
   if (!surface.places) return;
   quantities_.resize(surface.places->quantities);
   const auto subvoxels_a_unit = static_cast<float>(world.spec().resolution * kSubvoxels);
-  places_.emplace(surface.places, world.sea_fx().value_or(0), subvoxels_a_unit, set);
+  std::vector<bool> at_points(surface.places->shares.size(), true);
+  for (const LooseSpec& loose : world.loose()) {
+    if (loose.share) at_points[*loose.share] = false;
+  }
+  places_.emplace(surface.places, world.sea_fx().value_or(0), subvoxels_a_unit, set, std::move(at_points));
   if (cache_) places_of_block_.emplace(surface.places, world.sea_fx().value_or(0), subvoxels_a_unit, set);
 }
 

@@ -41,9 +41,12 @@ class Ground {
   [[nodiscard]] const Field& bare() const { return aprons_ ? bare_ : height_; }
   [[nodiscard]] const Field& slope() const { return aprons_ ? raised_slope_ : slope_; }
   /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
-  /// A share that is 0 all over the region is empty.
+  /// A share that is 0 all over the region is empty, and so is one that no loose material asks for: places()
+  /// has it.
   [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
   [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
+  /// Or null where they are not wanted.
+  [[nodiscard]] const PlaceFields* places() const { return places_ ? &*places_ : nullptr; }
 
  private:
   /// Columns and rows of `known_` that are computed together.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <talus/vectors/aligned.h>
 #include <talus/voxel/coords.h>
@@ -31,7 +32,7 @@ struct Region {
 /// One value a column, z slowest, then x: values[z * width + x].
 template <class Value>
 struct BasicField {
-  using Values = AlignedVector<Value>;
+  using Values = std::vector<Value, UnsetAllocator<Value>>;
 
   int width = 0;
   int depth = 0;
@@ -41,7 +42,7 @@ struct BasicField {
   BasicField(int width_, int depth_)
       : width{width_},
         depth{depth_},
-        values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_)) {}
+        values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_), Value{}) {}
 
   /// Changes the size and keeps the memory; the values are unspecified.
   void reshape(int width_, int depth_) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace talus {
@@ -41,5 +42,24 @@ struct AlignedAllocator {
 /// A std::vector whose elements begin at a cache line.
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+
+/// The same whose elements have no value before one is given: growing costs nothing but memory.
+template <class T>
+struct UnsetAllocator : AlignedAllocator<T> {
+  using value_type = T;
+
+  UnsetAllocator() = default;
+  template <class U>
+  explicit(false) UnsetAllocator(const UnsetAllocator<U>& /*other*/) {}
+
+  template <class U>
+  void construct(U* element) {
+    ::new (static_cast<void*>(element)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* element, Values&&... values) {
+    ::new (static_cast<void*>(element)) U(std::forward<Values>(values)...);
+  }
+};
 
 }  // namespace talus
