@@ -6,6 +6,7 @@ import { TalusError } from '../errors.js';
 import { checkKey, keyName, sameKey } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, Edit, EditDone, EditLimits, Places } from '../types.js';
 import { materialOf, uniformPayload } from '../uniform.js';
+import type { ViewShape } from '../view_shape.js';
 import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
 import { broken } from '../wire/table.js';
@@ -45,6 +46,8 @@ export class StreamClient extends ClientBase {
   private readonly pings = new Pings();
   private readonly credit = new Credit();
   private viewNumber = 0;
+  /** Of the View that the server has; null: none, or it is not known which. */
+  private sentShape: ViewShape | null = null;
   private completeToTell = false;
   /** Whether the chunk changed again while it is on its way. */
   private readonly refetching = new Map<string, boolean>();
@@ -134,6 +137,7 @@ export class StreamClient extends ClientBase {
     this.transport = null;
     this.refetching.clear();
     this.completeToTell = false;
+    this.sentShape = null;
     this.requests.putAllBack();
     this.edits.connectionEnded();
   }
@@ -386,6 +390,7 @@ export class StreamClient extends ClientBase {
         this.sending.now();
         return;
       case 'view':
+        this.sentShape = null; // which View the server has now is not known
         if (message.viewNumber !== this.viewNumber) return;
         if (comesBack) this.sending.viewWaits = true;
         else this.emit('error', error);
@@ -418,14 +423,16 @@ export class StreamClient extends ClientBase {
   }
 
   private sendView(): void {
-    const { view } = this.tracker;
+    const { view, shape } = this.tracker;
+    const before = this.sentShape;
+    this.sentShape = view === null ? null : shape;
     if (view === null) {
       const nowhere = { centre: { x: NOWHERE, y: 0, z: 0 }, horizontalRadius: 0, verticalRadius: 0 };
       this.send(viewFrame(nowhere, this.viewNumber, []));
       return;
     }
     const room = (this.world!.limits.frameBytes - 2 * REST_BYTES) / KNOWN_CHUNK_BYTES;
-    const known = this.kept.known(Math.min(room, MAX_KNOWN), (key) => this.tracker.shape!.covers(key));
+    const known = this.kept.known(Math.min(room, MAX_KNOWN), shape!, before);
     this.send(viewFrame(view, this.viewNumber, known));
   }
 

@@ -141,6 +141,14 @@ function read(bytes) {
     return { kind, editor: half(8) + half(0), seenRevision: t.u64(1) };
   }
   if (kind === 'GetChunks') return { kind, id: t.data.getUint32(t.vector(0, 40).at, true) };
+  if (kind === 'View') {
+    const { at, count } = t.vector(5, 32);
+    const known = Array.from({ length: count }, (_, i) => {
+      const number = (offset) => t.data.getInt32(at + 32 * i + offset, true);
+      return `${t.data.getUint8(at + 32 * i + 12)}/${number(0)}/${number(4)}/${number(8)}`;
+    });
+    return { kind, known };
+  }
   if (kind === 'Hello') return { kind, versions: [t.u16(0), t.u16(1)] };
   return { kind };
 }
