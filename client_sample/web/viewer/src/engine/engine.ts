@@ -441,7 +441,7 @@ export class Engine {
   /** What is to be done between frames too, so that slow ones do not hold up what streams. */
   private work(): void {
     this.link.takeBacklog();
-    this.land.update(this.eye, 4);
+    this.land.update(this.eye);
     this.pool.flush();
     this.settle(performance.now());
   }

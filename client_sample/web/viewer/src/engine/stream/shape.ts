@@ -107,6 +107,21 @@ export function hasColumn(shape: Shape, lod: number, x: number, z: number): bool
   return level !== undefined && inSquare(level, x, z) && !(level.hole !== null && inSquare(level.hole, x, z));
 }
 
+/** Of the column and the eight around it those that a View of this shape has, as bits (dz + 1) * 3 + dx + 1. */
+export function columnsAround(shape: Shape, lod: number, x: number, z: number): number {
+  const level = shape[lod];
+  if (level === undefined) return 0;
+  const { hole } = level;
+  const isWithin = x > level.x0 && x < level.x1 && z > level.z0 && z < level.z1;
+  const isByHole = hole !== null && x >= hole.x0 - 1 && x <= hole.x1 + 1 && z >= hole.z0 - 1 && z <= hole.z1 + 1;
+  if (isWithin && !isByHole) return 511;
+  let around = 0;
+  for (let bit = 0; bit < 9; bit++) {
+    if (hasColumn(shape, lod, x + (bit % 3) - 1, z + Math.floor(bit / 3) - 1)) around |= 1 << bit;
+  }
+  return around;
+}
+
 /** Whether the level, or a finer one in its place, has the column. */
 export function reaches(shape: Shape, lod: number, x: number, z: number): boolean {
   const level = shape[lod];
