@@ -28,6 +28,8 @@ const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_KEEP_BYTES = 16 << 20;
 const DEFAULT_CONNECT_TIMEOUT_MS = 10_000;
 const PING_INTERVAL_MS = 20_000;
+/** Whatever a server says of its idle timeout. */
+const SHORTEST_PING_INTERVAL_MS = 5;
 const SILENCE_MS = 60_000;
 /** A server ignores what a View knows beyond a bound; this fits any frame. */
 const MAX_KNOWN = 8_192;
@@ -166,7 +168,7 @@ export class StreamClient extends ClientBase {
         if (isCurrent()) this.handle(readMessage(frame), frame.length);
       });
     } catch (error) {
-      if (!(error instanceof TalusError)) throw error; // of an application's handler
+      if (!(error instanceof TalusError)) throw error;
       if (isCurrent()) this.drop(error);
     }
   }
@@ -219,7 +221,7 @@ export class StreamClient extends ClientBase {
       throw broken(`a Welcome for protocol ${world.protocol} and codec ${world.codec}, which were not offered`);
     }
     clearTimeout(this.deadline);
-    this.pace.begin(world.limits.sessionRates, performance.now());
+    this.pace.begin(world.limits, performance.now());
     this.joined(world);
   }
 
@@ -228,7 +230,7 @@ export class StreamClient extends ClientBase {
     this.edits.joined(this.world!, sameWorld);
     const idle = this.world!.limits.idleTimeoutMs || PING_INTERVAL_MS * 3;
     this.heardAt = performance.now();
-    this.heartbeat = setInterval(() => this.beat(), Math.min(PING_INTERVAL_MS, idle / 3));
+    this.heartbeat = setInterval(() => this.beat(), Math.max(SHORTEST_PING_INTERVAL_MS, Math.min(PING_INTERVAL_MS, idle / 3)));
     this.sending.now();
   }
 
@@ -238,6 +240,7 @@ export class StreamClient extends ClientBase {
       this.drop(new TalusError('timed_out', `the server said nothing for ${Math.round(silent / 1_000)} s`));
       return;
     }
+    if (!this.pings.isEmpty) return; // it is not idle
     this.ping().catch(() => {}); // the connection's end is told elsewhere
   }
 

@@ -117,7 +117,9 @@ export class ViewContents {
   viewComplete(): void {
     this.completeToTell = true;
     // Sent, but while a View that the server then refused did not have it.
-    for (const key of this.tracker.missing()) this.refetch(key);
+    for (const key of this.tracker.missing()) {
+      if (!this.refetching.has(keyName(key))) this.refetch(key);
+    }
     this.tellCompleteIfWhole();
   }
 
