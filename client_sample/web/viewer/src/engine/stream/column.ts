@@ -16,6 +16,8 @@ export type Kind = 'gas' | 'liquid' | 'solid';
 
 export class Chunk<D extends Drawable = Drawable> {
   payload: Uint8Array | null = null;
+  /** What its voxels must have; null: nobody said. */
+  hash: string | null = null;
   /** Of a chunk of one material. */
   material: number | null = null;
   arrived = 0;

@@ -130,7 +130,10 @@ export class Land<D extends Drawable> {
   }
 
   /** `touched`: of a chunk that is here already, which neighbours (as bits of Job.known) show something of what changed. */
-  add(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null, touched = ALL_AROUND): void {
+  add(
+    lod: number, x: number, y: number, z: number,
+    payload: Uint8Array | null, material: number | null, touched = ALL_AROUND, hash: string | null = null,
+  ): void {
     let column = this.get(lod, x, z);
     if (column === undefined) {
       column = new Column<D>(lod, x, z);
@@ -153,6 +156,7 @@ export class Land<D extends Drawable> {
     this.payloadBytes += (payload?.length ?? 0) - (chunk.payload?.length ?? 0);
     chunk.payload = payload;
     chunk.material = material;
+    chunk.hash = hash;
     chunk.arrived = this.options.now();
     chunk.changed = true;
     chunk.hurried = !isNew && !returns;

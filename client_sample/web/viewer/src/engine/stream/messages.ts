@@ -10,6 +10,8 @@ export interface ChunkData {
   /** null where `material` is not. */
   readonly payload: Uint8Array | null;
   readonly material: number | null;
+  /** What the voxels must have; null: nobody said. */
+  readonly hash: string | null;
 }
 
 export interface SlicePlane {

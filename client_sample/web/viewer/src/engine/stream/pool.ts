@@ -27,10 +27,14 @@ export class Pool implements Meshers {
     workers: number,
     makeWorker: () => Worker,
     private readonly handle: (answer: FromWorker) => void,
+    /** A worker could not be started, or ended: what it was given never comes. */
+    private readonly broken: (text: string) => void,
   ) {
     this.crews = Array.from({ length: workers }, () => {
       const crew: Crew = { worker: makeWorker(), jobs: 0, changes: new ChangeList(), orders: [], heldBytes: 0 };
       crew.worker.onmessage = (event: MessageEvent<FromWorker>) => this.answered(crew, event.data);
+      crew.worker.onerror = ({ message }) => this.broken(message || 'it did not start');
+      crew.worker.onmessageerror = () => this.broken('a message that cannot be read');
       return crew;
     });
   }
