@@ -1,4 +1,5 @@
-// Events by name. A handler may add and remove handlers; what it throws goes to the caller of emit().
+// Events by name. A handler may add and remove handlers. What it throws is an error of the application, which nobody here
+// can handle: it is thrown once more where nothing of this package is under way, and the other handlers are called.
 
 type Handlers = Record<string, (...args: never[]) => void>;
 
@@ -14,6 +15,14 @@ export class Emitter<Events extends { [K in keyof Events]: (...args: never[]) =>
   }
 
   emit<K extends keyof Events>(event: K, ...args: Parameters<Events[K]>): void {
-    for (const handler of this.handlers.get(event) ?? []) handler(...(args as never[]));
+    for (const handler of this.handlers.get(event) ?? []) {
+      try {
+        handler(...(args as never[]));
+      } catch (error) {
+        queueMicrotask(() => {
+          throw error;
+        });
+      }
+    }
   }
 }

@@ -203,6 +203,7 @@ export interface Client {
   readonly connected: boolean;
   readonly stats: Stats;
 
+  /** What a handler throws is reported as any uncaught error is; the client and its other handlers go on. */
   on<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this;
   off<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this;
 

@@ -69,7 +69,6 @@ const WRITTEN = {
   Hello: (m) => write.helloFrame({ ...camelled(m) }),
   View: (m) => write.viewFrame(view(m), m.number, m.known.map((k) => ({ key: k.key, hash: hash(k.hash) }))),
   GetChunks: (m) => write.getChunksFrame(m.requests.map((r) => ({ id: r.id, key: r.key, known: r.has_known ? hash(r.known) : null }))),
-  Cancel: (m) => write.cancelFrame(m.ids),
   GetHeights: (m) => write.getHeightsFrame(m.id, m.columns, m.looks, m.fields),
   Credit: (m) => write.creditFrame(m.total_bytes),
   Ping: (m) => write.pingFrame(m.nonce),
@@ -82,7 +81,6 @@ const FIELDS = {
   Hello: (t) => [t.u16(0), t.u16(1), [...t.bytesOf(2)], t.text(3), t.text(4), t.u64(5)],
   View: (t) => [structAt(t, 0, 24), structAt(t, 1, 12), t.u16(2), t.u16(3), structsOf(t, 4, 4), structsOf(t, 5, 32), t.u32(6), t.bool(7)],
   GetChunks: (t) => [structsOf(t, 0, 40)],
-  Cancel: (t) => [structsOf(t, 0, 4)],
   GetHeights: (t) => [t.u32(0), structsOf(t, 1, 16), t.bool(2), [...t.bytesOf(3)]],
   Credit: (t) => [t.u64(0)],
   Ping: (t) => [t.u64(0)],
@@ -105,6 +103,7 @@ for (const { kind, number, hex, message } of frames) {
   test(`refuses ${kind}, which only a client sends`, () => {
     assert.throws(() => readMessage(fromHex(hex)), { name: 'TalusError', kind: 'broken_protocol' });
   });
+  if (!WRITTEN[kind]) continue; // Cancel: nothing here takes a request back
   test(`writes ${kind}`, () => {
     const written = WRITTEN[kind](message);
     const [mine, theirs] = [written, fromHex(hex)].map((bytes) => {

@@ -6,8 +6,10 @@ import { connect, decodeChunk, DecodeError, TalusError } from '../dist/node.js';
 import { readColumn, readSquare } from '../dist/http/columns.js';
 import { readHeights } from '../dist/http/heights.js';
 import { readWorld } from '../dist/http/world.js';
+import { checkHeights } from '../dist/wire/heights.js';
 import { mutate, random } from './support/random.js';
 import { fromHex, payloads, read } from './support/repository.js';
+import { welcome } from './support/scripted.js';
 
 /** Runs `read`; whether it took the bytes. Any error but `expected` fails. */
 function takes(read, expected) {
@@ -107,6 +109,21 @@ test('broken documents', () => {
   assert.throws(() => readHeights(bytes('{"heights":[1],"looks":["?"]}'), 1, true, [], ['a']), { kind: 'broken_protocol' });
 });
 
+test('more rows than a world has, which a View with a horizon would count', () => {
+  for (const [minY, maxY] of [[0, 0], [-32, 2 ** 17 - 32], [2 ** 36 - 1, 2 ** 36]]) checkHeights({ minY, maxY });
+  for (const [minY, maxY] of [[1, 0], [-32, 2 ** 17 - 31], [0, 2 ** 53 - 1], [-(2 ** 36) - 1, -(2 ** 36)]]) {
+    assert.throws(() => checkHeights({ minY, maxY }), { kind: 'broken_protocol' }, `${minY} to ${maxY}`);
+  }
+  const rates = { chunks_per_second: 0, bytes_per_second: 0, requests_per_second: 0, burst_ms: 0 };
+  const world = {
+    server: '', fingerprint: '1'.repeat(32), store_id: '0'.repeat(32), codec: 4, chunk_size: 32, min_y: 0, max_y: 64, spawn: [0, 0, 0],
+    materials: [], looks: [], fields: [],
+    limits: { heights_per_request: 1, view_horizontal_radius: 9, view_vertical_radius: 9, view_chunks: 2 ** 32 - 1, session: rates, address: rates },
+  };
+  assert.equal(readWorld(world).maxY, 64);
+  assert.throws(() => readWorld({ ...world, max_y: 2 ** 36 }), { kind: 'broken_protocol', message: /heights from 0/ });
+});
+
 /** A server that says `bytes` to everyone. */
 async function sayer(bytes) {
   const server = net.createServer((socket) => {
@@ -127,6 +144,7 @@ for (const [name, bytes, error] of [
   ["a client's message", frame('Hello'), /kind 1/],
   ['a Chunk before Welcome', frame('Chunk'), /chunk before Welcome/],
   ['a Welcome of another codec', frame('Welcome'), /codec 1/],
+  ['a Welcome of more rows than a world has', welcome({ minY: -(2n ** 36n), maxY: 2n ** 36n }), /heights from -68719476736 to 68719476736/],
 ]) {
   test(`a server that sends ${name} is dropped`, async () => {
     const server = await sayer(bytes);

@@ -1,8 +1,9 @@
 // Land with edits by HTTP, against a server that a test writes down.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { connect, decodeChunk, encodeChunk } from '../dist/index.js';
+import { connect, decodeChunk, encodeChunk, TalusError } from '../dist/index.js';
 import { EditedColumns, regionOf, revisionOf, revisionOfPath } from '../dist/http/edits.js';
+import { catchMicrotasks } from './support/microtasks.js';
 
 const FINGERPRINT = '1'.repeat(32);
 const STORE = '2'.repeat(32);
@@ -175,6 +176,18 @@ test('land that is edited just now comes under an older path, and says of which 
   assert.equal((await client.getChunk(key)).revision, 9n);
   revisions.set(`${EDITED}/0/0/0@7`, '-9');
   await assert.rejects(client.getChunk(key), { kind: 'broken_protocol' });
+});
+
+test('a handler that throws holds up nothing', async (t) => {
+  const thrown = catchMicrotasks(t);
+  const { look, taken, client } = serve(t);
+  client.on('chunk', ({ key }) => {
+    throw new TalusError('overloaded', `row ${key.y}`);
+  });
+  await look(0, 0);
+  assert.equal((await taken(3)).length, 3);
+  assert(client.connected);
+  assert.deepEqual(thrown.map(({ message }) => message), ['row 0', 'row 1', 'row 2']);
 });
 
 test('a square with edits comes by the greatest of its columns\' revisions', () => {

@@ -18,6 +18,10 @@ export class PayloadCache {
 
   constructor(private readonly maxBytes: number) {}
 
+  get size(): number {
+    return this.kept.size;
+  }
+
   /** Keeps a copy. */
   put(name: string, chunk: KeptPayload): void {
     this.erase(name);

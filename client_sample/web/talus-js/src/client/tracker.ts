@@ -1,6 +1,7 @@
 // The View, and which chunks of it the application was given.
 import { keyName } from '../keys.js';
 import type { Chunk, ChunkKey, View } from '../types.js';
+import { chunksOutside, countOf, forEachChunk } from '../view_difference.js';
 import type { Heights, ViewShape } from '../view_shape.js';
 import { ViewShape as Shape } from '../view_shape.js';
 
@@ -18,13 +19,22 @@ export class Tracker {
 
   /** Takes a View in place of the one before; gives the chunks that left. */
   replace(view: View | null, heights: Heights): ChunkKey[] {
+    const before = this.shape;
     this.view = view;
     this.shape = view === null ? null : new Shape(view, heights);
     const left: ChunkKey[] = [];
-    for (const [name, { key }] of this.delivered) {
-      if (this.shape?.covers(key)) continue;
-      this.delivered.delete(name);
-      left.push(key);
+    if (before === null) return left; // nothing was given
+    const outside = chunksOutside(before, this.shape);
+    if (countOf(outside) > this.delivered.size) {
+      for (const [name, { key }] of this.delivered) {
+        if (this.shape?.covers(key)) continue;
+        this.delivered.delete(name);
+        left.push(key);
+      }
+    } else {
+      forEachChunk(outside, (key) => {
+        if (this.delivered.delete(keyName(key))) left.push(key);
+      });
     }
     return left;
   }

@@ -308,7 +308,7 @@ export class HttpClient extends ClientBase {
       }
     } catch (error) {
       if (controller.signal.aborted) return;
-      if (!(error instanceof TalusError)) throw error; // of an application's handler
+      if (!(error instanceof TalusError)) throw error;
       this.running.delete(task);
       this.failTask(task, error);
     }

@@ -1,5 +1,6 @@
 // /v1/world: what Welcome says, as JSON. Nothing of it is trusted.
 import type { Material, Phase, Rates, World } from '../types.js';
+import { checkHeights } from '../wire/heights.js';
 import { broken } from '../wire/table.js';
 
 type Json = Record<string, unknown>;
@@ -68,14 +69,17 @@ export function readWorld(json: unknown): World {
   const [x, y, z] = listOf(from, 'spawn');
   if (![x, y, z].every(Number.isSafeInteger)) wrong('spawn');
   if (numberOf(from, 'chunk_size') !== 32) wrong('chunk_size');
+  const minY = numberOf(from, 'min_y');
+  const maxY = numberOf(from, 'max_y');
+  checkHeights({ minY, maxY });
   return {
     protocol: 0,
     fingerprint: fingerprintOf(from, 'fingerprint'),
     storeId: fingerprintOf(from, 'store_id'),
     codec: numberOf(from, 'codec'),
     materials: listOf(from, 'materials').map(materialOf),
-    minY: numberOf(from, 'min_y'),
-    maxY: numberOf(from, 'max_y'),
+    minY,
+    maxY,
     spawn: { x: x as number, y: y as number, z: z as number },
     limits: {
       frameBytes: 0,

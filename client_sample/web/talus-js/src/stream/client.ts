@@ -5,7 +5,7 @@ import { EditSession } from '../edits/session.js';
 import { TalusError } from '../errors.js';
 import { checkKey, keyName, sameKey } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, Edit, EditDone, EditLimits, Places } from '../types.js';
-import { materialOf, uniformPayload } from '../uniform.js';
+import type { ViewShape } from '../view_shape.js';
 import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
 import { broken } from '../wire/table.js';
@@ -18,6 +18,7 @@ import { Requests } from './requests.js';
 import { Sending } from './sending.js';
 import { errorOf } from './server_error.js';
 import type { OpenTransport, Transport } from './transport.js';
+import { chunkOf, ViewContents } from './view_contents.js';
 
 const OLDEST_PROTOCOL = 1;
 const PROTOCOL = 2;
@@ -27,6 +28,8 @@ const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_KEEP_BYTES = 16 << 20;
 const DEFAULT_CONNECT_TIMEOUT_MS = 10_000;
 const PING_INTERVAL_MS = 20_000;
+/** Whatever a server says of its idle timeout. */
+const SHORTEST_PING_INTERVAL_MS = 5;
 const SILENCE_MS = 60_000;
 /** A server ignores what a View knows beyond a bound; this fits any frame. */
 const MAX_KNOWN = 8_192;
@@ -45,9 +48,9 @@ export class StreamClient extends ClientBase {
   private readonly pings = new Pings();
   private readonly credit = new Credit();
   private viewNumber = 0;
-  private completeToTell = false;
-  /** Whether the chunk changed again while it is on its way. */
-  private readonly refetching = new Map<string, boolean>();
+  /** Of the View that the server has; null: none, or it is not known which. */
+  private sentShape: ViewShape | null = null;
+  private readonly contents: ViewContents;
   private readonly edits = new EditSession(() => this.connected && this.sending.later(0));
   private readonly sending = new Sending(
     {
@@ -63,7 +66,6 @@ export class StreamClient extends ClientBase {
   private heardAt = 0;
   private deadline: ReturnType<typeof setTimeout> | undefined;
   private heartbeat: ReturnType<typeof setInterval> | undefined;
-  private readonly uniform = new Map<number, Uint8Array<ArrayBuffer>>();
 
   constructor(
     options: ConnectOptions,
@@ -77,6 +79,17 @@ export class StreamClient extends ClientBase {
       }
     }
     this.kept = new KeptChunks(options.keepBytes ?? DEFAULT_KEEP_BYTES);
+    this.contents = new ViewContents(this.tracker, this.kept, {
+      world: () => (this.connected ? this.world : null),
+      isClosed: () => this.isClosed,
+      served: () => this.backoff.reset(),
+      deliver: (chunk) => this.deliver(chunk),
+      settle: (chunk, given) => this.settle(chunk, given),
+      getChunk: (key) => this.getChunk(key),
+      failed: (error) => this.emit('error', error),
+      countUnchanged: () => void ++this.stats.unchangedChunks,
+      tellComplete: () => this.tellComplete(),
+    });
     this.attempt();
   }
 
@@ -132,8 +145,8 @@ export class StreamClient extends ClientBase {
     this.sending.stop();
     this.transport?.close();
     this.transport = null;
-    this.refetching.clear();
-    this.completeToTell = false;
+    this.contents.stop();
+    this.sentShape = null;
     this.requests.putAllBack();
     this.edits.connectionEnded();
   }
@@ -155,7 +168,7 @@ export class StreamClient extends ClientBase {
         if (isCurrent()) this.handle(readMessage(frame), frame.length);
       });
     } catch (error) {
-      if (!(error instanceof TalusError)) throw error; // of an application's handler
+      if (!(error instanceof TalusError)) throw error;
       if (isCurrent()) this.drop(error);
     }
   }
@@ -174,9 +187,9 @@ export class StreamClient extends ClientBase {
       case 'chunk':
         return this.handleChunk(message, frameBytes);
       case 'unchanged':
-        return this.handleUnchanged(message);
+        return this.contents.unchanged(message);
       case 'uniform_column':
-        return this.handleUniformColumn(message);
+        return this.contents.uniformColumn(message);
       case 'view_complete':
         return this.handleViewComplete(message);
       case 'heights':
@@ -184,7 +197,8 @@ export class StreamClient extends ClientBase {
       case 'error':
         return this.handleError(message);
       case 'edit_broadcast':
-        return this.handleEditBroadcast(message);
+        this.edits.saw(message.revision);
+        return this.contents.editBroadcast(message);
       case 'edit_result':
         this.backoff.reset();
         this.edits.handleResult(message);
@@ -207,7 +221,7 @@ export class StreamClient extends ClientBase {
       throw broken(`a Welcome for protocol ${world.protocol} and codec ${world.codec}, which were not offered`);
     }
     clearTimeout(this.deadline);
-    this.pace.begin(world.limits.sessionRates, performance.now());
+    this.pace.begin(world.limits, performance.now());
     this.joined(world);
   }
 
@@ -216,7 +230,7 @@ export class StreamClient extends ClientBase {
     this.edits.joined(this.world!, sameWorld);
     const idle = this.world!.limits.idleTimeoutMs || PING_INTERVAL_MS * 3;
     this.heardAt = performance.now();
-    this.heartbeat = setInterval(() => this.beat(), Math.min(PING_INTERVAL_MS, idle / 3));
+    this.heartbeat = setInterval(() => this.beat(), Math.max(SHORTEST_PING_INTERVAL_MS, Math.min(PING_INTERVAL_MS, idle / 3)));
     this.sending.now();
   }
 
@@ -226,15 +240,16 @@ export class StreamClient extends ClientBase {
       this.drop(new TalusError('timed_out', `the server said nothing for ${Math.round(silent / 1_000)} s`));
       return;
     }
+    if (!this.pings.isEmpty) return; // it is not idle
     this.ping().catch(() => {}); // the connection's end is told elsewhere
   }
 
   private handleChunk(message: Message<'chunk'>, frameBytes: number): void {
-    const { id, key, revision, hash, payload } = message;
+    const { id, key } = message;
     this.stats.chunkBytes += frameBytes;
-    const chunk: Chunk = { key, revision, hash, payload, material: materialOf(payload) };
+    const chunk = chunkOf(message);
     this.credit.owe(chunk, frameBytes);
-    this.edits.saw(revision);
+    this.edits.saw(chunk.revision);
     let given = false;
     if (id !== 0) {
       const request = this.requests.find(id);
@@ -246,11 +261,13 @@ export class StreamClient extends ClientBase {
       given = true;
       request.resolve(chunk);
       this.sending.now();
-    } else if (this.tracker.shape?.covers(key)) {
-      this.backoff.reset();
-      this.kept.keep(chunk);
-      given = this.deliver(chunk);
+    } else {
+      given = this.contents.chunk(chunk);
     }
+    this.settle(chunk, given);
+  }
+
+  private settle(chunk: Chunk, given: boolean): void {
     if (!given || !this.options.manualCredit) this.taken(chunk);
   }
 
@@ -260,75 +277,9 @@ export class StreamClient extends ClientBase {
     if (sum !== null) this.send(creditFrame(sum));
   }
 
-  private handleUnchanged({ id, key, revision, hash }: Message<'unchanged'>): void {
-    if (id !== 0) throw broken(`Unchanged as the answer to request ${id}, which knew of no chunk`);
-    if (!this.tracker.shape?.covers(key)) return;
-    this.backoff.reset();
-    ++this.stats.unchangedChunks;
-    const held = this.tracker.find(key);
-    if (held !== undefined && revision < held.revision) return; // it crossed an edit
-    if (held?.hash === hash) return this.tracker.confirm(held, revision);
-    const kept = this.kept.find(key, hash);
-    if (kept === undefined) this.refetch(key);
-    else this.deliver({ key, revision, hash, payload: kept.payload.slice(), material: null });
-  }
-
-  /** The revision says whether it is news, and whether it applies to what is here. Where it does not, or what is here was
-   *  not kept, the chunk is asked for: that is always right. */
-  private handleEditBroadcast(message: Message<'edit_broadcast'>): void {
-    const { key, revision } = message;
-    const held = this.tracker.find(key);
-    this.edits.saw(revision);
-    if (held === undefined || revision <= held.revision) return;
-    const chunk = this.kept.edited(held, message);
-    if (chunk === null) {
-      this.refetch(key);
-      return;
-    }
-    this.kept.keep(chunk);
-    this.deliver(chunk);
-  }
-
-  private handleUniformColumn({ x, z, lod, revision, runs }: Message<'uniform_column'>): void {
-    for (const run of runs) {
-      const payload = this.uniformPayload(run.material);
-      const shape = this.tracker.shape;
-      if (shape === null) return;
-      // A run may name 2^32 rows: only those of the View count.
-      const rows = shape.rows(lod, x, z);
-      const last = Math.min(rows.last, run.lastY);
-      for (let y = Math.max(rows.first, run.firstY); y <= last; ++y) {
-        this.backoff.reset();
-        this.deliver({ key: { lod, x, y, z }, revision, hash: null, payload: payload.slice(), material: run.material });
-        if (!this.connected) return; // a handler closed the client
-      }
-    }
-  }
-
-  private uniformPayload(material: number): Uint8Array<ArrayBuffer> {
-    let payload = this.uniform.get(material);
-    if (payload === undefined) {
-      if (!this.world!.materials.some(({ id }) => id === material)) {
-        throw broken(`a UniformColumn of material ${material}, which is not in Welcome`);
-      }
-      payload = uniformPayload(material);
-      this.uniform.set(material, payload);
-    }
-    return payload;
-  }
-
   private handleViewComplete({ number }: Message<'view_complete'>): void {
     if (number !== this.viewNumber || this.sending.viewWaits || this.tracker.view === null) return; // one replaced since
-    this.completeToTell = true;
-    // Sent, but while a View that the server then refused did not have it.
-    for (const key of this.tracker.missing()) this.refetch(key);
-    this.tellCompleteIfWhole();
-  }
-
-  private tellCompleteIfWhole(): void {
-    if (!this.completeToTell || this.refetching.size > 0 || !this.connected) return;
-    this.completeToTell = false;
-    this.tellComplete();
+    this.contents.viewComplete();
   }
 
   private handleHeights({ id, heightsFx, looks, values }: Message<'heights'>): void {
@@ -386,6 +337,7 @@ export class StreamClient extends ClientBase {
         this.sending.now();
         return;
       case 'view':
+        this.sentShape = null; // which View the server has now is not known
         if (message.viewNumber !== this.viewNumber) return;
         if (comesBack) this.sending.viewWaits = true;
         else this.emit('error', error);
@@ -395,7 +347,7 @@ export class StreamClient extends ClientBase {
         this.edits.attachRefused(error, waits);
         return this.sending.now();
       case 'view_chunk':
-        if (message.chunk !== null && this.tracker.shape?.covers(message.chunk)) this.refetch(message.chunk);
+        if (message.chunk !== null && this.tracker.shape?.covers(message.chunk)) this.contents.refetch(message.chunk);
         return;
       case 'ping':
         this.pings.refuseOldest(error);
@@ -411,21 +363,23 @@ export class StreamClient extends ClientBase {
   // ---- what the application asks
 
   protected viewApplied(): void {
-    this.completeToTell = false;
+    this.contents.viewApplied();
     this.sending.viewWaits = true;
     this.viewNumber = (this.viewNumber % 0xffffffff) + 1;
     this.sending.now();
   }
 
   private sendView(): void {
-    const { view } = this.tracker;
+    const { view, shape } = this.tracker;
+    const before = this.sentShape;
+    this.sentShape = view === null ? null : shape;
     if (view === null) {
       const nowhere = { centre: { x: NOWHERE, y: 0, z: 0 }, horizontalRadius: 0, verticalRadius: 0 };
       this.send(viewFrame(nowhere, this.viewNumber, []));
       return;
     }
     const room = (this.world!.limits.frameBytes - 2 * REST_BYTES) / KNOWN_CHUNK_BYTES;
-    const known = this.kept.known(Math.min(room, MAX_KNOWN), (key) => this.tracker.shape!.covers(key));
+    const known = this.kept.known(Math.min(room, MAX_KNOWN), shape!, before);
     this.send(viewFrame(view, this.viewNumber, known));
   }
 
@@ -465,31 +419,6 @@ export class StreamClient extends ClientBase {
     this.requests.add(request);
     // Soon, so that requests that are made together go together.
     if (this.connected) this.sending.later(0);
-  }
-
-  /** Asks anew for a chunk of the View. */
-  private refetch(key: ChunkKey): void {
-    const name = keyName(key);
-    if (this.refetching.has(name)) return void this.refetching.set(name, true);
-    this.refetching.set(name, false);
-    this.getChunk(key).then(
-      (chunk) => {
-        const again = this.refetching.get(name) ?? false;
-        this.refetching.delete(name);
-        const before = this.tracker.find(key)?.revision ?? -1n;
-        if (this.tracker.shape?.covers(key) && chunk.revision >= before) this.kept.keep(chunk);
-        const given = this.deliver(chunk);
-        if (!given || !this.options.manualCredit) this.taken(chunk);
-        if (again && this.connected && this.tracker.has(key)) this.refetch(key);
-        this.tellCompleteIfWhole();
-      },
-      (error: TalusError) => {
-        this.refetching.delete(name);
-        if (this.isClosed) return;
-        if (this.tracker.shape?.covers(key)) this.emit('error', error);
-        this.tellCompleteIfWhole();
-      },
-    );
   }
 
   ping(): Promise<number> {

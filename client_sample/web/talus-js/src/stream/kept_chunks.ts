@@ -8,6 +8,8 @@ import { hashVoxels } from '../hash.js';
 import { keyName } from '../keys.js';
 import type { Chunk, ChunkKey } from '../types.js';
 import { materialOf, uniformPayload } from '../uniform.js';
+import { chunksOutside, countOf, forEachChunk } from '../view_difference.js';
+import type { ViewShape } from '../view_shape.js';
 import type { ServerMessage } from '../wire/messages.js';
 import type { KnownChunk } from '../wire/write.js';
 
@@ -31,12 +33,19 @@ export class KeptChunks {
     return kept?.hash === hash ? kept : undefined;
   }
 
-  /** The first `most` of those that `covers` has. */
-  known(most: number, covers: (key: ChunkKey) => boolean): KnownChunk[] {
+  /** Of what `shape` has and `before` has not: `most` that are kept. A View brings no other chunks back. */
+  known(most: number, shape: ViewShape, before: ViewShape | null): KnownChunk[] {
     const known: KnownChunk[] = [];
-    for (const [, { key, hash }] of this.cache.entries()) {
-      if (known.length >= most) break;
-      if (covers(key)) known.push({ key, hash });
+    const entering = chunksOutside(shape, before);
+    if (countOf(entering) > this.cache.size) {
+      for (const [, { key, hash }] of this.cache.entries()) {
+        if (known.length < most && shape.covers(key) && !before?.covers(key)) known.push({ key, hash });
+      }
+    } else {
+      forEachChunk(entering, (key) => {
+        const kept = known.length < most ? this.cache.find(keyName(key)) : undefined;
+        if (kept !== undefined) known.push({ key, hash: kept.hash });
+      });
     }
     return known;
   }

@@ -1,5 +1,9 @@
 // What a client may ask for in a second: PROTOCOL.md, "Rates". Requests, Views and Pings count one each.
-import type { Rates } from '../types.js';
+import { boundedRetryAfter } from '../client/backoff.js';
+import type { Limits } from '../types.js';
+
+/** An eighth is left, for the two clocks do not agree. */
+const SHARE = 7 / 8;
 
 export class Pace {
   private tokens = Infinity;
@@ -8,18 +12,22 @@ export class Pace {
   private at = 0;
   private heldUntil = 0; // as the server said
 
-  /** By what Welcome tells. `now` in milliseconds. */
-  begin(rates: Rates | null, now: number): void {
-    const limited = rates !== null && rates.requests > 0;
-    this.perMs = limited ? rates.requests / 1_000 : 0;
-    this.tokens = this.most = limited ? Math.max(1, Math.floor((rates.requests * rates.burstMs) / 1_000)) : Infinity;
+  /** By what Welcome tells: the lower one of the session's rate and the address's. `now` in milliseconds. */
+  begin({ sessionRates, addressRates }: Pick<Limits, 'sessionRates' | 'addressRates'>, now: number): void {
+    this.perMs = 0;
+    this.tokens = this.most = Infinity;
+    for (const rates of [sessionRates, addressRates]) {
+      if (rates === null || rates.requests === 0 || (this.perMs > 0 && rates.requests / 1_000 >= this.perMs)) continue;
+      this.perMs = rates.requests / 1_000;
+      this.tokens = this.most = Math.max(1, this.perMs * rates.burstMs * SHARE);
+    }
     this.at = now;
     this.heldUntil = 0;
   }
 
   /** The server refused something, for so long. */
   refused(retryAfterMs: number, now: number): void {
-    this.heldUntil = Math.max(this.heldUntil, now + retryAfterMs);
+    this.heldUntil = Math.max(this.heldUntil, now + boundedRetryAfter(retryAfterMs));
   }
 
   /** Milliseconds until one more may be sent; 0: now. */

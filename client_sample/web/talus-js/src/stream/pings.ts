@@ -11,6 +11,10 @@ export class Pings {
   private readonly open = new Map<bigint, OpenPing>();
   private lastNonce = 0;
 
+  get isEmpty(): boolean {
+    return this.open.size === 0;
+  }
+
   /** The nonce to send. */
   add(now: number, resolve: (milliseconds: number) => void, reject: (error: TalusError) => void): number {
     this.open.set(BigInt(++this.lastNonce), { sent: now, resolve, reject });

@@ -1,6 +1,7 @@
 // What a server says: protocol/schema/talus.fbs, read and checked. Numbers of fields are those of the schema's tables.
 import type { EditLimits } from '../edits/types.js';
 import type { ChunkKey, Limits, Material, Phase, Position, Rates, World } from '../types.js';
+import { checkHeights } from './heights.js';
 import { broken, Frame, type Table } from './table.js';
 
 export const ERROR_CODES = [
@@ -255,6 +256,7 @@ function readWelcome(body: Table): ServerMessage {
     looks: body.texts(11),
     fields: body.texts(12),
   };
+  checkHeights(world);
   return { kind: 'welcome', world };
 }
 

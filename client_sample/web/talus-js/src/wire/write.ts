@@ -134,15 +134,6 @@ export function getChunksFrame(requests: readonly ChunkRequest[]): Uint8Array {
   });
 }
 
-export function cancelFrame(ids: readonly number[]): Uint8Array {
-  return frame(4, (builder) => {
-    const list = structs(builder, ids, 4, 4, (id) => builder.writeInt32(id));
-    builder.startObject(1);
-    builder.addFieldOffset(0, list, 0);
-    return builder.endObject();
-  });
-}
-
 export function getHeightsFrame(
   id: number,
   columns: readonly { readonly x: number; readonly z: number }[],

@@ -32,7 +32,15 @@ function addKey(builder, field, { x, y, z, lod }) {
   builder.addFieldStruct(field, builder.offset(), 0);
 }
 
-export const welcome = ({ protocol = 2, fingerprint = FULL, storeId = '0'.repeat(31) + '1', frameBytes = 65_536 } = {}) =>
+export const welcome = ({
+  protocol = 2,
+  fingerprint = FULL,
+  storeId = '0'.repeat(31) + '1',
+  frameBytes = 65_536,
+  idleTimeoutMs = 60_000,
+  minY = 0n,
+  maxY = 64n,
+} = {}) =>
   frame(9, (b) => {
     const materials = b.createString('rock');
     b.startObject(4);
@@ -44,7 +52,7 @@ export const welcome = ({ protocol = 2, fingerprint = FULL, storeId = '0'.repeat
     b.addOffset(rock);
     const list = b.endVector();
     b.startObject(11);
-    [[0, frameBytes], [1, 64], [2, 64], [5, 1000], [7, 60_000]].forEach(([field, value]) => b.addFieldInt32(field, value, 0));
+    [[0, frameBytes], [1, 64], [2, 64], [5, 1000], [7, idleTimeoutMs]].forEach(([field, value]) => b.addFieldInt32(field, value, 0));
     b.addFieldInt16(3, 16, 0);
     b.addFieldInt16(4, 16, 0);
     b.addFieldInt64(6, 1n << 20n, 0n);
@@ -56,7 +64,8 @@ export const welcome = ({ protocol = 2, fingerprint = FULL, storeId = '0'.repeat
     addHash(b, 3, storeId);
     b.addFieldInt16(4, 32, 0);
     b.addFieldOffset(5, list, 0);
-    b.addFieldInt64(7, 64n, 0n);
+    b.addFieldInt64(6, minY, 0n);
+    b.addFieldInt64(7, maxY, 0n);
     b.addFieldOffset(9, limits, 0);
     return b.endObject();
   });
@@ -126,6 +135,29 @@ export const broadcast = ({ key, revision, previous, runs }) =>
     return b.endObject();
   });
 
+export const unchanged = ({ key, revision, hash }) =>
+  frame(11, (b) => {
+    b.startObject(4);
+    addKey(b, 1, key);
+    b.addFieldInt64(2, BigInt(revision), 0n);
+    addHash(b, 3, hash);
+    return b.endObject();
+  });
+
+export const pong = (nonce) =>
+  frame(17, (b) => {
+    b.startObject(1);
+    b.addFieldInt64(0, BigInt(nonce), 0n);
+    return b.endObject();
+  });
+
+export const viewComplete = (number) =>
+  frame(19, (b) => {
+    b.startObject(1);
+    b.addFieldInt32(0, number, 0);
+    return b.endObject();
+  });
+
 function read(bytes) {
   const root = new Frame(bytes).root();
   const kind = NAMES[root.u8(0)];
@@ -141,6 +173,14 @@ function read(bytes) {
     return { kind, editor: half(8) + half(0), seenRevision: t.u64(1) };
   }
   if (kind === 'GetChunks') return { kind, id: t.data.getUint32(t.vector(0, 40).at, true) };
+  if (kind === 'View') {
+    const { at, count } = t.vector(5, 32);
+    const known = Array.from({ length: count }, (_, i) => {
+      const number = (offset) => t.data.getInt32(at + 32 * i + offset, true);
+      return `${t.data.getUint8(at + 32 * i + 12)}/${number(0)}/${number(4)}/${number(8)}`;
+    });
+    return { kind, known };
+  }
   if (kind === 'Hello') return { kind, versions: [t.u16(0), t.u16(1)] };
   return { kind };
 }
@@ -150,10 +190,12 @@ class Side {
   constructor(events) {
     this.events = events;
     this.heard = [];
+    this.pings = 0;
     this.waiting = null;
   }
   hear(bytes) {
     const message = read(bytes);
+    if (message.kind === 'Ping') ++this.pings;
     if (message.kind === 'Ping' || message.kind === 'Credit') return;
     this.heard.push(message);
     this.waiting?.();

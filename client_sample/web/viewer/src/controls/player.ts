@@ -6,7 +6,7 @@ import { rest, type Device } from './intent';
 const radians = Math.PI / 180;
 
 export class Player {
-  readonly body = new Body((x, y, z) => this.#stuffAt(x, y, z));
+  readonly body = new Body((x, y, z) => this.stuffAt(x, y, z));
   readonly #devices: Device[] = [];
   #engine: Engine | null = null;
   /** Something was moved or turned by hand since the page was opened. */
@@ -47,13 +47,12 @@ export class Player {
     this.body.flySpeed = Math.min(FLY_SPEEDS.fastest, Math.max(FLY_SPEEDS.slowest, speed));
   }
 
-  #stuffAt(x: number, y: number, z: number): Stuff {
+  /** Of a base voxel. */
+  stuffAt(x: number, y: number, z: number): Stuff {
     const engine = this.#engine;
     if (engine === null) return 'unknown';
-    if (y >= engine.world.maxY) return 'gas';
-    if (y < engine.world.minY) return 'solid';
     const material = engine.voxelAt(x, y, z);
-    if (material === undefined) return 'unknown';
+    if (material === undefined) return y < engine.world.minY ? 'solid' : 'unknown';
     return engine.isSolid(material) ? 'solid' : engine.isLiquid(material) ? 'liquid' : 'gas';
   }
 }

@@ -7,7 +7,7 @@ import { materialTexture } from './draw/materials.js';
 import { NearestFirst } from './draw/nearest_first.js';
 import type { TerrainMesh } from './draw/terrain.js';
 import { Editing } from './edit/editing.js';
-import { Predictions, type VoxelChange } from './edit/predictions.js';
+import { Predictions, type Content, type VoxelChange } from './edit/predictions.js';
 import { touchedNeighbours } from './edit/touched.js';
 import { kindIn, tablesOf } from './mesh/kinds.js';
 import { MATERIALS_MAX } from './mesh/quad.js';
@@ -48,7 +48,7 @@ export class Engine {
   private readonly frames: Frame;
   private readonly pool: Pool;
   private readonly land: Land<TerrainMesh>;
-  private readonly voxels = new Voxels();
+  private readonly voxels = new Voxels((x, y, z) => this.land.get(0, x, z)?.chunks.get(y));
   private readonly handlers = new Map<keyof EngineEvents, Set<(...args: never[]) => void>>();
   private kinds: Uint8Array = new Uint8Array();
   private state: EngineState = 'connecting';
@@ -95,7 +95,7 @@ export class Engine {
           const { lod, x, y, z } = chunk.key;
           this.rate.add(performance.now());
           const content = lod === 0 ? this.predictions.arrived(chunk.key, chunk.revision, chunk) : chunk;
-          if (content !== null) this.addChunk(lod, x, y, z, content.payload, content.material);
+          if (content !== null) this.addChunk(lod, x, y, z, content);
         },
         left: (key) => {
           if (key.lod === 0) this.predictions.left(key);
@@ -124,6 +124,7 @@ export class Engine {
           if (answer.text !== 'not held') this.emit('error', `a chunk does not decode: ${answer.text}`);
         }
       },
+      (text) => this.emit('error', `a worker that makes meshes ended: ${text}`),
     );
     try {
       this.frames = new Frame(options.canvas, options.quality);
@@ -148,7 +149,7 @@ export class Engine {
         const chunk = this.land.get(0, x, z)?.chunks.get(y);
         return chunk === undefined || chunk.left ? null : chunk;
       },
-      show: ({ x, y, z }, { payload, material }) => this.addChunk(0, x, y, z, payload, material),
+      show: ({ x, y, z }, content) => this.addChunk(0, x, y, z, content),
     });
     this.editing = new Editing(this.predictions, () => (this.disposed ? null : this.link.client));
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
@@ -193,11 +194,7 @@ export class Engine {
 
   /** Material of the base voxel at integer coordinates; undefined: not here yet. */
   voxelAt(x: number, y: number, z: number): number | undefined {
-    if (this.info !== null && y >= this.info.maxY) return 0;
-    const chunk = this.land.get(0, Math.floor(x / 32), Math.floor(z / 32))?.chunks.get(Math.floor(y / 32));
-    if (chunk === undefined || chunk.left) return undefined;
-    const within = (v: number) => ((v % 32) + 32) % 32;
-    return this.voxels.at(chunk, within(x), within(y), within(z));
+    return this.voxels.atBlock(x, y, z, this.info?.maxY ?? Infinity);
   }
 
   /** The first voxel that is not gas, nor liquid unless `liquids`. */
@@ -360,7 +357,9 @@ export class Engine {
       this.info = { ...world, seaLevel: null };
       this.seaLevel = null;
       this.prepareMaterials(world);
-      this.makeGround();
+      // Later, as it takes long and the first View is to go first.
+      this.needsGround = true;
+      setTimeout(() => this.needsGround && !this.disposed && this.makeGround());
       if (!this.views.hasSent && this.eye.x === 0 && this.eye.z === 0) {
         this.eye = { ...this.eye, x: world.spawn.x + 0.5, y: world.spawn.y + 1.6, z: world.spawn.z + 0.5 };
       }
@@ -375,7 +374,7 @@ export class Engine {
   }
 
   /** New, or in place of what is here: then only what shows of the difference is made again. */
-  private addChunk(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null): void {
+  private addChunk(lod: number, x: number, y: number, z: number, { payload, material, hash }: Content): void {
     const before = this.land.get(lod, x, z)?.chunks.get(y);
     const isEdited = before !== undefined && !before.left && before.meshedWith >= 0;
     let touched: number | undefined;
@@ -386,7 +385,7 @@ export class Engine {
         // The workers say what does not decode.
       }
     }
-    this.land.add(lod, x, y, z, payload, material, touched);
+    this.land.add(lod, x, y, z, payload, material, touched, hash);
     this.workSoon();
   }
 
@@ -399,6 +398,7 @@ export class Engine {
   }
 
   private makeGround(): void {
+    this.needsGround = false;
     const levels = viewFor(this.info!, this.eye, { x: 0, y: 0, z: 0 }, this.radius, this.horizon).rings!.length + 1;
     const middle = Math.round((this.info!.minY + this.info!.maxY) / 128) * 64;
     this.groundBase = this.info!.maxY - this.info!.minY < 2000 ? 0 : middle;
@@ -408,6 +408,7 @@ export class Engine {
     for (const column of this.land.values()) if (column.heights !== null || column.liquids !== null) this.frames.ground!.set(column);
   }
   private groundBase = 0;
+  private needsGround = false;
 
   private seeSea(liquids: Int16Array, lod: number): void {
     for (const height of liquids) {
@@ -441,7 +442,7 @@ export class Engine {
   /** What is to be done between frames too, so that slow ones do not hold up what streams. */
   private work(): void {
     this.link.takeBacklog();
-    this.land.update(this.eye, 4);
+    this.land.update(this.eye);
     this.pool.flush();
     this.settle(performance.now());
   }
@@ -465,6 +466,7 @@ export class Engine {
 
   private draw(now: number): void {
     const { eye } = this;
+    if (this.needsGround) this.makeGround();
     if (this.land.version !== this.drawnVersion) this.frames.landChanged();
     const still = this.options.frozenTime ?? (this.reducedMotion ? 0 : null);
     const here = this.voxelAt(Math.floor(eye.x), Math.floor(eye.y), Math.floor(eye.z));

@@ -3,6 +3,7 @@ import type { Server } from '../connection/server';
 import { nameOf, type TileKey } from './projection';
 
 const AT_ONCE = 4;
+/** More only while more are wanted. */
 const KEPT = 200;
 const RETRY_MS = 2000;
 
@@ -47,6 +48,7 @@ export class TileStore {
     this.#wanted = tiles;
     const names = new Set(tiles.map(nameOf));
     for (const [name, tile] of this.#tiles) if (tile.state === 'coming' && !names.has(name)) tile.abort.abort();
+    this.#forget();
     this.#next();
   }
 
@@ -83,10 +85,9 @@ export class TileStore {
       if (answer.ok) {
         this.#tiles.set(name, { state: 'here', picture: await createImageBitmap(await answer.blob()) });
         this.weather = 'fine';
-        this.#forget();
       } else if (answer.status === 429 || answer.status >= 500) {
         const seconds = Number(answer.headers.get('Retry-After') ?? 1);
-        this.#tiles.set(name, { state: 'later', at: performance.now() + 1000 * Math.max(0.25, Number.isFinite(seconds) ? seconds : 1) });
+        this.#tiles.set(name, { state: 'later', at: performance.now() + 1000 * Math.min(60, Math.max(0.25, Number.isFinite(seconds) ? seconds : 1)) });
       } else {
         this.#tiles.set(name, { state: 'none' });
         this.weather = answer.status === 401 ? 'token' : 'no-map';
@@ -99,16 +100,22 @@ export class TileStore {
       }
     }
     --this.#coming;
+    this.#forget();
     this.changed();
     this.#next();
   }
 
+  /** What is wanted stays; of the rest, first go those that have no picture. */
   #forget(): void {
-    for (const [name, tile] of this.#tiles) {
-      if (this.#tiles.size <= KEPT) return;
-      if (tile.state !== 'here') continue;
-      tile.picture.close();
-      this.#tiles.delete(name);
+    if (this.#tiles.size <= KEPT) return;
+    const wanted = new Set(this.#wanted.map(nameOf));
+    for (const goes of [['later', 'none'], ['here']]) {
+      for (const [name, tile] of this.#tiles) {
+        if (this.#tiles.size <= KEPT) return;
+        if (wanted.has(name) || !goes.includes(tile.state)) continue;
+        if (tile.state === 'here') tile.picture.close();
+        this.#tiles.delete(name);
+      }
     }
   }
 }

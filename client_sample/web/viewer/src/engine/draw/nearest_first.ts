@@ -2,26 +2,48 @@
 import type { Column, Drawable } from '../stream/column.js';
 
 const MOVED = 32; // blocks
+/** Steps of distance: within one, any order will do. */
+const STEP = 16;
+const STEPS = 1024;
 
 export class NearestFirst<D extends Drawable> {
   private version = -1;
   private x = 0;
   private z = 0;
-  private columns: Column<D>[] = [];
+  private readonly columns: Column<D>[] = [];
+  private readonly unsorted: Column<D>[] = [];
+  private readonly steps: number[] = [];
+  private readonly ends = new Uint32Array(STEPS);
 
-  /** `version`: of the set that is drawn. */
-  of(drawn: Iterable<Column<D>>, version: number, x: number, z: number): readonly Column<D>[] {
+  /** `version`: of the set that is drawn. The array is the same in each call. */
+  of(drawn: ReadonlySet<Column<D>>, version: number, x: number, z: number): readonly Column<D>[] {
     if (version === this.version && Math.abs(x - this.x) + Math.abs(z - this.z) <= MOVED) return this.columns;
-    const distance = (c: Column<D>) => {
-      const size = 32 * 2 ** c.lod;
-      return Math.hypot((c.x + 0.5) * size - x, (c.z + 0.5) * size - z) - size / 2;
-    };
-    const keyed = Array.from(drawn, (column) => ({ column, at: distance(column) }));
-    keyed.sort((a, b) => a.at - b.at);
-    this.columns = keyed.map(({ column }) => column);
     this.version = version;
     this.x = x;
     this.z = z;
+    this.sort(drawn);
     return this.columns;
+  }
+
+  /** By counting. */
+  private sort(drawn: ReadonlySet<Column<D>>): void {
+    const { columns, unsorted, steps, ends } = this;
+    ends.fill(0);
+    let count = 0;
+    for (const column of drawn) {
+      const step = this.stepOf(column);
+      unsorted[count] = column;
+      steps[count++] = step;
+      ends[step]!++;
+    }
+    for (let step = 1; step < STEPS; step++) ends[step]! += ends[step - 1]!;
+    columns.length = unsorted.length = count;
+    for (let i = count - 1; i >= 0; i--) columns[--ends[steps[i]!]!] = unsorted[i]!;
+  }
+
+  private stepOf(column: Column<D>): number {
+    const size = 32 * 2 ** column.lod;
+    const distance = Math.hypot((column.x + 0.5) * size - this.x, (column.z + 0.5) * size - this.z) - size / 2;
+    return Math.min(STEPS - 1, Math.max(0, Math.floor(distance / STEP)));
   }
 }

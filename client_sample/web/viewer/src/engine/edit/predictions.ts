@@ -14,6 +14,8 @@ export interface Place {
 export interface Content {
   readonly payload: Uint8Array | null;
   readonly material: number | null;
+  /** What the server says that the voxels have; null: it does not. */
+  readonly hash: string | null;
 }
 
 /** A base voxel, and what it is to be of. */
@@ -149,7 +151,7 @@ export class Predictions {
     if (already !== undefined) return already;
     const held = this.host.held(place);
     if (held === null) return null;
-    const base = { payload: held.payload, material: held.material }; // what is held will show the prediction
+    const base = { payload: held.payload, material: held.material, hash: held.hash }; // what is held will show the prediction
     const voxels = voxelsOf(base);
     const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
     this.covered.set(name, covered);
@@ -191,6 +193,6 @@ export class Predictions {
     covered.shown = wanted;
     if (same) return null;
     if (predictions.length === 0) return base;
-    return { payload: encodeChunk({ uniform: null, voxels: wanted as Uint16Array<ArrayBuffer> }), material: null };
+    return { payload: encodeChunk({ uniform: null, voxels: wanted as Uint16Array<ArrayBuffer> }), material: null, hash: null };
   }
 }

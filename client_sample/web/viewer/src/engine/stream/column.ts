@@ -16,6 +16,8 @@ export type Kind = 'gas' | 'liquid' | 'solid';
 
 export class Chunk<D extends Drawable = Drawable> {
   payload: Uint8Array | null = null;
+  /** What its voxels must have; null: nobody said. */
+  hash: string | null = null;
   /** Of a chunk of one material. */
   material: number | null = null;
   arrived = 0;
@@ -29,6 +31,8 @@ export class Chunk<D extends Drawable = Drawable> {
   hurried = false;
   job: { id: number; known: number; slice: SlicePlane | null; slot: number } | null = null;
   queued = false;
+  /** Among those that are queued, the least goes first. */
+  order = 0;
   left = false;
   drawable: D | null = null;
   tops: Uint8Array | null = null;
@@ -52,13 +56,14 @@ export class Chunk<D extends Drawable = Drawable> {
 
 export class Column<D extends Drawable = Drawable> {
   readonly chunks = new Map<number, Chunk<D>>();
+  /** At (dz + 1) * 3 + dx + 1 the column there, where one is held, and this one in the middle. */
+  readonly near: (Column<D> | undefined)[] = Array.from({ length: 9 });
   /** Of the View: bit (dz + 1) * 3 + dx + 1 for the columns around. */
   around = 0;
   wanted = false;
   drawn = false;
   ready = false;
   begun = false;
-  stale = true;
   /** Voxel rows of the level, of the highest solid voxel + 1 and of liquid; a great negative number: none. */
   heights: Int16Array | null = null;
   liquids: Int16Array | null = null;
@@ -78,7 +83,9 @@ export class Column<D extends Drawable = Drawable> {
     readonly lod: number,
     readonly x: number,
     readonly z: number,
-  ) {}
+  ) {
+    this.near[4] = this;
+  }
 
   /** What its chunks are drawn by has changed. */
   gather(): void {

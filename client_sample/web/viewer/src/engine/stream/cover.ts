@@ -1,7 +1,7 @@
 // Which level of detail is drawn where. Columns of chunks form a quadtree: a column of level l stands where four of
 // level l - 1 do. The cover draws every place by one level: the finest that is wholly there, and where the View asks
 // for a level that has not come yet, what was drawn before.
-import { hasColumn, reaches, type Shape } from './shape.js';
+import { hasColumn, inSquare, reaches, type Shape } from './shape.js';
 
 export interface CoverColumn {
   readonly lod: number;
@@ -18,13 +18,58 @@ export interface Columns<C extends CoverColumn> {
   values(): Iterable<C>;
 }
 
+/** Columns of one level by place, for as long as none comes or goes: many are looked up, most more than once. */
+class Grid<C extends CoverColumn> {
+  private readonly columns: C[] = [];
+  private x0 = Infinity;
+  private x1 = -Infinity;
+  private z0 = Infinity;
+  private z1 = -Infinity;
+  private places: (C | undefined)[] = [];
+
+  add(column: C): void {
+    this.columns.push(column);
+    this.x0 = Math.min(this.x0, column.x);
+    this.x1 = Math.max(this.x1, column.x);
+    this.z0 = Math.min(this.z0, column.z);
+    this.z1 = Math.max(this.z1, column.z);
+  }
+
+  lay(): void {
+    if (this.columns.length === 0) return;
+    const width = this.x1 - this.x0 + 1;
+    this.places = new Array<C | undefined>(width * (this.z1 - this.z0 + 1)).fill(undefined);
+    for (const column of this.columns) this.places[(column.z - this.z0) * width + column.x - this.x0] = column;
+  }
+
+  get(x: number, z: number): C | undefined {
+    if (x < this.x0 || x > this.x1 || z < this.z0 || z > this.z1) return undefined;
+    return this.places[(z - this.z0) * (this.x1 - this.x0 + 1) + x - this.x0];
+  }
+}
+
+/** Of each level; columns beyond the square of the coarsest level left the View, and are left out. */
+function gridsOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Grid<C>[] {
+  const top = shape.length - 1;
+  const roots = shape[top]!;
+  const grids = Array.from(shape, () => new Grid<C>());
+  for (const column of columns.values()) {
+    const { lod, x, z } = column;
+    if (lod <= top && inSquare(roots, x >> (top - lod), z >> (top - lod))) grids[lod]!.add(column);
+  }
+  for (const grid of grids) grid.lay();
+  return grids;
+}
+
 /** Columns to draw. No two of them overlap. */
 export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Set<C> {
   const drawn = new Set<C>();
   const top = shape.length - 1;
+  if (top < 0) return drawn;
+  const grids = gridsOf(shape, columns);
 
   const covered = (lod: number, x: number, z: number): boolean => {
-    if (columns.get(lod, x, z)?.ready) return true;
+    if (grids[lod]!.get(x, z)?.ready) return true;
     return lod > 0 && kidsCovered(lod, x, z);
   };
   const kidsCovered = (lod: number, x: number, z: number): boolean =>
@@ -41,7 +86,7 @@ export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>
 
   /** Whether anything was drawn. */
   const visit = (lod: number, x: number, z: number): boolean => {
-    const column = columns.get(lod, x, z);
+    const column = grids[lod]!.get(x, z);
     if (lod > 0 && reaches(shape, lod - 1, 2 * x, 2 * z) && reaches(shape, lod - 1, 2 * x + 1, 2 * z + 1) &&
       kidsCovered(lod, x, z)) {
       return visitKids(lod, x, z);
@@ -58,10 +103,8 @@ export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>
     return false;
   };
 
-  if (top < 0) return drawn;
   const roots = shape[top]!;
   for (let z = roots.z0; z <= roots.z1; z++) for (let x = roots.x0; x <= roots.x1; x++) visit(top, x, z);
-  // Columns may be held that lie beyond the coarsest level's square: they left the View, and go.
   return drawn;
 }
 

@@ -5,12 +5,12 @@
 import type { ChunkMesh } from '../mesh/mesher.js';
 import { ALL_AROUND } from '../edit/touched.js';
 import { Chunk, Column, type Drawable, type Kind } from './column.js';
+import { Columns } from './columns.js';
 import { coverOf, nearestMissing } from './cover.js';
 import { refreshHeights } from './heights.js';
-import { columnKey } from './keys.js';
 import { MeshQueue } from './mesh_queue.js';
 import type { Job, SlicePlane } from './messages.js';
-import { hasColumn, type Shape } from './shape.js';
+import { columnsAround, type Shape } from './shape.js';
 import { sideOf } from './slice.js';
 
 /** Where meshes go. */
@@ -44,16 +44,25 @@ const COVER_EVERY_MS = 80;
 /** Where it takes long, it is found after so many times as long; but a page that was not let run is not to wait for that. */
 const COVER_SHARE = 40;
 const COVER_LATEST_MS = 240;
+/** Of an update for heights: a few columns at least, then as many as find time; more before anything is drawn. */
+const HEIGHTS_MS = 1;
+const FIRST_HEIGHTS_MS = 4;
+const HEIGHTS_LEAST = 4;
 
 export class Land<D extends Drawable> {
   shape: Shape = [];
   slice: SlicePlane | null = null;
-  private readonly columns = new Map<number, Column<D>>();
+  private readonly columns = new Columns<D>();
   private readonly jobs = new Map<number, Chunk<D>>();
   private readonly queue = new MeshQueue<D>((chunk) => this.sliceOf(chunk));
   private nextJob = 1;
   private coverStale = true;
-  private heightsStale = false; // of some columns
+  /** Columns whose heights, or whether they are ready, may have changed. */
+  private readonly stale = new Set<Column<D>>();
+  /** How many of them are still to be looked at before the cover is found anew; null: it is not due. */
+  private toRefresh: number | null = null;
+  /** Columns of which some chunks left and are drawn still. */
+  private readonly leaving = new Set<Column<D>>();
   private coveredAt = -Infinity;
   private coverMs = 0; // what it took last
   private cover = new Set<Column<D>>();
@@ -69,7 +78,7 @@ export class Land<D extends Drawable> {
   constructor(private readonly options: LandOptions<D>) {}
 
   get(lod: number, x: number, z: number): Column<D> | undefined {
-    return this.columns.get(columnKey(lod, x, z));
+    return this.columns.get(lod, x, z);
   }
 
   values(): Iterable<Column<D>> {
@@ -78,7 +87,7 @@ export class Land<D extends Drawable> {
 
   /** Whether all of the View that is here is meshed and drawn as it is to be. */
   get settled(): boolean {
-    return this.queue.length === 0 && this.jobs.size === 0 && !this.coverStale && !this.heightsStale;
+    return this.queue.length === 0 && this.jobs.size === 0 && !this.coverStale && this.stale.size === 0;
   }
 
   get waiting(): number {
@@ -121,11 +130,14 @@ export class Land<D extends Drawable> {
   }
 
   /** `touched`: of a chunk that is here already, which neighbours (as bits of Job.known) show something of what changed. */
-  add(lod: number, x: number, y: number, z: number, payload: Uint8Array | null, material: number | null, touched = ALL_AROUND): void {
+  add(
+    lod: number, x: number, y: number, z: number,
+    payload: Uint8Array | null, material: number | null, touched = ALL_AROUND, hash: string | null = null,
+  ): void {
     let column = this.get(lod, x, z);
     if (column === undefined) {
       column = new Column<D>(lod, x, z);
-      this.columns.set(columnKey(lod, x, z), column);
+      this.columns.add(column);
       this.placeInShape(column);
     }
     let chunk = column.chunks.get(y);
@@ -144,6 +156,7 @@ export class Land<D extends Drawable> {
     this.payloadBytes += (payload?.length ?? 0) - (chunk.payload?.length ?? 0);
     chunk.payload = payload;
     chunk.material = material;
+    chunk.hash = hash;
     chunk.arrived = this.options.now();
     chunk.changed = true;
     chunk.hurried = !isNew && !returns;
@@ -167,6 +180,7 @@ export class Land<D extends Drawable> {
     if (chunk === undefined || chunk.left) return;
     chunk.left = true;
     chunk.column.left++;
+    this.leaving.add(chunk.column);
     this.payloadBytes -= chunk.payload?.length ?? 0;
     chunk.payload = null;
     chunk.known = 0;
@@ -194,7 +208,7 @@ export class Land<D extends Drawable> {
     if (job.slice === null) {
       chunk.tops = mesh.tops;
       chunk.liquidTops = mesh.liquidTops;
-      chunk.column.stale = this.heightsStale = true;
+      this.stale.add(chunk.column);
     }
     this.consider(chunk);
   }
@@ -208,24 +222,33 @@ export class Land<D extends Drawable> {
   }
 
   /** Hands jobs to the workers, nearest first, and finds out what to draw. */
-  update(camera: { x: number; y: number; z: number }, budgetMs: number): void {
+  update(camera: { x: number; y: number; z: number }): void {
     const start = this.options.now();
     if (Math.abs(camera.x - this.camera.x) + Math.abs(camera.z - this.camera.z) > 24) {
       this.camera = { ...camera };
       this.queue.moved();
     }
     this.dispatch();
-    // While it fills, a few times a second are enough; for the first that is drawn nobody is to wait.
-    const isDue = start - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.size === 0;
-    if ((this.coverStale || this.heightsStale) && isDue) this.recover(budgetMs);
+    if (this.toRefresh === null) {
+      if ((!this.coverStale && this.stale.size === 0) || !this.isDue(start)) return;
+      this.coveredAt = start;
+      this.toRefresh = this.stale.size;
+    }
+    this.refresh(start, this.toRefresh);
+    if (this.toRefresh === null) this.recover();
+  }
+
+  /** While it fills, a few times a second are enough; for the first that is drawn nobody is to wait. */
+  private isDue(now: number): boolean {
+    return now - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.size === 0;
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */
   loseMeshes(): void {
     for (const column of this.columns.values()) {
       column.ready = column.begun = false;
-      column.stale = true;
-      for (const chunk of [...column.chunks.values()]) {
+      this.stale.add(column);
+      for (const chunk of column.chunks.values()) {
         if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
         chunk.drawable = null;
         chunk.meshedWith = -1;
@@ -245,15 +268,14 @@ export class Land<D extends Drawable> {
       }
     }
     this.queue.clear();
+    this.stale.clear();
+    this.toRefresh = null;
     this.coverStale = true;
-    this.recover(Infinity);
+    this.recover();
   }
 
   private placeInShape(column: Column<D>): void {
-    column.around = 0;
-    for (let dz = -1; dz <= 1; dz++)
-      for (let dx = -1; dx <= 1; dx++)
-        if (hasColumn(this.shape, column.lod, column.x + dx, column.z + dz)) column.around |= 1 << ((dz + 1) * 3 + dx + 1);
+    column.around = columnsAround(this.shape, column.lod, column.x, column.z);
     column.wanted = (column.around & 16) !== 0;
   }
 
@@ -269,15 +291,14 @@ export class Land<D extends Drawable> {
   }
 
   private eachNeighbour(chunk: Chunk<D>, visit: (other: Chunk<D>, bit: number) => void): void {
-    for (let dz = -1; dz <= 1; dz++) {
-      for (let dx = -1; dx <= 1; dx++) {
-        const column = dx === 0 && dz === 0 ? chunk.column : this.get(chunk.lod, chunk.x + dx, chunk.z + dz);
-        if (column === undefined) continue;
-        for (let dy = -1; dy <= 1; dy++) {
-          if (dx === 0 && dy === 0 && dz === 0) continue;
-          const other = column.chunks.get(chunk.y + dy);
-          if (other !== undefined) visit(other, (dy + 1) * 9 + (dz + 1) * 3 + dx + 1);
-        }
+    const { near } = chunk.column;
+    for (let at = 0; at < 9; at++) {
+      const column = near[at];
+      if (column === undefined) continue;
+      for (let dy = -1; dy <= 1; dy++) {
+        if (at === 4 && dy === 0) continue;
+        const other = column.chunks.get(chunk.y + dy);
+        if (other !== undefined) visit(other, (dy + 1) * 9 + at);
       }
     }
   }
@@ -296,7 +317,7 @@ export class Land<D extends Drawable> {
       chunk.changed = chunk.hurried = false;
       if (first || chunk.tops !== null) {
         chunk.tops = null;
-        chunk.column.stale = this.heightsStale = true;
+        this.stale.add(chunk.column);
       }
       return;
     }
@@ -326,7 +347,7 @@ export class Land<D extends Drawable> {
     const check = (dx: number, dy: number, dz: number) => {
       const bit = (dy + 1) * 9 + (dz + 1) * 3 + dx + 1;
       if (!plain || !((chunk.known >>> bit) & 1)) return;
-      const other = this.get(chunk.lod, chunk.x + dx, chunk.z + dz)?.chunks.get(chunk.y + dy);
+      const other = chunk.column.near[(dz + 1) * 3 + dx + 1]?.chunks.get(chunk.y + dy);
       if (other === undefined || other.material === null) {
         plain = false;
         return;
@@ -352,8 +373,7 @@ export class Land<D extends Drawable> {
     chunk.meshedSlice = slice;
     const { column } = chunk;
     if (!column.begun && drawable !== null) column.begun = this.coverStale = true;
-    column.stale ||= !column.ready;
-    this.heightsStale ||= column.stale;
+    if (!column.ready) this.stale.add(column);
     this.version++;
   }
 
@@ -380,41 +400,54 @@ export class Land<D extends Drawable> {
   }
 
   private forget(chunk: Chunk<D>): void {
-    if (chunk.drawable !== null) this.options.drawer.remove(chunk.drawable);
-    chunk.drawable = null;
-    const column = chunk.column;
+    const { column } = chunk;
     if (chunk.left) column.left--;
     column.chunks.delete(chunk.y);
-    column.gather();
-    if (column.chunks.size === 0) this.columns.delete(columnKey(column.lod, column.x, column.z));
+    if (chunk.drawable !== null) {
+      this.options.drawer.remove(chunk.drawable);
+      chunk.drawable = null;
+      column.gather();
+    }
+    if (column.chunks.size === 0) {
+      this.columns.delete(column);
+      this.leaving.delete(column);
+      this.stale.delete(column);
+    }
   }
 
-  private recover(budgetMs: number): void {
-    this.coveredAt = this.options.now();
-    this.heightsStale = false;
+  /** Finds heights anew, of as many of the columns as there is time for. */
+  private refresh(start: number, columns: number): void {
+    if (this.stale.size === 0) {
+      this.toRefresh = null;
+      return;
+    }
+    const budgetMs = this.cover.size === 0 ? FIRST_HEIGHTS_MS : HEIGHTS_MS;
     let refreshed = 0;
-    for (const column of this.columns.values()) {
-      if (!column.stale) continue;
-      if (refreshed++ >= 24 && this.options.now() - this.coveredAt > budgetMs) {
-        this.heightsStale = true; // the rest next time
-        break;
-      }
-      const { ready } = column;
-      column.stale = false;
+    for (const column of this.stale) {
+      if (refreshed === columns || (refreshed >= HEIGHTS_LEAST && this.options.now() - start > budgetMs)) break;
+      refreshed++;
+      this.stale.delete(column);
       const level = this.shape[column.lod];
-      if (level === undefined || column.chunks.size === 0) continue;
+      if (level === undefined) continue;
+      const { ready } = column;
       if (refreshHeights(column, level, this.options.kindOf)) this.options.heights(column);
       this.coverStale ||= ready !== column.ready;
     }
+    this.toRefresh = refreshed < columns && this.stale.size > 0 ? columns - refreshed : null;
     this.version++;
+  }
+
+  /** Finds the columns to draw, where they may be others. */
+  private recover(): void {
     if (!this.coverStale) return;
     this.coverStale = false;
     const began = this.options.now();
+    this.version++;
     this.drawAnew();
     this.coverMs = this.options.now() - began;
   }
 
-  /** Finds the columns to draw, and lets go what is drawn no more. */
+  /** And lets go what is drawn no more. */
   private drawAnew(): void {
     this.coverVersion++;
     const before = this.cover;
@@ -422,15 +455,14 @@ export class Land<D extends Drawable> {
     for (const column of before) column.drawn = false;
     for (const column of this.cover) column.drawn = true;
     for (const column of this.cover) {
-      const { lod, x, z } = column;
-      column.skirts =
-        (this.get(lod, x - 1, z)?.drawn ? 0 : 1) | (this.get(lod, x, z - 1)?.drawn ? 0 : 2) |
-        (this.get(lod, x + 1, z)?.drawn ? 0 : 4) | (this.get(lod, x, z + 1)?.drawn ? 0 : 8);
+      const { near } = column;
+      column.skirts = (near[3]?.drawn ? 0 : 1) | (near[1]?.drawn ? 0 : 2) | (near[5]?.drawn ? 0 : 4) | (near[7]?.drawn ? 0 : 8);
     }
     // What left the View and is not drawn in place of something: gone.
-    for (const column of [...this.columns.values()]) {
-      if (column.left === 0 || (column.drawn && !column.wanted)) continue;
-      for (const chunk of [...column.chunks.values()]) if (chunk.left && !(column.drawn && !column.ready)) this.forget(chunk);
+    for (const column of this.leaving) {
+      if (column.left === 0) this.leaving.delete(column);
+      if (column.left === 0 || (column.drawn && (!column.wanted || !column.ready))) continue;
+      for (const chunk of column.chunks.values()) if (chunk.left) this.forget(chunk);
     }
   }
 }

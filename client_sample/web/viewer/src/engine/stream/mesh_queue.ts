@@ -50,8 +50,8 @@ export class MeshQueue<D extends Drawable> {
 
   private sort(now: number, camera: { x: number; y: number; z: number }): void {
     this.sortedAt = now;
-    const by = new Map(this.chunks.map((chunk) => [chunk, this.distance(chunk, camera)]));
-    this.chunks.sort((a, b) => by.get(b)! - by.get(a)!);
+    for (const chunk of this.chunks) chunk.order = this.distance(chunk, camera);
+    this.chunks.sort((a, b) => b.order - a.order);
     this.isSorted = true;
   }
 

@@ -1,5 +1,6 @@
 // What the page and its meshing workers say to each other.
 import type { ChunkMesh } from '../mesh/mesher.js';
+import type { Changes } from './changes.js';
 
 export interface ChunkData {
   readonly lod: number;
@@ -9,6 +10,8 @@ export interface ChunkData {
   /** null where `material` is not. */
   readonly payload: Uint8Array | null;
   readonly material: number | null;
+  /** What the voxels must have; null: nobody said. */
+  readonly hash: string | null;
 }
 
 export interface SlicePlane {
@@ -33,9 +36,8 @@ export interface Job {
 
 export type ToWorker =
   | { readonly kind: 'world'; readonly kinds: Uint8Array; readonly places: Uint16Array }
-  | { readonly kind: 'chunks'; readonly chunks: readonly ChunkData[] }
-  | { readonly kind: 'drop'; readonly chunks: readonly Omit<ChunkData, 'payload' | 'material'>[] }
-  | { readonly kind: 'mesh'; readonly jobs: readonly Job[] };
+  /** The jobs are of what is held after the changes. */
+  | { readonly kind: 'work'; readonly changes: Changes | null; readonly jobs: readonly Job[] };
 
 export type FromWorker =
   | { readonly kind: 'meshed'; readonly id: number; readonly mesh: ChunkMesh; readonly ms: number; readonly heldBytes: number }

@@ -1,7 +1,8 @@
 // The meshing workers. Each owns squares of 8 x 8 columns of chunks, and holds what lies in them and right around.
 import type { Chunk } from './column.js';
 import type { Meshers } from './land.js';
-import type { ChunkData, FromWorker, Job, ToWorker } from './messages.js';
+import { ChangeList } from './changes.js';
+import type { FromWorker, Job, ToWorker } from './messages.js';
 
 const SQUARE = 3; // 2^3 columns
 const JOBS_AT_ONCE = 6;
@@ -9,8 +10,7 @@ const JOBS_AT_ONCE = 6;
 interface Crew {
   readonly worker: Worker;
   jobs: number;
-  chunks: ChunkData[];
-  drops: { lod: number; x: number; y: number; z: number }[];
+  readonly changes: ChangeList;
   orders: Job[];
   heldBytes: number;
 }
@@ -27,10 +27,14 @@ export class Pool implements Meshers {
     workers: number,
     makeWorker: () => Worker,
     private readonly handle: (answer: FromWorker) => void,
+    /** A worker could not be started, or ended: what it was given never comes. */
+    private readonly broken: (text: string) => void,
   ) {
     this.crews = Array.from({ length: workers }, () => {
-      const crew: Crew = { worker: makeWorker(), jobs: 0, chunks: [], drops: [], orders: [], heldBytes: 0 };
+      const crew: Crew = { worker: makeWorker(), jobs: 0, changes: new ChangeList(), orders: [], heldBytes: 0 };
       crew.worker.onmessage = (event: MessageEvent<FromWorker>) => this.answered(crew, event.data);
+      crew.worker.onerror = ({ message }) => this.broken(message || 'it did not start');
+      crew.worker.onmessageerror = () => this.broken('a message that cannot be read');
       return crew;
     });
   }
@@ -48,17 +52,11 @@ export class Pool implements Meshers {
   }
 
   send(chunk: Chunk): void {
-    const { lod, x, y, z, payload, material } = chunk;
-    for (const crew of this.holdersOf(lod, x, z)) crew.chunks.push({ lod, x, y, z, payload: material === null ? payload : null, material });
+    for (const crew of this.holdersOf(chunk)) crew.changes.add(chunk);
   }
 
   drop(chunk: Chunk): void {
-    const { lod, x, y, z } = chunk;
-    for (const crew of this.holdersOf(lod, x, z)) {
-      // In order: what was to be sent must not come after its drop.
-      if (crew.chunks.length > 0) this.flushCrew(crew);
-      crew.drops.push({ lod, x, y, z });
-    }
+    for (const crew of this.holdersOf(chunk)) crew.changes.drop(chunk);
   }
 
   hasRoom(chunk: Chunk): boolean {
@@ -82,13 +80,14 @@ export class Pool implements Meshers {
   }
 
   private flushCrew(crew: Crew): void {
-    if (crew.drops.length > 0) this.post(crew, { kind: 'drop', chunks: crew.drops.splice(0) });
-    if (crew.chunks.length > 0) this.post(crew, { kind: 'chunks', chunks: crew.chunks.splice(0) });
-    if (crew.orders.length > 0) this.post(crew, { kind: 'mesh', jobs: crew.orders.splice(0) });
+    if (crew.changes.isEmpty && crew.orders.length === 0) return;
+    const changes = crew.changes.isEmpty ? null : crew.changes.take();
+    const transfer = changes === null ? [] : [changes.table.buffer, changes.payloads.buffer];
+    this.post(crew, { kind: 'work', changes, jobs: crew.orders.splice(0) }, transfer);
   }
 
-  private post(crew: Crew, message: ToWorker): void {
-    crew.worker.postMessage(message);
+  private post(crew: Crew, message: ToWorker, transfer: Transferable[] = []): void {
+    crew.worker.postMessage(message, transfer);
   }
 
   private ownerOf(lod: number, x: number, z: number): Crew {
@@ -97,7 +96,10 @@ export class Pool implements Meshers {
     return this.crews[((square % count) + count) % count]!;
   }
 
-  private holdersOf(lod: number, x: number, z: number): Set<Crew> {
+  /** Each once. Most columns lie, with those around, in the squares of one. */
+  private holdersOf({ lod, x, z }: Chunk): Iterable<Crew> {
+    const inner = (at: number) => (at + 1) >> SQUARE === (at - 1) >> SQUARE;
+    if (inner(x) && inner(z)) return [this.ownerOf(lod, x, z)];
     const holders = new Set<Crew>();
     for (let dz = -1; dz <= 1; dz++) for (let dx = -1; dx <= 1; dx++) holders.add(this.ownerOf(lod, x + dx, z + dz));
     return holders;

@@ -1,5 +1,5 @@
-// Which chunks a View has (PROTOCOL.md, "View"), so that the engine knows what is still to come.
-import type { LodRing, View, World } from 'talus';
+// Which chunks a View has, level by level, so that the engine knows what is still to come.
+import { ViewShape, type LodRing, type View, type World } from 'talus';
 
 export interface Square {
   readonly x0: number;
@@ -33,6 +33,11 @@ export function ringsFor(radius: number, horizon: number): LodRing[] {
   return rings;
 }
 
+/** Where a camera looks; angles in radians, yaw 0 is north (-z). */
+export function directionOf(yaw: number, pitch: number): { x: number; y: number; z: number } {
+  return { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
+}
+
 /** A View around a camera. Level 0 has all rows of the world where the limits allow it. */
 export function viewFor(
   world: Pick<World, 'minY' | 'maxY' | 'limits'>,
@@ -59,42 +64,12 @@ export function viewFor(
 }
 
 export function shapeOf(view: View, world: Pick<World, 'minY' | 'maxY'>): Shape {
-  const cx = floorDiv(view.centre.x, 32);
-  const cy = floorDiv(view.centre.y, 32);
-  const cz = floorDiv(view.centre.z, 32);
   const shape: (LevelShape | undefined)[] = [];
-  let before: LevelShape = {
-    lod: 0,
-    x0: cx - view.horizontalRadius,
-    x1: cx + view.horizontalRadius,
-    z0: cz - view.horizontalRadius,
-    z1: cz + view.horizontalRadius,
-    y0: cy - view.verticalRadius,
-    y1: cy + view.verticalRadius,
-    hole: null,
-  };
-  shape[0] = before;
-  (view.rings ?? []).forEach(({ lod, radius }, i) => {
-    const scale = 2 ** lod;
-    const ratio = 2 ** (lod - before.lod);
-    const hole = {
-      x0: Math.ceil(before.x0 / ratio),
-      x1: floorDiv(before.x1 + 1, ratio) - 1,
-      z0: Math.ceil(before.z0 / ratio),
-      z1: floorDiv(before.z1 + 1, ratio) - 1,
-    };
-    const none = (view.horizon === true && i === 0) || hole.x1 < hole.x0 || hole.z1 < hole.z0;
-    before = shape[lod] = {
-      lod,
-      x0: floorDiv(cx - radius, scale),
-      x1: floorDiv(cx + radius, scale),
-      z0: floorDiv(cz - radius, scale),
-      z1: floorDiv(cz + radius, scale),
-      y0: view.horizon ? floorDiv(floorDiv(world.minY, scale) - 1, 32) : floorDiv(cy - view.verticalRadius, scale),
-      y1: view.horizon ? floorDiv(floorDiv(world.maxY - 1, scale), 32) : floorDiv(cy + view.verticalRadius, scale),
-      hole: none ? null : hole,
-    };
-  });
+  for (const { lod, x, y, z, innerX, innerZ } of new ViewShape(view, world).boxes) {
+    const hole = { x0: innerX.first, x1: innerX.last, z0: innerZ.first, z1: innerZ.last };
+    const none = hole.x1 < hole.x0 || hole.z1 < hole.z0;
+    shape[lod] = { lod, x0: x.first, x1: x.last, z0: z.first, z1: z.last, y0: y.first, y1: y.last, hole: none ? null : hole };
+  }
   return shape;
 }
 
@@ -107,6 +82,21 @@ export function hasColumn(shape: Shape, lod: number, x: number, z: number): bool
   return level !== undefined && inSquare(level, x, z) && !(level.hole !== null && inSquare(level.hole, x, z));
 }
 
+/** Of the column and the eight around it those that a View of this shape has, as bits (dz + 1) * 3 + dx + 1. */
+export function columnsAround(shape: Shape, lod: number, x: number, z: number): number {
+  const level = shape[lod];
+  if (level === undefined) return 0;
+  const { hole } = level;
+  const isWithin = x > level.x0 && x < level.x1 && z > level.z0 && z < level.z1;
+  const isByHole = hole !== null && x >= hole.x0 - 1 && x <= hole.x1 + 1 && z >= hole.z0 - 1 && z <= hole.z1 + 1;
+  if (isWithin && !isByHole) return 511;
+  let around = 0;
+  for (let bit = 0; bit < 9; bit++) {
+    if (hasColumn(shape, lod, x + (bit % 3) - 1, z + Math.floor(bit / 3) - 1)) around |= 1 << bit;
+  }
+  return around;
+}
+
 /** Whether the level, or a finer one in its place, has the column. */
 export function reaches(shape: Shape, lod: number, x: number, z: number): boolean {
   const level = shape[lod];
@@ -114,11 +104,12 @@ export function reaches(shape: Shape, lod: number, x: number, z: number): boolea
 }
 
 export function chunksOf(shape: Shape): number {
+  const count = (first: number, last: number) => Math.max(0, last - first + 1);
+  const area = (s: Square) => count(s.x0, s.x1) * count(s.z0, s.z1);
   let chunks = 0;
   for (const level of shape) {
     if (level === undefined) continue;
-    const area = (s: Square) => (s.x1 - s.x0 + 1) * (s.z1 - s.z0 + 1);
-    chunks += (area(level) - (level.hole === null ? 0 : area(level.hole))) * (level.y1 - level.y0 + 1);
+    chunks += (area(level) - (level.hole === null ? 0 : area(level.hole))) * count(level.y0, level.y1);
   }
   return chunks;
 }

@@ -6,28 +6,52 @@ import type { Chunk } from './column.js';
 
 const KEPT = 128; // chunks: 8 MiB
 
+/** null: the payload does not decode, or not to what its hash says. */
+type Decoded = number | Uint16Array | null;
+
 export class Voxels {
-  private readonly decoded = new Map<string, { payload: Uint8Array; voxels: number | Uint16Array }>();
+  private readonly decoded = new Map<string, { payload: Uint8Array; voxels: Decoded }>();
+
+  /** `chunkAt`: of level 0, as the land holds it. */
+  constructor(private readonly chunkAt: (x: number, y: number, z: number) => Chunk | undefined) {}
 
   get bytes(): number {
     return this.decoded.size * 65536;
   }
 
+  /** Of a base voxel; undefined: nobody knows. From `airFrom` on the world was generated as air, but somebody may have built. */
+  atBlock(x: number, y: number, z: number, airFrom: number): number | undefined {
+    const chunk = this.chunkAt(Math.floor(x / 32), Math.floor(y / 32), Math.floor(z / 32));
+    if (chunk === undefined || chunk.left) return y >= airFrom ? 0 : undefined;
+    const within = (v: number) => ((v % 32) + 32) % 32;
+    return this.at(chunk, within(x), within(y), within(z));
+  }
+
   /** (x, y, z) of the chunk, 0 to 31. */
-  at(chunk: Chunk, x: number, y: number, z: number): number | undefined {
+  private at(chunk: Chunk, x: number, y: number, z: number): number | undefined {
     if (chunk.material !== null) return chunk.material;
     if (chunk.payload === null) return undefined;
     const key = chunkKey(chunk.lod, chunk.x, chunk.y, chunk.z);
     let held = this.decoded.get(key);
     if (held === undefined || held.payload !== chunk.payload) {
-      held = { payload: chunk.payload, voxels: decodeChunk(chunk.payload) };
+      held = { payload: chunk.payload, voxels: decodedOrNull(chunk.payload, chunk.hash) };
       this.decoded.set(key, held);
       if (this.decoded.size > KEPT) this.decoded.delete(this.decoded.keys().next().value!);
     }
+    if (held.voxels === null) return undefined;
     return typeof held.voxels === 'number' ? held.voxels : held.voxels[voxelIndex(x, y, z)];
   }
 
   clear(): void {
     this.decoded.clear();
+  }
+}
+
+/** The workers, which are given every chunk too, tell of what does not decode. */
+function decodedOrNull(payload: Uint8Array, hash: string | null): Decoded {
+  try {
+    return decodeChunk(payload, hash);
+  } catch {
+    return null;
   }
 }

@@ -1,6 +1,7 @@
 // A meshing worker: decodes the chunks that it is given, and meshes what it is asked to.
 import { meshChunk } from '../mesh/mesher.js';
 import { PADDED_VOXELS, fillPadded } from '../mesh/volume.js';
+import { apply } from './changes.js';
 import { decodeChunk } from './decode.js';
 import type { FromWorker, Job, ToWorker } from './messages.js';
 import { keptOf } from './slice.js';
@@ -41,17 +42,14 @@ self.onmessage = (event: MessageEvent<ToWorker>) => {
   if (message.kind === 'world') {
     kinds = message.kinds;
     places = message.places;
-  } else if (message.kind === 'chunks') {
-    for (const chunk of message.chunks) chunks.add(chunk);
-  } else if (message.kind === 'drop') {
-    for (const chunk of message.chunks) chunks.drop(chunk);
-  } else {
-    for (const job of message.jobs) {
-      try {
-        mesh(job);
-      } catch (error) {
-        answer({ kind: 'failed', id: job.id, text: String(error) });
-      }
+    return;
+  }
+  if (message.changes !== null) apply(message.changes, chunks);
+  for (const job of message.jobs) {
+    try {
+      mesh(job);
+    } catch (error) {
+      answer({ kind: 'failed', id: job.id, text: String(error) });
     }
   }
 };

@@ -7,13 +7,15 @@ import type { ChunkData } from './messages.js';
 interface Held {
   readonly payload: Uint8Array | null;
   material: number | null;
+  hash: string | null; // null: checked, or not known
   shell: Uint16Array | null;
 }
 
 const VOXEL_BYTES = 65536;
 const CACHED = 160; // chunks: 10 MiB
 
-export type Decode = (payload: Uint8Array) => number | Uint16Array;
+/** Throws where the payload is none, or its voxels do not have the hash. */
+export type Decode = (payload: Uint8Array, hash: string | null) => number | Uint16Array;
 
 export class WorkerChunks {
   private readonly held = new Map<string, Held>();
@@ -32,6 +34,7 @@ export class WorkerChunks {
     this.held.set(chunkKey(chunk.lod, chunk.x, chunk.y, chunk.z), {
       payload: chunk.payload,
       material: chunk.material,
+      hash: chunk.hash,
       shell: null,
     });
     this.payloadBytes += chunk.payload?.length ?? 0;
@@ -76,7 +79,8 @@ export class WorkerChunks {
   }
 
   private decoded(held: Held): number | Uint16Array {
-    const voxels = this.decode(held.payload!);
+    const voxels = this.decode(held.payload!, held.hash);
+    held.hash = null; // once is enough
     if (typeof voxels === 'number') {
       held.material = voxels;
     } else if (held.shell === null) {

@@ -95,7 +95,7 @@ describe('Land', () => {
         while (jobs.length > 0 && (all || next(2) === 0)) {
           const job = jobs.splice(next(jobs.length), 1)[0]!;
           land.meshed(job.id, mesh());
-          if (all) land.update(camera, 1e9);
+          if (all) land.update(camera);
         }
       };
       for (let move = 0; move < 5; move++) {
@@ -112,14 +112,14 @@ describe('Land', () => {
           const uniform = next(4) === 0;
           land.add(lod, x, y, z, uniform ? null : Uint8Array.of(1), uniform ? next(2) : null);
           held.add(`${lod} ${x} ${y} ${z}`);
-          land.update(camera, 1e9);
+          land.update(camera);
           finish(false);
           // Sometimes the player moves on before all is here.
           if (move < 4 && next(400) === 0) break;
         }
       }
       for (let i = 0; i < 2000 && !land.settled; i++) {
-        land.update(camera, 1e9);
+        land.update(camera);
         finish(true);
       }
       expect(land.settled).toBe(true);

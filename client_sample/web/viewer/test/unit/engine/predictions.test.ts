@@ -11,7 +11,7 @@ const INDEX = (4 * 32 + 5) * 32 + 3;
 const chunkWith = (...written: [number, number][]): Content => {
   const voxels = new Uint16Array(32_768).fill(1);
   for (const [index, material] of written) voxels[index] = material;
-  return { payload: encodeChunk({ uniform: null, voxels }), material: null };
+  return { payload: encodeChunk({ uniform: null, voxels }), material: null, hash: null };
 };
 
 describe('predictions', () => {
@@ -30,7 +30,7 @@ describe('predictions', () => {
     return show;
   };
   beforeEach(() => {
-    land = new Map([[name(here), { payload: null, material: 1 }]]);
+    land = new Map([[name(here), { payload: null, material: 1, hash: null }]]);
     shows = 0;
     predictions = new Predictions({
       held: (place) => land.get(name(place)) ?? null,
