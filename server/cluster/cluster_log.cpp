@@ -114,7 +114,7 @@ ClusterLog::Status ClusterLog::status() const {
   status.sequence = sequence_;
   status.skipped = skipped_;
   status.bounded = bounded_;
-  status.stuck = stuck_since_.has_value();
+  status.stuck = stuck_since_ && !fault_.empty();  // once it says why
   if (stopping_) {
     status.read_only = "this server is about to end";
   } else if (!fault_.empty()) {
