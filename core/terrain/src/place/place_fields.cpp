@@ -286,8 +286,7 @@ std::int32_t PlaceFields::early_share_at(std::size_t i, int x, int z) const {
   return each_[static_cast<std::size_t>(share.each)][static_cast<std::size_t>(column)];
 }
 
-std::int32_t PlaceFields::share_at(std::size_t i, int x, int z) const {
-  if (!is_at_points(i)) return shares_[i].at(x, z);
+std::int32_t PlaceFields::share_at_point(std::size_t i, int x, int z) const {
   std::int32_t share = early_share_at(i, x, z);
   for (const Places::Ramp& ramp : places_->shares[i].late) {
     const bool by_slope = ramp.quantity == number_of(Quantity::slope);

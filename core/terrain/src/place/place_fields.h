@@ -46,7 +46,9 @@ class PlaceFields {
   /// Whether share i may be more than 0 somewhere.
   [[nodiscard]] bool has_share(std::size_t i) const;
   /// Share i at column (x, z) of the region. REQUIRES has_share(i), after thin_late().
-  [[nodiscard]] std::int32_t share_at(std::size_t i, int x, int z) const;
+  [[nodiscard]] std::int32_t share_at(std::size_t i, int x, int z) const {
+    return is_at_points(i) ? share_at_point(i, x, z) : shares_[i].at(x, z);
+  }
 
  private:
   /// What a row has of a share: 0 all along, kWholeShare all along, or anything.
@@ -64,6 +66,7 @@ class PlaceFields {
     return from_tiles_ && !at_points_.empty() && at_points_[i];
   }
   void take_at_points(int x, int z, const GroundTile& tile);
+  [[nodiscard]] std::int32_t share_at_point(std::size_t i, int x, int z) const;
   [[nodiscard]] std::int32_t early_share_at(std::size_t i, int x, int z) const;
   void set_looks(int z, std::size_t width);
   void set_share(std::size_t i, int z, std::size_t width, std::uint64_t present);
