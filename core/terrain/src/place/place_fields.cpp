@@ -28,14 +28,11 @@ PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_
   for (const Places::Share& share : places_->shares) {
     for (const Places::Ramp& ramp : share.early) asked_.push_back(ramp.quantity);
   }
-  for (std::size_t i = 0; i < places_->shares.size(); ++i) {
-    late_ = late_ || (!is_at_points(i) && !places_->shares[i].late.empty());
-  }
   std::sort(asked_.begin(), asked_.end());
   asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
 }
 
-void PlaceFields::start(int width, int depth) {
+void PlaceFields::start(int width, int depth, bool from_tiles) {
   const auto columns = static_cast<std::size_t>(width);
   width_ = width;
   depth_ = depth;
@@ -50,8 +47,13 @@ void PlaceFields::start(int width, int depth) {
   for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), Any::none);
   only_.resize(looks_.size());
   for (auto& rows : only_) rows.assign(static_cast<std::size_t>(depth), kSeveral);
-  from_tiles_ = false;
+  from_tiles_ = from_tiles;
+  tiles_a_row_ = 0;
   each_used_ = 0;
+  late_ = false;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    late_ = late_ || (!is_at_points(i) && !places_->shares[i].late.empty());
+  }
   some_.assign(shares_.size(), 0);
   gathered_.resize(places_->quantities);
   rows_.resize(places_->quantities);
@@ -251,8 +253,7 @@ void PlaceFields::take(int x, int z, const GroundTile& tile) {
 // Objects stand on few columns: what a tile has is looked up there.
 void PlaceFields::take_at_points(int x, int z, const GroundTile& tile) {
   if (at_points_.empty()) return;
-  if (!from_tiles_) {
-    from_tiles_ = true;
+  if (tiles_a_row_ == 0) {
     tile_x_ = static_cast<int>(kGroundTileSide - floor_mod(x, kGroundTileSide));
     tile_z_ = static_cast<int>(kGroundTileSide - floor_mod(z, kGroundTileSide));
     tiles_a_row_ = (width_ + tile_x_ + kGroundTileSide - 1) / kGroundTileSide;
@@ -274,11 +275,10 @@ void PlaceFields::take_at_points(int x, int z, const GroundTile& tile) {
 }
 
 bool PlaceFields::has_share(std::size_t i) const {
-  return is_at_points(i) && from_tiles_ ? some_[i] != 0 : !shares_[i].values.empty();
+  return is_at_points(i) ? some_[i] != 0 : !shares_[i].values.empty();
 }
 
 std::int32_t PlaceFields::early_share_at(std::size_t i, int x, int z) const {
-  if (!from_tiles_) return any_[i][static_cast<std::size_t>(z)] == Any::none ? 0 : shares_[i].at(x, z);
   const int place = (z + tile_z_) / kGroundTileSide * tiles_a_row_ + (x + tile_x_) / kGroundTileSide;
   const TileShare& share = tile_shares_[static_cast<std::size_t>(place) * shares_.size() + i];
   if (share.each < 0) return share.all;
@@ -286,8 +286,7 @@ std::int32_t PlaceFields::early_share_at(std::size_t i, int x, int z) const {
   return each_[static_cast<std::size_t>(share.each)][static_cast<std::size_t>(column)];
 }
 
-std::int32_t PlaceFields::share_at(std::size_t i, int x, int z) const {
-  if (!is_at_points(i)) return shares_[i].at(x, z);
+std::int32_t PlaceFields::share_at_point(std::size_t i, int x, int z) const {
   std::int32_t share = early_share_at(i, x, z);
   for (const Places::Ramp& ramp : places_->shares[i].late) {
     const bool by_slope = ramp.quantity == number_of(Quantity::slope);

@@ -19,11 +19,13 @@ namespace talus::terrain {
 /// Keeps its memory from region to region. For one thread at a time.
 class PlaceFields {
  public:
-  /// `at_points`: by share, whether share_at() alone asks for it; none where that is empty. It has no field.
+  /// `at_points`: by share, whether share_at() alone asks for it; none where that is empty. It has no field
+  /// where tiles are taken.
   PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_fx, float subvoxels_a_unit,
               InstructionSet set, std::vector<bool> at_points = {});
 
-  void start(int width, int depth);
+  /// `from_tiles`: whether take() sets all of it, and not set_row().
+  void start(int width, int depth, bool from_tiles = false);
   /// Row z of the region: a row of each quantity, of which columns first, first + step, ... are the region's.
   /// A surface that knows no quantities leaves them null; of `heights_fx`, rows of the region's columns
   /// alone, height is made then.
@@ -44,7 +46,9 @@ class PlaceFields {
   /// Whether share i may be more than 0 somewhere.
   [[nodiscard]] bool has_share(std::size_t i) const;
   /// Share i at column (x, z) of the region. REQUIRES has_share(i), after thin_late().
-  [[nodiscard]] std::int32_t share_at(std::size_t i, int x, int z) const;
+  [[nodiscard]] std::int32_t share_at(std::size_t i, int x, int z) const {
+    return is_at_points(i) ? share_at_point(i, x, z) : shares_[i].at(x, z);
+  }
 
  private:
   /// What a row has of a share: 0 all along, kWholeShare all along, or anything.
@@ -58,8 +62,11 @@ class PlaceFields {
   };
 
   [[nodiscard]] Field& share_to_set(std::size_t i);
-  [[nodiscard]] bool is_at_points(std::size_t i) const { return !at_points_.empty() && at_points_[i]; }
+  [[nodiscard]] bool is_at_points(std::size_t i) const {
+    return from_tiles_ && !at_points_.empty() && at_points_[i];
+  }
   void take_at_points(int x, int z, const GroundTile& tile);
+  [[nodiscard]] std::int32_t share_at_point(std::size_t i, int x, int z) const;
   [[nodiscard]] std::int32_t early_share_at(std::size_t i, int x, int z) const;
   void set_looks(int z, std::size_t width);
   void set_share(std::size_t i, int z, std::size_t width, std::uint64_t present);
@@ -80,10 +87,10 @@ class PlaceFields {
   std::vector<std::vector<Any>> any_;
   std::vector<std::vector<std::int16_t>> only_;  // of rows: the look that all of it has, or kSeveral
   std::vector<bool> at_points_;
-  bool from_tiles_ = false;  // shares at points are known by tile, not by row
-  int tile_x_ = 0;           // columns and rows from a tile's border to the region's corner
+  bool from_tiles_ = false;
+  int tile_x_ = 0;  // columns and rows from a tile's border to the region's corner
   int tile_z_ = 0;
-  int tiles_a_row_ = 0;
+  int tiles_a_row_ = 0;                 // 0: none is taken yet
   std::vector<TileShare> tile_shares_;  // by tile of rows and columns of them, and by share
   std::vector<GroundTile::Columns<std::uint16_t>> each_;
   std::size_t each_used_ = 0;

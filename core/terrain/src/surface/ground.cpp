@@ -60,7 +60,7 @@ void Ground::start(const Region& asked) {
   slope_.reshape(region_.width, region_.depth);
   known_height_.reshape(known_.width, known_.depth);
   if (knows_slopes_) known_slope_.reshape(known_.width, known_.depth);
-  if (places_) places_->start(asked.width, asked.depth);
+  if (places_) places_->start(asked.width, asked.depth, tiled_);
   blocks_.clear();
   block_ = 0;
   next_ = 0;
