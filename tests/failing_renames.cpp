@@ -29,6 +29,10 @@ FailingRenames::FailingRenames(std::size_t renames) {
   left = static_cast<std::int64_t>(renames);
 }
 
+bool FailingRenames::has_failed() const {
+  return left == kNever;
+}
+
 FailingRenames::~FailingRenames() {
   left = kNever;
 }

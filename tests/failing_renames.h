@@ -12,6 +12,8 @@ class FailingRenames {
   ~FailingRenames();
   FailingRenames(const FailingRenames&) = delete;
   FailingRenames& operator=(const FailingRenames&) = delete;
+
+  [[nodiscard]] bool has_failed() const;
 };
 
 }  // namespace talus::test
