@@ -36,6 +36,15 @@ std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const 
   while (!past_.empty() && (past_.back().until + kOnItsWay < now || past_.size() >= kMaxPast))
     past_.pop_back();
 
+  // Of Views that were far away no chunk is asked for one by one: who jumps has hundreds of them.
+  std::vector<Box> left_near;
+  for (const Past& past : past_) {
+    if (past.box.meets(box)) left_near.push_back(past.box);
+  }
+  const auto left_this = [&](const glm::i64vec3& at) {
+    return std::any_of(left_near.begin(), left_near.end(),
+                       [&](const Box& left) { return left.contains(at); });
+  };
   std::vector<Cell> cells;
   const glm::i64vec3 size = box.size();
   cells.reserve(static_cast<std::size_t>(size.x * size.y * size.z));
@@ -46,7 +55,7 @@ std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const 
     if (box_.contains(at)) {
       shares = true;
       cell = cells_[index_of(box_, at)];
-    } else if (left_lately(at)) {
+    } else if (left_this(at)) {
       cell |= kReturned;
     }
     if (cell != 0 && (cell & kReturned) == 0) ++waiting;

@@ -26,6 +26,10 @@ struct Box {
     return low.x <= at.x && at.x <= high.x && low.y <= at.y && at.y <= high.y && low.z <= at.z &&
            at.z <= high.z;
   }
+  [[nodiscard]] bool meets(const Box& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
+           low.z <= other.high.z && other.low.z <= high.z;
+  }
   [[nodiscard]] glm::i64vec3 size() const { return high - low + std::int64_t{1}; }
 };
 

@@ -11,6 +11,9 @@
 namespace talus::load {
 namespace {
 
+/// So far behind its schedule a harness measures itself.
+constexpr double kVoidMs = 1'000;
+
 std::string row(const std::string& name, const measure::Histogram& waits) {
   if (waits.count() == 0) return "";
   return fmt::format("  {:<22}{:>11}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}{:>10.3f}\n", name, waits.count(),
@@ -253,6 +256,11 @@ std::string report(const Plan& plan, const RunResult& result) {
   text += held_by(plan, result) + checks_of(plan, result) + troubles_of(result) + server_of(figures);
   text += fmt::format("  harness: {:.2f} CPU s, p99 {:.3f} ms behind its own schedule\n",
                       figures.at("harness_cpu_s"), result.lateness.percentile_ms(0.99));
+  if (result.lateness.percentile_ms(0.99) > kVoidMs) {
+    text +=
+        "  void: talus-load could not keep up with its own players, and the figures above are its own, not "
+        "the server's; give it fewer --players, or more --threads\n";
+  }
   return text;
 }
 

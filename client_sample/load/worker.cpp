@@ -80,8 +80,10 @@ void Worker::begin(bool idle, Time from, Time measure_from) {
 }
 
 void Worker::finish(Time deadline) {
+  // At once: a worker that is behind may owe its clients' steps for minutes before it looks at what is
+  // posted.
+  finishing_ = true;
   asio::post(io_, [this, deadline] {
-    finishing_ = true;
     for (const auto& client : clients_) client->finish();
     end_if_satisfied(deadline);
   });

@@ -99,7 +99,7 @@ class Worker {
   std::priority_queue<Entry> entries_;  // those whose due time has changed since count for nothing
   Time timer_due_ = Time::max();
   Time measure_from_ = Time::max();
-  bool finishing_ = false;
+  std::atomic<bool> finishing_ = false;
   Random random_;
   Tallies tallies_;
   measure::Histogram lateness_;

@@ -20,6 +20,13 @@ std::string_view without_newline(std::string_view text) {
   return text;
 }
 
+/// A file that was filled up, or never written, and that anybody guesses. Short passwords are not judged.
+bool holds_no_secret(std::string_view bytes) {
+  constexpr std::size_t kShort = 16;
+  const bool blank = bytes.find_first_not_of(std::string_view{"\0 \t\r\n", 5}) == std::string_view::npos;
+  return blank || (bytes.size() >= kShort && bytes.find_first_not_of(bytes[0]) == std::string_view::npos);
+}
+
 std::optional<std::string> permission_warning(const std::filesystem::path& file, mode_t mode) {
   if ((mode & (S_IROTH | S_IWOTH | S_IWGRP)) == 0) return std::nullopt;
   return fmt::format("{}: other users may read or change it (mode {:03o}); run chmod 600 or chmod 640 on it",
@@ -47,9 +54,12 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
                  "; name a file that holds the secret and that the user of talusd may read");
   const std::string_view bytes = without_newline(read->text());
   if (bytes.size() < bounds.min_bytes || bytes.size() > bounds.max_bytes) {
-    return wrong(
-        fmt::format("has {} bytes; it must have {} to {}, as \"head -c 32 /dev/urandom | base64\" prints",
-                    bytes.size(), bounds.min_bytes, bounds.max_bytes));
+    return wrong(fmt::format("has {} bytes; it must have {} to {}, as {}", bytes.size(), bounds.min_bytes,
+                             bounds.max_bytes, bounds.as));
+  }
+  if (holds_no_secret(bytes)) {
+    return wrong(fmt::format(
+        "has no secret: it is blank, or one character again and again; give it one, as {}", bounds.as));
   }
   return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
 }

@@ -33,10 +33,13 @@ struct KeyFile {
 struct KeyBounds {
   std::size_t min_bytes;
   std::size_t max_bytes;
+  /// Where one gets such a file, for errors: "it must have ..., as {}".
+  std::string_view as = "\"head -c 32 /dev/urandom | base64\" prints";
 };
 
 /// The file's bytes without a single trailing newline. An error is one line that begins with the file: it
-/// cannot be read, is not a regular file, or its length is out of bounds.
+/// cannot be read, is not a regular file, its length is out of bounds, or it is no secret: blank, or a single
+/// character again and again.
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 

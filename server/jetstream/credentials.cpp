@@ -12,9 +12,9 @@
 namespace talus::server::jetstream {
 namespace {
 
-constexpr KeyBounds kPasswordBounds{1, 1024};
-constexpr KeyBounds kSeedBounds{1, 128};
-constexpr KeyBounds kPemBounds{1, 8192};
+constexpr KeyBounds kPasswordBounds{1, 1024, "the NATS servers have it"};
+constexpr KeyBounds kSeedBounds{1, 128, "\"nk -gen user\" prints"};
+constexpr KeyBounds kPemBounds{1, 8192, "a private key's PEM file has"};
 constexpr std::size_t kMaxCertificateBytes = 1U << 20;  // a whole system's certificates are a fifth of it
 
 /// Nothing where no file is named.

@@ -9,6 +9,7 @@
 
 #include "cluster/message.h"
 #include "store/acknowledged_file.h"
+#include "store/id_check.h"
 #include "store/read_only_store.h"
 #include "store/whole_store.h"
 
@@ -89,6 +90,7 @@ tl::expected<StoreMeta, std::string> read_place(const fs::path& directory) {
   if (!store) return tl::unexpected{store.error()};
   const StoreMeta meta = (*store)->meta();
   if (const auto whole = check_acknowledged(directory, meta); !whole) return tl::unexpected{whole.error()};
+  if (const auto one = check_store_id(directory, meta); !one) return tl::unexpected{one.error()};
   return meta;
 }
 

@@ -21,7 +21,8 @@ namespace talus::server::join {
                                                                  const edits::SettleRules& settles,
                                                                  LogStream& stream);
 
-/// Where the store in `directory` stands; it has all that was acknowledged.
+/// Where the store in `directory` stands; it has all that was acknowledged, and its
+/// database and its store.toml are of one store.
 [[nodiscard]] tl::expected<StoreMeta, std::string> read_place(const std::filesystem::path& directory);
 
 }  // namespace talus::server::join

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using Done = tl::expected<void, std::string>;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::string_view kRejoinName = "rejoin";
 constexpr std::size_t kMaxReasonBytes = 1'000;
 constexpr std::chrono::milliseconds kFirstWait{500};
 constexpr std::chrono::milliseconds kLongestWait{5'000};
@@ -44,6 +43,7 @@ class Preparation {
     if (!id_) {
       parts_.log->info("joining: neither this directory nor cluster.store says which store it is to be");
       if (auto taken = take(WantedPlace{}); !taken) return tl::unexpected{std::move(taken.error())};
+      is_compared_ = false;
     }
     auto stream = parts_.open_stream(*id_);
     if (!stream) return tl::unexpected{std::move(stream.error())};
@@ -123,13 +123,16 @@ class Preparation {
     for (auto wait = kFirstWait;; wait = std::min(2 * wait, kLongestWait)) {
       const auto state = stream.state();
       auto facts = state ? facts_of(*state, stream) : tl::unexpected{state.error()};
-      if (facts) return *std::move(facts);
+      if (facts) {
+        is_compared_ = true;
+        return *std::move(facts);
+      }
       if (facts.error().kind != Kind::unavailable) {
         // Whatever the stream is: it cannot be this store's.
         if (local_ && local_->stream.sequence == 0) return refused(plan_start({local_, {}}).reason);
         return refused(without_stream(facts.error().reason));
       }
-      if (local_ && local_->stream.sequence > 0 && rejoin_.empty()) {
+      if (local_ && local_->stream.sequence > 0 && rejoin_.empty() && is_compared_) {
         parts_.log->warn(
             "cluster: {}; until it can be reached this server has what is on its disk, and takes no edits",
             facts.error().reason);
@@ -271,6 +274,7 @@ class Preparation {
   bool gave_up_ = false;
   std::optional<AsideStore> aside_;  // the local store, while it must not be used
   bool own_goes_on_ = false;         // it is used after all
+  bool is_compared_ = true;          // unless the local store came from a peer before there was a stream
   std::uint64_t joins_ = 0;
 };
 

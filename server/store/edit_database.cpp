@@ -13,6 +13,7 @@
 #include <rocksdb/write_batch.h>
 #include <talus/files/atomic_file.h>
 
+#include "store/id_check.h"
 #include "store/regular_files.h"
 #include "store/rocks.h"
 #include "store/store_identity.h"
@@ -133,10 +134,7 @@ EditDatabase::Done EditDatabase::check_meta() const {
   }
   // Where the file is gone the store gets a new id below, of which store.toml may have one already.
   if (meta_.store_id != settings_.store_id && has_acknowledged()) {
-    return failure(
-        fmt::format("the edits belong to store {}; this directory's store.toml has {}; put back the "
-                    "directory's own edits, or give --data another directory",
-                    to_string(meta_.store_id), to_string(settings_.store_id)));
+    return failure(ids_differ(meta_.store_id, settings_.store_id));
   }
   if (meta_.level_rule != edits::kLevelRule) {
     return failure(

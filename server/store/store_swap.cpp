@@ -74,6 +74,9 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
     kept = place_for_old(directory);
     if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
   }
+  // What was found out of the store before says nothing of this one.
+  fs::remove(directory / kRejoinName, code);
+  if (code) return swap_failure(directory / kRejoinName, code);
   fs::remove_all(next, code);
   if (code) return swap_failure(next, code);
   if (auto synced = sync_directory(directory); !synced) return tl::unexpected{synced.error()};
@@ -134,6 +137,11 @@ tl::expected<fs::path, std::string> swap_in(const fs::path& directory) {
     return tl::unexpected{named.error()};
   }
   return finish(directory);
+}
+
+bool swap_is_begun(const fs::path& directory) {
+  std::error_code code;
+  return fs::exists(fs::symlink_status(next_of(directory), code));
 }
 
 tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, const fs::path& replaced) {

@@ -20,10 +20,16 @@ namespace talus::server {
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> make_staging(
     const std::filesystem::path& directory);
 
-/// The store in `staging`, whose files are whole and synced, is the directory's from now on. Returns where
-/// the one before is kept; empty where there was none.
+/// The file in a data directory that says why the store there must not be used any more.
+inline constexpr std::string_view kRejoinName = "rejoin";
+
+/// The store in `staging`, whose files are whole and synced, is the directory's from now on, and what
+/// kRejoinName said of the one before is gone. Returns where that is kept; empty where there was none.
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(
     const std::filesystem::path& directory);
+
+/// Whether a swap was interrupted, or failed, when the new store counted already: tidy_up() ends it.
+[[nodiscard]] bool swap_is_begun(const std::filesystem::path& directory);
 
 /// `replaced`, which swap_in() returned, was replaced because its server took another's store: a server may
 /// do that again and again, so of such no more than the newest two are kept. Returns where it is then.

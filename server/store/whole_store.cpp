@@ -3,8 +3,10 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <rocksdb/utilities/checkpoint.h>
 
 #include "store/acknowledged_file.h"
+#include "store/id_check.h"
 #include "store/regular_files.h"
 #include "store/rocks.h"
 #include "store/store_builder.h"
@@ -59,12 +61,28 @@ tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& pa
 
 }  // namespace
 
+tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesystem::path& path) {
+  const auto db = open_to_write(path, kCheckpointCopiesBytes);
+  if (!db) return tl::unexpected{db.error()};
+  auto staging = make_staging(path);
+  if (!staging) return staging;
+  rocksdb::Checkpoint* made = nullptr;
+  rocksdb::Status status = rocksdb::Checkpoint::Create(db->get(), &made);
+  const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
+  if (status.ok()) status = checkpoint->CreateCheckpoint((*staging / "db").string(), UINT64_MAX);
+  if (status.ok()) status = (*db)->Close();
+  if (!status.ok()) return whole_failure(path, status);
+  return staging;
+}
+
 tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
   const auto meta = change_meta(path, [&](StoreMeta& changed) {
     changed.store_id = store_id;
     changed.stream = {};  // a store of its own
   });
-  return meta ? write_store_files(path, *meta) : tl::unexpected{meta.error()};
+  if (!meta) return tl::unexpected{meta.error()};
+  if (auto written = write_store_files(path, *meta); !written) return written;
+  return sync_directory(path / "db");
 }
 
 tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, const StreamPlace& place) {
@@ -83,6 +101,7 @@ tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   if (!*meta)
     return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
   if (const auto whole = check_acknowledged(path, **meta); !whole) return whole;
+  if (const auto one = check_store_id(path, **meta); !one) return one;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
   rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);

@@ -11,7 +11,6 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
 
-#include "join/prepare_store.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
 #include "store/whole_store.h"
@@ -217,11 +216,8 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const
   }
   const ContentHash id = random_store_id();
   if (const auto given = give_identity(*staging, id); !given) return tl::unexpected{given.error()};
-  if (const auto synced = sync_directory(*staging / "db"); !synced) return tl::unexpected{synced.error()};
   auto replaced = swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
-  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
-    return tl::unexpected{forgotten.error()};
   return Restored{*std::move(manifest), id, *std::move(replaced)};
 }
 

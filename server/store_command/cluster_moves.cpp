@@ -5,11 +5,13 @@
 #include "config/cluster_check.h"
 #include "join/enter_cluster.h"
 #include "join/prepare_store.h"
+#include "store/store_swap.h"
 #include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
 
+namespace fs = std::filesystem;
 using Text = tl::expected<std::string, std::string>;
 
 tl::expected<void, std::string> check_nats(const Cluster& settings) {
@@ -71,18 +73,37 @@ tl::expected<void, std::string> check_world(const DataDirectory& directory, cons
       to_string(world.fingerprint()))};
 }
 
-/// `stream` is that of the id, and is there.
-Text enter(const DataDirectory& directory, ContentHash id, const terrain::World& world,
-           const ClusterTools& tools, LogStream& stream) {
-  const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), stream);
-  if (!entered) return tl::unexpected{entered.error()};
-  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
-    return tl::unexpected{forgotten.error()};
+std::string of_beginning(const fs::path& path, const StoreMeta& entered) {
+  const std::string id = to_string(entered.store_id);
   return fmt::format(
       "{}: store {} begins its cluster's stream at {}\n"
       "set cluster.store = \"{}\" on all servers, start this one first, and let the others, with empty data "
       "directories, name it in cluster.peers\n",
-      directory.path().string(), to_string(id), place_of(*entered), to_string(id));
+      path.string(), id, place_of(entered), id);
+}
+
+/// The store under another id: made beside it, so that a kill leaves the one or the other, whole.
+tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentHash id) {
+  const auto staging = stage_copy(path);
+  if (!staging) return staging;
+  if (const auto given = give_identity(*staging, id); !given) return tl::unexpected{given.error()};
+  return *staging;
+}
+
+/// What is in staging is the directory's store, which had the same edits. `if_not` is said where it is not.
+tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_view if_not) {
+  const auto replaced = swap_in(path);
+  if (!replaced) {
+    if (!swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", replaced.error(), if_not)};
+    return tl::unexpected{
+        fmt::format("{}; the new store counts already: \"talusd store stat\" ends its move into place, and "
+                    "prints its id",
+                    replaced.error())};
+  }
+  std::error_code code;
+  fs::remove_all(*replaced, code);
+  if (code) return tl::unexpected{fmt::format("{}: {}; remove it", replaced->string(), code.message())};
+  return {};
 }
 
 }  // namespace
@@ -97,9 +118,15 @@ Text join_cluster(const DataDirectory& directory, const Cluster& settings, const
         fmt::format("cluster.store: it names store {}, and {} has store {}; name that, or \"\"",
                     settings.store, directory.path().string(), id)};
   }
+  // Before a stream is made, or named as one to be deleted.
+  if (const auto place = join::read_place(directory.path()); !place) return tl::unexpected{place.error()};
   const auto stream = tools.open(settings, directory.store_id(), true);
   if (!stream) return tl::unexpected{stream.error()};
-  return enter(directory, directory.store_id(), world, tools, **stream);
+  const auto entered = join::enter_cluster(directory.path(), tools.settle_rules(world), **stream);
+  if (!entered) return tl::unexpected{entered.error()};
+  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
+    return tl::unexpected{forgotten.error()};
+  return of_beginning(directory.path(), *entered);
 }
 
 Text leave_cluster(const DataDirectory& directory, const Cluster& settings, const ClusterTools& tools,
@@ -113,10 +140,15 @@ Text leave_cluster(const DataDirectory& directory, const Cluster& settings, cons
         place_of(*meta), behind.text)};
   }
   const ContentHash id = keeps_id ? meta->store_id : random_store_id();
-  const auto left = keeps_id ? enter_stream(directory.path(), {}) : give_identity(directory.path(), id);
-  if (!left) return tl::unexpected{left.error()};
-  if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
-    return tl::unexpected{forgotten.error()};
+  if (keeps_id) {
+    if (const auto left = enter_stream(directory.path(), {}); !left) return tl::unexpected{left.error()};
+    if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
+      return tl::unexpected{forgotten.error()};
+  } else {
+    const auto staging = stage_with_id(directory.path(), id);
+    if (!staging) return tl::unexpected{staging.error()};
+    if (const auto put = put_in_place(directory.path(), ""); !put) return tl::unexpected{put.error()};
+  }
   return fmt::format(
       "{}: store {} is this machine's alone, at {}; {}\nset cluster.nats = \"\" before talusd is started\n",
       directory.path().string(), to_string(id), place_of(*meta), behind.text);
@@ -147,17 +179,16 @@ Text fork_cluster(const DataDirectory& directory, const Cluster& settings, const
     return tl::unexpected{
         fmt::format("nothing is changed: the new stream cannot be made: {}", stream.error())};
   }
-  if (const auto given = give_identity(directory.path(), id); !given) {
-    return tl::unexpected{
-        fmt::format("{}; the stream TALUS_{} is there for nothing, and may be deleted in NATS", given.error(),
-                    to_string(id))};
-  }
-  auto entered = enter(directory, id, world, tools, **stream);
-  if (entered) return entered;
-  return tl::unexpected{
-      fmt::format("the store is {} and in no cluster now, but its stream was not begun: {}; run \"talusd "
-                  "store join-cluster\"",
-                  to_string(id), entered.error())};
+  const std::string if_not = fmt::format(
+      "; the store is what it was, and the stream TALUS_{} is there for nothing: it may be deleted "
+      "in NATS",
+      to_string(id));
+  const auto staging = stage_with_id(directory.path(), id);
+  if (!staging) return tl::unexpected{staging.error() + if_not};
+  const auto entered = join::enter_cluster(*staging, tools.settle_rules(world), **stream);
+  if (!entered) return tl::unexpected{entered.error() + if_not};
+  if (const auto put = put_in_place(directory.path(), if_not); !put) return tl::unexpected{put.error()};
+  return of_beginning(directory.path(), *entered);
 }
 
 }  // namespace talus::server

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "store/acknowledged_file.h"
+#include "store/id_check.h"
 
 namespace talus::server {
 
@@ -37,6 +38,8 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   if (!opened.server_) {
     const auto whole = check_acknowledged(data, opened.store_->meta());
     if (!whole) return tl::unexpected{whole.error()};
+    const auto one = check_store_id(data, opened.store_->meta());
+    if (!one) return tl::unexpected{one.error()};
   }
   return opened;
 }

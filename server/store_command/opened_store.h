@@ -18,7 +18,7 @@ namespace talus::server {
 
 class OpenedStore {
  public:
-  /// Refuses a store that lost what was acknowledged.
+  /// Refuses a store that lost what was acknowledged, or whose store.toml is another store's.
   [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
 
   [[nodiscard]] const ReadOnlyStore& store() const { return *store_; }

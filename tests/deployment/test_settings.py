@@ -22,7 +22,7 @@ class Settings(unittest.TestCase):
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = pathlib.Path(scratch.name)
         certificates(cls.folder)
-        (cls.folder / "signing_key").write_text("x" * 44)
+        (cls.folder / "signing_key").write_text("four and twenty letters and twenty more, 44")
         token = subprocess.run([TALUSD, "token", "--key-file", cls.folder / "signing_key", "--subject", "peers", "--rights", "read,admin",
                                 "--valid", "8760h"], capture_output=True, text=True, check=True)
         (cls.folder / "peers_token").write_text(token.stdout)

@@ -50,6 +50,9 @@ TEST_CASE("a secret that cannot be had names its key and file") {
   cluster.token_file = scratch.write("empty", "\n");
   CHECK_THAT(refused(cluster), Catch::StartsWith("cluster.token_file: ") && Catch::Contains("0 bytes"));
   cluster.token_file.clear();
+  cluster.nkey_file = scratch.write("nkey", std::string(100, 'S') + std::string(100, 'U'));
+  CHECK_THAT(refused(cluster), Catch::Contains("has 200 bytes; it must have 1 to 128, as \"nk -gen user\"") &&
+                                   !Catch::Contains("urandom"));
   cluster.nkey_file = scratch.write("nkey", "SUSWORDFISH\n");
   CHECK_THAT(refused(cluster), Catch::StartsWith("cluster.nkey_file: ") && !Catch::Contains("SWORDFISH"));
   cluster.nkey_file.clear();

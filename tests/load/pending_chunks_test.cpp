@@ -53,6 +53,17 @@ TEST_CASE("a chunk's wait begins with the View that first wanted it") {
   CHECK_FALSE(fresh.join);
 }
 
+TEST_CASE("boxes meet where they have a chunk in common") {
+  const Box box{{0, 0, 0}, {4, 2, 4}};
+  for (const glm::i64vec3& by : {glm::i64vec3{4, 0, 0}, {0, 2, 0}, {0, 0, -4}, {-4, -2, 4}, {0, 0, 0}}) {
+    CHECK(box.meets({box.low + by, box.high + by}));
+  }
+  for (const glm::i64vec3& by : {glm::i64vec3{5, 0, 0}, {0, 3, 0}, {0, 0, -5}, {-5, -2, 4}}) {
+    CHECK_FALSE(box.meets({box.low + by, box.high + by}));
+  }
+  CHECK_FALSE(box.meets({}));
+}
+
 TEST_CASE("what comes for a View is right after its program was stopped, and has caught up") {
   PendingChunks pending;
   (void)go(pending, 0, {});

@@ -111,9 +111,22 @@ TEST_CASE("an error about a key file is one line that names the setting and the 
              Catch::StartsWith("access.signing_key_file " + key + ": has 31 bytes; it must have 32 to 4096"));
 }
 
+TEST_CASE("a key file without a secret in it is refused in one line") {
+  const ScratchDirectory scratch;
+  for (const std::string& text : {std::string(64, '\0'), std::string(40, '\n'), std::string(64, 'k'),
+                                  std::string(20, ' ') + "\t\r\n" + std::string(20, '\0')}) {
+    const std::string file = scratch.write("plain", text);
+    const std::string said = file + ": has no secret: it is blank, or one character again and again";
+    CHECK_THAT(load_error({file, "read", {}, "auto"}), Catch::StartsWith("access.secret_file " + said));
+    CHECK_THAT(load_error({{}, "read", file, "auto"}), Catch::StartsWith("access.signing_key_file " + said));
+  }
+  // Passwords that others gave are theirs to judge.
+  CHECK(read_key_file(scratch.write("short", "x"), {1, 16}).has_value());
+}
+
 TEST_CASE("a single trailing newline is ignored, and nothing else is") {
   const ScratchDirectory scratch;
-  const std::string text(16, 's');
+  const std::string text = "16 secret bytes.";
   for (const std::string end : {"", "\n", "\r\n"}) {
     CHECK(read_key_file(scratch.write("file", text + end), {16, 16})->secret.bytes() == text);
   }

@@ -223,6 +223,10 @@ TEST_CASE("what a store does not have is refused before it is written") {
   CHECK_THAT(error(with({"lock", "x"})), Catch::Contains("a store has no file \"lock\""));
   CHECK_THAT(error(with({"db/..", "x"})), Catch::Contains("a store has no file"));
   CHECK_THAT(error(with({"db/one\nline", "x"})), Catch::Contains("a store has no file \"db/one\\x0aline\""));
+  for (const std::string name : {"db/f1", "db/LOCK", "db/000099.ssu", "db/x.sst", "db/.log", "db/MANIFEST-",
+                                 "db/OPTIONS-1.dbtmp", "db/000099.sst.sst"}) {
+    CHECK_THAT(error(with({name, "x"})), Catch::Contains("a store has no file \"" + name + "\""));
+  }
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFLNK, "/etc/passwd"})), Catch::Contains("is a link"));
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFREG, "store.toml", true})), Catch::Contains("is a link"));
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFDIR})), Catch::Contains("is no checkpoint"));
@@ -250,6 +254,16 @@ TEST_CASE("what a store does not have is refused before it is written") {
   const std::string compressed{"\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03", 10};
   CHECK_THAT(take(TextSource{compressed}, {{1, 2}, peer.id()}, staging).error,
              Catch::Contains("is no checkpoint"));
+}
+
+TEST_CASE("a checkpoint of more files than a store of its size has is refused while it comes") {
+  CheckpointStore peer{7, 40};
+  std::vector<TarFile> files = unpack(peer.tar());
+  for (int i = 0; i < 400; ++i)
+    files.insert(files.begin() + 2, {"db/" + std::to_string(100'000 + i) + ".sst", ""});
+  const fs::path staging = peer.scratch / "staging";
+  CHECK_THAT(take(TextSource{pack(files)}, {{1, 2}, peer.id()}, staging).error,
+             Catch::Contains("it has over 300 files, more than its size needs"));
 }
 
 TEST_CASE("no more is taken than was announced, and none where the disk has not as much") {

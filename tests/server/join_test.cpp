@@ -418,6 +418,26 @@ TEST_CASE("without the stream a store that is there is served, and one that is n
   CHECK_THAT(joiner.start(), Catch::Contains("the credentials are wrong"));
 }
 
+TEST_CASE("a store that a peer gave before the stream was asked waits to be compared with it") {
+  Peer peer;
+  peer.store.enter({60, kMade});
+  Joiner joiner;
+  joiner.peers = {{peer.url}, peer.admin()};
+  const StreamFailure away{StreamFailure::Kind::unavailable, "no NATS server answers"};
+  joiner.script.failures = {away, away};
+  SECTION("it is of this stream") {
+    joiner.script.state = {40, 90, kMade};
+    CHECK(joiner.start() == "");
+    CHECK(joiner.meta()->stream == StreamPlace{60, kMade});
+  }
+  SECTION("it is of another one") {
+    joiner.script.state = {40, 90, kMade + 1};
+    CHECK_FALSE(joiner.start().empty());
+  }
+  CHECK(joiner.pauses == 2);
+  CHECK(joiner.script.failures.empty());
+}
+
 TEST_CASE("a store of another id or world, or of no cluster, is refused and stays") {
   CheckpointStore mine;
   mine.store.close();

@@ -1,0 +1,146 @@
+// Stores that leave their cluster, or begin another, whatever happens meanwhile.
+#include <filesystem>
+#include <map>
+
+#include <catch2/catch.hpp>
+
+#include "../failing_renames.h"
+#include "edits_of_tests.h"
+#include "join/enter_cluster.h"
+#include "scratch_directory.h"
+#include "shared_stream.h"
+#include "store/whole_store.h"
+#include "store_command/cluster_moves.h"
+#include "store_command/opened_store.h"
+
+namespace talus::server {
+namespace {
+
+using namespace testing;
+namespace fs = std::filesystem;
+
+/// A store that has read its cluster's stream up to message 5.
+struct Member {
+  Member() {
+    const std::string_view scheme = "nats";
+    settings.nats = ServerUrls::parse("nats://127.0.0.1:4222", {&scheme, 1}).value();
+    auto directory = DataDirectory::open(path, world.fingerprint());
+    REQUIRE(directory.has_value());
+    id = directory->store_id();
+    EditStore store{path};
+    store.database_settings.fingerprint = world.fingerprint();
+    REQUIRE(store.open() == "");
+    TestEditor editor;
+    editor.attach(store);
+    std::mt19937_64 random{7};
+    for (int i = 0; i < 50; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+    head = store.log().status().head;
+    store.close();
+    REQUIRE(enter_stream(path, kPlace).has_value());
+    scratch.write("data/rejoin", "the store that was here was found to be wrong");
+  }
+
+  /// The error, or nothing.
+  std::string leave(const fs::path& data) {
+    const auto directory = DataDirectory::open_store(data);
+    if (!directory) return directory.error();
+    const auto left = leave_cluster(*directory, {}, tools, false, true);
+    return left ? "" : left.error();
+  }
+  std::string fork(const fs::path& data) {
+    const auto directory = DataDirectory::open_store(data);
+    if (!directory) return directory.error();
+    const auto forked = fork_cluster(*directory, settings, world, tools, true);
+    return forked ? "" : forked.error();
+  }
+  std::string join(const fs::path& data) {
+    const auto directory = DataDirectory::open_store(data);
+    if (!directory) return directory.error();
+    const auto joined = join_cluster(*directory, settings, world, tools);
+    return joined ? "" : joined.error();
+  }
+
+  static constexpr StreamPlace kPlace{5, 1};
+  ScratchDirectory scratch{ScratchDirectory::memory()};
+  fs::path path = scratch / "data";
+  terrain::World world = terrain::default_world();
+  Cluster settings;
+  ContentHash id;
+  edits::Head head;
+  std::map<ContentHash, std::unique_ptr<SharedStream>> streams;
+  ClusterTools tools{[this](const Cluster&, ContentHash store,
+                            bool make) -> tl::expected<std::unique_ptr<LogStream>, std::string> {
+                       auto& stream = streams[store];
+                       if (stream == nullptr && !make)
+                         return tl::unexpected{std::string{"there is no such stream"}};
+                       if (stream == nullptr) stream = std::make_unique<SharedStream>();
+                       return std::make_unique<StreamEnd>(*stream, 1);
+                     },
+                     [](const terrain::World&) { return edits::SettleRules{}; }};
+};
+
+}  // namespace
+
+TEST_CASE("a store that leaves its cluster, or is forked, is the old or the new one whatever rename fails") {
+  Member member;
+  const bool forks = GENERATE(false, true);
+  CAPTURE(forks);
+  const fs::path data = member.scratch / "copy";
+  for (std::size_t renames = 0;; ++renames) {
+    REQUIRE(renames < 100);
+    CAPTURE(renames);
+    fs::remove_all(data);
+    fs::copy(member.path, data, fs::copy_options::recursive);
+    std::string error;
+    bool failed = false;
+    {
+      const test::FailingRenames failing{renames};
+      error = forks ? member.fork(data) : member.leave(data);
+      failed = failing.has_failed();
+    }
+    CAPTURE(error);
+    const auto directory = DataDirectory::open_store(data);
+    REQUIRE(directory.has_value());
+    const auto meta = join::read_place(data);
+    INFO((meta ? "" : meta.error()));
+    REQUIRE(meta.has_value());
+    CHECK(meta->head == member.head);
+    const bool is_old = meta->store_id == member.id;
+    if (is_old) {
+      CHECK(meta->stream == Member::kPlace);
+    } else {
+      CHECK(meta->stream == (forks ? StreamPlace{1, 1} : StreamPlace{}));
+    }
+    CHECK(fs::exists(data / "rejoin") == is_old);
+    if (failed) continue;  // RocksDB does without some
+    CHECK(error == "");
+    CHECK_FALSE(is_old);
+    CHECK_FALSE(fs::exists(data / "replaced-1"));
+    break;
+  }
+}
+
+TEST_CASE("a database and a store.toml of different stores are noticed, and no stream is made or named") {
+  Member member;
+  REQUIRE(enter_stream(member.path, {}).has_value());
+  member.scratch.write("data/store.toml", store_text({{8, 9}, member.world.fingerprint()}));
+  const auto check_noticed = [&](const std::string& error) {
+    CHECK_THAT(error, Catch::Contains("the edits belong to store " + to_string(member.id)));
+    CHECK_THAT(error, Catch::Contains("write store_id = \"" + to_string(member.id) + "\" into store.toml"));
+  };
+  check_noticed(member.join(member.path));
+  check_noticed(member.leave(member.path));
+  check_noticed(member.fork(member.path));
+  CHECK(member.streams.empty());
+  const auto opened = OpenedStore::open(member.path);
+  REQUIRE_FALSE(opened.has_value());
+  check_noticed(opened.error());
+  const auto compacted = compact(member.path);
+  REQUIRE_FALSE(compacted.has_value());
+  check_noticed(compacted.error());
+  // What is said helps.
+  member.scratch.write("data/store.toml", store_text({member.id, member.world.fingerprint()}));
+  CHECK(member.join(member.path) == "");
+}
+
+}  // namespace talus::server
