@@ -14,7 +14,6 @@
 #include <talus/files/read_file.h>
 
 #include "chunks/client_ids.h"
-#include "generation/patch_store.h"
 
 namespace talus::server {
 namespace {
@@ -25,6 +24,8 @@ using namespace std::chrono_literals;
 constexpr std::chrono::milliseconds kLook{50};
 // Between notes, each of which has the disk write a file of the cache.
 constexpr std::chrono::seconds kNote{10};
+// Of a column: as many rows as the cache keeps.
+constexpr std::int64_t kMaxRows = 64;
 constexpr std::size_t kMaxProgressBytes = 4096;
 
 ClientId next_owner() {
@@ -231,8 +232,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
     std::vector<ChunkKey> others;
     for (const ChunkKey column : columns) {
       const MixedRows rows = parts_.chunks.column(column);
-      const std::int64_t last =
-          std::min<std::int64_t>(rows.last, std::int64_t{rows.first} + PatchStore::kMaxKeptRows - 1);
+      const std::int64_t last = std::min<std::int64_t>(rows.last, std::int64_t{rows.first} + kMaxRows - 1);
       for (std::int64_t y = rows.first; y <= last; ++y) {
         const ChunkKey key{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
         if (parts_.chunks.find(key) == nullptr) others.push_back(key);
