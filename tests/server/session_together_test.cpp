@@ -115,7 +115,7 @@ TEST_CASE("a View leaves requests room to wait for chunks of their own") {
 TEST_CASE("a session that lost an answer for want of memory ends and says so") {
   Bench bench;
   bench.look_at(0, 1);
-  bench.mailbox->lose();
+  bench.mailbox->lose_mail();
   bench.ping();
   const auto said = bench.output();
   REQUIRE_FALSE(said.empty());
