@@ -1,5 +1,6 @@
 // A store of one machine that becomes a cluster's, and comes back.
 #include <filesystem>
+#include <fstream>
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +9,7 @@
 #include "join/enter_cluster.h"
 #include "sealed_again.h"
 #include "shared_stream.h"
+#include "store/store_identity.h"
 #include "store/whole_store.h"
 
 namespace talus::server::join {
@@ -29,6 +31,8 @@ struct Single {
     head = store.log().status().head;
     voxels = overrides_of(store.state());
     store.close();
+    const EditDatabaseSettings& settings = store.database_settings;
+    std::ofstream{path / "store.toml"} << store_text({settings.store_id, settings.fingerprint});
   }
 
   std::string enter() {
