@@ -1,25 +1,13 @@
 import { fileURLToPath } from 'node:url';
-import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-
-// The entry is small and connects; what it imports then is fetched meanwhile.
-const preloadMain: Plugin = {
-  name: 'preload-main',
-  transformIndexHtml(_, { bundle, path }) {
-    const main = Object.values(bundle ?? {}).find((part) => part.type === 'chunk' && part.facadeModuleId?.endsWith('/src/main.ts'));
-    if (main?.type !== 'chunk' || path !== '/index.html') return [];
-    return [{ tag: 'link', attrs: { rel: 'modulepreload', crossorigin: true, href: `./${main.fileName}` }, injectTo: 'head' }];
-  },
-};
 
 // Where `npm run dev` finds a talusd: its --http address.
 const server = process.env.TALUS_HTTP ?? 'http://127.0.0.1:4781';
 
 export default defineConfig({
   base: './',
-  plugins: [preloadMain],
   resolve: { alias: { talus: here('../talus-js/src/index.ts') }, dedupe: ['flatbuffers'] },
   worker: { format: 'es' },
   build: {

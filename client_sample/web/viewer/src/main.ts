@@ -1,8 +1,8 @@
 // The viewer's page: puts its parts together. Each frame: what the player wants, the body's step, the engine's picture.
-import { isPhone, kept as keptAtFirst, settings, takeBegun, tokens } from './connection/early';
 import { mark } from './connection/marks';
 import { Server } from './connection/server';
 import { Session, type Trouble } from './connection/session';
+import { TokenStore } from './connection/token';
 import { Keyboard } from './controls/keyboard';
 import { Mouse } from './controls/mouse';
 import { Player } from './controls/player';
@@ -13,9 +13,8 @@ import { editCommands, undoByHabit } from './edit/hands';
 import type { Engine, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
-import { startingPlace } from './place/arrival';
-import { readCoordinate, readLink, wrapHours, clock, type Place } from './place/place';
-import { save, type Settings } from './place/settings';
+import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
+import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
 import { Traveller } from './place/traveller';
 import { find, say, showFocusToTabs } from './ui/dom';
 import { Hud, share } from './ui/hud';
@@ -28,13 +27,17 @@ import { TokenDialog } from './ui/token_dialog';
 import { TrafficPanel } from './ui/traffic_panel';
 import { FIELD_OF_VIEW, rayThrough, VoxelCard } from './ui/voxel_card';
 
+const isPhone = matchMedia('(pointer: coarse)').matches;
 const isReducedBySystem = matchMedia('(prefers-reduced-motion: reduce)');
 const storage = () => localStorage;
 const DAY_S = 24 * 60;
+const SPAWN_PITCH = -8;
 
-let kept = keptAtFirst;
+let kept = load(defaults(isPhone), storage);
+const settings: Settings = mend(kept, fromLink(location.hash));
 const isReduced = () => settings.reducedMotion ?? isReducedBySystem.matches;
 
+const tokens = new TokenStore();
 const server = new Server(location.href, () => tokens.token);
 const player = new Player();
 const { body } = player;
@@ -169,7 +172,7 @@ const notices = new Notices({
   toSpawn: () => traveller.toSpawn(),
 });
 
-const session = new Session(stage, settings, server, tokens, isReduced, takeBegun(), {
+const session = new Session(stage, settings, server, tokens, isReduced, {
   opened(opened) {
     engine = opened;
     document.body.classList.remove('empty');
@@ -181,12 +184,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, takeBegu
     opened.setSlice(slice.slice);
     applyMotion();
     applyBorders();
-    if (!traveller.isPlaced) follow(startingPlace(readLink(location.hash)));
-    // At once: what is drawn first waits for nothing longer than for the land.
-    if (traveller.isPlaced) {
-      player.look(opened);
-      opened.update();
-    }
+    if (!traveller.isPlaced) follow(startingPlace());
     hud.opening('The land is on its way', null);
     say(find('help-world'), `${opened.world.server}, world ${opened.world.fingerprint}`);
   },
@@ -219,6 +217,11 @@ const session = new Session(stage, settings, server, tokens, isReduced, takeBegu
     notices.worldChanged();
   },
 });
+
+function startingPlace(): Partial<Place> {
+  const link = readLink(location.hash);
+  return { pitch: SPAWN_PITCH, mode: 'fly' satisfies Mode, ...link };
+}
 
 function resize(): void {
   // More pixels than these cost much and show little.

@@ -1,6 +1,5 @@
 // Keeps an engine at work: makes it, makes it again when the server, the token or the graphics fail, and says what is wrong.
 import { Engine, type WorldInfo } from '../engine/engine';
-import type { Begun } from '../engine/stream/begun';
 import type { Settings } from '../place/settings';
 import type { Obstacle, Server } from './server';
 import type { TokenStore } from './token';
@@ -49,7 +48,6 @@ export class Session {
     private readonly server: Server,
     private readonly tokens: TokenStore,
     private readonly isReduced: () => boolean,
-    private begun: Begun | null,
     private readonly listener: Listener,
   ) {
     // A tab that slept, or a machine that was offline, need not wait for the next attempt.
@@ -63,16 +61,10 @@ export class Session {
     this.#close();
     this.#silences = 0;
     const attempt = ++this.#attempt;
-    const { begun } = this;
-    this.begun = null;
-    if (begun === null) {
-      // Asked first, as an engine that is on its way tries on and on, and does not say why.
-      const obstacle = await this.server.obstacle();
-      if (attempt !== this.#attempt) return;
-      if (obstacle !== null) return this.#blocked(obstacle);
-    } else {
-      begun.client.on('disconnected', () => void this.#doubt(attempt, begun));
-    }
+    // Asked first, as an engine that is on its way tries on and on, and does not say why.
+    const obstacle = await this.server.obstacle();
+    if (attempt !== this.#attempt) return;
+    if (obstacle !== null) return this.#blocked(obstacle);
     const canvas = document.createElement('canvas');
     canvas.id = 'view';
     this.stage.querySelector('canvas')?.remove();
@@ -87,7 +79,6 @@ export class Session {
         url: this.server.base.replace(/\/$/, ''),
         transport: this.settings.transport,
         ...(token === null ? {} : { token }),
-        ...(begun === null ? {} : { begun }),
         radius: this.settings.radius,
         horizon: this.settings.horizon,
         quality: this.settings.quality,
@@ -157,17 +148,6 @@ export class Session {
     else if (this.settings.transport === 'websocket' && ++this.#silences > 1)
       this.#trouble({ kind: 'no-socket', text: 'The server answers, but its WebSocket does not open.' });
     this.#patience = setTimeout(() => void this.#lookInto(attempt), PATIENCE_MS);
-  }
-
-  /** The connection that was begun first of all failed before there was an engine: where there is a reason, it is given up. */
-  async #doubt(attempt: number, begun: Begun): Promise<void> {
-    if (attempt !== this.#attempt || this.engine !== null) return;
-    const obstacle = await this.server.obstacle();
-    if (attempt !== this.#attempt || this.engine !== null || obstacle === null) return;
-    ++this.#attempt;
-    begun.client.close();
-    clearTimeout(this.#patience);
-    this.#blocked(obstacle);
   }
 
   async #failed(attempt: number, reason: string): Promise<void> {

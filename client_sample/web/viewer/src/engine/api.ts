@@ -1,7 +1,6 @@
 // What the viewer sees of its engine. Lengths are base voxels ("blocks"), axes are x east, y up, z south.
 // yaw 0 looks north (-z) and grows toward the east; pitch is up; both in radians.
 import type { World } from 'talus';
-import type { Begun } from './stream/begun.js';
 
 export interface EngineOptions {
   readonly canvas: HTMLCanvasElement;
@@ -9,8 +8,6 @@ export interface EngineOptions {
   readonly url: string;
   readonly transport: 'websocket' | 'http';
   readonly token?: string;
-  /** What is on its way there already, for the first connection; closed with the engine. */
-  readonly begun?: Begun;
   /** Of level 0, in chunks. */
   readonly radius: number;
   /** How far coarser levels reach, in blocks. */

@@ -357,9 +357,7 @@ export class Engine {
       this.info = { ...world, seaLevel: null };
       this.seaLevel = null;
       this.prepareMaterials(world);
-      // Later, as it takes long and the first View is to go first.
-      this.needsGround = true;
-      setTimeout(() => this.needsGround && !this.disposed && this.makeGround());
+      this.makeGround();
       if (!this.views.hasSent && this.eye.x === 0 && this.eye.z === 0) {
         this.eye = { ...this.eye, x: world.spawn.x + 0.5, y: world.spawn.y + 1.6, z: world.spawn.z + 0.5 };
       }
@@ -398,7 +396,6 @@ export class Engine {
   }
 
   private makeGround(): void {
-    this.needsGround = false;
     const levels = viewFor(this.info!, this.eye, { x: 0, y: 0, z: 0 }, this.radius, this.horizon).rings!.length + 1;
     const middle = Math.round((this.info!.minY + this.info!.maxY) / 128) * 64;
     this.groundBase = this.info!.maxY - this.info!.minY < 2000 ? 0 : middle;
@@ -408,7 +405,6 @@ export class Engine {
     for (const column of this.land.values()) if (column.heights !== null || column.liquids !== null) this.frames.ground!.set(column);
   }
   private groundBase = 0;
-  private needsGround = false;
 
   private seeSea(liquids: Int16Array, lod: number): void {
     for (const height of liquids) {
@@ -466,7 +462,6 @@ export class Engine {
 
   private draw(now: number): void {
     const { eye } = this;
-    if (this.needsGround) this.makeGround();
     if (this.land.version !== this.drawnVersion) this.frames.landChanged();
     const still = this.options.frozenTime ?? (this.reducedMotion ? 0 : null);
     const here = this.voxelAt(Math.floor(eye.x), Math.floor(eye.y), Math.floor(eye.z));

@@ -2,8 +2,9 @@
 import type { Server } from '../connection/server';
 import type { Body } from '../controls/body';
 import type { Engine } from '../engine/engine';
-import { riseOf } from './arrival';
 import type { Place } from './place';
+
+const SPAWN_RISE = 14;
 
 export class Traveller {
   /** The player is somewhere; before, the engine is not to be looked through. */
@@ -69,6 +70,6 @@ export class Traveller {
   }
 
   get #rise(): number {
-    return riseOf(this.body.mode);
+    return this.body.mode === 'fly' ? SPAWN_RISE : 0;
   }
 }

@@ -1,7 +1,6 @@
 // The connection to the server, made anew as often as it is wanted. Of a client before, nothing is heard.
-import type { Chunk, ChunkKey, Client, TalusError, World } from 'talus';
+import { connect, type Chunk, type ChunkKey, type Client, type TalusError, type World } from 'talus';
 import type { EngineOptions } from '../api.js';
-import { clientFor, type Begun } from './begun.js';
 
 export interface LinkEvents {
   connected(world: World, sameWorld: boolean): void;
@@ -19,42 +18,32 @@ export class Link {
   private hasEnded = false;
   private isClosed = false;
   private readonly untaken: Chunk[] = [];
-  private begun: Begun | null;
 
   /** `isFull`: no more chunks are wanted for now, so the server is let know of none that were taken. */
   constructor(
-    private readonly options: Pick<EngineOptions, 'url' | 'transport' | 'begun'>,
+    private readonly options: Pick<EngineOptions, 'url' | 'transport'>,
     private readonly events: LinkEvents,
     private readonly isFull: () => boolean,
-  ) {
-    this.begun = options.begun ?? null;
-  }
+  ) {}
 
   /** Resolves once the server has said what its world is; a later end is told by events alone. */
   open(token: string | undefined): Promise<World> {
     const url = new URL(this.options.url);
     if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    const { begun } = this;
-    this.begun = null;
-    const client = begun?.client ?? clientFor(url.href, token);
+    const client = connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true });
     this.client = client;
     this.hasEnded = false;
     const { events } = this;
     const current = () => client === this.client && !this.isClosed;
     client.on('connected', (world, sameWorld) => current() && events.connected(world, sameWorld));
-    const take = (chunk: Chunk) => {
+    client.on('chunk', (chunk) => {
       if (!current()) return;
       events.chunk(chunk);
       if (this.isFull()) this.untaken.push(chunk);
       else client.taken(chunk);
-    };
-    const stream = () => {
-      client.on('chunk', take);
-      client.on('chunkLeft', (key) => current() && events.left(key));
-      client.on('viewComplete', () => current() && events.viewComplete());
-    };
-    if (begun === null) stream();
-    else this.takeOver(begun, current, take, stream);
+    });
+    client.on('chunkLeft', (key) => current() && events.left(key));
+    client.on('viewComplete', () => current() && events.viewComplete());
     client.on('disconnected', (error, retryInMs) => {
       if (current() && retryInMs !== null) events.lost(error.message, false);
     });
@@ -67,21 +56,6 @@ export class Link {
     const joined = client.ready();
     joined.catch(() => {}); // told by `closed` as well
     return joined;
-  }
-
-  /** Tells what the client said before, once who listens is whole; then it is heard by `stream`. */
-  private takeOver(begun: Begun, current: () => boolean, take: (chunk: Chunk) => void, stream: () => void): void {
-    const { client } = begun;
-    queueMicrotask(() => {
-      if (current() && client.connected) this.events.connected(client.world!, true);
-    });
-    // After the engine's first View: where that is the one that was asked for, its end is told here alone.
-    setTimeout(() => {
-      const { chunks, isComplete } = begun.end();
-      stream();
-      for (const chunk of chunks) take(chunk);
-      if (isComplete && current()) this.events.viewComplete();
-    });
   }
 
   /** Tries at once what would be tried later; false: there is nothing to try. */

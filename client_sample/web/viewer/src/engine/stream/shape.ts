@@ -33,11 +33,6 @@ export function ringsFor(radius: number, horizon: number): LodRing[] {
   return rings;
 }
 
-/** Where a camera looks; angles in radians, yaw 0 is north (-z). */
-export function directionOf(yaw: number, pitch: number): { x: number; y: number; z: number } {
-  return { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
-}
-
 /** A View around a camera. Level 0 has all rows of the world where the limits allow it. */
 export function viewFor(
   world: Pick<World, 'minY' | 'maxY' | 'limits'>,

@@ -1,7 +1,7 @@
 // When the server is told of another View: as the camera moves and turns.
 import type { View } from 'talus';
 import type { WorldInfo } from '../api.js';
-import { directionOf, viewFor } from './shape.js';
+import { viewFor } from './shape.js';
 
 /** A View is sent when the camera has gone a chunk or turned by 30 degrees, and no more often than this. */
 const VIEW_EVERY_MS = 250;
@@ -36,7 +36,8 @@ export class ViewSender {
   next(now: number, world: WorldInfo, eye: Camera, radius: number, horizon: number, complete: boolean): { view: View; moved: boolean } | null {
     if (now - this.at < VIEW_EVERY_MS) return null;
     const { yaw, pitch } = eye;
-    const view = viewFor(world, eye, directionOf(yaw, pitch), radius, horizon);
+    const direction = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
+    const view = viewFor(world, eye, direction, radius, horizon);
     const { x, y, z } = view.centre;
     const chunk = (v: number) => Math.floor(v / 32);
     const chunks = JSON.stringify([chunk(x), chunk(y), chunk(z), view.horizontalRadius, view.verticalRadius, view.rings]);
