@@ -419,7 +419,7 @@ TEST_CASE("Layers between lines are laid by every instruction set one upon the o
     const auto columns = static_cast<int>(width);
     const Field limit = any_field(columns, 1, 1 << 20);
     Field below = any_field(columns, 1, *rc::gen::element(1 << 10, 1 << 20));
-    std::vector<std::uint8_t> open(width / kSegment + 1);
+    std::vector<std::uint8_t> open((width + kSegment - 1) / kSegment);
     for (auto& segment : open) segment = *rc::gen::element<std::uint8_t>(0, 1);
     for (std::size_t x = 0; x < width; ++x) {
       const bool is_open = open[x / kSegment] != 0;
