@@ -78,7 +78,7 @@ RateLimits rate_limits(const Config& all) {
   const Rate editors{config.address_editors, config.address_editors * kSavedUp};
   // An address that has saved up all fills the index in a day at least, however little that may have.
   constexpr std::uint64_t kHoursToFill = 32;
-  constexpr std::uint64_t kFewNewChunks = 16;
+  constexpr std::uint64_t kFewNewChunks = 16;  // 0 would be no limit
   const std::uint64_t fitting =
       edit_state_settings(all).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
   const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));

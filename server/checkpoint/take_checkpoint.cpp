@@ -141,7 +141,6 @@ class TarReader {
 class Taking {
  public:
   Taking(TarSource& source, const fs::path& staging, const WantedStore& wanted, const OnTaken& on_taken)
-
       : tar_{source, on_taken},
         left_{source.size()},
         most_files_{kFilesOfAny + static_cast<std::size_t>(source.size() / kBytesPerFile)},

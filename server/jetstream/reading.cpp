@@ -130,7 +130,9 @@ bool Reading::learned(std::uint64_t sequence, TimePoint now) {
 
 void Reading::ends_at(std::uint64_t last) {
   // What came after the leader was asked is more than it said; that is there when it is asked for.
-  if (known_ > last && pause_ >= kSureOfNone) known_ = std::max(last, after_);
+  if (known_ <= last || pause_ < kSureOfNone) return;
+  known_ = std::max(last, after_);
+  doubted_.erase(doubted_.upper_bound(known_), doubted_.end());
 }
 
 void Reading::starts_at(std::uint64_t first) {

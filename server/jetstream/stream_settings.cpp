@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "jetstream/json_member.h"
+
 namespace talus::server::jetstream {
 namespace {
 
@@ -48,7 +50,7 @@ std::vector<SettingDifference> differences(const nlohmann::json& present, const 
   }
   // What else takes messages away, or makes them others.
   for (const char* const name : {"sealed", "allow_rollup_hdrs", "no_ack"}) {
-    if (present.value(name, false)) found.push_back({name, "true", "false"});
+    if (json_member<bool>(present, name)) found.push_back({name, "true", "false"});
   }
   for (const char* const name : {"mirror", "sources", "subject_transform"}) {
     if (present.contains(name) && !present[name].is_null()) {

@@ -1,4 +1,5 @@
 // Which messages are given out and asked for, without a network.
+#include <algorithm>
 #include <random>
 #include <set>
 #include <string>
@@ -136,6 +137,21 @@ TEST_CASE("a number that the stream never had is asked for until the leader says
   CHECK(reading.wanted(now) == Sequences{1});  // as after any silence
   hear(reading, 1, now);
   CHECK(taken(reading) == 1);
+}
+
+TEST_CASE("a number that the stream never had is not asked for, though two messages had it") {
+  Reading reading{kStart, 7};
+  constexpr std::uint64_t kNever = 1'000'000'000'000;
+  reading.heard(kNever, bytes_of("false"), kStart);
+  reading.heard(kNever, bytes_of("false, too"), kStart);
+  auto now = kStart;
+  for (int i = 0; i < 8; ++i) {
+    for (const auto sequence : reading.wanted(now)) reading.not_found(sequence, now);
+    now += Reading::kLastRetry;
+  }
+  reading.ends_at(0);
+  const auto wanted = reading.wanted(now);
+  CHECK(std::ranges::find(wanted, kNever) == wanted.end());
 }
 
 TEST_CASE("two messages of one number are held against the stream") {

@@ -109,6 +109,8 @@ TEST_CASE("each setting that differs is named with what it is and should be") {
   nlohmann::json more = wanted;
   more["sealed"] = true;
   CHECK(differences(more, wanted).size() == 1);
+  more["sealed"] = "no boolean";  // as if it were not there
+  CHECK(differences(more, wanted).empty());
   more = wanted;
   more["mirror"] = {{"name", "y"}};
   CHECK(differences(more, wanted).size() == 1);
