@@ -172,18 +172,24 @@ TEST_CASE("while edits come, every body under a revision is always the same") {
   const MaterialId stone = solid(*world);
   // Each edit writes one voxel more into two chunks of the column: a body of revision r has r in each, or is
   // torn.
-  constexpr int kEdits = 300;
-  int answered = 0;
-  for (int i = 0; i < kEdits; ++i) {
-    client::Edit edit;
-    for (const int up : {0, 32}) edit.writes.push_back({{at.x + i % 32, at.y + up, at.z + i / 32}, stone});
-    player.client.edit(std::move(edit), [&](const client::Result<client::EditDone>& result) {
-      REQUIRE(result);
-      ++answered;
-    });
-  }
+  constexpr std::uint64_t kEdits = 300;
+  constexpr std::uint64_t kAtOnce = 100;  // then the land rests, until its body at that revision was seen
+  std::uint64_t answered = 0;
+  std::uint64_t sent = 0;
+  const auto send_some = [&] {
+    for (const std::uint64_t until = sent + kAtOnce; sent < until; ++sent) {
+      const auto i = static_cast<std::int32_t>(sent);
+      client::Edit edit;
+      for (const int up : {0, 32}) edit.writes.push_back({{at.x + i % 32, at.y + up, at.z + i / 32}, stone});
+      player.client.edit(std::move(edit), [&](const client::Result<client::EditDone>& result) {
+        REQUIRE(result);
+        ++answered;
+      });
+    }
+  };
   std::map<std::uint64_t, std::string> seen;
-  while (answered < kEdits || seen.empty() || seen.rbegin()->first < kEdits) {
+  while (answered < kEdits || !seen.contains(kEdits)) {
+    if (sent == 0 || (sent < kEdits && answered == sent && seen.contains(sent))) send_some();
     player.io.run_one_for(std::chrono::milliseconds{1});
     player.io.poll();
     if (player.io.stopped()) player.io.restart();
@@ -212,7 +218,6 @@ TEST_CASE("while edits come, every body under a revision is always the same") {
       if (!told.empty()) CHECK(stones >= std::stoull(told));  // it has all edits up to that, and perhaps more
     }
   }
-  CHECK(seen.size() > 1);
 }
 
 TEST_CASE("talus-gen exports the land as players left it, once the server is gone") {
