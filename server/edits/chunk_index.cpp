@@ -34,15 +34,16 @@ bool ChunkIndex::is_touched(ChunkKey key) const {
   return (regions_[region / 64].load(std::memory_order_acquire) >> (region % 64) & 1) != 0;
 }
 
-std::uint64_t ChunkIndex::revision(ChunkKey key) const {
-  if (!is_touched(key)) return 0;
+ChunkIndex::Edited ChunkIndex::find(ChunkKey key) const {
+  if (!is_touched(key)) return {};
   const ChunkKey column = column_of(key);
   const Shard& shard = shards_[shard_of(column, kShards)];
   const std::shared_lock lock{shard.mutex};
   const auto* const found = shard.columns.find(column);
-  if (found == nullptr) return 0;
-  const auto at = std::ranges::lower_bound(*found, key.coord.y, {}, &Chunk::row);
-  return at == found->end() || at->row != key.coord.y ? 0 : at->revision;
+  if (found == nullptr) return {};
+  const auto at = std::ranges::lower_bound(found->chunks, key.coord.y, {}, &Chunk::row);
+  if (at == found->chunks.end() || at->row != key.coord.y) return {};
+  return {at->revision, at->change};
 }
 
 ChunkRange ChunkIndex::rows(ChunkKey key) const {
@@ -52,57 +53,75 @@ ChunkRange ChunkIndex::rows(ChunkKey key) const {
   const std::shared_lock lock{shard.mutex};
   const auto* const found = shard.columns.find(column);
   if (found == nullptr) return {};
-  return {found->front().row, found->back().row};
+  return {found->chunks.front().row, found->chunks.back().row};
 }
 
 std::uint64_t ChunkIndex::column_revision(ChunkKey key) const {
   if (!is_touched(key)) return 0;
-  const ChunkKey region = region_of(key);
-  const Regions& regions = columns_by_region_[shard_of(region, kShards)];
-  const std::shared_lock lock{regions.mutex};
-  const auto* const found = regions.columns.find(region);
-  if (found == nullptr) return 0;
-  const std::uint16_t place = place_of(key);
-  const auto at = std::ranges::lower_bound(*found, place, {}, &EditedColumn::place);
-  return at == found->end() || at->place != place ? 0 : at->revision;
+  const ChunkKey column = column_of(key);
+  const Shard& shard = shards_[shard_of(column, kShards)];
+  const std::shared_lock lock{shard.mutex};
+  const auto* const found = shard.columns.find(column);
+  return found == nullptr ? 0 : found->revision;
 }
 
 std::vector<EditedColumn> ChunkIndex::edited_columns(ChunkKey key) const {
   if (!is_touched(key)) return {};
   const ChunkKey region = region_of(key);
-  const Regions& regions = columns_by_region_[shard_of(region, kShards)];
-  const std::shared_lock lock{regions.mutex};
-  const auto* const found = regions.columns.find(region);
-  return found == nullptr ? std::vector<EditedColumn>{} : *found;
+  Places places;
+  {
+    const Regions& regions = columns_of_regions_[shard_of(region, kShards)];
+    const std::shared_lock lock{regions.mutex};
+    if (const Places* const found = regions.places.find(region)) places = *found;
+  }
+  std::vector<EditedColumn> columns;
+  columns.reserve(places.count());
+  for (std::uint16_t place = 0; place < places.size(); ++place) {
+    if (!places[place]) continue;
+    const std::int32_t x = region.coord.x + place % kRegionColumns;
+    const std::int32_t z = region.coord.z + place / kRegionColumns;
+    columns.push_back({place, column_revision({{x, 0, z}, region.lod})});
+  }
+  return columns;
 }
 
 void ChunkIndex::raise_column(ChunkKey key, std::uint64_t revision) {
+  const ChunkKey column = column_of(key);
+  {
+    Shard& shard = shards_[shard_of(column, kShards)];
+    const std::lock_guard lock{shard.mutex};
+    std::uint64_t& held = shard.columns[column].revision;
+    const bool is_new = held == 0;
+    held = std::max(held, revision);
+    if (!is_new) return;
+  }
   const ChunkKey region = region_of(key);
-  Regions& regions = columns_by_region_[shard_of(region, kShards)];
+  Regions& regions = columns_of_regions_[shard_of(region, kShards)];
   const std::lock_guard lock{regions.mutex};
-  const auto [columns, new_region] = regions.columns.emplace(region);
+  const auto [places, new_region] = regions.places.emplace(region);
   if (new_region) bytes_.fetch_add(kRegionBytes, std::memory_order_relaxed);
-  const std::uint16_t place = place_of(key);
-  auto at = std::ranges::lower_bound(columns, place, {}, &EditedColumn::place);
-  if (at == columns.end() || at->place != place) at = columns.insert(at, {place, 0});
-  at->revision = std::max(at->revision, revision);
+  places.set(place_of(key));
 }
 
-std::uint64_t ChunkIndex::raise(ChunkKey key, std::uint64_t revision) {
+std::uint64_t ChunkIndex::raise(ChunkKey key, Edited edited) {
   const ChunkKey column = column_of(key);
   Shard& shard = shards_[shard_of(column, kShards)];
   const std::lock_guard lock{shard.mutex};
-  const auto [chunks, new_column] = shard.columns.emplace(column);
+  const auto [held, new_column] = shard.columns.emplace(column);
+  std::vector<Chunk>& chunks = held.chunks;
   auto at = std::ranges::lower_bound(chunks, key.coord.y, {}, &Chunk::row);
   if (at == chunks.end() || at->row != key.coord.y) {
-    at = chunks.insert(at, {key.coord.y, 0});
+    at = chunks.insert(at, {.row = key.coord.y});
     chunks_.fetch_add(1, std::memory_order_relaxed);
     bytes_.fetch_add(kChunkBytes + (new_column ? kColumnBytes : 0), std::memory_order_relaxed);
     const std::size_t region = region_bit(key);
     regions_[region / 64].fetch_or(std::uint64_t{1} << (region % 64), std::memory_order_release);
   }
   const std::uint64_t before = at->revision;
-  at->revision = std::max(before, revision);
+  if (edited.revision > before) {
+    at->revision = edited.revision;
+    at->change = edited.change;
+  }
   return before;
 }
 

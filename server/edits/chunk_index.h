@@ -4,6 +4,7 @@
 
 #include <array>
 #include <atomic>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <shared_mutex>
@@ -21,25 +22,29 @@ namespace talus::server {
 /// one load.
 class ChunkIndex {
  public:
-  /// About what it takes: of a region's node, of a column's with its heap blocks and its place in the region,
-  /// and of a chunk in it.
-  static constexpr std::size_t kRegionBytes = 128;
-  static constexpr std::size_t kColumnBytes = 160;
+  /// About what it takes: of a region, of a column with its heap block, and of a chunk in it.
+  static constexpr std::size_t kRegionBytes = 168;
+  static constexpr std::size_t kColumnBytes = 120;
   static constexpr std::size_t kChunkBytes = 24;
   /// The most that one chunk of level 0 takes which is edited, far from all others: at each level a chunk, a
   /// column and a region of its own.
   static constexpr std::size_t kMostBytesEach = (Lod::kMax + 1) * (kRegionBytes + kColumnBytes + kChunkBytes);
 
+  struct Edited {
+    std::uint64_t revision = 0;  // 0: never edited
+    std::uint32_t change = 0;    // where RecentChanges may have the edit that made this revision
+  };
+  [[nodiscard]] Edited find(ChunkKey key) const;
   /// 0 where the chunk was never edited.
-  [[nodiscard]] std::uint64_t revision(ChunkKey key) const;
+  [[nodiscard]] std::uint64_t revision(ChunkKey key) const { return find(key).revision; }
   /// As AppliedEdits::edited_rows().
   [[nodiscard]] ChunkRange rows(ChunkKey key) const;
   /// As EditedLand's.
   [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const;
   [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const;
 
-  /// Makes `revision` the chunk's, unless it has a later one. Returns what it was.
-  std::uint64_t raise(ChunkKey key, std::uint64_t revision);
+  /// Makes this the chunk's, unless it has a later revision. Returns what that was.
+  std::uint64_t raise(ChunkKey key, Edited edited);
   /// The same of the chunk's column, which was edited: once all chunks of the edit were raised.
   void raise_column(ChunkKey key, std::uint64_t revision);
 
@@ -49,17 +54,21 @@ class ChunkIndex {
  private:
   struct Chunk {
     std::int32_t row = 0;
+    std::uint32_t change = 0;
     std::uint64_t revision = 0;
   };
-  using Column = std::vector<Chunk>;  // by rising row
+  struct Column {
+    std::vector<Chunk> chunks;   // by rising row
+    std::uint64_t revision = 0;  // 0: its first edit has not raised all of its chunks yet
+  };
   struct Shard {
     mutable std::shared_mutex mutex;
     FlatMap<ChunkKey, Column> columns;  // by the key of row 0
   };
+  using Places = std::bitset<std::size_t{kRegionColumns} * kRegionColumns>;  // of a region's edited columns
   struct Regions {
     mutable std::shared_mutex mutex;
-    // By the key of the region's first column, at row 0; columns by rising place.
-    FlatMap<ChunkKey, std::vector<EditedColumn>> columns;
+    FlatMap<ChunkKey, Places> places;  // by the key of the region's first column, at row 0
   };
   static constexpr std::size_t kShards = 16;
   static constexpr std::size_t kRegionBits = 1U << 16U;
@@ -71,7 +80,7 @@ class ChunkIndex {
   // Regions by the hash of where they lie: two may share a bit, and then only cost a look-up more.
   std::array<std::atomic<std::uint64_t>, kRegionBits / 64> regions_{};
   std::array<Shard, kShards> shards_;
-  std::array<Regions, kShards> columns_by_region_;
+  std::array<Regions, kShards> columns_of_regions_;
   std::atomic<std::size_t> chunks_{0};
   std::atomic<std::size_t> bytes_{0};
 };

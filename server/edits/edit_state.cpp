@@ -27,22 +27,26 @@ EditedChunk edited_chunk(std::uint64_t revision, edits::ChunkOverrides overrides
   return {revision, std::make_shared<edits::ChunkOverrides>(std::move(overrides))};
 }
 
-/// The voxels of a chunk that an edit wrote, as they are now; none where one of a coarser level is as
-/// generated, which is not known here.
-std::vector<Override> voxels_now(const edits::Applied& applied, std::size_t write) {
-  std::vector<Override> voxels;
+/// Appends the voxels of a chunk that an edit wrote, as they are now, and returns how many; none where they
+/// are too many to remember, or one of a coarser level is as generated, which is not known here.
+std::uint32_t add_voxels_now(const edits::Applied& applied, std::size_t write,
+                             std::vector<Override>& voxels) {
+  const std::size_t before = voxels.size();
+  if (applied.writes[write].writes.size() > RecentChanges::kMostVoxels) return 0;
   if (write < applied.changes.size()) {  // level 0, in the order of the changes
-    const edits::ChunkChanges& changes = applied.changes[write];
-    if (changes.voxels.size() > RecentChanges::kMostVoxels) return {};
-    voxels.reserve(changes.voxels.size());
-    for (const edits::VoxelChange& voxel : changes.voxels) voxels.push_back({voxel.index, voxel.after});
-    return voxels;
+    for (const edits::VoxelChange& voxel : applied.changes[write].voxels) {
+      voxels.push_back({voxel.index, voxel.after});
+    }
+  } else {
+    for (const edits::OverrideWrite& each : applied.writes[write].writes) {
+      if (!each.material) {
+        voxels.resize(before);
+        return 0;
+      }
+      voxels.push_back({each.index, *each.material});
+    }
   }
-  for (const edits::OverrideWrite& each : applied.writes[write].writes) {
-    if (!each.material) return {};
-    voxels.push_back({each.index, *each.material});
-  }
-  return voxels;
+  return static_cast<std::uint32_t>(voxels.size() - before);
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(EditDataba
                                                                       const EditStateSettings& settings) {
   std::unique_ptr<EditState> state{new EditState{database, settings}};
   auto good = database.for_each_chunk([&](ChunkKey key, std::uint64_t revision) {
-    state->index_.raise(key, revision);
+    state->index_.raise(key, {revision});
     state->index_.raise_column(key, revision);
   });
   if (good) good = state->replay();
@@ -77,7 +81,7 @@ EditDatabase::Done EditState::replay() {
   if (good) good = database_.replay([&](LogRecord&& record) { return replay.apply(record); });
   if (!good) return good;
   for (auto& [key, chunk] : replay.take_chunks()) {
-    index_.raise(key, chunk.revision);
+    index_.raise(key, {chunk.revision});
     index_.raise_column(key, chunk.revision);
     put_dirty(dirty_[key], edited_chunk(chunk.revision, std::move(chunk.overrides)));
   }
@@ -121,9 +125,7 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
 
 std::optional<AppliedEdits::Changes> EditState::changes_since(ChunkKey key, std::uint64_t since,
                                                               std::size_t most) const {
-  const std::uint64_t now = index_.revision(key);
-  if (since >= now) return Changes{.revision = now, .voxels = {}};
-  return recent_.since(key, since, most);
+  return recent_.since(key, index_.find(key), since, most);
 }
 
 std::optional<edits::Editor> EditState::editor(edits::EditorId id) const {
@@ -139,23 +141,30 @@ std::size_t EditState::editor_count() const {
 
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   std::vector<ChunkChange> changed;
-  FlatMap<ChunkKey, std::size_t> places;  // in `changed`
   changed.reserve(batch.chunks().size());
+  std::vector<std::uint32_t> newest;  // of each, its last change's number
+  newest.reserve(batch.chunks().size());
+  FlatMap<ChunkKey, std::size_t> places;  // in both
   std::vector<RecentChanges::Change> recent;
   recent.reserve(batch.applied().size());
+  std::vector<Override> recent_voxels;
+  recent_voxels.reserve(batch.applied().size());
   for (const edits::Applied& applied : batch.applied()) {
     for (std::size_t i = 0; i < applied.writes.size(); ++i) {
       const ChunkKey key = applied.writes[i].key;
       const auto [place, added] = places.emplace(key);
       if (added) {
         place = changed.size();
-        const EditedChunk* const held = dirty(key);
-        const std::uint64_t before = held != nullptr ? held->revision : index_.revision(key);
-        changed.push_back({key, before, before});
+        const ChunkIndex::Edited before = index_.find(key);
+        changed.push_back({key, before.revision, before.revision});
+        newest.push_back(before.change);
       }
-      ChunkChange& change = changed[place];
-      recent.push_back({key, change.revision, applied.revision, voxels_now(applied, i)});
-      change.revision = applied.revision;
+      const std::uint64_t previous = std::exchange(changed[place].revision, applied.revision);
+      // What is not known makes no change: the chain of the chunk's changes ends there.
+      if (const std::uint32_t voxels = add_voxels_now(applied, i, recent_voxels)) {
+        const auto number = recent_.next() + static_cast<std::uint32_t>(recent.size());
+        recent.push_back({key, previous, applied.revision, std::exchange(newest[place], number), voxels});
+      }
     }
   }
   head_ = batch.head();
@@ -172,8 +181,9 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   }
   // Overrides first, then the index: who sees a revision there gets it.
   write_overrides(batch.chunks(), changed);
-  recent_.add(std::move(recent));
-  for (const ChunkChange& change : changed) index_.raise(change.key, change.revision);
+  recent_.add(recent, recent_voxels);
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    index_.raise(changed[i].key, {changed[i].revision, newest[i]});
   for (const ChunkChange& change : changed) index_.raise_column(change.key, change.revision);
   revision_.store(head_.revision, std::memory_order_release);
   return changed;

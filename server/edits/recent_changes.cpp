@@ -2,29 +2,23 @@
 
 #include <algorithm>
 #include <mutex>
-#include <utility>
 
 namespace talus::server {
 namespace {
 
-/// Of a change with its places.
 std::size_t bytes_of_change(const RecentChanges::Change& change) {
-  return 160 + change.voxels.size() * sizeof(Override);
+  return 64 + change.voxels * sizeof(Override);
 }
 
 }  // namespace
 
-void RecentChanges::add(std::vector<Change> changes) {
+void RecentChanges::add(std::span<const Change> changes, std::span<const Override> voxels) {
   const std::lock_guard lock{mutex_};
-  for (Change& change : changes) {
-    if (change.voxels.empty() || change.voxels.size() > kMostVoxels) {
-      newest_.erase(change.key);
-      continue;
-    }
+  for (const Change& change : changes) {
     bytes_ += bytes_of_change(change);
-    std::uint64_t& newest = newest_[change.key];
-    const std::uint64_t before = std::exchange(newest, oldest_ + changes_.size());
-    changes_.push_back({std::move(change), before});
+    changes_.push_back({change, oldest_voxel_ + voxels_.size()});
+    voxels_.insert(voxels_.end(), voxels.begin(), voxels.begin() + change.voxels);
+    voxels = voxels.subspan(change.voxels);
   }
   while (bytes_ > capacity_bytes_) forget_oldest();
 }
@@ -32,28 +26,33 @@ void RecentChanges::add(std::vector<Change> changes) {
 void RecentChanges::forget_oldest() {
   const Change& change = changes_.front().change;
   bytes_ -= bytes_of_change(change);
-  const std::uint64_t* const newest = newest_.find(change.key);
-  if (newest != nullptr && *newest == oldest_) newest_.erase(change.key);
+  voxels_.erase(voxels_.begin(), voxels_.begin() + change.voxels);
+  oldest_voxel_ += change.voxels;
   changes_.pop_front();
   ++oldest_;
 }
 
-std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, std::uint64_t since,
-                                                          std::size_t most) const {
+const RecentChanges::Remembered* RecentChanges::find(ChunkKey key, ChunkIndex::Edited edited) const {
+  const std::size_t place = edited.change - oldest_;
+  if (place >= changes_.size()) return nullptr;
+  const Remembered& found = changes_[place];
+  return found.change.key == key && found.change.revision == edited.revision ? &found : nullptr;
+}
+
+std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkIndex::Edited now,
+                                                          std::uint64_t since, std::size_t most) const {
   const std::shared_lock lock{mutex_};
-  const std::uint64_t* const newest = newest_.find(key);
-  if (newest == nullptr) return std::nullopt;
-  AppliedEdits::Changes all{.revision = changes_[*newest - oldest_].change.revision, .voxels = {}};
-  if (all.revision <= since) return std::nullopt;
+  AppliedEdits::Changes all{.revision = now.revision, .voxels = {}};
   // From the newest change to the first after `since`.
-  for (std::uint64_t number = *newest;;) {
-    if (number < oldest_) return std::nullopt;
-    const auto& [change, before] = changes_[number - oldest_];
+  while (now.revision > since) {
+    const Remembered* const found = find(key, now);
+    if (found == nullptr) return std::nullopt;
+    const Change& change = found->change;
     // Voxels that change again and again count once, but not for ever.
-    if (all.voxels.size() + change.voxels.size() > 4 * (most + kMostVoxels)) return std::nullopt;
-    all.voxels.insert(all.voxels.end(), change.voxels.begin(), change.voxels.end());
-    if (change.previous <= since) break;
-    number = before;
+    if (all.voxels.size() + change.voxels > 4 * (most + kMostVoxels)) return std::nullopt;
+    const auto first = voxels_.begin() + static_cast<std::ptrdiff_t>(found->first_voxel - oldest_voxel_);
+    all.voxels.insert(all.voxels.end(), first, first + change.voxels);
+    now = {change.previous, change.before};
   }
   // Of one voxel's changes the newest stays.
   std::ranges::stable_sort(all.voxels, {}, &Override::index);

@@ -1,5 +1,8 @@
 // What those see of edits who serve chunks.
+#include <array>
 #include <atomic>
+#include <map>
+#include <optional>
 #include <thread>
 
 #include <catch2/catch.hpp>
@@ -29,11 +32,11 @@ TEST_CASE("the index knows revisions and rows of edited chunks, and nothing of o
   const ChunkKey key{{5, -3, 7}, Lod::of(2)};
   CHECK(index.revision(key) == 0);
   CHECK(index.rows(key).size() == 0);
-  CHECK(index.raise(key, 4) == 0);
-  CHECK(index.raise(key, 9) == 4);
-  CHECK(index.raise(key, 6) == 9);
+  CHECK(index.raise(key, {4}) == 0);
+  CHECK(index.raise(key, {9}) == 4);
+  CHECK(index.raise(key, {6}) == 9);
   CHECK(index.revision(key) == 9);
-  CHECK(index.raise({{5, 11, 7}, Lod::of(2)}, 10) == 0);
+  CHECK(index.raise({{5, 11, 7}, Lod::of(2)}, {10}) == 0);
   CHECK(index.rows(key) == ChunkRange{-3, 11});
   CHECK(index.revision({{5, 0, 7}, Lod::of(2)}) == 0);
   CHECK(index.revision({{5, -3, 7}, Lod::of(1)}) == 0);
@@ -92,7 +95,7 @@ TEST_CASE("the index tells which columns of a region were edited") {
   ChunkIndex index;
   const auto edit = [&](std::int32_t x, std::int32_t z, std::uint64_t revision) {
     const ChunkKey key{{x, 4, z}, Lod::of(1)};
-    (void)index.raise(key, revision);
+    (void)index.raise(key, {revision});
     index.raise_column(key, revision);
   };
   edit(-1, -32, 3);
@@ -105,7 +108,7 @@ TEST_CASE("the index tells which columns of a region were edited") {
   CHECK(index.column_revision({{-1, -5, -32}, Lod::of(1)}) == 4);
   CHECK(index.column_revision({{-2, 4, -32}, Lod::of(1)}) == 0);
   // A column is raised by itself: after the chunks of its edit.
-  CHECK(index.raise({{-1, 4, -32}, Lod::of(1)}, 7) == 4);
+  CHECK(index.raise({{-1, 4, -32}, Lod::of(1)}, {7}) == 4);
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
 }
 
@@ -138,35 +141,75 @@ TEST_CASE("who finds a column's revision finds all chunks of that edit") {
   CHECK(store.state().index().column_revision(kChunk) == 300);
 }
 
+namespace {
+
+/// Recent changes, and what the index says of their chunks.
+class Remembering {
+ public:
+  explicit Remembering(std::size_t bytes) : recent_{bytes} {}
+  void add(ChunkKey key, std::uint64_t revision, const std::vector<Override>& voxels) {
+    ChunkIndex::Edited& edited = edited_[key];
+    const auto number = recent_.next();
+    const auto count = static_cast<std::uint32_t>(voxels.size());
+    if (count > 0) {
+      recent_.add(std::array{RecentChanges::Change{key, edited.revision, revision, edited.change, count}},
+                  voxels);
+    }
+    edited = {revision, count > 0 ? number : edited.change};
+  }
+  [[nodiscard]] std::optional<AppliedEdits::Changes> since(ChunkKey key, std::uint64_t since,
+                                                           std::size_t most = 10) {
+    return recent_.since(key, edited_[key], since, most);
+  }
+
+ private:
+  RecentChanges recent_;
+  std::map<ChunkKey, ChunkIndex::Edited> edited_;
+};
+
+}  // namespace
+
 TEST_CASE("changes since a revision are each voxel once, as it is now") {
-  RecentChanges recent{1 << 20};
-  recent.add({{kChunk, 3, 5, {{7, MaterialId{1}}, {9, MaterialId{1}}}}});
-  recent.add({{kChunk, 5, 8, {{8, MaterialId{2}}, {9, MaterialId{2}}}}});
-  const auto all = recent.since(kChunk, 3, 10);
+  Remembering recent{1 << 20};
+  recent.add(kChunk, 3, {});  // of another start
+  recent.add(kChunk, 5, {{7, MaterialId{1}}, {9, MaterialId{1}}});
+  recent.add(kChunk, 8, {{8, MaterialId{2}}, {9, MaterialId{2}}});
+  const auto all = recent.since(kChunk, 3);
   REQUIRE(all.has_value());
   CHECK(all->revision == 8);
   CHECK(all->voxels == std::vector<Override>{{7, MaterialId{1}}, {8, MaterialId{2}}, {9, MaterialId{2}}});
-  CHECK(recent.since(kChunk, 4, 10)->voxels.size() == 3);
-  CHECK(recent.since(kChunk, 5, 10)->voxels.size() == 2);
-  CHECK_FALSE(recent.since(kChunk, 2, 10).has_value());
+  CHECK(recent.since(kChunk, 4)->voxels.size() == 3);
+  CHECK(recent.since(kChunk, 5)->voxels.size() == 2);
+  CHECK(recent.since(kChunk, 8)->voxels.empty());
+  CHECK_FALSE(recent.since(kChunk, 2).has_value());
   CHECK_FALSE(recent.since(kChunk, 3, 2).has_value());
-  CHECK_FALSE(recent.since({{1, 0, 0}, Lod{}}, 3, 10).has_value());
+  CHECK(recent.since({{1, 0, 0}, Lod{}}, 3)->voxels.empty());  // never edited
   // A change that is not known hides those before it.
-  recent.add({{kChunk, 8, 9, {}}});
-  CHECK_FALSE(recent.since(kChunk, 5, 10).has_value());
-  recent.add({{kChunk, 9, 10, {{1, MaterialId{3}}}}});
-  CHECK_FALSE(recent.since(kChunk, 8, 10).has_value());
-  CHECK(recent.since(kChunk, 9, 10)->voxels.size() == 1);
+  recent.add(kChunk, 9, {});
+  CHECK_FALSE(recent.since(kChunk, 5).has_value());
+  recent.add(kChunk, 10, {{1, MaterialId{3}}});
+  CHECK_FALSE(recent.since(kChunk, 8).has_value());
+  CHECK(recent.since(kChunk, 9)->voxels.size() == 1);
 }
 
-TEST_CASE("of recent changes the oldest are forgotten") {
-  RecentChanges recent{1'000};
+TEST_CASE("of recent changes the oldest are forgotten, and the others keep their voxels") {
+  Remembering recent{1'000};
+  const auto chunk = [](std::uint64_t number) {
+    return ChunkKey{{static_cast<std::int32_t>(number % 3), 0, 0}, Lod{}};
+  };
   for (std::uint64_t revision = 1; revision <= 100; ++revision) {
-    const auto x = static_cast<std::int32_t>(revision % 3);
-    recent.add({{{{x, 0, 0}, Lod{}}, revision < 4 ? 0 : revision - 3, revision, {{1, MaterialId{1}}}}});
+    const auto now = MaterialId{static_cast<std::uint16_t>(revision)};
+    std::vector<Override> voxels{{1, now}};
+    if (revision % 2 == 0) voxels.push_back({2, now});
+    recent.add(chunk(revision), revision, voxels);
   }
-  CHECK(recent.since({{1, 0, 0}, Lod{}}, 97, 10).has_value());
-  CHECK_FALSE(recent.since({{1, 0, 0}, Lod{}}, 80, 10).has_value());
+  const auto material = [](std::uint16_t of) { return MaterialId{of}; };
+  CHECK(recent.since(chunk(100), 97)->voxels ==
+        std::vector<Override>{{1, material(100)}, {2, material(100)}});
+  CHECK(recent.since(chunk(99), 96)->voxels == std::vector<Override>{{1, material(99)}});
+  // Both voxels of 98 are newer than the one of 95.
+  CHECK(recent.since(chunk(98), 94)->voxels == std::vector<Override>{{1, material(98)}, {2, material(98)}});
+  CHECK_FALSE(recent.since(chunk(100), 70).has_value());
 }
 
 TEST_CASE("edits are seen at every level, in changes and chunks, and what is put back leaves the revision") {
