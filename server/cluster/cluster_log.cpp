@@ -217,9 +217,10 @@ void ClusterLog::look_at_end() {
 }
 
 void ClusterLog::tell_whether_it_takes() {
-  const bool takes = takes_entries();
   {
-    const std::lock_guard lock{mutex_};
+    // What was seen is kept before another thread looks: the last to look keeps the newest.
+    const std::lock_guard lock{telling_};
+    const bool takes = takes_entries();
     if (std::exchange(was_taking_, takes) == takes) return;
   }
   parts_.on_takes();

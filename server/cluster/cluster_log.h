@@ -170,6 +170,9 @@ class ClusterLog final : public EditLog {
   TimePoint skip_told_{};            // in the log
   TimePoint clock_told_{};
 
+  std::mutex telling_;      // locked before mutex_
+  bool was_taking_ = true;  // as on_takes was told; under that
+
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   LogEnd end_;
@@ -194,7 +197,6 @@ class ClusterLog final : public EditLog {
   bool others_go_on_ = false;                  // somebody published later
   bool stopping_ = false;                      // no entries are taken
   bool ending_ = false;                        // the threads end
-  bool was_taking_ = true;                     // as on_takes was told
 
   std::thread applier_;
   std::thread watcher_;

@@ -101,7 +101,7 @@ int Arrived::status() const {
   return status;
 }
 
-/// Called by libnats.
+/// Called by libnats, which is in C: what they throw for want of memory stays here.
 struct Connection::Callbacks {
   /// Of a subscription, on its thread.
   struct Handled {
@@ -111,19 +111,36 @@ struct Connection::Callbacks {
 
   static Link& link(void* closure) { return **static_cast<std::shared_ptr<Link>*>(closure); }
 
+  /// Whether it threw nothing.
+  template <typename Do>
+  static bool guard(Do what) noexcept {
+    try {
+      what();
+      return true;
+    } catch (...) {
+      return false;
+    }
+  }
+
   static void set_connected(Link& link, bool now) {
     link.connected.store(now, std::memory_order_relaxed);
     if (now) link.was_connected.store(true, std::memory_order_relaxed);
     if (link.events) link.events->connected(now);
   }
-  static void connected(natsConnection* /*connection*/, void* closure) { set_connected(link(closure), true); }
+  static void connected(natsConnection* /*connection*/, void* closure) {
+    guard([&] { set_connected(link(closure), true); });
+  }
   static void disconnected(natsConnection* /*connection*/, void* closure) {
-    set_connected(link(closure), false);
+    guard([&] { set_connected(link(closure), false); });
   }
   /// The last call of a connection.
   static void closed(natsConnection* connection, void* closure) {
     const std::unique_ptr<std::shared_ptr<Link>> owned{static_cast<std::shared_ptr<Link>*>(closure)};
-    Link& link = **owned;
+    if (guard([&] { tell_closed(**owned, connection); })) return;
+    // Else nobody would make it anew. So short a text needs no memory.
+    guard([&] { (*owned)->events->closed(unavailable("NATS: closed")); });
+  }
+  static void tell_closed(Link& link, natsConnection* connection) {
     const char* text = nullptr;
     const natsStatus status = natsConnection_GetLastError(connection, &text);
     link.connected.store(false, std::memory_order_relaxed);
@@ -148,10 +165,11 @@ struct Connection::Callbacks {
   }
   static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
                     void* closure) {
-    if (status != NATS_NOT_PERMITTED) return;
+    if (status == NATS_NOT_PERMITTED) guard([&] { tell_denied(link(closure), connection); });
+  }
+  static void tell_denied(Link& of, natsConnection* connection) {
     const char* text = nullptr;
     natsConnection_GetLastError(connection, &text);
-    Link& of = link(closure);
     const std::string what = words_of(text == nullptr ? "" : text);
     {
       const std::lock_guard lock{of.mutex};
@@ -164,15 +182,22 @@ struct Connection::Callbacks {
   static natsStatus sign(char** error_text, unsigned char** signature, int* signature_length,
                          const char* nonce, void* closure) {
     *error_text = nullptr;
-    const std::string seed{link(closure).credentials->seed->bytes()};
-    return nats_Sign(seed.c_str(), nonce, signature, signature_length);
+    natsStatus status = NATS_NO_MEMORY;
+    guard([&] {
+      const std::string seed{link(closure).credentials->seed->bytes()};
+      status = nats_Sign(seed.c_str(), nonce, signature, signature_length);
+    });
+    return status;
   }
+  /// A message that there is no memory for counts as one that did not come.
   static void message(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsMsg* message,
                       void* closure) {
     NatsMessage owned{message};
     auto& handled = *static_cast<Handled*>(closure);
-    handled.handler(Arrived{message});
-    handled.discarded.add(std::move(owned));
+    guard([&] {
+      handled.handler(Arrived{message});
+      handled.discarded.add(std::move(owned));
+    });
   }
   static void subscription_ended(void* closure) { delete static_cast<Handled*>(closure); }
 };
@@ -277,9 +302,10 @@ tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subje
   if (status == NATS_CONNECTION_CLOSED) return {};  // refused meanwhile, which its events say
   if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
   NatsSubscription subscription{made};
-  if (natsSubscription_SetOnCompleteCB(made, &Callbacks::subscription_ended, owned.get()) == NATS_OK) {
-    (void)owned.release();
-  }
+  // Where the connection has closed meanwhile nobody says when the last message is handled: then its handler
+  // is left where it is.
+  (void)natsSubscription_SetOnCompleteCB(made, &Callbacks::subscription_ended, owned.get());
+  (void)owned.release();
   natsSubscription_SetPendingLimits(made, pending_messages, pending_bytes);
   const std::lock_guard lock{mutex_};
   subscriptions_.push_back(std::move(subscription));
