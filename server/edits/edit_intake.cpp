@@ -20,6 +20,8 @@ using wire::ErrorCode;
 constexpr milliseconds kBusy{1000};
 constexpr milliseconds kCutOff{2000};
 constexpr int kMaxTries = 8;
+/// In voxels: what it costs to decode a chunk, if it comes to that.
+constexpr std::size_t kChunkCost = 256;
 
 std::uint64_t number(ClientId client) {
   return static_cast<std::uint64_t>(client);
@@ -225,8 +227,8 @@ void EditIntake::work() {
       lanes_.clear();
       taken_in_.clear();
       attaching_as_.clear();
-      turns_ = {};
-      first_.clear();
+      small_ = {};
+      large_ = {};
       const std::lock_guard lock{mutex_};
       waiting_ = came_.size();
     }
@@ -283,20 +285,20 @@ bool EditIntake::log_has_room() const {
 }
 
 std::optional<ClientId> EditIntake::next() {
-  if (!first_.empty()) {
-    const ClientId client = first_.front();
-    first_.pop_front();
-    return client;
-  }
-  if (turns_.entered() == 0) {
-    turns_.rest();
+  const bool has_small = small_.entered() > 0;
+  if (!has_small && large_.entered() == 0) {
+    small_.rest();
+    large_.rest();
     return std::nullopt;
   }
+  // By turns, so that neither kind starves the other; but the small ones do not wait for room in the log.
+  small_went_ = has_small && (!small_went_ || large_.entered() == 0 || !log_has_room());
+  if (small_went_) return small_.next();
   if (!log_has_room()) {
     wants_room_ = true;
     if (!log_has_room()) return std::nullopt;  // else it came just now, and who made it need not call
   }
-  return turns_.next();
+  return large_.next();
 }
 
 bool EditIntake::take_turn() {
@@ -342,15 +344,15 @@ EditIntake::Lane* EditIntake::find_lane(ClientId client) {
 void EditIntake::enter(Lane& lane) {
   if (lane.entered) return;
   std::size_t voxels = 0;
+  std::size_t chunks = 0;
   if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
     const EditRequest& request = lane.waiting.front().request;
     voxels = named_voxels(request.edit) + (settles() && request.settles ? edits::kSettleVoxels : 0);
+    chunks = named_chunks(request.edit);
   }
-  if (*lane.in_log == 0 && voxels <= kSmallVoxels) {
-    first_.push_back(lane.session->owner());
-  } else {
-    turns_.enter(lane.session->flow(), lane.session->owner(), voxels);
-  }
+  const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
+  EditTurns& turns = is_small ? small_ : large_;
+  turns.enter(lane.session->flow(), lane.session->owner(), voxels + kChunkCost * chunks);
   lane.entered = true;
 }
 

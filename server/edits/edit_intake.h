@@ -66,6 +66,7 @@ class EditIntake final : public EditTaker {
   /// in the next batch.
   static constexpr std::size_t kLogEntries = 256;
   static constexpr std::size_t kSmallVoxels = 64;
+  static constexpr std::size_t kSmallChunks = 8;
   static constexpr std::size_t kLogBytes = std::size_t{256} << 10U;
 
   EditIntake(Parts parts, Rules rules, Logger log);
@@ -201,8 +202,9 @@ class EditIntake final : public EditTaker {
   std::vector<Came> taken_in_;  // and has no lane yet
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
-  EditTurns turns_;
-  std::deque<ClientId> first_;  // who need wait for no turn
+  EditTurns small_;
+  EditTurns large_;
+  bool small_went_ = false;  // last
   DecodedBases bases_{kBaseBytes};
 
   std::thread thread_;

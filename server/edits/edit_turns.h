@@ -16,7 +16,7 @@ namespace talus::server {
 /// For one thread.
 class EditTurns {
  public:
-  /// The session has an edit that may go, of so many voxels. REQUIRES: it is not entered.
+  /// The session has an edit that may go, which costs as much as so many voxels. REQUIRES: it is not entered.
   void enter(FlowId flow, ClientId session, std::size_t voxels);
   /// Whose edit goes now; it is entered no more.
   [[nodiscard]] std::optional<ClientId> next();

@@ -1,9 +1,12 @@
 #include "session/editing.h"
 
+#include <utility>
+
 namespace talus::server {
 
 void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
   attaching_ = true;
+  is_known_ = true;
   voxels_per_second_ = voxels_per_second;
   taker_->attach(mailbox_, std::move(request));
 }
@@ -46,7 +49,7 @@ void Editing::receive(EditAnswer&& mail) {
 }
 
 void Editing::abandon() {
-  if (taker_ != nullptr && (attaching_ || editor_)) taker_->forget(mailbox_->owner());
+  if (std::exchange(is_known_, false)) taker_->forget(mailbox_->owner());
   attaching_ = false;
   editor_.reset();
   unanswered_.clear();

@@ -64,6 +64,7 @@ class Editing {
   EditTaker* const taker_;
   const MailboxPtr mailbox_;
   Replies& replies_;
+  bool is_known_ = false;  // to the taker, which keeps what it knows until it is told to forget
   bool attaching_ = false;
   std::uint64_t voxels_per_second_ = 0;
   std::optional<EditorSession> editor_;

@@ -32,11 +32,16 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
                                                                               const std::string& path) {
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected{std::move(regular.error())};
   if (env.FileExists(path).IsNotFound()) return std::nullopt;
-  std::string text;
-  if (const auto status = rocksdb::ReadFileToString(&env, path, &text); !status.ok()) {
+  constexpr std::size_t kMostBytes = 4096;  // many times what it ever has
+  std::string text(kMostBytes, 0);
+  std::unique_ptr<rocksdb::SequentialFile> file;
+  rocksdb::Slice slice;
+  auto status = env.NewSequentialFile(path, &file, rocksdb::EnvOptions{});
+  if (status.ok()) status = file->Read(kMostBytes, &slice, text.data());
+  if (!status.ok()) {
     return tl::unexpected{fmt::format("{}: {}; talusd must be able to read it", path, status.ToString())};
   }
-  const auto acknowledged = decode_acknowledged(std::as_bytes(std::span{text}));
+  const auto acknowledged = decode_acknowledged(std::as_bytes(std::span{slice.data(), slice.size()}));
   if (!acknowledged) {
     return tl::unexpected{
         fmt::format("{}: it is damaged, and so the disk may be; restore a backup, or delete this file to go "

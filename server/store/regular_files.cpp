@@ -82,6 +82,21 @@ tl::expected<void, std::string> check_regular_file(const fs::path& path) {
   return {};
 }
 
+namespace {
+
+/// RocksDB writes less than a hundred bytes into each, and reads them whole, whatever they have.
+tl::expected<void, std::string> check_small_file(const fs::path& path) {
+  constexpr std::uintmax_t kMostBytes = 4096;
+  if (path.filename() != "CURRENT" && path.filename() != "IDENTITY") return {};
+  std::error_code code;
+  const std::uintmax_t bytes = fs::file_size(path, code);
+  if (code || bytes <= kMostBytes) return {};
+  return tl::unexpected{fmt::format("{}: it has {} bytes, and talusd's own has at most {}; restore a backup",
+                                    path.string(), bytes, kMostBytes)};
+}
+
+}  // namespace
+
 tl::expected<void, std::string> check_regular_files(const fs::path& directory) {
   struct stat about {};
   if (::lstat(directory.c_str(), &about) != 0) {
@@ -92,6 +107,7 @@ tl::expected<void, std::string> check_regular_files(const fs::path& directory) {
   std::error_code code;
   for (fs::directory_iterator at{directory, code}, end; !code && at != end; at.increment(code)) {
     if (auto good = check_regular_file(at->path()); !good) return good;
+    if (auto good = check_small_file(at->path()); !good) return good;
   }
   if (code) return unreadable(directory, code.value());
   return {};

@@ -38,8 +38,8 @@ class RegularFile {
 /// That `path` is a regular file, or that there is nothing. Opens nothing.
 [[nodiscard]] tl::expected<void, std::string> check_regular_file(const std::filesystem::path& path);
 
-/// That `directory` is one, not a link to one, and all that it holds are regular files; or that there is
-/// nothing.
+/// That `directory` is one, not a link to one, and all that it holds are regular files, of which those that
+/// RocksDB reads whole when it opens a database are small; or that there is nothing.
 [[nodiscard]] tl::expected<void, std::string> check_regular_files(const std::filesystem::path& directory);
 
 /// Of all files that `directory` holds; those that vanish meanwhile, or are none, count nothing.

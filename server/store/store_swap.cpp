@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <fstream>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -17,6 +18,8 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::array<std::string_view, 3> kParts{"acknowledged", "db", "store.toml"};
 constexpr std::string_view kCheckpoint = "talus-checkpoint-";
+/// An empty file beside the new store's parts: the old one goes, also where another process ends the swap.
+constexpr std::string_view kOldGoes = "old-goes";
 
 fs::path staging_of(const fs::path& directory) {
   return directory / "talus-staging";
@@ -70,7 +73,9 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
   fs::path kept;
   const bool has_old = fs::exists(old, code);
   if (code) return swap_failure(old, code);
-  if (has_old) {
+  const bool goes = fs::exists(next / kOldGoes, code);
+  if (code) return swap_failure(next / kOldGoes, code);
+  if (has_old && !goes) {
     kept = place_for_old(directory);
     if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
   }
@@ -131,7 +136,11 @@ tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {
   return staging;
 }
 
-tl::expected<fs::path, std::string> swap_in(const fs::path& directory) {
+tl::expected<fs::path, std::string> swap_in(const fs::path& directory, Replaced replaced) {
+  if (replaced == Replaced::goes) {
+    const fs::path mark = staging_of(directory) / kOldGoes;
+    if (!std::ofstream{mark}) return swap_failure(mark, std::make_error_code(std::errc::io_error));
+  }
   if (auto synced = sync_directory(staging_of(directory)); !synced) return tl::unexpected{synced.error()};
   if (auto named = rename_now(staging_of(directory), next_of(directory)); !named) {
     return tl::unexpected{named.error()};

@@ -23,10 +23,14 @@ namespace talus::server {
 /// The file in a data directory that says why the store there must not be used any more.
 inline constexpr std::string_view kRejoinName = "rejoin";
 
+/// What becomes of a store that is replaced: it goes where it had the same edits.
+enum class Replaced { stays, goes };
+
 /// The store in `staging`, whose files are whole and synced, is the directory's from now on, and what
-/// kRejoinName said of the one before is gone. Returns where that is kept; empty where there was none.
-[[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(
-    const std::filesystem::path& directory);
+/// kRejoinName said of the one before is gone. Returns where that is kept; empty where there was none, or it
+/// went.
+[[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(const std::filesystem::path& directory,
+                                                                       Replaced replaced = Replaced::stays);
 
 /// Whether a swap was interrupted, or failed, when the new store counted already: tidy_up() ends it.
 [[nodiscard]] bool swap_is_begun(const std::filesystem::path& directory);

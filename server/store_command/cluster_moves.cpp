@@ -92,18 +92,13 @@ tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentH
 
 /// What is in staging is the directory's store, which had the same edits. `if_not` is said where it is not.
 tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_view if_not) {
-  const auto replaced = swap_in(path);
-  if (!replaced) {
-    if (!swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", replaced.error(), if_not)};
-    return tl::unexpected{
-        fmt::format("{}; the new store counts already: \"talusd store stat\" ends its move into place, and "
-                    "prints its id",
-                    replaced.error())};
-  }
-  std::error_code code;
-  fs::remove_all(*replaced, code);
-  if (code) return tl::unexpected{fmt::format("{}: {}; remove it", replaced->string(), code.message())};
-  return {};
+  const auto swapped = swap_in(path, Replaced::goes);
+  if (swapped) return {};
+  if (!swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", swapped.error(), if_not)};
+  return tl::unexpected{
+      fmt::format("{}; the new store counts already: \"talusd store stat\" ends its move into place, and "
+                  "prints its id",
+                  swapped.error())};
 }
 
 }  // namespace

@@ -134,6 +134,13 @@ TEST_CASE(
   CHECK(writable_chunks(filling({0, 0, 0}, {64 * 32, 0, 0})).empty());
   CHECK(writable_chunks(filling({kWorldEnd, 0, 0}, {kWorldEnd, 0, 0})).empty());
   CHECK(writable_chunks(filling({1, 0, 0}, {0, 0, 0})).empty());
+  // At the world's six faces too.
+  for (const std::int64_t end : {std::int64_t{-kWorldEnd}, std::int64_t{kWorldEnd} - 1}) {
+    for (const VoxelPos at : {VoxelPos{end, 0, 0}, VoxelPos{0, end, 0}, VoxelPos{0, 0, end}}) {
+      CHECK(writable_chunks(filling(at, at)) == std::vector{chunk_holding(at, Lod{})->coord});
+      CHECK(named_chunks(filling(at, at)) == 1);
+    }
+  }
   // What is loose around it may come into its neighbours.
   Edit corner;
   corner.writes.push_back({{0, 40, 0}, kStone});

@@ -376,6 +376,32 @@ TEST_CASE("in the log wait few edits, and who comes late goes before those who h
   }
 }
 
+TEST_CASE("neither small edits of many keep large ones from the log, nor those of many chunks small ones") {
+  Bench bench;
+  for (std::int32_t x = 0; x < 64; ++x) bench.source.in_memory[{{x, 0, 0}, Lod{}}] = of(kStone);
+  const std::int32_t chunks = GENERATE(1, 64);
+  const auto flow = std::make_shared<FlowUse>(FlowId{9}, FlowName{});
+  std::vector<MailboxPtr> crowd;
+  for (std::uint64_t id = 100; id < 200; ++id) {
+    crowd.push_back(std::make_shared<Mailbox>(
+        ClientId{id}, [] {}, flow));
+    EditRequest request{1, {id, 1}, 1, 1, {}};
+    for (std::int32_t x = 0; x < chunks; ++x) request.edit.guards.push_back({{x * 32, 0, 0}, kStone});
+    bench.intake.edit(crowd.back(), std::move(request));
+  }
+  EditRequest alone{1, kEditor, 3, 1, {}};
+  if (chunks == 1) {
+    alone.edit.fills = {{{0, 0, 0}, {15, 15, 15}, kGlass, {}}};
+  } else {
+    alone.edit.writes = {{{0, 0, 0}, kGlass}};
+  }
+  bench.intake.edit(bench.session, std::move(alone));
+  bench.intake.do_what_waits();
+  std::size_t place = 0;
+  while (place < bench.log.entries.size() && bench.log.edit(place).editor != kEditor) ++place;
+  CHECK(place <= 2);
+}
+
 TEST_CASE("who edited much while nobody waited owes nothing for it") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);

@@ -204,6 +204,16 @@ TEST_CASE("a session that ends forgets its edits, and so does the taker") {
   CHECK(taker.forgotten.size() == 1);
 }
 
+TEST_CASE("the taker forgets a session whose Attach was refused") {
+  ScriptedTaker taker;
+  SessionBench bench{{.access = editors(), .edits = &taker, .protocol = 2}};
+  bench.attach();
+  bench.mailbox->put(AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "later", 1s}}});
+  bench.take_mail();
+  bench.session.abandon();
+  CHECK(taker.forgotten == std::vector{ClientId{1}});
+}
+
 TEST_CASE("voxels over the rate are refused with a time, and the edit does not happen") {
   Bench shared{voxels({10, 20})};
   shared.attached();

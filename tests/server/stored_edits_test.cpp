@@ -150,6 +150,18 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   refused("were acknowledged and are lost");
   std::ofstream{scratch / "acknowledged", std::ios::binary} << acknowledged;
   CHECK(StoredEdits::open(scratch.path(), kWorld));
+  // Nothing is read whole that may have any length.
+  const auto with_length = [&](const fs::path& file, std::uintmax_t bytes, const std::string& part) {
+    const std::uintmax_t before = fs::file_size(file);
+    fs::resize_file(file, bytes);
+    refused(part);
+    fs::resize_file(file, before);
+  };
+  constexpr std::uintmax_t kHuge = std::uintmax_t{1} << 40U;
+  with_length(scratch / "acknowledged", kHuge, "acknowledged: it is damaged");
+  with_length(scratch / "db" / "CURRENT", kHuge, "CURRENT: it has 1099511627776 bytes");
+  with_length(scratch / "db" / "IDENTITY", kHuge, "IDENTITY: it has 1099511627776 bytes");
+  CHECK(StoredEdits::open(scratch.path(), kWorld));
   // A backup has no lock, and a manifest where it is whole.
   fs::remove(scratch / "lock");
   refused("without its manifest");

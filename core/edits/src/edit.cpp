@@ -148,6 +148,34 @@ std::size_t named_voxels(const Edit& edit) {
   return voxels;
 }
 
+std::size_t named_chunks(const Edit& edit) {
+  std::vector<ChunkCoord> single;
+  for (const auto* const list : {&edit.guards, &edit.writes}) {
+    for (const VoxelWrite& each : *list) {
+      const ChunkCoord chunk = chunk_of(each.voxel);
+      if (single.empty() || single.back() != chunk) single.push_back(chunk);
+    }
+  }
+  std::ranges::sort(single);
+  single.erase(std::unique(single.begin(), single.end()), single.end());
+  std::size_t chunks = single.size();
+  const auto add_box = [&](VoxelPos first, VoxelPos last) {
+    if (first.x > last.x || first.y > last.y || first.z > last.z) return;
+    const ChunkCoord low = chunk_of(first);
+    const ChunkCoord high = chunk_of(last);
+    std::size_t box = 1;
+    for (const auto& [from, to] :
+         {std::pair{low.x, high.x}, std::pair{low.y, high.y}, std::pair{low.z, high.z}}) {
+      const auto along = static_cast<std::uint64_t>(std::int64_t{to} - from);
+      box = std::min<std::uint64_t>(box * (std::min<std::uint64_t>(along, kMaxChunks) + 1), kMaxChunks);
+    }
+    chunks += box;
+  };
+  for (const Fill& each : edit.fills) add_box(each.first, each.last);
+  if (edit.paste) add_box(edit.paste->origin, last_of(*edit.paste));
+  return chunks;
+}
+
 std::vector<ChunkCoord> writable_chunks(const Edit& edit, bool settles) {
   std::vector<ChunkCoord> chunks;
   const auto add_box = [&](VoxelPos first, VoxelPos last) {
@@ -155,9 +183,13 @@ std::vector<ChunkCoord> writable_chunks(const Edit& edit, bool settles) {
     if (!chunk_holding(first, Lod{}) || !chunk_holding(last, Lod{})) return false;
     const ChunkCoord low = chunk_of(first);
     const ChunkCoord high = chunk_of(last);
-    for (std::int32_t y = low.y; y <= high.y; ++y) {
-      for (std::int32_t z = low.z; z <= high.z; ++z) {
-        for (std::int32_t x = low.x; x <= high.x; ++x) chunks.push_back({x, y, z});
+    // 64 bits: the world's last chunk has the greatest coordinate of 32.
+    for (std::int64_t y = low.y; y <= high.y; ++y) {
+      for (std::int64_t z = low.z; z <= high.z; ++z) {
+        for (std::int64_t x = low.x; x <= high.x; ++x) {
+          chunks.push_back(
+              {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)});
+        }
       }
     }
     return true;

@@ -60,6 +60,11 @@ struct Edit {
 /// count. Where a fill has more than kMaxVoxels only that they are more.
 [[nodiscard]] std::size_t named_voxels(const Edit& edit);
 
+/// Chunks of level 0 that hold those voxels, those of guards and writes counted once, and those of each fill
+/// and of the paste again: what it costs to look their base up. At most kMaxChunks of each fill; of a place
+/// beyond the world any number.
+[[nodiscard]] std::size_t named_chunks(const Edit& edit);
+
 /// The chunks of level 0 that the edit may write, each once, in order: whether it writes them is not known
 /// before it happens. `settles`: with those of settle_box(). None of an edit that touched_voxels() refuses.
 /// Cheap: no voxel of a fill or paste is visited. REQUIRES: named_voxels() is at most kMaxVoxels.
