@@ -110,6 +110,35 @@ TEST_CASE("The shape of caves is the definition's by every instruction set") {
   }));
 }
 
+// Of few depths a quotient of floats is rounded up to the next integer.
+TEST_CASE("The shape of tunnels is the definition's at every depth") {
+  for (std::int32_t half_width = 513; half_width <= kNoiseOne / 4; half_width += 97) {
+    CavePlan plan;
+    plan.half_width_noise = half_width;
+    plan.height_fx = 1 << 20;
+    plan.threshold_noise = kNoiseOne;
+    const auto width = static_cast<std::size_t>(half_width);
+    std::vector<float> tunnels(padded(width));
+    for (std::size_t x = 0; x < width; ++x) {
+      tunnels[x] = static_cast<float>(x) / static_cast<float>(kNoiseOne);
+    }
+    const std::vector<float> level(padded(width));
+    for (const auto set : kSets) {
+      if (!runs_here(set)) continue;
+      std::vector<std::int32_t> floor(width);
+      std::vector<std::int32_t> roof(width);
+      cave_kernels(set).shape(plan, {tunnels.data(), level.data(), level.data()}, {0, width}, 0, floor.data(),
+                              roof.data());
+      std::size_t wrong = 0;
+      for (std::size_t x = 0; x < width; ++x) {
+        const Air air = air_by_definition(plan, tunnels[x], 0, 0, 0);
+        wrong += floor[x] == air.floor_fx && roof[x] == air.roof_fx ? 0 : 1;
+      }
+      CHECK(wrong == 0);
+    }
+  }
+}
+
 enum class Kind { solid, roofed, open };
 
 struct Columns {
