@@ -9,8 +9,10 @@
 #include <talus/terrain/world.h>
 
 #include "feature.h"
+#include "features/carried_roofs.h"
 #include "features/cave_plan.h"
 #include "features/cave_shape.h"
+#include "kernels/caves.h"
 
 namespace talus::terrain {
 
@@ -29,30 +31,15 @@ class CaveCarver final : public Carver {
   void take(CaveAir& air) const override;
 
  private:
-  /// Solid from below up to the rock's top; with a roof that is thick enough; with one that is not.
-  enum class Kind : std::uint8_t { solid, roofed, open };
-
-  /// Columns of a row outside which all are solid.
-  struct Hollow {
-    int first = 0;
-    int last = 0;  // exclusive
-  };
-
-  [[nodiscard]] Hollow thick_enough(int z, const Field& height) const;
+  [[nodiscard]] ColumnRange thick_enough(int z, const Field& height) const;
   void judge_all(const Field& height);
   void judge_row(int z, const Field& height);
-  void find_entrances();
+  void find_touching(int z);
   [[nodiscard]] bool all_dry(int z) const;
-  void judge(int x, int z, const Field& height);
-  void find_carried();
-  /// How far a roof is from what carries it, along one line of columns: the next column's distance from this
-  /// one's.
-  [[nodiscard]] int carry(std::size_t from, int distance, std::size_t to) const;
-  [[nodiscard]] std::size_t index(int x, int z) const {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(floor_.width) + static_cast<std::size_t>(x);
-  }
+  void find_entrances();
 
   CavePlan plan_;
+  const CaveKernels& kernels_;
   CaveShape shape_;
   int shore_ = 0;
   std::int32_t sea_fx_ = 0;
@@ -66,7 +53,6 @@ class CaveCarver final : public Carver {
   std::int32_t loose_fx_ = 0;    // all that can be loose, at the region's level
   std::int32_t least_rows_ = 0;  // of a roof that holds
   std::int32_t least_fx_ = 0;    // where less ground than that stands, all is solid
-  bool shore_near_ = false;      // of the row that is judged
   bool any_ = false;
   bool pending_ = false;
   int next_ = 0;  // row of floors and roofs that is not computed yet
@@ -74,16 +60,12 @@ class CaveCarver final : public Carver {
   // Over the judged columns.
   Field floor_;
   Field roof_;
-  Field roof_row_;  // of roofed columns; far below in solid ones
-  Field rock_row_;  // where solid rock surely ends; far below in open ones
-  std::vector<Kind> kinds_;
-  std::vector<std::uint8_t> carried_;
-  std::vector<std::uint8_t> airy_;  // rows that have air before they are judged
-  std::vector<Hollow> hollows_;
+  Field roof_row_;  // JudgedRows says what these are
+  Field rock_row_;
+  std::vector<std::uint8_t> airy_;    // rows that have air before they are judged
   std::vector<std::int32_t> lowest_;  // ground of each row of heights, at level 0; where there is a shore
-  std::vector<int> distances_;        // of a row
-  Field surface_;                     // of the level, over the judged columns
-  Field entrances_;                   // over region_.expanded(open_ring_)
+  CarriedRoofs roofs_;
+  Field entrances_;  // over region_.expanded(open_ring_)
 };
 
 }  // namespace talus::terrain

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include <talus/voxel/coords.h>
 
 #include "features/cave_plan.h"
+#include "kernels/caves.h"
 #include "noise/fbm_rows.h"
 
 namespace talus::terrain {
@@ -17,30 +19,26 @@ namespace talus::terrain {
 class CaveShape {
  public:
   CaveShape(const CavePlan& plan, InstructionSet set)
-      : plan_{plan}, tunnels_{set}, chambers_{set}, climb_{set} {}
+      : plan_{plan}, kernels_{cave_kernels(set)}, tunnels_{set}, chambers_{set}, climb_{set} {}
 
-  /// From here on rows are over these ascending base columns.
-  void start(std::span<const std::int64_t> xs);
+  /// From here on rows are over these ascending base columns, in subvoxels of the level.
+  void start(std::span<const std::int64_t> xs, Lod lod);
 
-  /// The air at (xs[i], z), from floor_fx[i] to roof_fx[i] in subvoxels of level 0; both 0 where there is
-  /// none, and outside `first` <= i < `last`. Whether there is any.
-  bool row(std::int64_t z, std::size_t first, std::size_t last, std::int32_t* floor_fx,
-           std::int32_t* roof_fx);
+  /// The air at (xs[i], z), from floor_fx[i] to roof_fx[i]; both 0 where there is none, and outside of
+  /// `within`. Whether there is any.
+  bool row(std::int64_t z, ColumnRange within, std::int32_t* floor_fx, std::int32_t* roof_fx);
 
-  /// No floor lies lower.
+  /// No floor lies lower, in subvoxels of level 0.
   [[nodiscard]] std::int32_t lowest_floor_fx() const;
 
  private:
-  void open(std::int32_t tunnel_noise, std::int32_t chamber_noise, float climb_noise, std::int32_t& floor_fx,
-            std::int32_t& roof_fx) const;
-
   CavePlan plan_;
+  const CaveKernels& kernels_;
   FbmRows tunnels_;
   FbmRows chambers_;
   FbmRows climb_;
   std::size_t width_ = 0;
-  std::vector<std::int32_t> tunnel_noise_;
-  std::vector<std::int32_t> chamber_noise_;
+  int level_ = 0;
 };
 
 }  // namespace talus::terrain

@@ -9,6 +9,8 @@
 
 #include <talus/vectors/instruction_set.h>
 
+#include "kernels/column_range.h"
+
 namespace talus::terrain {
 
 /// Higher than any ground; a sum with it does not overflow.
@@ -19,12 +21,6 @@ struct ApronRows {
   std::int32_t* floor;    // H where scree may lie, else kNoGround_fx
   std::int32_t* top;      // of an apron, or -kNoGround_fx
   std::int32_t* surface;  // H; in walls, the top of the apron that leans on them
-};
-
-/// Columns of a row, from the first to before the last; none where that is the first.
-struct ColumnRange {
-  std::size_t first = 0;
-  std::size_t last = 0;
 };
 
 struct ApronSupply {
