@@ -470,7 +470,7 @@ export class Engine {
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
     const drew = this.frames.draw({
       eye,
-      columns: this.nearestFirst.of(this.land.drawn, this.land.coverVersion, eye.x, eye.z),
+      columns: this.nearestFirst.update(this.land.drawn, this.land.coverVersion, eye.x, eye.z),
       seconds: still ?? now / 1000,
       now: performance.now(),
       slice: this.land.slice,

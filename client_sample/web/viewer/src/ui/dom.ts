@@ -6,9 +6,15 @@ export function find<T extends Element = HTMLElement>(id: string): T {
   return element as unknown as T;
 }
 
-/** Writes only what is different: a page that is told the same thing sixty times a second does no work. */
+/** Writes only what is different: a page that is told the same thing sixty times a second does no work. Into the text that
+ *  is there, which asks for no new style. */
 export function say(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+  const { firstChild } = element;
+  if (!(firstChild instanceof Text) || firstChild.nextSibling !== null) {
+    if (element.textContent !== text) element.textContent = text;
+  } else if (firstChild.data !== text) {
+    firstChild.data = text;
+  }
 }
 
 export function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = ''): HTMLElementTagNameMap[K] {

@@ -37,12 +37,13 @@ export class Hud {
   }
 
   hint(shows: boolean): void {
-    this.#hint.hidden = !shows;
+    if (this.#hint.hidden === shows) this.#hint.hidden = !shows;
   }
 
   status(text: string, state: 'busy' | 'good' | 'bad'): void {
     say(find('status-text'), text);
-    find('status').dataset.state = state;
+    const pill = find('status');
+    if (pill.dataset.state !== state) pill.dataset.state = state;
   }
 
   connection(stats: Stats): void {

@@ -67,6 +67,7 @@ export class VoxelCard {
     const same = hit !== null && this.#shown !== null && hit.x === this.#shown.x && hit.y === this.#shown.y &&
       hit.z === this.#shown.z && hit.material === this.#shown.material; // prettier-ignore
     if (!same && (hit !== null || this.#shown !== null)) engine.setSelection(hit);
+    if (same) return;
     this.#shown = hit;
     this.#card.hidden = hit === null;
     if (hit === null) return;

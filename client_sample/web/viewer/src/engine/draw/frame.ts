@@ -33,7 +33,7 @@ import { Ground } from './ground.js';
 import type { Marker } from '../api.js';
 import { MarkerBox } from './marker.js';
 import { lightAt, type Light } from './sun.js';
-import { ANCHOR_STEP, Terrain, type TerrainMesh } from './terrain.js';
+import { ANCHOR_STEP, Terrain, type Sorted, type TerrainMesh } from './terrain.js';
 
 export interface Eye {
   x: number;
@@ -218,7 +218,7 @@ export class Frame {
   /** Whether it drew. */
   draw(options: {
     eye: Eye;
-    columns: readonly Column<TerrainMesh>[];
+    columns: Sorted;
     seconds: number;
     now: number;
     slice: SlicePlane | null;
@@ -260,7 +260,8 @@ export class Frame {
     terrain.list(columns, eye, this.viewProjection, slice, options.hideBuried);
     if (options.onlyWithLand && !terrain.isListed) return false;
     renderer.info.reset();
-    this.castShadows(eye, columns, options.now, slice);
+    terrain.uploadSlots();
+    this.castShadows(eye, columns.columns, options.now, slice);
     renderer.setRenderTarget(null);
     renderer.clear(true, true, false);
     renderer.render(terrain.solid, this.camera);

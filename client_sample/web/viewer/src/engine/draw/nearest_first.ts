@@ -10,23 +10,26 @@ export class NearestFirst<D extends Drawable> {
   private version = -1;
   private x = 0;
   private z = 0;
-  private readonly columns: Column<D>[] = [];
+  readonly columns: Column<D>[] = [];
+  /** Of each of them, in blocks of the world: west end, north end, side. Apart from the columns, which lie all over memory. */
+  squares = new Float64Array();
   private readonly unsorted: Column<D>[] = [];
   private readonly steps: number[] = [];
   private readonly ends = new Uint32Array(STEPS);
 
-  /** `version`: of the set that is drawn. The array is the same in each call. */
-  of(drawn: ReadonlySet<Column<D>>, version: number, x: number, z: number): readonly Column<D>[] {
-    if (version === this.version && Math.abs(x - this.x) + Math.abs(z - this.z) <= MOVED) return this.columns;
+  /** `version`: of the set that is drawn. */
+  update(drawn: readonly Column<D>[], version: number, x: number, z: number): this {
+    if (version === this.version && Math.abs(x - this.x) + Math.abs(z - this.z) <= MOVED) return this;
     this.version = version;
     this.x = x;
     this.z = z;
     this.sort(drawn);
-    return this.columns;
+    this.measure();
+    return this;
   }
 
   /** By counting. */
-  private sort(drawn: ReadonlySet<Column<D>>): void {
+  private sort(drawn: readonly Column<D>[]): void {
     const { columns, unsorted, steps, ends } = this;
     ends.fill(0);
     let count = 0;
@@ -39,6 +42,19 @@ export class NearestFirst<D extends Drawable> {
     for (let step = 1; step < STEPS; step++) ends[step]! += ends[step - 1]!;
     columns.length = unsorted.length = count;
     for (let i = count - 1; i >= 0; i--) columns[--ends[steps[i]!]!] = unsorted[i]!;
+  }
+
+  private measure(): void {
+    const { columns } = this;
+    if (this.squares.length < 3 * columns.length) this.squares = new Float64Array(6 * columns.length);
+    const { squares } = this;
+    for (let i = 0; i < columns.length; i++) {
+      const { lod, x, z } = columns[i]!;
+      const size = 32 * 2 ** lod;
+      squares[3 * i] = x * size;
+      squares[3 * i + 1] = z * size;
+      squares[3 * i + 2] = size;
+    }
   }
 
   private stepOf(column: Column<D>): number {

@@ -15,16 +15,18 @@ import type { Column, Drawable } from '../stream/column.js';
 import type { Drawer } from '../stream/land.js';
 import { sideOf } from '../stream/slice.js';
 import type { SlicePlane } from '../stream/messages.js';
+import { BOTTOM, COUNTS, FIRST_QUAD, MeshTable, PAGE, TOP } from './mesh_table.js';
 import { PageMesh, Pages, bind, type Place } from './pages.js';
 
 export interface TerrainMesh extends Drawable {
   readonly place: Place;
-  readonly counts: Uint32Array;
   readonly quads: number;
-  readonly scale: number;
-  /** Of the chunk, in blocks of the world. */
-  readonly x: number;
-  readonly z: number;
+}
+
+/** Columns, and of each where it stands: west end, north end, side. */
+export interface Sorted {
+  readonly columns: readonly Column<TerrainMesh>[];
+  readonly squares: Float64Array;
 }
 
 const SLOT_WIDTH = 256;
@@ -57,8 +59,13 @@ export class Terrain implements Drawer<TerrainMesh> {
   anchor = { x: 0, y: 0, z: 0 };
   meshes = 0;
   quads = 0;
+  /** Nothing that ever came lies beyond, in blocks of the world. */
+  private lowest = Infinity;
+  private highest = -Infinity;
   private readonly pages: Pages;
   private readonly slotData = new Float32Array(SLOTS * 4);
+  private readonly staleSlotRows = new Set<number>();
+  private readonly table = new MeshTable();
   private readonly used: (Slot | null)[] = [];
   private readonly freeSlots: number[] = [];
   private readonly sets: { solid: PageMesh; liquid: PageMesh; shadow: PageMesh }[] = [];
@@ -84,9 +91,18 @@ export class Terrain implements Drawer<TerrainMesh> {
     if (slot >= SLOTS) throw new Error('the view has more meshes than there are slots; make it smaller');
     this.used[slot] = { lod, x, y, z };
     this.writeSlot(slot);
-    const gl = bind(this.renderer, this.slots);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, slot % SLOT_WIDTH, Math.floor(slot / SLOT_WIDTH), 1, 1, gl.RGBA, gl.FLOAT, this.slotData, slot * 4);
+    this.staleSlotRows.add(Math.floor(slot / SLOT_WIDTH));
     return slot;
+  }
+
+  /** To the card, before anything that was given a slot since is drawn. */
+  uploadSlots(): void {
+    if (this.staleSlotRows.size === 0) return;
+    const gl = bind(this.renderer, this.slots);
+    for (const row of this.staleSlotRows) {
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, row, SLOT_WIDTH, 1, gl.RGBA, gl.FLOAT, this.slotData, row * SLOT_WIDTH * 4);
+    }
+    this.staleSlotRows.clear();
   }
 
   freeSlot(slot: number): void {
@@ -97,15 +113,16 @@ export class Terrain implements Drawer<TerrainMesh> {
   add(slot: number, mesh: ChunkMesh): TerrainMesh {
     const place = this.pages.add(mesh.quads);
     while (this.sets.length <= place.page) this.addPage();
-    const { lod, x, y, z } = this.used[slot]!;
+    const { lod, y } = this.used[slot]!;
     const scale = 2 ** lod;
     const quads = mesh.quads.length / 2;
     this.meshes++;
     this.quads += quads;
-    return {
-      slot, place, counts: mesh.counts, quads, scale,
-      x: x * 32 * scale, z: z * 32 * scale, bottom: (y * 32 + mesh.low) * scale, top: (y * 32 + mesh.high + 1) * scale,
-    };
+    const [bottom, top] = [(y * 32 + mesh.low) * scale, (y * 32 + mesh.high + 1) * scale];
+    this.lowest = Math.min(this.lowest, bottom);
+    this.highest = Math.max(this.highest, top);
+    this.table.set(slot, place, mesh, bottom, top);
+    return { slot, place, quads, bottom, top };
   }
 
   remove(mesh: TerrainMesh): void {
@@ -122,27 +139,33 @@ export class Terrain implements Drawer<TerrainMesh> {
   }
 
   /** Lists what the camera at `eye` (blocks of the world) sees of the columns. */
-  list(columns: Iterable<Column<TerrainMesh>>, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
+  list({ columns, squares }: Sorted, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
     for (const set of this.sets) {
       set.solid.empty();
       set.liquid.empty();
     }
     const planes = planesOf(matrix);
-    for (const column of columns) {
-      const size = 32 * 2 ** column.lod;
-      const x = column.x * size - eye.x;
-      const z = column.z * size - eye.z;
+    const { values } = this.table;
+    const [lowest, highest] = [this.lowest - eye.y, this.highest - eye.y];
+    for (let i = 0; i < columns.length; i++) {
+      const size = squares[3 * i + 2]!;
+      const x = squares[3 * i]! - eye.x;
+      const z = squares[3 * i + 1]! - eye.z;
+      if (!isVisible(planes, x, lowest, z, size, highest)) continue; // as most are not, and nothing of the column was read
+      const column = columns[i]!;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
       if (!isVisible(planes, x, column.bottom - eye.y, z, size, column.top - eye.y)) continue;
       // Caves deep under the land, seen from above it far away: nobody does.
       const hides = hideBuried && column.ready && (column.lod > 0 || x * x + z * z > 25600);
       const buried = hides ? (column.lowest - 6) * 2 ** column.lod : -Infinity;
-      for (const mesh of column.drawables) {
-        if (mesh.top < buried) continue;
-        const low = mesh.bottom - eye.y;
-        const high = mesh.top - eye.y;
+      for (const slot of column.slots) {
+        const at = this.table.at(slot);
+        const top = values[at + TOP]!;
+        if (top < buried) continue;
+        const low = values[at + BOTTOM]! - eye.y;
+        const high = top - eye.y;
         if (!isVisible(planes, x, low, z, size, high)) continue;
-        this.push(mesh, x, low, z, size, high, column.skirts);
+        this.push(at, x, low, z, size, high, column.skirts);
       }
     }
   }
@@ -151,6 +174,7 @@ export class Terrain implements Drawer<TerrainMesh> {
   listShadow(columns: Iterable<Column<TerrainMesh>>, eye: { x: number; y: number; z: number }, matrix: Matrix4, light: { x: number; z: number }, slice: SlicePlane | null): void {
     for (const set of this.sets) set.shadow.empty();
     const planes = planesOf(matrix);
+    const { values } = this.table;
     for (const column of columns) {
       if (column.lod > 1) continue;
       const size = 32 * 2 ** column.lod;
@@ -158,17 +182,19 @@ export class Terrain implements Drawer<TerrainMesh> {
       const z = column.z * size - eye.z;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
       if (!isVisible(planes, x, column.bottom - eye.y, z, size, column.top - eye.y)) continue;
-      for (const mesh of column.drawables) {
-        if (column.ready && mesh.top < (column.lowest - 2) * mesh.scale) continue;
-        if (!isVisible(planes, x, mesh.bottom - eye.y, z, size, mesh.top - eye.y)) continue;
+      for (const slot of column.slots) {
+        const at = this.table.at(slot);
+        const [bottom, top] = [values[at + BOTTOM]!, values[at + TOP]!];
+        if (column.ready && top < (column.lowest - 2) * 2 ** column.lod) continue;
+        if (!isVisible(planes, x, bottom - eye.y, z, size, top - eye.y)) continue;
         // Of each mesh the faces that see the light are enough.
-        const c = mesh.counts;
-        const shadow = this.sets[mesh.place.page]!.shadow;
-        let first = mesh.place.firstQuad;
+        const shadow = this.sets[values[at + PAGE]!]!.shadow;
+        let first = values[at + FIRST_QUAD]!;
         for (let face = 0; face < 6; face++) {
           const seen = face === 0 ? light.x < 0 : face === 3 ? light.x > 0 : face === 1 ? light.z < 0 : face === 4 ? light.z > 0 : face === 2;
-          if (seen && c[face]! > 0) shadow.push(first, c[face]!);
-          first += c[face]!;
+          const count = values[at + COUNTS + face]!;
+          if (seen && count > 0) shadow.push(first, count);
+          first += count;
         }
       }
     }
@@ -185,12 +211,13 @@ export class Terrain implements Drawer<TerrainMesh> {
     for (const { solid, liquid, shadow } of this.sets) for (const mesh of [solid, liquid, shadow]) (mesh.material as RawShaderMaterial).dispose();
   }
 
-  private push(mesh: TerrainMesh, x: number, low: number, z: number, size: number, high: number, skirts: number): void {
-    const set = this.sets[mesh.place.page]!;
-    const counts = mesh.counts;
-    let first = mesh.place.firstQuad;
+  /** `at`: of the mesh's row in the table. */
+  private push(at: number, x: number, low: number, z: number, size: number, high: number, skirts: number): void {
+    const { values } = this.table;
+    const set = this.sets[values[at + PAGE]!]!;
+    let first = values[at + FIRST_QUAD]!;
     for (let group = 0; group < 10; group++) {
-      const count = counts[group]!;
+      const count = values[at + COUNTS + group]!;
       if (count > 0) {
         const face = group < 6 ? group : group - 6 < 2 ? group - 6 : group - 5; // skirts: west, north, east, south
         const seen =
@@ -199,7 +226,8 @@ export class Terrain implements Drawer<TerrainMesh> {
         first += count;
       }
     }
-    if (counts[GROUPS]! > 0) set.liquid.push(first, counts[GROUPS]!);
+    const liquids = values[at + COUNTS + GROUPS]!;
+    if (liquids > 0) set.liquid.push(first, liquids);
   }
 
   private addPage(): void {

@@ -1,4 +1,5 @@
 // Chunks of the land, and the columns that they stand in.
+import { ByRow } from './by_row.js';
 import type { SlicePlane } from './messages.js';
 
 /** Row of a column without ground, or without liquid. */
@@ -55,22 +56,24 @@ export class Chunk<D extends Drawable = Drawable> {
 }
 
 export class Column<D extends Drawable = Drawable> {
-  readonly chunks = new Map<number, Chunk<D>>();
+  readonly chunks = new ByRow<Chunk<D>>();
   /** At (dz + 1) * 3 + dx + 1 the column there, where one is held, and this one in the middle. */
   readonly near: (Column<D> | undefined)[] = Array.from({ length: 9 });
   /** Of the View: bit (dz + 1) * 3 + dx + 1 for the columns around. */
   around = 0;
   wanted = false;
   drawn = false;
+  /** The last cover that had it, of those that Land counts. */
+  coveredIn = 0;
   ready = false;
   begun = false;
   /** Voxel rows of the level, of the highest solid voxel + 1 and of liquid; a great negative number: none. */
   heights: Int16Array | null = null;
   liquids: Int16Array | null = null;
   lowest = -32768;
-  /** Of its chunks. */
-  drawables: D[] = [];
-  /** Of all of them. */
+  /** Of the meshes of its chunks. */
+  readonly slots: number[] = [];
+  /** Ends of all of them. */
   bottom = Infinity;
   top = -Infinity;
   left = 0;
@@ -87,14 +90,19 @@ export class Column<D extends Drawable = Drawable> {
     this.near[4] = this;
   }
 
+  findSkirts(): void {
+    const { near } = this;
+    this.skirts = (near[3]?.drawn ? 0 : 1) | (near[1]?.drawn ? 0 : 2) | (near[5]?.drawn ? 0 : 4) | (near[7]?.drawn ? 0 : 8);
+  }
+
   /** What its chunks are drawn by has changed. */
   gather(): void {
-    this.drawables = [];
+    this.slots.length = 0;
     this.bottom = Infinity;
     this.top = -Infinity;
     for (const { drawable } of this.chunks.values()) {
       if (drawable === null) continue;
-      this.drawables.push(drawable);
+      this.slots.push(drawable.slot);
       this.bottom = Math.min(this.bottom, drawable.bottom);
       this.top = Math.max(this.top, drawable.top);
     }

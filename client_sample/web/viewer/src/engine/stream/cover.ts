@@ -62,8 +62,8 @@ function gridsOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Grid
 }
 
 /** Columns to draw. No two of them overlap. */
-export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Set<C> {
-  const drawn = new Set<C>();
+export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): C[] {
+  const drawn: C[] = [];
   const top = shape.length - 1;
   if (top < 0) return drawn;
   const grids = gridsOf(shape, columns);
@@ -92,12 +92,12 @@ export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>
       return visitKids(lod, x, z);
     }
     if (column?.ready) {
-      drawn.add(column);
+      drawn.push(column);
       return true;
     }
     if (lod > 0 && visitKids(lod, x, z)) return true;
     if (column?.begun) {
-      drawn.add(column);
+      drawn.push(column);
       return true;
     }
     return false;

@@ -65,9 +65,10 @@ export class Land<D extends Drawable> {
   private readonly leaving = new Set<Column<D>>();
   private coveredAt = -Infinity;
   private coverMs = 0; // what it took last
-  private cover = new Set<Column<D>>();
+  private cover: Column<D>[] = [];
   /** Grows whenever what is drawn may have changed. */
   version = 0;
+  private covers = 0; // counts how often the cover was found
   /** Grows whenever other columns are drawn. */
   coverVersion = 0;
   private camera = { x: 0, y: 0, z: 0 };
@@ -95,7 +96,7 @@ export class Land<D extends Drawable> {
   }
 
   /** Columns to draw: no two overlap. */
-  get drawn(): ReadonlySet<Column<D>> {
+  get drawn(): readonly Column<D>[] {
     return this.cover;
   }
 
@@ -111,7 +112,7 @@ export class Land<D extends Drawable> {
       this.placeInShape(column);
       if (before === column.around && !rows[column.lod]) continue;
       const level = shape[column.lod];
-      for (const chunk of [...column.chunks.values()]) {
+      for (const chunk of column.chunks.values()) {
         if (column.wanted && chunk.y >= level!.y0 && chunk.y <= level!.y1) this.consider(chunk);
         else this.leave(chunk.lod, chunk.x, chunk.y, chunk.z); // a client that is gone would not say so
       }
@@ -240,11 +241,13 @@ export class Land<D extends Drawable> {
 
   /** While it fills, a few times a second are enough; for the first that is drawn nobody is to wait. */
   private isDue(now: number): boolean {
-    return now - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.size === 0;
+    return now - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.length === 0;
   }
 
   /** Meshes are gone, as when the graphics context was lost: all are made again. */
   loseMeshes(): void {
+    for (const column of this.cover) column.drawn = false;
+    this.cover = [];
     for (const column of this.columns.values()) {
       column.ready = column.begun = false;
       this.stale.add(column);
@@ -262,7 +265,7 @@ export class Land<D extends Drawable> {
 
   clear(): void {
     for (const column of [...this.columns.values()]) {
-      for (const chunk of [...column.chunks.values()]) {
+      for (const chunk of column.chunks.values()) {
         this.leave(chunk.lod, chunk.x, chunk.y, chunk.z);
         this.forget(chunk);
       }
@@ -421,7 +424,7 @@ export class Land<D extends Drawable> {
       this.toRefresh = null;
       return;
     }
-    const budgetMs = this.cover.size === 0 ? FIRST_HEIGHTS_MS : HEIGHTS_MS;
+    const budgetMs = this.cover.length === 0 ? FIRST_HEIGHTS_MS : HEIGHTS_MS;
     let refreshed = 0;
     for (const column of this.stale) {
       if (refreshed === columns || (refreshed >= HEIGHTS_LEAST && this.options.now() - start > budgetMs)) break;
@@ -449,15 +452,19 @@ export class Land<D extends Drawable> {
 
   /** And lets go what is drawn no more. */
   private drawAnew(): void {
-    this.coverVersion++;
     const before = this.cover;
     this.cover = coverOf(this.shape, this);
-    for (const column of before) column.drawn = false;
-    for (const column of this.cover) column.drawn = true;
+    this.covers++;
+    const changed: Column<D>[] = [];
     for (const column of this.cover) {
-      const { near } = column;
-      column.skirts = (near[3]?.drawn ? 0 : 1) | (near[1]?.drawn ? 0 : 2) | (near[5]?.drawn ? 0 : 4) | (near[7]?.drawn ? 0 : 8);
+      column.coveredIn = this.covers;
+      if (!column.drawn) changed.push(column);
     }
+    for (const column of before) if (column.coveredIn !== this.covers) changed.push(column);
+    if (changed.length > 0) this.coverVersion++;
+    for (const column of changed) column.drawn = column.coveredIn === this.covers;
+    // Skirts stand toward what is not drawn: theirs may have changed, and those of the columns beside them.
+    for (const column of changed) for (const at of [1, 3, 4, 5, 7]) column.near[at]?.findSkirts();
     // What left the View and is not drawn in place of something: gone.
     for (const column of this.leaving) {
       if (column.left === 0) this.leaving.delete(column);
