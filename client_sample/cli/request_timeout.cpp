@@ -42,6 +42,7 @@ std::string RequestTimeout::explain(const client::ClientError& error) const {
   if (!state_->expired) return error.message;
   std::ostringstream line;
   line << "the server has not answered within " << state_->time.count() << " s";
+  if (!error.waited_for.empty()) line << "; it said: " << error.waited_for;
   return line.str();
 }
 

@@ -63,10 +63,6 @@ class LogStream {
   [[nodiscard]] virtual tl::expected<std::uint64_t, StreamFailure> publish(
       std::span<const std::byte> message) = 0;
 
-  /// The same for the very first: a stream that has a message does not take it, whenever it comes there.
-  [[nodiscard]] virtual tl::expected<std::uint64_t, StreamFailure> publish_first(
-      std::span<const std::byte> message) = 0;
-
   /// The message of sequence `after` + 1; nothing where there is none until `until`, or once wake() was
   /// called. `after` is 0 at first, or what the call before returned.
   [[nodiscard]] virtual tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,

@@ -25,12 +25,11 @@ tl::expected<Made, std::string> init(const Target& target, const cluster::Genesi
   if (stream->info.state.last == 0) {
     const auto bytes = encode(genesis);
     if (!bytes) return tl::unexpected{bytes.error()};
-    const auto ack = (*connection)
-                         ->publish(target.names.log, std::as_bytes(std::span{*bytes}), kAckPatience,
-                                   jetstream::Connection::Only::as_first);
-    made.genesis = ack.has_value();
+    const auto ack = (*connection)->publish(target.names.log, std::as_bytes(std::span{*bytes}), kAckPatience);
+    // Where somebody else was faster servers pass over this one.
+    made.genesis = ack.has_value() && ack->sequence == 1;
     if (!ack) {
-      // Somebody else may have been faster.
+      // It may be there nevertheless.
       const auto now = ask_stream_info(**connection, target.names);
       if (!now || now->state.last == 0) return tl::unexpected{ack.error().reason};
     }

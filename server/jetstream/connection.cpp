@@ -390,8 +390,7 @@ tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const Arrived& a
 
 tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
                                                                  std::span<const std::byte> bytes,
-                                                                 std::chrono::milliseconds patience,
-                                                                 Only only) {
+                                                                 std::chrono::milliseconds patience) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
   const std::lock_guard lock{publishing_};
   const auto began = Clock::now();
@@ -399,8 +398,8 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
     return tl::unexpected{failure_of(status, began, subject)};
   }
   const std::string reply = fmt::format("{}.{}", acks_to_, ++published_);
-  natsStatus status =
-      only == Only::always ? send_to_stream(subject, reply, bytes) : send_as_first(subject, reply, bytes);
+  natsStatus status = natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(),
+                                                    bytes.data(), static_cast<int>(bytes.size()));
   while (status == NATS_OK) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(began + patience - Clock::now());
     natsMsg* come = nullptr;
@@ -415,24 +414,6 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
   return tl::unexpected{failure_of(status, began, subject)};
 }
 
-natsStatus Connection::send_to_stream(const std::string& subject, const std::string& reply,
-                                      std::span<const std::byte> bytes) {
-  return natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(), bytes.data(),
-                                       static_cast<int>(bytes.size()));
-}
-
-natsStatus Connection::send_as_first(const std::string& subject, const std::string& reply,
-                                     std::span<const std::byte> bytes) {
-  natsMsg* made = nullptr;
-  natsStatus status =
-      natsMsg_Create(&made, subject.c_str(), reply.c_str(), reinterpret_cast<const char*>(bytes.data()),
-                     static_cast<int>(bytes.size()));
-  const NatsMessage message{made};
-  if (status == NATS_OK) status = natsMsgHeader_Set(made, "Nats-Expected-Last-Sequence", "0");
-  if (status == NATS_OK) status = natsConnection_PublishMsg(connection_.get(), made);
-  return status;
-}
-
 tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,
                                                           std::chrono::milliseconds patience) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
@@ -441,10 +422,10 @@ tl::expected<void, StreamFailure> Connection::try_publish(const std::string& sub
   jsPubOptions options{};
   jsPubOptions_Init(&options);
   options.MaxWait = patience.count();
-  options.ExpectLastSeq = std::uint64_t{1} << 62U;  // which no stream reaches: its leader refuses the message
+  options.ExpectStream = "none";  // of that name: a leader refuses the message before its replicas hear of it
   jsErrCode code{};
   const natsStatus status = js_Publish(nullptr, context_.get(), subject.c_str(), nullptr, 0, &options, &code);
-  if (status == NATS_ERR && code == JSStreamWrongLastSequenceErr) return {};
+  if (status == NATS_ERR && code == JSStreamNotMatchErr) return {};
   if (status == NATS_OK)
     return tl::unexpected{StreamFailure{StreamFailure::Kind::refused, "it was stored nevertheless"}};
   return tl::unexpected{failure_of(status, began, subject)};

@@ -449,16 +449,6 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
   return ack->sequence;
 }
 
-tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish_first(std::span<const std::byte> message) {
-  const auto connection = this->connection();
-  if (!connection) return tl::unexpected{connection.error()};
-  const auto ack =
-      (*connection)->publish(settings_.names.log, message, kPatience, Connection::Only::as_first);
-  if (!ack) return tl::unexpected{ack.error()};
-  inbox_->learned(ack->sequence);
-  return ack->sequence;
-}
-
 tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std::uint64_t after,
                                                                              TimePoint until) {
   return inbox_->next(*this, after, until);

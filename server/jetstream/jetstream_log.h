@@ -45,8 +45,6 @@ class JetStreamLog final : public LogStream {
 
   [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
       std::span<const std::byte> message) override;
-  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish_first(
-      std::span<const std::byte> message) override;
   /// Without a connection it fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;

@@ -109,8 +109,8 @@ tl::expected<StoreMeta, std::string> enter_cluster(const fs::path& directory,
   auto state = insist([&] { return stream.state(); });
   if (!state) return tl::unexpected{state.error().reason};
   for (int tries = 0; state->last == 0; ++tries) {
-    const auto published = stream.publish_first(*bytes);
-    // Without an answer it may be there nevertheless, or come there later.
+    const auto published = stream.publish(*bytes);
+    // Without an answer it may be there nevertheless, or come there later: servers pass over a second one.
     state = insist([&] { return stream.state(); });
     if (!state) return tl::unexpected{state.error().reason};
     if (published || state->last > 0) continue;

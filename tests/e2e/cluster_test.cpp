@@ -252,6 +252,16 @@ TEST_CASE("cut off from the log a server serves chunks, refuses edits, says so, 
   player.until(
       [&] { return HttpClient{admin}.get("/-/ready").body.find("no edits are taken") != std::string::npos; });
   CHECK(HttpClient{admin}.get("/-/ready").status == 200);
+#ifdef TALUS_CLIENT_PATH
+  // Who gives up hears what he waited for.
+  const auto gave_up = run_program(
+      TALUS_CLIENT_PATH, {"--connect", "127.0.0.1:" + std::to_string(world.port(0)), "edit",
+                          std::to_string(at.x) + "," + std::to_string(at.y + 9) + "," + std::to_string(at.z),
+                          "--material", "air", "--timeout", "3"});
+  CHECK(gave_up.status != 0);
+  CHECK_THAT(gave_up.err, Catch::Contains("has not answered within 3 s; it said: ") &&
+                              Catch::Contains("no edits are taken"));
+#endif
   player.look_at({at.x + 400, at.y, at.z});  // land that nobody has seen
   for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().go_on(i);
   player.until([&] { return doubtful.has_value(); });

@@ -135,6 +135,48 @@ TEST_CASE("init refuses a stream of other settings by their names, and changes n
                          Catch::Contains("peer"));
 }
 
+namespace {
+
+/// What each server's own replica of the stream ends with.
+std::vector<std::uint64_t> last_of_each(const NatsServers& servers, const std::string& stream) {
+  std::vector<std::uint64_t> last;
+  for (std::size_t server = 0; server < servers.count(); ++server) {
+    const auto page = nlohmann::json::parse(servers.page(server, "/jsz?streams=true"));
+    for (const auto& each : page.at("account_details").at(0).at("stream_detail")) {
+      if (each.at("name") == stream) last.push_back(each.at("state").at("last_seq"));
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
+TEST_CASE("after init and check, each given twice, replicas that are killed and start again stay the same") {
+  NatsServers servers;
+  const Target target = target_at(servers.url_list(), 3);
+  const std::string& stream = target.names.stream;
+  for (int i = 0; i < 2; ++i) {
+    REQUIRE(init(target, genesis_of()));
+    CHECK(faults_of(target).empty());
+  }
+  const auto connection = connected_to(servers.url_list());
+  const cluster::BatchHead head{genesis_of().identity, 1, 1, 0, 0, {}};
+  for (int i = 0; i < 5; ++i) {
+    REQUIRE(connection->publish(target.names.log, cluster::encode_batch(head, nullptr, {}),
+                                std::chrono::seconds{10}));
+  }
+  servers.await_replicas(stream);
+  const std::size_t leader = servers.leader_of(stream);
+  for (std::size_t server = 0; server < servers.count(); ++server) {
+    if (server == leader) continue;
+    servers.kill(server);
+    servers.start(server);
+    servers.await_ready();
+    servers.await_replicas(stream);
+  }
+  CHECK(last_of_each(servers, stream) == std::vector<std::uint64_t>{6, 6, 6});
+}
+
 TEST_CASE("three replicas where there is one server are refused with what is missing") {
   NatsServers servers{{.servers = 1}};
   const auto made = init(target_at(servers.url_list(), 3), genesis_of());

@@ -45,7 +45,6 @@ class ScriptedStream final : public LogStream {
   explicit ScriptedStream(Script& script) : script_{script} {}
 
   tl::expected<std::uint64_t, StreamFailure> publish(std::span<const std::byte>) override { return {}; }
-  tl::expected<std::uint64_t, StreamFailure> publish_first(std::span<const std::byte>) override { return {}; }
   tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after, TimePoint) override {
     REQUIRE(after == 0);
     if (!script_.first) return tl::unexpected{StreamFailure{StreamFailure::Kind::gone, "gone"}};

@@ -33,9 +33,6 @@ class SlowStream final : public LogStream {
     changed_.wait(lock, [&] { return stopped_ || acknowledged_ >= published_.size(); });
     return published_.size();
   }
-  tl::expected<std::uint64_t, StreamFailure> publish_first(std::span<const std::byte> message) override {
-    return publish(message);
-  }
   tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t /*after*/,
                                                                  TimePoint /*until*/) override {
     return std::nullopt;

@@ -159,12 +159,6 @@ class StreamEnd final : public LogStream {
     if (fault < faults_.lost + faults_.unacked) return unavailable();
     return sequence;
   }
-  [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish_first(
-      std::span<const std::byte> message) override {
-    if (const auto late = std::exchange(delayed_, {})) stream_.append(*late);
-    if (stream_.state().last > 0) return unavailable();
-    return publish(message);
-  }
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override {
     delay(reading_);

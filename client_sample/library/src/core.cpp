@@ -285,7 +285,9 @@ void Core::close() {
       if (ping.handler) ping.handler(tl::unexpected{kClosed});
     }
   });
-  fail_all_edits(kClosed);
+  ClientError closed = kClosed;
+  closed.waited_for = edits_wait_for_;
+  fail_all_edits(closed);
 }
 
 asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {

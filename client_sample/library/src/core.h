@@ -34,7 +34,7 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
 
 /// Of an edit that was sent, and to which this put an end.
 [[nodiscard]] inline ClientError unknown_outcome(const ClientError& why) {
-  return {ErrorKind::outcome_unknown, why.message + "; the edit was sent before, and may have happened", {}};
+  return {ErrorKind::outcome_unknown, why.message + "; the edit was sent before, and may have happened", {}, why.waited_for};
 }
 
 /// The server's rules for a View: one that it would refuse must not become what the client believes in.
@@ -145,6 +145,8 @@ class Core : public std::enable_shared_from_this<Core> {
 
   Requests requests_;
   OpenEdits edits_;
+  std::string edits_wait_for_;  // why the server has asked to come back with an edit, or with Attach; empty:
+                                // it has not
   ViewTracker tracker_;
   bool view_to_send_ = false;
   bool view_sent_ = false;                             // on this connection

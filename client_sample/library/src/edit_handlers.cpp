@@ -72,6 +72,7 @@ Result<void> Core::handle_edit_result(const wire::EditResult& result) {
   }
   useful_ = true;
   edits_.saw(result.revision());
+  edits_wait_for_.clear();
   const OpenEdit edit = edits_.take(result.id());
   edit.handler(EditDone{result.revision(), result.changed()});
   wake();
@@ -85,6 +86,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
         broken_protocol("an Error about request " + std::to_string(id) + ", which is no edit in flight")};
   }
   if (comes_back) {
+    edits_wait_for_ = read_error(error).message;
     edits_.put_back(id);
   } else if (error.code() == wire::ErrorCode::expired) {
     edits_.put_back(id);
@@ -105,6 +107,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
 void Core::attach_refused(const ClientError& why, bool comes_back) {
   if (!edits_.attaching()) return;
   edits_.attach_again();
+  edits_wait_for_ = why.message;
   if (!comes_back) fail_all_edits(why);
   wake();
 }

@@ -32,6 +32,9 @@ struct ClientError {
   ErrorKind kind{};
   std::string message;                       // one line, for people
   std::chrono::milliseconds retry_after{0};  // 0: no hint
+  /// Of an edit that close() ended while it waited, as the server had asked: why that has not taken it. One
+  /// line, or empty.
+  std::string waited_for{};
 };
 
 template <typename T>
