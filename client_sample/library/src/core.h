@@ -34,7 +34,10 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
 
 /// Of an edit that was sent, and to which this put an end.
 [[nodiscard]] inline ClientError unknown_outcome(const ClientError& why) {
-  return {ErrorKind::outcome_unknown, why.message + "; the edit was sent before, and may have happened", {}, why.waited_for};
+  return {ErrorKind::outcome_unknown,
+          why.message + "; the edit was sent before, and may have happened",
+          {},
+          why.waited_for};
 }
 
 /// The server's rules for a View: one that it would refuse must not become what the client believes in.
