@@ -36,6 +36,7 @@
 #include "cluster_command/cluster_command.h"
 #include "config/cluster_check.h"
 #include "config/command_line.h"
+#include "jetstream/nats_threads.h"
 #include "log/escape.h"
 #include "log/logger.h"
 #include "log/program_line.h"
@@ -263,6 +264,7 @@ int main(int argc, char** argv) {
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
   keep_freed_memory();
+  const jetstream::NatsThreads nats_threads;
   std::string log_format = "text";
   try {
     const Environment environment = process_environment();

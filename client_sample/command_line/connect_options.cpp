@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMaxTokenBytes = protocol::kMaxStringBytes;
 constexpr std::string_view kWebSocket = "ws://";
 constexpr std::string_view kSecureWebSocket = "wss://";
+constexpr std::string_view kSchemeEnd = "://";
 
 tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
   if (words.token_file.empty()) return words.token;
@@ -29,6 +30,19 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
     return wrong("holds no token; give a file with 1 to " + std::to_string(kMaxTokenBytes) + " bytes");
   }
   return *std::move(text);
+}
+
+/// Of an address with a scheme that is none of ours, or is not before the first address.
+std::string scheme_error(const ConnectWords& words, std::string_view address) {
+  const std::string_view scheme = address.substr(0, address.find(kSchemeEnd) + kSchemeEnd.size());
+  std::string text = "--connect " + words.connect + ": ";
+  if (scheme == kWebSocket || scheme == kSecureWebSocket) {
+    return text + "write " + std::string{scheme} + " once, before the first address: it is for all of them";
+  }
+  const bool http = scheme == "http://" || scheme == "https://";
+  text += "this client does not speak " + std::string{scheme};
+  if (http) text += ", but talusd's HTTP address is reached by WebSocket";
+  return text + "; write HOST:PORT, with --tls for TLS, or ws://HOST:PORT[/PATH] or wss:// (by TLS)";
 }
 
 }  // namespace
@@ -77,7 +91,9 @@ tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWord
   std::vector<protocol::Endpoint> servers;
   for (;;) {
     const std::size_t comma = std::min(address.find(','), address.size());
-    auto server = read_server_address("--connect", address.substr(0, comma));
+    const std::string_view one = address.substr(0, comma);
+    if (one.find(kSchemeEnd) != std::string_view::npos) return tl::unexpected{scheme_error(words, one)};
+    auto server = read_server_address("--connect", one);
     if (!server) return tl::unexpected{server.error()};
     servers.push_back(*std::move(server));
     if (comma == address.size()) break;

@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include <talus/mistyped/command_line.h>
 #include <CLI/CLI.hpp>
 
 namespace talus::command_line {
@@ -15,7 +16,7 @@ std::optional<Exit> parse(CLI::App& app, int argc, const char* const* argv) {
     app.exit(wanted, out, out);
     return Exit{0, out.str()};
   } catch (const CLI::ParseError& error) {
-    return Exit{kExitWrongUse, std::string{error.what()} + " (see --help)"};
+    return Exit{kExitWrongUse, describe(app, error) + " (see --help)"};
   }
   return std::nullopt;
 }

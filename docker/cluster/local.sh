@@ -19,8 +19,10 @@ on Ctrl-C. Whoever connects may edit.
   --keep         leaves the scratch directory, with its logs, behind
 USAGE
 }
-say() { printf '\033[1m==> %s\033[0m\n' "$*" >&2; }
-die() { printf 'cluster: %s\n' "$*" >&2; exit 1; }
+# What is said goes to descriptor 3: while all runs, standard error has only the shell's own words about children that were killed.
+exec 3>&2
+say() { printf '\033[1m==> %s\033[0m\n' "$*" >&3; }
+die() { printf 'cluster: %s\n' "$*" >&3; exit 1; }
 wrong_use() { printf 'cluster: %s\n' "$*" >&2; exit 2; }
 
 servers=3 nats=3 port=4780 keep=0 world=""
@@ -70,7 +72,6 @@ for ((i = 0; i < servers; ++i)); do for j in 0 1 2; do want_free "$(server_port 
 scratch="$(mktemp -d "${TMPDIR:-/tmp}/talus-cluster.XXXXXX")"
 chmod 700 "$scratch"
 declare -A name_of=()   # by process
-ending=0
 
 # end NAME...: those whose names begin so, all at once.
 end() {
@@ -97,14 +98,13 @@ end_restarted() {
   kill -KILL "${those[@]}" 2>/dev/null || true
 }
 finish() {
-  ending=1
   trap '' INT TERM
   # The log last: servers that end have edits under way.
   end haproxy varnish
   end talus
   end nats
   end_restarted
-  if ((keep)); then say "kept: $scratch"; else rm -rf --one-file-system "$scratch"; fi
+  if ((keep)); then say "kept: $scratch"; else rm -rf --one-file-system "$scratch" 2>&3; fi
 }
 trap finish EXIT
 trap 'exit 0' INT TERM
@@ -114,7 +114,7 @@ start() {
   local name="$1"
   shift
   printf '%q ' "$@" >"$scratch/$name.command"
-  setsid "$@" >>"$scratch/$name.log" 2>&1 </dev/null &
+  setsid "$@" >>"$scratch/$name.log" 2>&1 </dev/null 3>&- &
   name_of[$!]="$name"
   last=$!
 }
@@ -256,15 +256,18 @@ say "the world over HTTP: http://127.0.0.1:$web/v1/world$([[ ! -f "$site/index.h
 say "the log's state: $talusd cluster status --config $scratch/talus-0.toml"
 say "Ctrl-C ends it all"
 
-# What ends by itself, or is killed to see what happens, is told; the rest goes on.
+# What ends by itself, or is killed to see what happens, is told; the rest goes on. Each is looked at: "wait -n" knows nothing of those
+# that ended together with another.
+exec 2>/dev/null
 while ((${#name_of[@]})); do
-  ended=""
-  status=0
-  wait -n -p ended "${!name_of[@]}" || status=$?
-  ((!ending)) || break
-  [[ -n "$ended" && -n "${name_of[$ended]:-}" ]] || continue
-  name="${name_of[$ended]}"
-  unset "name_of[$ended]"
-  say "$name has ended with status $status; start it again by: $(<"$scratch/$name.command")>>$scratch/$name.log 2>&1 &"
+  sleep 0.2
+  for process in "${!name_of[@]}"; do
+    kill -0 "$process" && continue
+    name="${name_of[$process]}"
+    unset "name_of[$process]"
+    status=0
+    wait "$process" || status=$?
+    say "$name has ended with status $status; start it again by: $(<"$scratch/$name.command")>>$scratch/$name.log 2>&1 &"
+  done
 done
 die "nothing runs any more"

@@ -1,6 +1,9 @@
 #include "config/command_line.h"
 
+#include <array>
+
 #include <fmt/format.h>
+#include <talus/mistyped/nearest.h>
 #include <CLI/CLI.hpp>
 
 #include "config/fields.h"
@@ -26,10 +29,20 @@ Exit one_line(std::string text, int status) {
   return {fmt::format("talusd: {}\n", on_one_line(text)), status};
 }
 
+/// Of a first word that main() has not taken: flags alone may follow the name of the program.
+std::string no_such_command(std::string_view word) {
+  constexpr std::array<std::string_view, 5> kCommands{"token", "top", "store", "cluster", "pregen"};
+  const std::string_view near = meant(word, kCommands);
+  return fmt::format("there is no command {}; {} talusd --help", escaped(word),
+                     near.empty() ? fmt::format("there are {}; see", fmt::join(kCommands, ", "))
+                                  : fmt::format("did you mean {}? See", near));
+}
+
 }  // namespace
 
 tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
                                               const Environment& environment) {
+  if (argc > 1 && argv[1][0] != '-') return tl::unexpected{one_line(no_such_command(argv[1]), kWrongUse)};
   CLI::App app{"talusd streams an endless voxel world, generated on demand, to game clients.", "talusd"};
   app.set_version_flag("--version", "talusd " TALUS_VERSION);
   app.footer(

@@ -8,12 +8,12 @@
 #include <unistd.h>
 
 #include <talus/files/secret_file.h>
+#include <talus/mistyped/nearest.h>
 #include <talus/toml/toml_bounds.h>
 #include <talus/toml/toml_error.h>
 #include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
-#include "config/nearest.h"
 #include "log/escape.h"
 
 namespace talus::server {

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <talus/mistyped/command_line.h>
 #include <CLI/CLI.hpp>
 
 #include "log/escape.h"
@@ -18,7 +19,9 @@ std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv
     app.exit(wanted, out, out);
     return Exit{out.str(), 0};
   } catch (const CLI::ParseError& error) {
-    return Exit{fmt::format("{0}: {1}; see {0} --help\n", app.get_name(), escaped(error.what(), 500)),
+    const std::string wrong = escaped(describe(app, error), 500);
+    return Exit{fmt::format("{0}: {1}{2} {0} --help\n", app.get_name(), wrong,
+                            wrong.ends_with('?') ? " See" : "; see"),
                 kWrongUse};
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <thread>
 #include <utility>
 
@@ -20,8 +21,29 @@ bool meets(std::int64_t at, std::int64_t first, std::int64_t last) {
 
 }  // namespace
 
+bool Rollback::has(VoxelPos at) const {
+  const VoxelPos& first = request_.first;
+  const VoxelPos& last = request_.last;
+  return at.x >= first.x && at.x <= last.x && at.y >= first.y && at.y <= last.y && at.z >= first.z &&
+         at.z <= last.z;
+}
+
+void Rollback::count_other(const std::string& subject, const edits::ChunkChanges& changes) {
+  const VoxelPos origin = chunk_origin(changes.chunk);
+  const auto inside = static_cast<std::size_t>(std::ranges::count_if(
+      changes.voxels, [&](const auto& voxel) { return has(voxel_at(origin, local_of(voxel.index))); }));
+  if (inside == 0) return;
+  const auto known = others_.find(subject);
+  if (known != others_.end()) {
+    known->second += inside;
+  } else if (others_.size() < kMaxOthers) {
+    others_.emplace(subject, inside);
+  }
+}
+
 bool Rollback::add(const LogRecord& record) {
-  const bool is_subjects = record.subject == request_.subject && record.time_ms >= request_.since_ms;
+  const bool is_since = record.time_ms >= request_.since_ms;
+  const bool is_subjects = record.subject == request_.subject && is_since;
   const VoxelPos& first = request_.first;
   const VoxelPos& last = request_.last;
   for (const edits::ChunkChanges& changes : record.changes) {
@@ -30,6 +52,7 @@ bool Rollback::add(const LogRecord& record) {
         !meets(origin.z, first.z, last.z)) {
       continue;
     }
+    if (is_since && !is_subjects && !met_subject_) count_other(record.subject, changes);
     const auto held = chunks_.find(changes.chunk);
     if (held == chunks_.end() && !is_subjects) continue;
     Chunk& chunk = held == chunks_.end() ? chunks_[changes.chunk] : held->second;
@@ -47,10 +70,8 @@ bool Rollback::add(const LogRecord& record) {
         touched->second.put = voxel.after;
         continue;
       }
-      const VoxelPos at = voxel_at(origin, local_of(voxel.index));
-      const bool inside = at.x >= first.x && at.x <= last.x && at.y >= first.y && at.y <= last.y &&
-                          at.z >= first.z && at.z <= last.z;
-      if (!inside) continue;
+      if (!has(voxel_at(origin, local_of(voxel.index)))) continue;
+      met_subject_ = true;
       if (++held_ > kMaxVoxels) return false;
       chunk.emplace(voxel.index, Touched{voxel.before, voxel.after, voxel.base});
     }
@@ -65,6 +86,13 @@ std::size_t Rollback::voxels() const {
         chunk, [](const auto& each) { return each.second.put != each.second.original; }));
   }
   return count;
+}
+
+std::vector<Changer> Rollback::others() const {
+  std::vector<Changer> others;
+  for (const auto& [subject, voxels] : others_) others.push_back({subject, voxels});
+  std::ranges::stable_sort(others, std::ranges::greater{}, &Changer::voxels);
+  return others;
 }
 
 std::vector<std::vector<edits::ChunkChanges>> Rollback::slices() const {
@@ -95,7 +123,9 @@ std::vector<std::vector<edits::ChunkChanges>> Rollback::slices() const {
 tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store,
                                                       const RollbackRequest& request, ProgressBar& progress) {
   const StoreMeta& meta = store.meta();
-  RollbackPlan plan{{}, 0, 0, 0, store.first_record(), meta.head.time_ms};
+  RollbackPlan plan;
+  plan.first_position = store.first_record();
+  plan.first_time_ms = meta.head.time_ms;
   progress.expect(meta.head.position + 1 - plan.first_position);
   Rollback rollback{request};
   bool first = true;
@@ -115,6 +145,8 @@ tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store
   plan.voxels = rollback.voxels();
   plan.already_back = rollback.already_back();
   plan.taken_over = rollback.taken_over();
+  plan.met_subject = rollback.met_subject();
+  if (!plan.met_subject) plan.others = rollback.others();
   return plan;
 }
 

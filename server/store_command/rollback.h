@@ -26,11 +26,20 @@ struct RollbackRequest {
   VoxelPos last;              // the highest, which is in it
 };
 
+/// Who changed voxels of the box since the time, and how many; one that changed twice counts twice.
+struct Changer {
+  std::string subject;  // empty: of no token
+  std::size_t voxels = 0;
+};
+
 /// By the records of the log, one after the other. Pure.
 class Rollback {
  public:
   /// Voxels that one command rolls back: about 600 MB of memory.
   static constexpr std::size_t kMaxVoxels = std::size_t{8} << 20U;
+
+  /// Others than the subject whose names are kept.
+  static constexpr std::size_t kMaxOthers = 1000;
 
   explicit Rollback(RollbackRequest request) : request_{std::move(request)} {}
 
@@ -42,6 +51,11 @@ class Rollback {
   [[nodiscard]] std::size_t already_back() const { return already_back_; }
   /// Those that others have changed since; not to be put back.
   [[nodiscard]] std::size_t taken_over() const { return taken_over_; }
+  /// Whether the subject changed any voxel there.
+  [[nodiscard]] bool met_subject() const { return met_subject_; }
+  /// Those who did so before the subject was met, the busiest first. Complete where it never was, up to
+  /// kMaxOthers.
+  [[nodiscard]] std::vector<Changer> others() const;
   /// As edits: in each `before` is what the voxel is now, and `after` what it becomes.
   [[nodiscard]] std::vector<std::vector<edits::ChunkChanges>> slices() const;
 
@@ -53,11 +67,16 @@ class Rollback {
   };
   using Chunk = std::unordered_map<std::uint16_t, Touched>;  // by index
 
+  [[nodiscard]] bool has(VoxelPos at) const;
+  void count_other(const std::string& subject, const edits::ChunkChanges& changes);
+
   const RollbackRequest request_;
   std::map<ChunkCoord, Chunk> chunks_;
   std::size_t held_ = 0;
   std::size_t already_back_ = 0;
   std::size_t taken_over_ = 0;
+  bool met_subject_ = false;
+  std::map<std::string, std::size_t> others_;  // voxels by subject
 };
 
 struct RollbackPlan {
@@ -65,6 +84,8 @@ struct RollbackPlan {
   std::size_t voxels = 0;
   std::size_t already_back = 0;
   std::size_t taken_over = 0;
+  bool met_subject = false;
+  std::vector<Changer> others;       // where the subject was not met; the busiest first
   std::uint64_t first_position = 0;  // how far back the records go
   std::int64_t first_time_ms = 0;
 };

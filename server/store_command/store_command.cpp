@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 
@@ -185,6 +186,21 @@ tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) 
   return RollbackRequest{*std::move(subject), *since, box->first, box->last};
 }
 
+/// Of a plan that has met nobody of the subject, which then is often misspelt: a line of those whom it has
+/// met.
+std::string unmet_subject_line(const RollbackRequest& request, const RollbackPlan& plan) {
+  constexpr std::size_t kNamed = 5;
+  std::string there;
+  for (const Changer& other : plan.others | std::views::take(kNamed)) {
+    there += fmt::format("{}{} ({})", there.empty() ? "" : ", ", subject_text(other.subject),
+                         counted(other.voxels, "voxel"));
+  }
+  if (plan.others.size() > kNamed) there += fmt::format(", and {} more", plan.others.size() - kNamed);
+  return fmt::format("{} changed nothing in that box since {}; {}\n", subject_text(request.subject),
+                     moment(request.since_ms),
+                     there.empty() ? "neither did anybody else" : "who did: " + there);
+}
+
 Answer rollback(const Flags& flags, const Outside&) {
   const auto request = rollback_request(flags);
   if (!request) return tl::unexpected{request.error()};
@@ -212,8 +228,9 @@ Answer rollback(const Flags& flags, const Outside&) {
                           plan->taken_over == 1 ? "stays" : "stay");
   }
   if (plan->slices.empty()) {
-    return text +
-           fmt::format("{}{}\n", flags.dry_run ? "nothing would be put back" : "nothing to put back", others);
+    text +=
+        fmt::format("{}{}\n", flags.dry_run ? "nothing would be put back" : "nothing to put back", others);
+    return plan->met_subject ? text : text + unmet_subject_line(*request, *plan);
   }
   const std::string edits = counted(plan->slices.size(), "edit");
   if (flags.dry_run) {

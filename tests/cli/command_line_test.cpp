@@ -57,6 +57,11 @@ TEST_CASE("a flight begins where the user says") {
   CHECK(options.heading == 90);
 }
 
+TEST_CASE("mistyped words are told with what was meant") {
+  check_wrong_use({"fli", "--seconds", "3"}, "no command fli; did you mean fly?");
+  check_wrong_use({"--conect", "a:1", "fly"}, "not expected: --conect a:1; did you mean --connect?");
+}
+
 TEST_CASE("columns of at are pairs") {
   check_wrong_use({"at", "1,2,3"}, "columns: 3 has no z");
   check_wrong_use({"at"}, "columns");

@@ -50,6 +50,25 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
       options);
 }
 
+TEST_CASE("an HTTP server that answers is told from one that breaks the protocol, however its bytes come") {
+  for (const std::size_t first : {std::size_t{2}, std::size_t{4}, std::size_t{20}}) {
+    CAPTURE(first);
+    const std::string answer = "HTTP/1.1 400 Bad Request\r\n\r\n";
+    const auto world = answered_by([&](Peer& peer) -> asio::awaitable<void> {
+      co_await peer.accept();
+      (void)co_await peer.receive();
+      co_await peer.send_bytes(answer.substr(0, first));
+      co_await asio::post(asio::use_awaitable);
+      co_await peer.send_bytes(answer.substr(first));
+      co_await peer.until_closed();
+    });
+    REQUIRE_FALSE(world.has_value());
+    CHECK(world.error().kind == ErrorKind::broken_protocol);
+    CHECK_THAT(world.error().message, Catch::Contains("an HTTP server answers there"));
+    CHECK_THAT(world.error().message, Catch::Contains("ws://127.0.0.1:"));
+  }
+}
+
 TEST_CASE("Welcome becomes WorldInfo") {
   const auto world = answered_by([](Peer& peer) { return peer.welcome(42); });
   REQUIRE(world.has_value());

@@ -40,6 +40,10 @@ asio::awaitable<void> Peer::send(protocol::Frame frame) {
   co_await asio::async_write(socket_, asio::buffer(frame.data(), frame.size()), asio::use_awaitable);
 }
 
+asio::awaitable<void> Peer::send_bytes(std::string bytes) {
+  co_await asio::async_write(socket_, asio::buffer(bytes), asio::use_awaitable);
+}
+
 asio::awaitable<void> Peer::welcome(std::uint64_t fingerprint, std::uint64_t window_bytes,
                                     std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
                                     std::optional<Rates> rates, WelcomeMore more) {

@@ -38,6 +38,8 @@ class Peer {
   /// The next message, valid until the next call. Throws when the client hangs up.
   [[nodiscard]] asio::awaitable<const wire::Message*> receive();
   [[nodiscard]] asio::awaitable<void> send(protocol::Frame frame);
+  /// Bytes that may be no frame.
+  [[nodiscard]] asio::awaitable<void> send_bytes(std::string bytes);
   /// accept, take the Hello, answer it.
   [[nodiscard]] asio::awaitable<void> welcome(std::uint64_t fingerprint = 1,
                                               std::uint64_t window_bytes = 1U << 20,

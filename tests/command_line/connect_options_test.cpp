@@ -122,7 +122,23 @@ TEST_CASE("a WebSocket is asked for by --websocket or by its URL") {
   CHECK(secure.websocket.path == "/other/stream");
   CHECK(secure.server == protocol::Endpoint{"::1", 2});
   CHECK_FALSE(read_connect_options(parsed({"--connect", "ws://a"})).has_value());
-  CHECK_FALSE(read_connect_options(parsed({"--connect", "http://a:1"})).has_value());
+}
+
+TEST_CASE("a scheme that is none of the client's is named, with those that are") {
+  const auto told = [](const char* address) {
+    const auto options = read_connect_options(parsed({"--connect", address}));
+    REQUIRE_FALSE(options.has_value());
+    return options.error();
+  };
+  const std::string kinds =
+      "; write HOST:PORT, with --tls for TLS, or ws://HOST:PORT[/PATH] or wss:// (by TLS)";
+  CHECK(told("http://a:1") ==
+        "--connect http://a:1: this client does not speak http://, but talusd's HTTP address is reached by "
+        "WebSocket" +
+            kinds);
+  CHECK(told("tcp://a:1/") == "--connect tcp://a:1/: this client does not speak tcp://" + kinds);
+  CHECK(told("a:1,ws://b:2") ==
+        "--connect a:1,ws://b:2: write ws:// once, before the first address: it is for all of them");
 }
 
 TEST_CASE("a server's address that is none names the option and what is wrong") {

@@ -182,8 +182,20 @@ class Running(unittest.TestCase):
         self.addCleanup(again.wait, 30)
         self.addCleanup(again.terminate)
         self.everywhere(before + 1)
+        # Each in one line, and the shell says nothing of its own.
+        told = self.said().partition("Ctrl-C ends it all\n")[2]
+        self.assertEqual(re.findall(r"(?m)^==> (\S+) has ended with status 137; start it again by: ", told), ["nats-1", "talus-1"])
+        self.assertEqual(len(told.splitlines()), 2, told)
 
-    def test_4_ctrl_c_ends_it_all(self):
+    def test_4_two_that_are_killed_at_once_are_told_of_both(self):
+        victims = [*self.pids("talus-2.toml"), *self.pids("nats-2/nats-server.conf")]
+        self.assertEqual(len(victims), 2)
+        for victim in victims:
+            os.kill(victim, signal.SIGKILL)
+        for name in ["talus-2", "nats-2"]:
+            wait(lambda name=name: f"{name} has ended with status 137" in self.said())
+
+    def test_5_ctrl_c_ends_it_all(self):
         self.process.send_signal(signal.SIGINT)
         self.assertEqual(self.process.wait(90), 0)
         self.assertEqual(self.scratch.exists(), "KEEP" in os.environ)

@@ -81,6 +81,12 @@ class Scripted(unittest.TestCase):
             self.assertEqual(world.materials[0].colour, 0xBAD7EC)
         self.assertEqual(self.requests[1], (f"{self.PATH}/2/-1/0/7", "Bearer open sesame"))
 
+    def test_edits_need_a_connection(self):
+        with talus.connect(self.serve({})) as world:
+            for call in (lambda: world.edit([((0, 0, 0), "air")], subject="x"), lambda: world.edit(guards=())):
+                with self.assertRaisesRegex(NotImplementedError, "edits need a connection"):
+                    call()
+
     def test_what_is_overloaded_is_asked_for_again(self):
         path = f"{self.PATH}/0/0/0/0"
         later = self.refusal("overloaded", retry_after_ms=1)

@@ -6,6 +6,8 @@ import threading
 import unittest
 from unittest import mock
 
+import numpy as np
+
 import paths  # noqa: F401
 
 import talus
@@ -179,6 +181,20 @@ class Requests(Scripted):
 
         with talus.connect(self.serve(script)) as world:
             self.assertEqual(world.heights([(x, 0) for x in range(5)]).tolist(), [0.5, 1.5, 2.5, 3.5, 4.5])
+
+    def test_columns_are_whole_numbers(self):
+        def script(peer):
+            peer.greet()
+            request = peer.receive()
+            peer.send(protocol.Heights(id=request.id, heights_fx=[256 * c.x for c in request.columns]))
+
+        with talus.connect(self.serve(script)) as world:
+            for column in [(0.5, 3), (0, 3.0), (np.float64(1), 0), ("1", 0), (float("nan"), 0)]:
+                for call in (world.heights, world.places):
+                    with self.assertRaisesRegex(TypeError, "is not an int; math.floor"):
+                        call([(7, 7), column])
+            columns = [(1, 0), (np.int64(-2), np.int32(0)), np.array([3, 0])]
+            self.assertEqual(world.heights(columns).tolist(), [1, -2, 3])
 
     def test_a_place_within_a_voxel_is_that_voxels(self):
         seen = queue.Queue()

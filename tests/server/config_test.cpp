@@ -81,6 +81,23 @@ TEST_CASE("talusd.toml says the defaults") {
   CHECK(settings.warnings.empty());
 }
 
+TEST_CASE("mistyped words of the command line are told with what was meant") {
+  const auto told = [](std::vector<const char*> flags) {
+    const auto refused = command(std::move(flags));
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().status == kWrongUse);
+    return refused.error().text;
+  };
+  CHECK(told({"stor", "backup"}) ==
+        "talusd: there is no command stor; did you mean store? See talusd --help\n");
+  CHECK(told({"x\n"}) ==
+        "talusd: there is no command x\\x0a; there are token, top, store, cluster, pregen; see talusd "
+        "--help\n");
+  CHECK(told({"--lisen", "a:1"}) ==
+        "talusd: not expected: --lisen a:1; did you mean --listen? See talusd --help\n");
+  CHECK(told({"--admin", "a:1", "x"}) == "talusd: not expected: x; see talusd --help\n");
+}
+
 TEST_CASE("talusd.toml has every field") {
   const std::string toml = "\n" + shipped_file();
   for (const Field& field : fields()) {

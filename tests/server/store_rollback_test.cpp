@@ -155,6 +155,36 @@ TEST_CASE("a rollback gives back what one subject changed last, and touches nobo
   }
 }
 
+TEST_CASE(
+    "where the subject changed nothing there since then, a rollback names those who did, the busiest first") {
+  Griefed griefed{11};
+  const auto write = [&](std::size_t who, std::int64_t x) {
+    edits::Edit edit;
+    edit.writes.push_back({{x, 1, 1}, MaterialId{256}});
+    edit.writes.push_back({{x, 1, 2}, MaterialId{256}});
+    REQUIRE(griefed.editors[who].edit(griefed.store, edit).has_value());
+  };
+  write(2, 1);  // before
+  const std::int64_t since = griefed.next_moment();
+  write(0, 2);
+  write(1, 3);
+  write(1, 4);
+  write(2, 99);  // elsewhere
+  griefed.store.close();
+  const VoxelPos first{0, 0, 0};
+  const VoxelPos last{10, 2, 2};
+  const RollbackPlan plan = plan_of(griefed, {"grefer", since, first, last});
+  CHECK_FALSE(plan.met_subject);
+  REQUIRE(plan.others.size() == 2);
+  CHECK(plan.others[0].subject == "builder");
+  CHECK(plan.others[0].voxels == 4);
+  CHECK(plan.others[1].subject == "griefer");
+  CHECK(plan.others[1].voxels == 2);
+  CHECK(plan_of(griefed, {"griefer", since, first, last}).met_subject);
+  CHECK_FALSE(plan_of(griefed, {"", since, first, last}).met_subject);
+  CHECK(plan_of(griefed, {"", 0, first, last}).met_subject);
+}
+
 TEST_CASE("chunks that were rolled back have no place in a store that is made of an export") {
   Griefed griefed{7};
   const std::int64_t since = griefed.next_moment();

@@ -17,6 +17,11 @@ namespace {
 // Errors as values: what an operation gives is a tuple that begins with its error code.
 constexpr auto kAsTuple = asio::experimental::as_tuple(asio::use_awaitable);
 
+/// Whether the frame that is refused begins by "HTTP", as all answers of an HTTP server do.
+bool is_http(const protocol::FrameError& error) {
+  return error.claimed_bytes == 0x50545448U + protocol::kPrefixBytes;
+}
+
 }  // namespace
 
 Connection::Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes)
@@ -120,6 +125,13 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
   while (true) {
     if (is_closed()) co_return tl::unexpected{*reason_};
     const auto taken = reader_.feed(unread_);
+    if (!taken && is_http(taken.error()) && !websocket_) {
+      co_return tl::unexpected{
+          ClientError{ErrorKind::broken_protocol,
+                      where_ + ": an HTTP server answers there; talusd's is reached by WebSocket: " +
+                          (tls_ ? "wss://" : "ws://") + where_,
+                      {}}};
+    }
     if (!taken) {
       co_return tl::unexpected{ClientError{
           ErrorKind::broken_protocol, "the server broke the protocol: " + taken.error().message(), {}}};
@@ -132,9 +144,11 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
 
     const auto [error, count] = co_await read_some();
     if (error && !received_any_ && !tls_) {
-      co_return tl::unexpected{reason_or(ErrorKind::disconnected,
-                                         where_ + ": the server ended the connection without a word (" +
-                                             error.message() + "); if it wants TLS, connect by TLS (--tls)")};
+      co_return tl::unexpected{reason_or(
+          ErrorKind::disconnected, where_ + ": the server ended the connection without a word (" +
+                                       error.message() +
+                                       "); if it wants TLS, connect by TLS (--tls); a proxy that has no "
+                                       "server ready ends connections so, too")};
     }
     if (error) {
       co_return tl::unexpected{reason_or(ErrorKind::disconnected,

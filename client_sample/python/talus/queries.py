@@ -1,7 +1,7 @@
 """What both ways to a world offer, made of what each of them asks for."""
 
 import dataclasses
-import math
+import operator
 
 import numpy as np
 
@@ -27,6 +27,13 @@ class Places:
         )
 
 
+def _whole(value, column):
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"column {column}: {value!r} is not an int; math.floor() gives the base voxel that it lies in") from None
+
+
 class Queries:
     """Of a class with get_chunks(keys), get_places(columns, looks, fields) and heights_per_request."""
 
@@ -41,13 +48,14 @@ class Queries:
     def heights(self, columns):
         """Height of the ground at each (x, z), in base voxels above y = 0, as float64: exact multiples of 1/256.
 
+        A column is one of the base voxels, so x and z are whole numbers, of Python or numpy.
         A voxel row is solid where its centre is below the height, so the first free row is (256 * height + 127) // 256.
         """
         return self.places(columns, looks=False).heights
 
     def places(self, columns, looks=True, fields=()):
         """Places: heights, names of looks, and values of `fields`, names of the world's fields, at each (x, z)."""
-        columns = [(math.floor(x), math.floor(z)) for x, z in columns]
+        columns = [(_whole(x, (x, z)), _whole(z, (x, z))) for x, z in columns]
         most = max(1, self.heights_per_request)
         groups = [columns[i : i + most] for i in range(0, len(columns), most)][::-1]
         parts = []

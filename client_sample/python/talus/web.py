@@ -109,7 +109,7 @@ class WebWorld(Queries):
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False):
         """Yields every Chunk around base voxel (x, y, z), by squares of columns, nearest first."""
         if y is None:
-            y = self.heights([(x, z)])[0]
+            y = self.heights([(math.floor(x), math.floor(z))])[0]
         heights = self._heights if horizon else None
         edited = _EditedColumns(self)
         for box in level_boxes((math.floor(x), math.floor(y), math.floor(z)), radius, vertical_radius, rings, heights):
@@ -124,6 +124,10 @@ class WebWorld(Queries):
                     if box.has_column(column.x, column.z):
                         for row in box.y:
                             yield column.chunk(row)
+
+    def edit(self, *_, **__):
+        """Not by HTTP."""
+        raise NotImplementedError(f"edits need a connection, and {self._root} is HTTP; connect to HOST:PORT of talusd's --listen")
 
     def get_places(self, columns, looks, fields):
         query = {"columns": ";".join(f"{x},{z}" for x, z in columns)}

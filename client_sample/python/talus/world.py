@@ -95,7 +95,7 @@ class World(Queries):
         in `direction` come first. A world has one view at a time: a new one ends the one before.
         """
         if y is None:
-            y = self.heights([(x, z)])[0]
+            y = self.heights([(math.floor(x), math.floor(z))])[0]
         if horizon and not self.welcome.limits.view_horizon:
             raise ValueError("this server knows no horizon; ask for a view without")
         self._wake()

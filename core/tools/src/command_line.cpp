@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <talus/mistyped/command_line.h>
 #include <talus/terrain/world.h>
 #include <talus/vectors/instruction_set.h>
 #include <CLI/CLI.hpp>
@@ -24,7 +25,7 @@ int parse_failure(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     return app.exit(error);  // --help and --version arrive here
   }
-  std::fprintf(stderr, "talus-gen: %s (see --help)\n", error.what());
+  std::fprintf(stderr, "talus-gen: %s (see --help)\n", describe(app, error).c_str());
   return kExitWrongUse;
 }
 

@@ -1,11 +1,11 @@
-#include "config/nearest.h"
+#include <talus/mistyped/nearest.h>
 
 #include <array>
 #include <string>
 
 #include <catch2/catch.hpp>
 
-using namespace talus::server;
+using namespace talus;
 
 TEST_CASE("the nearest name is the one with the fewest changes") {
   constexpr std::array<std::string_view, 3> kNames{"listen", "limits.connections", "log.level"};
@@ -22,4 +22,13 @@ TEST_CASE("on a tie the first candidate is the nearest") {
 TEST_CASE("a very long word is compared by its beginning") {
   constexpr std::array<std::string_view, 2> kNames{"a", "b"};
   CHECK(nearest("b" + std::string(1'000'000, 'x'), kNames) == "b");
+}
+
+TEST_CASE("what is far from all names was not meant to be one") {
+  constexpr std::array<std::string_view, 2> kNames{"check", "status"};
+  CHECK(meant("chek", kNames) == "check");
+  CHECK(meant("satus", kNames) == "status");
+  CHECK(meant("melt", kNames).empty());
+  CHECK(meant("", kNames).empty());
+  CHECK(meant("chek", {}).empty());
 }

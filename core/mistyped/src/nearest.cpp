@@ -1,4 +1,4 @@
-#include "config/nearest.h"
+#include <talus/mistyped/nearest.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace talus::server {
+namespace talus {
 namespace {
 
 constexpr std::size_t kMaxCompared = 128;  // of a word: a longer one costs no more time
@@ -41,4 +41,12 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   return best;
 }
 
-}  // namespace talus::server
+std::string_view meant(std::string_view word, std::span<const std::string_view> candidates) {
+  constexpr std::size_t kCharactersPerChange = 4;
+  if (candidates.empty()) return {};
+  const std::string_view best = nearest(word, candidates);
+  const std::size_t most = (word.size() + kCharactersPerChange - 1) / kCharactersPerChange;
+  return edit_distance(word.substr(0, kMaxCompared), best) <= most ? best : std::string_view{};
+}
+
+}  // namespace talus

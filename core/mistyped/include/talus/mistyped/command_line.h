@@ -1,0 +1,47 @@
+// What CLI11 found wrong with a command line, in one line. Inline: whoever parses has read CLI11 already.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <talus/mistyped/nearest.h>
+#include <CLI/CLI.hpp>
+
+namespace talus {
+
+/// Names the words that were not expected, in their order, and what was meant where that is near: a command
+/// of `app` or a flag of it or of the command that was given. All else is as CLI11 says it. REQUIRES: `error`
+/// is of app.parse().
+[[nodiscard]] inline std::string describe(const CLI::App& app, const CLI::ParseError& error) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const auto given = app.get_subcommands();
+  const std::vector<std::string> words = app.remaining(true);
+  const bool extras = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const bool no_command = app.get_require_subcommand_min() > 0 && given.empty() &&
+                          error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);
+  if (!extras && !no_command) return error.what();
+
+  std::vector<std::string> names;
+  for (const CLI::App* const command : commands) names.push_back(command->get_name());
+  if (words.empty()) return std::string{error.what()} + ": " + CLI::detail::join(names, ", ");
+  const std::string word = words.front().substr(0, words.front().find('='));
+  const bool is_command = given.empty() && !commands.empty() && !word.starts_with('-');
+  if (!is_command) {
+    names.clear();
+    std::vector<const CLI::App*> apps{&app};
+    apps.insert(apps.end(), given.begin(), given.end());
+    for (const CLI::App* const each : apps) {
+      for (const CLI::Option* const option : each->get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      }
+    }
+  }
+  const std::string_view near = meant(word, std::vector<std::string_view>{names.begin(), names.end()});
+  const std::string hint = near.empty() ? std::string{} : "; did you mean " + std::string{near} + "?";
+  if (!is_command) return "not expected: " + CLI::detail::join(words, " ") + hint;
+  return "there is no command " + words.front() +
+         (near.empty() ? "; there are " + CLI::detail::join(names, ", ") : hint);
+}
+
+}  // namespace talus
