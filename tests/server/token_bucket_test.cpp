@@ -31,9 +31,10 @@ Rate any_rate() {
   return {per_second, *rc::gen::inRange<std::uint64_t>(1, 4 * per_second + 1)};
 }
 
-/// Up to 68 years after the clock's zero.
+/// Up to 68 years after the clock's zero, so long as counts of the greatest rate have place.
 std::int64_t any_start() {
-  return *rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 61);
+  constexpr std::int64_t kYear = std::int64_t{31'557'600} * 1'000'000'000;
+  return *rc::gen::inRange<std::int64_t>(0, 68 * kYear);
 }
 
 }  // namespace
