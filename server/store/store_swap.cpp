@@ -75,7 +75,10 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
   if (code) return swap_failure(old, code);
   const bool goes = fs::exists(next / kOldGoes, code);
   if (code) return swap_failure(next / kOldGoes, code);
-  if (has_old && !goes) {
+  if (has_old && goes) {  // before what says so
+    fs::remove_all(old, code);
+    if (code) return swap_failure(old, code);
+  } else if (has_old) {
     kept = place_for_old(directory);
     if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
   }

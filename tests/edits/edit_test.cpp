@@ -134,6 +134,10 @@ TEST_CASE(
   CHECK(writable_chunks(filling({0, 0, 0}, {64 * 32, 0, 0})).empty());
   CHECK(writable_chunks(filling({kWorldEnd, 0, 0}, {kWorldEnd, 0, 0})).empty());
   CHECK(writable_chunks(filling({1, 0, 0}, {0, 0, 0})).empty());
+  // Far beyond the world nothing overflows.
+  paste.paste->origin = {INT64_MAX, INT64_MAX - 31, INT64_MIN};
+  CHECK(writable_chunks(paste).empty());
+  CHECK_FALSE(touched_voxels(paste));
   // At the world's six faces too.
   for (const std::int64_t end : {std::int64_t{-kWorldEnd}, std::int64_t{kWorldEnd} - 1}) {
     for (const VoxelPos at : {VoxelPos{end, 0, 0}, VoxelPos{0, end, 0}, VoxelPos{0, 0, end}}) {

@@ -58,6 +58,7 @@ Result<void> Core::handle_attached(const wire::Attached& attached) {
     return tl::unexpected{broken_protocol("an Attached that no Attach asked for, or without its fields")};
   }
   useful_ = true;
+  edits_wait_for_.clear();
   auto lost = edits_.attached({attached.editor()->low(), attached.editor()->high()}, attached.known(),
                               attached.last_sequence(), attached.revision(), attached.limits()->unanswered());
   fail_edits(std::move(lost), kOutcomeUnknown);
@@ -107,8 +108,11 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
 void Core::attach_refused(const ClientError& why, bool comes_back) {
   if (!edits_.attaching()) return;
   edits_.attach_again();
-  edits_wait_for_ = why.message;
-  if (!comes_back) fail_all_edits(why);
+  if (comes_back) {
+    edits_wait_for_ = why.message;
+  } else {
+    fail_all_edits(why);
+  }
   wake();
 }
 

@@ -1,7 +1,10 @@
 // The voxels that the operations of an edit write, in order.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 #include <talus/edits/edit.h>
@@ -18,8 +21,13 @@ void visit_box(VoxelPos first, VoxelPos last, Visit&& visit) {
   }
 }
 
+/// Of any origin: beyond what a coordinate can be it is the greatest, and so not in the world either.
 [[nodiscard]] inline VoxelPos last_of(const Paste& paste) {
-  return {paste.origin.x + kChunkSize - 1, paste.origin.y + kChunkSize - 1, paste.origin.z + kChunkSize - 1};
+  const auto last = [](std::int64_t first) {
+    constexpr std::int64_t kFar = kChunkSize - 1;
+    return std::min(first, std::numeric_limits<std::int64_t>::max() - kFar) + kFar;
+  };
+  return {last(paste.origin.x), last(paste.origin.y), last(paste.origin.z)};
 }
 
 /// Calls visit(voxel, material) for each voxel that the paste writes.
