@@ -99,7 +99,7 @@ TEST_CASE("open requests of a talus_client fail before it is closed") {
   ServerProcess server;
   TestClient client;
   client.join(server.port());
-  server.signal(SIGSTOP);
+  server.freeze();
   std::uint32_t chunk = 0;
   std::uint32_t ping = 0;
   REQUIRE(talus_get_chunk(client.get(), 0, 0, 0, 0, nullptr, &chunk) == TALUS_OK);

@@ -187,7 +187,7 @@ TEST_CASE("an edit that was sent when its connection ends for good is of unknown
   OneWrite first{world.spawn_x, world.spawn_y + 40, world.spawn_z, 2};
   (void)send(client, first.edit);
   CHECK(client.await(TALUS_EVENT_EDITED).status == TALUS_OK);
-  server->signal(SIGSTOP);
+  server->freeze();
   OneWrite second{world.spawn_x, world.spawn_y + 41, world.spawn_z, 2};
   const std::uint32_t request = send(client, second.edit);
   auto event = sized<talus_event>();

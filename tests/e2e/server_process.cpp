@@ -193,6 +193,11 @@ void ServerProcess::signal(int number) const {
   ::kill(pid_, number);
 }
 
+void ServerProcess::freeze() const {
+  signal(SIGSTOP);
+  ::waitpid(pid_, nullptr, WUNTRACED);
+}
+
 Ended ServerProcess::wait() {
   Ended ended;
   ended.out = said_;

@@ -72,6 +72,8 @@ class ServerProcess {
   /// The same by TLS.
   [[nodiscard]] std::uint16_t https_port();
   void signal(int number) const;
+  /// SIGSTOP; returns when all its threads stand still, which is later than kill() does.
+  void freeze() const;
   /// Waits for the end and returns how it was.
   [[nodiscard]] Ended wait();
   /// What /proc says of each of its threads: the rest of the line that begins with `field`.

@@ -66,7 +66,7 @@ TEST_CASE("a running server that the stream has left behind ends with a status o
   const auto a = servers.start(servers.settings("a"));
   auto b = servers.start(servers.joiner("b", {a->admin_port()}));
   await("readiness", [&] { return JoiningServers::is_ready(*b); });
-  b->signal(SIGSTOP);
+  b->freeze();
   // What came meanwhile would wait in its socket.
   servers.nats->end(0);
   servers.nats->start(0);
