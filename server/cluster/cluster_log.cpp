@@ -14,7 +14,6 @@ namespace {
 using std::chrono::milliseconds;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::string_view kShorter = "the log that this world's servers share seems to have lost its end";
 constexpr std::chrono::seconds kLastWait{2};
 /// A leader that was deposed may say less than there is, until it knows.
 constexpr std::chrono::seconds kSureOfShorter{15};
@@ -170,13 +169,14 @@ void ClusterLog::look_at_end() {
   const TimePoint asked = SteadyClock::now();
   std::uint64_t sequence = 0;
   std::int64_t created_ns = 0;
-  bool known = false;
+  bool known = false;  // that what comes next is to be had there
   {
     const std::lock_guard lock{mutex_};
     sequence = sequence_;
     created_ns = created_ns_;
     known = places_known_;
   }
+  const bool is_of_stream = created_ns != 0;
   const auto stream = parts_.stream.state();
   bool shorter = false;
   {
@@ -189,7 +189,7 @@ void ClusterLog::look_at_end() {
     } else {
       silent_since_.reset();
       if (known) heard_ = true;
-      if (!known || stream->created_ns != created_ns) {
+      if (!is_of_stream || stream->created_ns != created_ns) {
         shorter_since_.reset();
       } else if (stream->last < sequence) {
         shorter_ = true;
@@ -198,7 +198,7 @@ void ClusterLog::look_at_end() {
       } else {
         shorter_ = false;
         shorter_since_.reset();
-        end_.heard(stream->last, asked);
+        if (known) end_.heard(stream->last, asked);
         if (stuck_since_ && asked - *stuck_since_ > settings_.sure_of_stuck) {
           if (!stuck_at_end_) stuck_at_end_ = stream->last;
           if (stream->last > *stuck_at_end_) others_go_on_ = true;
@@ -207,7 +207,7 @@ void ClusterLog::look_at_end() {
     }
   }
   tell_whether_it_takes();
-  if (!stream || !known) return;
+  if (!stream || !is_of_stream) return;
   if (stream->created_ns != created_ns) {
     lose(Lost::other, kMadeAnew);
   } else if (shorter) {

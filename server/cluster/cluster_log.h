@@ -111,6 +111,9 @@ class ClusterLog final : public EditLog {
   /// (cluster_log_place.cpp).
   [[nodiscard]] bool find_place();
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
+  /// Whether the stream still has, as far as it keeps it, the message that was applied last. One that lost
+  /// its end and went on has another there, however long ago that was.
+  [[nodiscard]] bool is_as_applied(const StreamState& stream, const StreamPlace& place);
   void next_message();
   void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);

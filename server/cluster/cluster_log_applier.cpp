@@ -126,7 +126,9 @@ void ClusterLog::apply(const StreamMessage& message) {
   std::vector<Done> done = publisher_.seen(decoded->head, message.bytes);
   if (done.size() != decoded->entries.size()) done.clear();
   const BatchHead said = decoded->head;
-  finish(std::move(done), {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms},
+  finish(std::move(done),
+         {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms,
+          hash_of_message(message.bytes)},
          &said);
 }
 
@@ -142,7 +144,7 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   }
   const StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
-  finish({}, {message.sequence, place.created_ns, place.looked_ms}, nullptr);
+  finish({}, {message.sequence, place.created_ns, place.looked_ms, hash_of_message(message.bytes)}, nullptr);
 }
 
 void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& fault) {

@@ -3,6 +3,7 @@
 
 #include "cluster/cluster_log.h"
 #include "cluster/log_reasons.h"
+#include "cluster/message.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -35,6 +36,8 @@ bool ClusterLog::find_place() {
          fmt::format("the stream keeps messages from {} on, and this server has those up to {}",
                      stream->first, place.sequence));
     return false;
+  } else if (!is_as_applied(*stream, place)) {
+    return false;
   }
   const StreamPlace now = parts_.database.meta().stream;
   placed_ = true;
@@ -51,6 +54,28 @@ bool ClusterLog::find_place() {
   parts_.log->info("cluster: goes on behind message {} of {}", now.sequence, stream->last);
   tell_whether_it_takes();
   return true;
+}
+
+bool ClusterLog::is_as_applied(const StreamState& stream, const StreamPlace& place) {
+  if (stream.last < place.sequence) {
+    trouble(kShorter);  // whether it stays so the watching thread judges
+    return false;
+  }
+  if (stream.first > place.sequence) return true;
+  const auto message = parts_.stream.next(place.sequence - 1, SteadyClock::now() + milliseconds{500});
+  if (!message && message.error().kind != StreamFailure::Kind::gone) {
+    cannot_get(message.error());
+    return false;
+  }
+  if (!message || !*message) {
+    trouble(fmt::format("message {} of the log, which was applied last, does not come", place.sequence));
+    return false;
+  }
+  if (hash_of_message((*message)->bytes) == place.message_hash) return true;
+  lose(Lost::other, fmt::format("message {} of the stream is another than the one that this server has "
+                                "applied: the stream lost its end, and went on without it",
+                                place.sequence));
+  return false;
 }
 
 bool ClusterLog::begin_at_genesis(const StreamState& stream) {
@@ -97,7 +122,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   } else {
     EditDatabase::Done entered;
     if (is_empty && !genesis->materials.empty()) entered = parts_.database.bind(genesis->materials);
-    if (entered) entered = parts_.database.enter({1, stream.created_ns});
+    if (entered) entered = parts_.database.enter({1, stream.created_ns, 0, hash_of_message((*first)->bytes)});
     writer_.entered();
     if (entered) return true;
     trouble(entered.error());

@@ -11,6 +11,8 @@ namespace talus::server::cluster {
 
 inline constexpr const char* kMadeAnew = "the stream was made anew since this server read it";
 
+inline constexpr const char* kShorter = "the log that this world's servers share seems to have lost its end";
+
 inline std::string not_applied(std::uint64_t sequence, std::string_view reason) {
   return fmt::format("message {} of the log cannot be applied: {}", sequence, reason);
 }

@@ -147,6 +147,10 @@ std::string_view remedy_of(const MessageFault& fault) {
   return fault.kind == MessageFault::Kind::newer ? "; upgrade it" : "";
 }
 
+std::uint64_t hash_of_message(std::span<const std::byte> bytes) {
+  return XXH3_64bits(bytes.data(), bytes.size());
+}
+
 tl::expected<Bytes, std::string> encode(const Genesis& genesis) {
   Bytes out = begin_message(MessageKind::genesis);
   ByteWriter writer{out};

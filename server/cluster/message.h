@@ -85,6 +85,9 @@ struct MessageFault {
 /// message that stops this talusd.
 [[nodiscard]] std::string_view remedy_of(const MessageFault& fault);
 
+/// By which a store remembers the message that it applied last, whatever that is.
+[[nodiscard]] std::uint64_t hash_of_message(std::span<const std::byte> bytes);
+
 /// An error, in one line, where it has more materials than a message holds.
 [[nodiscard]] tl::expected<Bytes, std::string> encode(const Genesis& genesis);
 [[nodiscard]] tl::expected<Genesis, MessageFault> decode_genesis(std::span<const std::byte> bytes);

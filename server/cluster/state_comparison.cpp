@@ -28,18 +28,22 @@ const edits::StateHash* StateComparison::own_at(std::uint64_t revision) const {
 }
 
 std::optional<StateComparison::Claim> StateComparison::heard(const Claim& claim, TimePoint now) {
+  if (states_.empty() || claim.revision < states_.front().revision) return std::nullopt;
+  if (is_wrong_ || wrong_.contains(claim.publisher)) return std::nullopt;
   const edits::StateHash* const own = own_at(claim.revision);
-  if (own == nullptr || is_wrong_ || wrong_.contains(claim.publisher)) return std::nullopt;
-  const edits::StateHash difference = difference_of(claim.hash, *own);
+  const auto difference = own ? std::optional{difference_of(claim.hash, *own)} : std::nullopt;
   const Vote vote{difference, claim.publisher, claim.revision};
   const std::uint32_t server = server_of(claim.publisher);
   if (!dispute_) {
     if (difference == edits::StateHash{}) return std::nullopt;
-    what_ = fmt::format("at revision {} this server has state {}, and another has {}", claim.revision,
-                        edits::to_string(*own), edits::to_string(claim.hash));
-    dispute_ = Dispute{claim.revision, now, {{server, vote}}};
-    dispute_->votes.insert_or_assign(server_of(self_), Vote{{}, self_, claim.revision});
-    return Claim{self_, claim.revision, *own};
+    const State said = own ? State{claim.revision, *own} : states_.back();
+    what_ = own ? fmt::format("at revision {} this server has state {}, and another has {}", said.revision,
+                              edits::to_string(said.hash), edits::to_string(claim.hash))
+                : fmt::format("another server stood at revision {}, and this one never did; it stands at {}",
+                              claim.revision, said.revision);
+    dispute_ = Dispute{std::min(claim.revision, said.revision), now, {{server, vote}}};
+    dispute_->votes.insert_or_assign(server_of(self_), Vote{edits::StateHash{}, self_, said.revision});
+    return Claim{self_, said.revision, said.hash};
   }
   if (server == server_of(self_) || claim.revision < dispute_->revision) return std::nullopt;
   const auto before = dispute_->votes.find(server);
@@ -55,9 +59,9 @@ StateComparison::Verdict StateComparison::judge(TimePoint now) {
   if (is_wrong_) return Verdict::wrong;
   if (!dispute_) return Verdict::same;
   if (now - dispute_->since < kVoting) return Verdict::voting;
-  std::map<edits::StateHash, std::size_t> groups;
+  std::map<std::optional<edits::StateHash>, std::size_t> groups;
   for (const auto& [server, vote] : dispute_->votes) ++groups[vote.difference];
-  constexpr edits::StateHash kNone{};
+  constexpr std::optional kNone{edits::StateHash{}};
   const std::size_t own = groups[kNone];
   std::size_t others = 0;
   for (const auto& [difference, size] : groups) {

@@ -8,8 +8,9 @@
 // one of them would answer is wrong.
 //
 // S is a sum, so a wrong state stays wrong by the same difference while edits elsewhere go on: what counts is
-// a server's difference from this one, at whichever revision it spoke last. Servers count, however often they
-// are started.
+// a server's difference from this one, at whichever revision it spoke last. All stand at the ends of the same
+// messages, so who stood at a revision between those of this server has another state too, of a difference
+// that nobody knows. Servers count, however often they are started.
 //
 // Pure; of one thread.
 #pragma once
@@ -63,7 +64,8 @@ class StateComparison {
 
  private:
   struct Vote {
-    edits::StateHash difference;  // from this server's
+    /// From this server's; none: it stood where this server never did.
+    std::optional<edits::StateHash> difference;
     std::uint64_t publisher = 0;
     std::uint64_t revision = 0;
   };

@@ -119,7 +119,7 @@ tl::expected<StoreMeta, std::string> enter_cluster(const fs::path& directory,
     }
   }
   if (const auto right = check_first(stream, *state, *genesis); !right) return tl::unexpected{right.error()};
-  meta->stream = {1, state->created_ns};
+  meta->stream = {1, state->created_ns, 0, cluster::hash_of_message(*bytes)};
   if (const auto entered = enter_stream(directory, meta->stream); !entered)
     return tl::unexpected{entered.error()};
   return meta;

@@ -18,13 +18,15 @@
 namespace talus::server {
 
 /// Of meta's value, with its number and its checksum.
-inline constexpr std::size_t kMetaBytes = 133;
+inline constexpr std::size_t kMetaBytes = 141;
 
 /// Where a store stands in the stream that it shares with those of other servers.
 struct StreamPlace {
   std::uint64_t sequence = 0;   // of the last message that is applied; 0: the store is in no cluster
   std::int64_t created_ns = 0;  // when the stream was made: another time is another stream
   std::int64_t looked_ms = 0;   // the time of messages up to which the stream's own clock was asked
+  std::uint64_t message_hash =
+      0;  // of that message: a stream that has another there is not the one that was read
   bool operator==(const StreamPlace&) const = default;
 };
 

@@ -71,12 +71,35 @@ TEST_CASE("a server that is far behind for hours remembers few looks") {
 TEST_CASE("who says the same is no matter, and what is not remembered is not compared") {
   StateComparison own{of(1)};
   const StateComparison::TimePoint now{};
+  CHECK_FALSE(own.heard({of(2), 5, kWrong}, now).has_value());
   own.stands(5, kRight);
   own.stands(7, kRight);
   CHECK_FALSE(own.heard({of(2), 5, kRight}, now).has_value());
-  CHECK_FALSE(own.heard({of(2), 6, kWrong}, now).has_value());  // in the midst of a message
-  CHECK_FALSE(own.heard({of(2), 900, kWrong}, now).has_value());
+  CHECK_FALSE(own.heard({of(2), 4, kWrong}, now).has_value());
   CHECK(own.judge(now + 10s) == Verdict::same);
+}
+
+TEST_CASE("who stands where this server never did, at the end of no message of its, has another state") {
+  const StateComparison::TimePoint now{};
+  StateComparison own{of(1)};
+  own.stands(5, kRight);
+  own.stands(7, {4, 4});
+  // Between two, and beyond the last.
+  const std::uint64_t revision = GENERATE(6, 900);
+  const auto say = own.heard({of(2), revision, kRight}, now);
+  REQUIRE(say.has_value());
+  CHECK(say->revision == 7);  // where it stands itself
+  CHECK(say->hash == edits::StateHash{4, 4});
+  CHECK(own.what().find(std::to_string(revision)) != std::string::npos);
+  CHECK(own.judge(now + 2s) == Verdict::undecided);
+  SECTION("than a third") {
+    CHECK_FALSE(own.heard({of(3), 7, {4, 4}}, now + 3s).has_value());
+    CHECK(own.judge(now + 3s) == Verdict::same);
+  }
+  SECTION("and so has a third") {
+    CHECK_FALSE(own.heard({of(3), revision, kWrong}, now + 3s).has_value());
+    CHECK(own.judge(now + 3s) == Verdict::wrong);
+  }
 }
 
 TEST_CASE("of three the one that says otherwise is wrong") {

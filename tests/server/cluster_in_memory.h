@@ -96,7 +96,7 @@ inline Bytes bytes_of_entry(const LogEntry& entry) {
 }
 
 inline cluster::BatchHead foreign_head() {
-  return {kClusterIdentity, 1234, 1, 5, 1'000'000, {}};
+  return {kClusterIdentity, 1234, 1, 5, 0, {}};
 }
 
 struct Cluster {

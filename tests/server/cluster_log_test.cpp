@@ -121,6 +121,78 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
   }
 }
 
+TEST_CASE("a stream that lost its end and went on is found out, though the server was away meanwhile") {
+  Cluster cluster{2};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(2, 6)).has_value());
+  cluster.until_applied();
+  const edits::Head before = cluster.log(1).status().head;
+  const std::uint64_t applied = cluster.log(1).status().sequence;
+  for (auto& node : cluster.nodes) node->close();
+  cluster.stream.lose_end(1);
+  const auto append_foreign = [&](std::uint64_t number) {
+    cluster::BatchHead head = foreign_head();
+    head.number = number;
+    head.revision = 0;
+    cluster.stream.append(
+        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+  };
+  SECTION("while it was away") {
+    append_foreign(1);
+    append_foreign(2);
+    REQUIRE(cluster.nodes[1]->open() == "");
+  }
+  SECTION("while it waited for the end") {
+    REQUIRE(cluster.nodes[1]->open() == "");
+    until([&] { return cluster.log(1).status().not_ready.find("lost its end") != std::string::npos; });
+    CHECK_FALSE(cluster.log(1).takes_entries());
+    CHECK_FALSE(cluster.lost_of(1).has_value());
+    append_foreign(1);
+    append_foreign(2);
+  }
+  until([&] { return cluster.lost_of(1).has_value(); });
+  CHECK(cluster.lost_of(1) == Lost::other);
+  CHECK_THAT(cluster.why[1], Catch::Contains(fmt::format("message {} of the stream is another", applied)));
+  CHECK_FALSE(cluster.log(1).takes_entries());
+  CHECK_FALSE(cluster.log(1).status().ready);
+  CHECK(cluster.log(1).status().head == before);
+  // And at every start again.
+  cluster.nodes[1]->close();
+  {
+    const std::lock_guard lock{cluster.mutex};
+    cluster.lost[1].reset();
+  }
+  REQUIRE(cluster.nodes[1]->open() == "");
+  until([&] { return cluster.lost_of(1) == Lost::other; });
+}
+
+TEST_CASE("a stream that gets its end again is gone on with, and so is one that keeps nothing old") {
+  Cluster cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  const std::uint64_t last = cluster.stream.state().last;
+  cluster.nodes[0]->close();
+  SECTION("a leader that did not know it") {
+    cluster.stream.say_fewer(1);
+    REQUIRE(cluster.nodes[0]->open() == "");
+    until([&] { return cluster.log(0).status().not_ready.find("lost its end") != std::string::npos; });
+    CHECK_FALSE(cluster.log(0).takes_entries());
+    cluster.stream.say_fewer(0);
+  }
+  SECTION("only what comes next is kept") {
+    cluster.stream.keep_from(last + 1);
+    REQUIRE(cluster.nodes[0]->open() == "");
+  }
+  until([&] { return cluster.log(0).status().ready && cluster.log(0).takes_entries(); });
+  CHECK(answers.apply(cluster.log(0), write_at(2, 5))->kind == Kind::done);
+  CHECK_FALSE(cluster.lost_of(0).has_value());
+}
+
 TEST_CASE("a batch that says a time far ahead is dated by the stream, alike everywhere") {
   Cluster cluster{2};
   cluster.open();

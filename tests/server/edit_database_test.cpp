@@ -70,10 +70,10 @@ TEST_CASE("a store that another version wrote under this format's number is not 
     for (int byte = 0; byte < 8; ++byte) value += static_cast<char>(sum >> (8 * byte));
     REQUIRE(db->Put({}, key, value).ok());
   };
-  // As talusd wrote it before it knew up to which time of batches a stream's clock was asked.
+  // As talusd wrote it before it remembered which message it applied last.
   rewrite(kMetaBytes - 16, 1);
   const std::string length =
-      "with format 1 and 125 bytes; this talusd reads format 1 with 133; run the talusd";
+      "with format 1 and 133 bytes; this talusd reads format 1 with 141; run the talusd";
   CHECK_THAT(store.open(), Catch::Contains("another version of talusd wrote the store") &&
                                Catch::Contains(length) && !Catch::Contains("damaged"));
   const auto read = ReadOnlyStore::open(store.settings.path);
@@ -83,7 +83,7 @@ TEST_CASE("a store that another version wrote under this format's number is not 
   REQUIRE_FALSE(compacted.has_value());
   CHECK_THAT(compacted.error(), Catch::Contains(length));
   rewrite(kMetaBytes - 16, 0);
-  CHECK_THAT(store.open(), Catch::Contains("with format 0 and 125 bytes"));
+  CHECK_THAT(store.open(), Catch::Contains("with format 0 and 133 bytes"));
 }
 
 TEST_CASE("a database without the store's state is refused") {

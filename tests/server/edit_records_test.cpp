@@ -103,7 +103,7 @@ TEST_CASE("the record of the store's state is read back, and damage is seen") {
   meta.link = 10;
   meta.flushed = 4;
   meta.flushed_link = 11;
-  meta.stream = {12, 1'700'000'000'000'000'013, 14};
+  meta.stream = {12, 1'700'000'000'000'000'013, 14, 15};
   Bytes value;
   encode(meta, value);
   CHECK(decode_meta(value) == meta);
@@ -114,7 +114,8 @@ TEST_CASE("the record of the store's state is read back, and damage is seen") {
   CHECK(hex_of(value) ==
         "0101000000000000000200000000000000030000000000000004000000000000000100000009000000000000"
         "0008000000000000000700000000000000050000000000000006000000000000000a00000000000000040000"
-        "00000000000b000000000000000c000000000000000d002a36fe9c97170e000000000000005a2fabeda9f4266b");
+        "00000000000b000000000000000c000000000000000d002a36fe9c97170e000000000000000f000000000000"
+        "00932f418d2baf2c82");
 }
 
 TEST_CASE("chunks are read back under their own key alone") {

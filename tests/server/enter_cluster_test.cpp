@@ -89,7 +89,7 @@ std::optional<edits::Applied> apply(ClusterNode& node, LogEntry entry) {
 TEST_CASE("a store begins its stream where it stands, and once") {
   Single single;
   CHECK(single.enter() == "");
-  CHECK(single.meta().stream == StreamPlace{1, 1});
+  CHECK(single.meta().stream == StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
   CHECK(single.meta().head == single.head);
   const auto genesis = cluster::decode_genesis(single.stream.all().at(0));
   REQUIRE(genesis.has_value());
@@ -118,7 +118,7 @@ TEST_CASE("a store that was interrupted when it entered, enters") {
   }
   CHECK(single.enter() == "");
   CHECK(single.stream.state().last == 1);
-  CHECK(single.meta().stream == StreamPlace{1, 1});
+  CHECK(single.meta().stream == StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
 }
 
 TEST_CASE("a stream that something else has begun is not entered, and the store stays as it is") {

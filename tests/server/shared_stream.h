@@ -55,6 +55,11 @@ class SharedStream {
     first_ = first;
   }
   void make_anew() { created_ns_ = 2; }
+  /// As if its hosts had lost power before so many messages reached their disks.
+  void lose_end(std::size_t messages) {
+    const std::lock_guard lock{mutex_};
+    messages_.resize(messages_.size() - messages);
+  }
   /// As if another talusd had begun it.
   void replace_first(std::vector<std::byte> genesis) {
     const std::lock_guard lock{mutex_};
