@@ -261,7 +261,8 @@ void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSu
       auto crossed_here = hn::Sub(cells, hn::VecFromMask(w, hn::Lt(here_u, u_low)));
       crossed_here = hn::Sub(crossed_here, hn::VecFromMask(w, hn::Lt(first_v_low, v_low)));
       const std::size_t first = (cell_of(u) - first_u) + (first_v - cell_of(v));
-      add_noise<kSlopes, kFirst>(octave, runs.at(first, crossed_here), inside_of(here_u), inside_of(here_v), out, i);
+      add_noise<kSlopes, kFirst>(octave, runs.at(first, crossed_here), inside_of(here_u), inside_of(here_v),
+                                 out, i);
       u += vector_u;
       v -= vector_v;
     }
