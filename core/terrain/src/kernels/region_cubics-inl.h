@@ -55,40 +55,49 @@ void blend_lines(const SampleLines& lines, std::size_t width, float* out) {
   }
 }
 
-template <class Tag, class V = hn::Vec<Tag>>
+/// `kRises`: with how a row rises a column.
+template <bool kRises, class Tag, class V = hn::Vec<Tag>>
 HWY_INLINE void store_cubic(Tag f, const V (&c)[4], V t, float* out, float* rise) {
   hn::StoreU(hn::Add(c[0], hn::Mul(t, hn::Add(c[1], hn::Mul(t, hn::Add(c[2], hn::Mul(t, c[3])))))), f, out);
-  if (rise == nullptr) return;
-  const auto twice = hn::Add(c[2], c[2]);
-  const auto thrice = hn::Mul(hn::Set(f, 3.0F), c[3]);
-  const auto a_cell = hn::Add(c[1], hn::Mul(t, hn::Add(twice, hn::Mul(t, thrice))));
-  hn::StoreU(hn::Mul(a_cell, hn::Set(f, 1.0F / static_cast<float>(kSampleStep))), f, rise);
+  if constexpr (kRises) {
+    const auto twice = hn::Add(c[2], c[2]);
+    const auto thrice = hn::Mul(hn::Set(f, 3.0F), c[3]);
+    const auto a_cell = hn::Add(c[1], hn::Mul(t, hn::Add(twice, hn::Mul(t, thrice))));
+    hn::StoreU(hn::Mul(a_cell, hn::Set(f, 1.0F / static_cast<float>(kSampleStep))), f, rise);
+  }
 }
 
-template <std::size_t kColumns>
+// Loads bound it. So a part of all cells, as wide as a vector, is written at a time, with its fractions in a
+// register: what is stored might else be the fractions, and they would be read anew for each product.
+template <bool kRises, std::size_t kColumns>
 void spread_over(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
   const hn::CappedTag<float, kColumns> f;
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const hn::Vec<decltype(f)> c[4] = {hn::Set(f, cubics.c[0][cell]), hn::Set(f, cubics.c[1][cell]),
-                                       hn::Set(f, cubics.c[2][cell]), hn::Set(f, cubics.c[3][cell])};
-    for (std::size_t k = 0; k < kColumns; k += hn::Lanes(f)) {
+  const float* const c_0 = cubics.c[0];
+  const float* const c_1 = cubics.c[1];
+  const float* const c_2 = cubics.c[2];
+  const float* const c_3 = cubics.c[3];
+  for (std::size_t k = 0; k < kColumns; k += hn::Lanes(f)) {
+    const auto t = hn::LoadU(f, fractions + k);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const hn::Vec<decltype(f)> c[4] = {hn::Set(f, c_0[cell]), hn::Set(f, c_1[cell]), hn::Set(f, c_2[cell]),
+                                         hn::Set(f, c_3[cell])};
       const std::size_t at = cell * kColumns + k;
-      store_cubic(f, c, hn::LoadU(f, fractions + k), out + at, rise == nullptr ? nullptr : rise + at);
+      store_cubic<kRises>(f, c, t, out + at, kRises ? rise + at : nullptr);
     }
   }
 }
 
 /// The same where a vector has more columns than a cell.
-template <std::size_t kColumns>
+template <bool kRises, std::size_t kColumns>
 void spread_cells(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
 #if HWY_TARGET == HWY_SCALAR
-  spread_over<kColumns>(cubics, cells, fractions, out, rise);
+  spread_over<kRises, kColumns>(cubics, cells, fractions, out, rise);
 #else
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
   constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
   if constexpr (kLanes <= kColumns) {
-    spread_over<kColumns>(cubics, cells, fractions, out, rise);
+    spread_over<kRises, kColumns>(cubics, cells, fractions, out, rise);
   } else {
     HWY_ALIGN std::int32_t cell_of[kLanes];
     HWY_ALIGN float fraction_of[kLanes];
@@ -105,25 +114,34 @@ void spread_cells(const Cubics& cubics, std::size_t cells, const float* fraction
       const RegionVector c[4] = {of_cells(cubics.c[0]), of_cells(cubics.c[1]), of_cells(cubics.c[2]),
                                  of_cells(cubics.c[3])};
       const std::size_t at = first * kColumns;
-      store_cubic(f, c, fraction, out + at, rise == nullptr ? nullptr : rise + at);
+      store_cubic<kRises>(f, c, fraction, out + at, kRises ? rise + at : nullptr);
     }
   }
 #endif
 }
 
-void spread(const float* samples, const Cells& cells, float* out, float* rise) {
+template <bool kRises>
+void spread_by(const float* samples, const Cells& cells, float* out, float* rise) {
   const Cubics cubics = cubics_of(samples, cells.count + 3, cells.scratch);
   switch (cells.columns) {
     case 16:
-      return spread_cells<16>(cubics, cells.count, cells.fractions, out, rise);
+      return spread_cells<kRises, 16>(cubics, cells.count, cells.fractions, out, rise);
     case 8:
-      return spread_cells<8>(cubics, cells.count, cells.fractions, out, rise);
+      return spread_cells<kRises, 8>(cubics, cells.count, cells.fractions, out, rise);
     case 4:
-      return spread_cells<4>(cubics, cells.count, cells.fractions, out, rise);
+      return spread_cells<kRises, 4>(cubics, cells.count, cells.fractions, out, rise);
     case 2:
-      return spread_cells<2>(cubics, cells.count, cells.fractions, out, rise);
+      return spread_cells<kRises, 2>(cubics, cells.count, cells.fractions, out, rise);
     default:
-      return spread_over<1>(cubics, cells.count, cells.fractions, out, rise);
+      return spread_over<kRises, 1>(cubics, cells.count, cells.fractions, out, rise);
+  }
+}
+
+void spread(const float* samples, const Cells& cells, float* out, float* rise) {
+  if (rise == nullptr) {
+    spread_by<false>(samples, cells, out, rise);
+  } else {
+    spread_by<true>(samples, cells, out, rise);
   }
 }
 

@@ -100,12 +100,15 @@ HWY_INLINE Corners corners_of(const RotatedLattice& lattice, hn::Vec<Words> u_ce
   return {corner_of(u_0, v_0), corner_of(u_1, v_0), corner_of(u_0, v_1), corner_of(u_1, v_1)};
 }
 
+/// `kFirst`: nothing was added before. It is added to 0 even so, which makes -0 a 0.
+template <bool kFirst>
 HWY_INLINE void add(Floats f, hn::Vec<Floats> more, float* sum) {
-  hn::StoreU(hn::Add(hn::LoadU(f, sum), more), f, sum);
+  const auto before = kFirst ? hn::Zero(f) : hn::LoadU(f, sum);
+  hn::StoreU(hn::Add(before, more), f, sum);
 }
 
 /// Adds the octave's noise at columns that lie at `u` and `v` of their cells.
-template <bool kSlopes>
+template <bool kSlopes, bool kFirst>
 HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec<Floats> u, hn::Vec<Floats> v,
                           const RotatedSums& out, std::size_t i) {
   const Floats f;
@@ -120,7 +123,7 @@ HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec
   const auto faded_v = faded(v);
   const auto on_0 = lerp(a00, a10, faded_u);
   const auto on_1 = lerp(a01, a11, faded_u);
-  add(f, hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded_v)), out.value + i);
+  add<kFirst>(f, hn::Mul(hn::Set(f, octave.weight), lerp(on_0, on_1, faded_v)), out.value + i);
   if constexpr (kSlopes) {
     const auto u_share = hn::Set(f, octave.weight * octave.lattice->u_a_column());
     const auto v_share = hn::Set(f, octave.weight * octave.lattice->v_a_column());
@@ -133,13 +136,13 @@ HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec
                              lerp(c.c01.along_v, c.c11.along_v, faded_u), faded_v);
     const auto along_u = lerp(along_0, along_1, faded_v);
     const auto along_v = hn::Add(across, hn::Mul(faded_slope(v), hn::Sub(on_1, on_0)));
-    add(f, hn::Sub(hn::Mul(along_u, u_share), hn::Mul(along_v, v_share)), out.east + i);
-    add(f, hn::Add(hn::Mul(along_u, v_share), hn::Mul(along_v, u_share)), out.south + i);
+    add<kFirst>(f, hn::Sub(hn::Mul(along_u, u_share), hn::Mul(along_v, v_share)), out.east + i);
+    add<kFirst>(f, hn::Add(hn::Mul(along_u, v_share), hn::Mul(along_v, u_share)), out.south + i);
   }
 }
 
 /// Adds one octave; u_at and v_at give the columns' positions, as place_of() wants them.
-template <bool kSlopes, class UAt, class VAt>
+template <bool kSlopes, bool kFirst, class UAt, class VAt>
 HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const VAt& v_at, std::size_t width,
                            const RotatedSums& out) {
   const Floats f;
@@ -157,7 +160,7 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
       known_v = v.cell;
       corners = corners_of(*octave.lattice, u.cell, v.cell);
     }
-    add_noise<kSlopes>(octave, corners, u.inside, v.inside, out, i);
+    add_noise<kSlopes, kFirst>(octave, corners, u.inside, v.inside, out, i);
   }
 }
 
@@ -226,12 +229,15 @@ struct Runs {
 };
 
 /// As add_octave() of columns that are as far apart everywhere: hashes each cell once a row.
-template <bool kSlopes>
+template <bool kSlopes, bool kFirst>
 void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
   const Floats f;
   const Words w;
   const std::size_t lanes = hn::Lanes(f);
   const LaneSteps& steps = *octave.lane_steps;
+  // In registers: what is stored might else be they.
+  const std::uint64_t vector_u = lanes * octave.step_u;
+  const std::uint64_t vector_v = lanes * octave.step_v;
   const auto u_low = hn::LoadU(w, steps.u_low.data());
   const auto v_low = hn::LoadU(w, steps.v_low.data());
   const auto cells = hn::Add(hn::LoadU(w, steps.u_cells.data()), hn::LoadU(w, steps.v_cells.data()));
@@ -255,28 +261,29 @@ void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSu
       auto crossed_here = hn::Sub(cells, hn::VecFromMask(w, hn::Lt(here_u, u_low)));
       crossed_here = hn::Sub(crossed_here, hn::VecFromMask(w, hn::Lt(first_v_low, v_low)));
       const std::size_t first = (cell_of(u) - first_u) + (first_v - cell_of(v));
-      add_noise<kSlopes>(octave, runs.at(first, crossed_here), inside_of(here_u), inside_of(here_v), out, i);
-      u += lanes * octave.step_u;
-      v -= lanes * octave.step_v;
+      add_noise<kSlopes, kFirst>(octave, runs.at(first, crossed_here), inside_of(here_u), inside_of(here_v),
+                                 out, i);
+      u += vector_u;
+      v -= vector_v;
     }
   }
 }
 
-template <bool kSlopes>
+template <bool kSlopes, bool kFirst>
 void add_undisplaced(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
   const bool even = octave.lane_steps != nullptr;
   if (even && octave.step_u <= kMostInRuns && octave.step_v <= kMostInRuns) {
-    return add_in_runs<kSlopes>(octave, width, out);
+    return add_in_runs<kSlopes, kFirst>(octave, width, out);
   }
   const Positions p;
-  add_octave<kSlopes>(
+  add_octave<kSlopes, kFirst>(
       octave,
       [&](std::size_t i) HWY_ATTR { return hn::Add(hn::LoadU(p, octave.u + i), hn::Set(p, octave.row_u)); },
       [&](std::size_t i) HWY_ATTR { return hn::Add(hn::LoadU(p, octave.v + i), hn::Set(p, octave.row_v)); },
       width, out);
 }
 
-template <bool kSlopes>
+template <bool kSlopes, bool kFirst>
 void add_displaced(const RotatedOctave& octave, const Displacements& displaced, std::size_t width,
                    const RotatedSums& out) {
   const Positions p;
@@ -297,7 +304,7 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
   // To columns from 2^-8 of them, rounded down.
   const auto moved = [&](auto sum)
                          HWY_ATTR { return hn::BitCast(p, hn::ShiftRight<8>(hn::BitCast(s, sum))); };
-  add_octave<kSlopes>(
+  add_octave<kSlopes, kFirst>(
       octave,
       [&](std::size_t i) HWY_ATTR {
         const auto by = hn::Add(product(du, displaced.east, i), product(dv, displaced.south, i));
@@ -310,24 +317,21 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
       width, out);
 }
 
+template <bool kSlopes, bool kFirst>
+void add_one(const RotatedOctave& octave, const Displacements& displaced, std::size_t width,
+             const RotatedSums& out) {
+  if (displaced.east == nullptr) {
+    add_undisplaced<kSlopes, kFirst>(octave, width, out);
+  } else {
+    add_displaced<kSlopes, kFirst>(octave, displaced, width, out);
+  }
+}
+
 template <bool kSlopes>
 void sum_of(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
             std::size_t width, const RotatedSums& out) {
-  const Floats f;
-  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    hn::StoreU(hn::Zero(f), f, out.value + i);
-    if constexpr (kSlopes) {
-      hn::StoreU(hn::Zero(f), f, out.east + i);
-      hn::StoreU(hn::Zero(f), f, out.south + i);
-    }
-  }
-  for (const RotatedOctave* octave = octaves; octave != octaves + count; ++octave) {
-    if (displaced.east == nullptr) {
-      add_undisplaced<kSlopes>(*octave, width, out);
-    } else {
-      add_displaced<kSlopes>(*octave, displaced, width, out);
-    }
-  }
+  add_one<kSlopes, true>(octaves[0], displaced, width, out);
+  for (std::size_t k = 1; k < count; ++k) add_one<kSlopes, false>(octaves[k], displaced, width, out);
 }
 
 void sum(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced, std::size_t width,

@@ -54,7 +54,7 @@ struct RotatedSums {
 };
 
 struct RotatedKernels {
-  /// The weighted sum of `count` octaves at `width` columns. Writes up to kPadding further.
+  /// The weighted sum of `count` octaves, at least one, at `width` columns. Writes up to kPadding further.
   void (*sum)(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
               std::size_t width, const RotatedSums& out);
 };
