@@ -8,6 +8,9 @@
 // One thread. Chunks that are not in memory are made by the generators, in the turns of the session's flow.
 // A small edit whose session has no other under way, of chunks that are at hand decoded, needs no turn, nor
 // that thread: while it rests the edit goes to the log on the thread that brought it.
+//
+// What comes from other threads is in edit_intake.cpp; turns, Attaches and edits have files of their own
+// beside it.
 #pragma once
 
 #include <atomic>
@@ -24,6 +27,7 @@
 #include <thread>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -170,6 +174,8 @@ class EditIntake final : public EditTaker {
   void look_up(const Lane& lane, Prepared& edit);
   void log_edit(const Lane& lane, Prepared edit);
   void refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text);
+  /// Any thread. Where there is no memory for it the session ends, and its client asks again.
+  static void tell(const MailboxPtr& session, Mail mail) noexcept;
 
   /// `done` as EditLog::Done, which it is a part of.
   template <typename Done>
@@ -209,5 +215,24 @@ class EditIntake final : public EditTaker {
 
   std::thread thread_;
 };
+
+template <typename Done>
+tl::expected<void, LogFailure> EditIntake::append(LogEntry entry, Done done) {
+  const std::size_t bytes = bytes_of(entry);
+  const auto leaves = [this, bytes] {
+    --log_entries_;
+    log_bytes_ -= bytes;
+  };
+  ++log_entries_;
+  log_bytes_ += bytes;
+  auto taken =
+      parts_.log.append(std::move(entry), [this, leaves, done = std::move(done)](const auto& outcome) {
+        done(outcome);
+        leaves();
+        if (wants_room_.exchange(false)) call();
+      });
+  if (!taken) leaves();
+  return taken;
+}
 
 }  // namespace talus::server

@@ -1,5 +1,7 @@
 #include "store_command/reports.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -145,6 +147,45 @@ std::string history_json(const VoxelHistory& history, const MaterialNames& names
                                {"position", change.position},
                                {"revision", change.revision}});
   }
+  return json.dump(2) + "\n";
+}
+
+std::string history_lines(const SubjectHistory& history, const SubjectQuery& query) {
+  std::string text = fmt::format("records go back to entry {}, at {}\n", history.first_position,
+                                 moment(history.first_time_ms));
+  if (history.edits.empty()) {
+    return text + fmt::format("{} has changed nothing since {}{}\n", subject_text(query.subject),
+                              moment(std::max(query.since_ms, history.first_time_ms)),
+                              query.after == 0 ? "" : fmt::format(", after entry {}", query.after));
+  }
+  for (const SubjectHistory::Changes& edit : history.edits) {
+    const VoxelPos& first = edit.first;
+    const VoxelPos& last = edit.last;
+    text += fmt::format("{}  {} in {},{},{}:{},{},{}  editor {}, entry {}, revision {}\n",
+                        moment(edit.time_ms), counted(edit.voxels, "voxel"), first.x, first.y, first.z,
+                        last.x, last.y, last.z, short_id(edit.editor), edit.position, edit.revision);
+  }
+  if (history.more) text += fmt::format("there are more: --after {}\n", history.edits.back().position);
+  return text;
+}
+
+std::string history_json(const SubjectHistory& history, const SubjectQuery& query) {
+  ReportJson json;
+  json["first_position"] = history.first_position;
+  json["first_time"] = moment(history.first_time_ms);
+  json["subject"] = query.subject.empty() ? "" : subject_text(query.subject);
+  json["edits"] = ReportJson::array();
+  for (const SubjectHistory::Changes& edit : history.edits) {
+    json["edits"].push_back({{"time", moment(edit.time_ms)},
+                             {"time_ms", edit.time_ms},
+                             {"voxels", edit.voxels},
+                             {"first", {edit.first.x, edit.first.y, edit.first.z}},
+                             {"last", {edit.last.x, edit.last.y, edit.last.z}},
+                             {"editor", short_id(edit.editor)},
+                             {"position", edit.position},
+                             {"revision", edit.revision}});
+  }
+  json["more"] = history.more;
   return json.dump(2) + "\n";
 }
 

@@ -33,5 +33,7 @@ class MaterialNames {
 [[nodiscard]] std::string stat_json(const OpenedStore& opened, const StoreFigures& figures);
 [[nodiscard]] std::string history_lines(const VoxelHistory& history, const MaterialNames& names);
 [[nodiscard]] std::string history_json(const VoxelHistory& history, const MaterialNames& names);
+[[nodiscard]] std::string history_lines(const SubjectHistory& history, const SubjectQuery& query);
+[[nodiscard]] std::string history_json(const SubjectHistory& history, const SubjectQuery& query);
 
 }  // namespace talus::server

@@ -40,9 +40,11 @@ struct Flags {
   bool json = false;
   std::string path;  // of a backup or a file
   bool replace = false;
-  std::string at;
+  std::optional<std::string> at;
   std::string subject;
   std::string since;
+  std::uint64_t after = 0;
+  std::uint64_t count = SubjectQuery{}.most_edits;
   std::string box;
   bool dry_run = false;
   bool keep = false;
@@ -140,10 +142,31 @@ Answer compact_store(const Flags& flags, const Outside&) {
   return std::string{"compacted\n"};
 }
 
+Answer show_subjects_history(const Flags& flags) {
+  SubjectQuery query;
+  auto subject = parse_subject(flags.subject);
+  if (!subject) return tl::unexpected{fmt::format("--subject: {}", subject.error())};
+  query.subject = *std::move(subject);
+  if (!flags.since.empty()) {
+    const auto since = parse_moment(flags.since, now_ms());
+    if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
+    query.since_ms = *since;
+  }
+  query.after = flags.after;
+  query.most_edits = flags.count;
+  const auto opened = OpenedStore::open(flags.data);
+  if (!opened) return tl::unexpected{opened.error()};
+  ProgressBar progress{"history", "entries"};
+  const auto history = subject_history(opened->store(), query, progress);
+  if (!history) return tl::unexpected{history.error()};
+  return flags.json ? history_json(*history, query) : history_lines(*history, query);
+}
+
 Answer show_history(const Flags& flags, const Outside&) {
+  if (!flags.at) return show_subjects_history(flags);
   std::array<std::int64_t, 3> at{};
-  if (!parse_numbers(flags.at, at)) {
-    return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(flags.at))};
+  if (!parse_numbers(*flags.at, at)) {
+    return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(*flags.at))};
   }
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
@@ -472,8 +495,29 @@ int store_command(int argc, const char* const* argv, const Environment& environm
                                 fork_stopped_store);
   add_world(forking);
   add_yes(forking);
-  CLI::App* const history = add("history", "who changed a voxel, when, from what to what", show_history);
-  history->add_option("--at", flags.at, "the voxel")->required()->type_name("X,Y,Z");
+  CLI::App* const history = add("history",
+                                "who changed a voxel, when, from what to what; or what a subject changed, "
+                                "edit by edit, the oldest first",
+                                show_history);
+  CLI::Option_group* const whose = history->add_option_group("of what");
+  CLI::Option* const at = whose->add_option("--at", flags.at, "the voxel")->type_name("X,Y,Z");
+  whose->add_option("--subject", flags.subject, "of the token, as history shows it; \"\" is all who had none")
+      ->type_name("NAME");
+  whose->require_option(1);
+  history
+      ->add_option("--since", flags.since,
+                   "with --subject: 90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z; default: all records")
+      ->excludes(at)
+      ->type_name("TIME");
+  history->add_option("--after", flags.after, "with --subject: after this entry of the log, to read on")
+      ->excludes(at)
+      ->type_name("ENTRY");
+  history
+      ->add_option("--count", flags.count,
+                   fmt::format("with --subject: so many edits at most; default: {}", flags.count))
+      ->excludes(at)
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
+      ->type_name("COUNT");
   add_json(history);
   CLI::App* const rolling =
       add("rollback",

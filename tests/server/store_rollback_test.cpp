@@ -270,6 +270,71 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
   CHECK(never->changes.empty());
 }
 
+TEST_CASE(
+    "a subject's history has each of its edits once, page by page, with the box around what it changed") {
+  Griefed griefed{11};
+  griefed.edit(100, true);
+  const std::int64_t since = griefed.next_moment();
+  griefed.edit(100, true);
+  griefed.store.close();
+  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  REQUIRE(opened.has_value());
+  std::map<std::uint64_t, std::vector<VoxelPos>> expected;  // by position
+  std::uint64_t before_since = 0;
+  REQUIRE((*opened)->reader().for_each_record((*opened)->meta(), 1, [&](LogRecord&& record) {
+    if (record.time_ms < since) before_since = record.position;
+    if (record.subject != "griefer") return true;
+    for (const auto& [chunk, voxels] : record.changes) {
+      for (const auto& voxel : voxels) expected[record.position].push_back(at_index(chunk, voxel.index));
+    }
+    return true;
+  }));
+  REQUIRE(expected.size() > 10);
+  REQUIRE(expected.begin()->first <= before_since);
+  ProgressBar progress{"", ""};
+  const auto read = [&](std::int64_t since_ms, std::size_t most) {
+    std::vector<SubjectHistory::Changes> all;
+    SubjectQuery query{"griefer", since_ms, 0, most};
+    for (;;) {
+      const auto page = subject_history(**opened, query, progress);
+      REQUIRE(page.has_value());
+      CHECK(page->first_position == 1);
+      CHECK(page->edits.size() <= most);
+      all.insert(all.end(), page->edits.begin(), page->edits.end());
+      if (!page->more) return all;
+      REQUIRE(page->edits.size() == most);
+      query.after = page->edits.back().position;
+    }
+  };
+  for (const std::size_t most : {std::size_t{1}, std::size_t{7}, expected.size(), std::size_t{100'000}}) {
+    CAPTURE(most);
+    const auto all = read(0, most);
+    REQUIRE(all.size() == expected.size());
+    auto edit = all.begin();
+    for (const auto& [position, voxels] : expected) {
+      CHECK(edit->position == position);
+      CHECK(edit->voxels == voxels.size());
+      VoxelPos first = voxels.front();
+      VoxelPos last = first;
+      for (const VoxelPos& at : voxels) {
+        first = {std::min(first.x, at.x), std::min(first.y, at.y), std::min(first.z, at.z)};
+        last = {std::max(last.x, at.x), std::max(last.y, at.y), std::max(last.z, at.z)};
+      }
+      CHECK(edit->first == first);
+      CHECK(edit->last == last);
+      ++edit;
+    }
+  }
+  const auto later =
+      static_cast<std::size_t>(std::distance(expected.upper_bound(before_since), expected.end()));
+  REQUIRE(later > 0);
+  CHECK(read(since, 7).size() == later);
+  const auto nobody = subject_history(**opened, SubjectQuery{"nobody"}, progress);
+  REQUIRE(nobody.has_value());
+  CHECK(nobody->edits.empty());
+  CHECK_FALSE(nobody->more);
+}
+
 TEST_CASE("a record that is missing in the middle, or at the end, is damage and no shorter history") {
   Griefed griefed{9};
   griefed.edit(50, true);

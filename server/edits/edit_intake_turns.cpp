@@ -1,0 +1,105 @@
+// EditIntake: whose turn it is, and what each session has there.
+#include <utility>
+
+#include "chunks/client_ids.h"
+#include "edits/edit_intake.h"
+
+namespace talus::server {
+namespace {
+
+/// In voxels: what it costs to decode a chunk, if it comes to that.
+constexpr std::size_t kDecodeCost = 256;
+
+}  // namespace
+
+bool EditIntake::log_has_room() const {
+  // Where it takes none, those that wait are told now.
+  return (log_entries_ < kLogEntries && log_bytes_ < kLogBytes) || !parts_.log.takes_entries();
+}
+
+std::optional<ClientId> EditIntake::next() {
+  const bool has_small = small_.entered() > 0;
+  if (!has_small && large_.entered() == 0) {
+    small_.rest();
+    large_.rest();
+    return std::nullopt;
+  }
+  // By turns, so that neither kind starves the other; but the small ones do not wait for room in the log.
+  small_went_ = has_small && (!small_went_ || large_.entered() == 0 || !log_has_room());
+  if (small_went_) return small_.next();
+  if (!log_has_room()) {
+    wants_room_ = true;
+    if (!log_has_room()) return std::nullopt;  // else it came just now, and who made it need not call
+  }
+  return large_.next();
+}
+
+bool EditIntake::take_turn() {
+  const auto client = next();
+  if (!client) return false;
+  Lane* const lane = find_lane(*client);
+  if (lane == nullptr) return true;  // the session is gone
+  lane->entered = false;
+  const bool attaches = lane->attach_waits;
+  if (attaches) {
+    log_attach(*lane);
+  } else {
+    advance(*lane);
+  }
+  if (lane->first ? attaches : !lane->waiting.empty()) enter(*lane);
+  return true;
+}
+
+EditIntake::Lane& EditIntake::lane_of(const MailboxPtr& session) {
+  Lane& lane = lanes_[session->owner()];
+  if (lane.session != nullptr) return lane;
+  const std::uint64_t client = static_cast<std::uint64_t>(session->owner());
+  lane.session = session;
+  lane.look_ups = std::make_shared<Mailbox>(
+      client_id(ClientKind::look_ups, client),  // their chunks are not the session's
+      [this, client] {
+        {
+          const std::lock_guard lock{mutex_};
+          looked_up_.insert(client);
+          called_ = true;
+        }
+        comes_.notify_one();
+      },
+      session->flow_use());
+  return lane;
+}
+
+EditIntake::Lane* EditIntake::find_lane(ClientId client) {
+  const auto lane = lanes_.find(client);
+  return lane == lanes_.end() ? nullptr : &lane->second;
+}
+
+void EditIntake::enter(Lane& lane) {
+  if (lane.entered) return;
+  std::size_t voxels = 0;
+  std::size_t chunks = 0;
+  if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
+    const EditRequest& request = lane.waiting.front().request;
+    voxels = named_voxels(request.edit) + (settles() && request.settles ? edits::kSettleVoxels : 0);
+    chunks = named_chunks(request.edit);
+  }
+  const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
+  EditTurns& turns = is_small ? small_ : large_;
+  turns.enter(lane.session->flow(), lane.session->owner(), voxels + kDecodeCost * chunks);
+  lane.entered = true;
+}
+
+void EditIntake::forget_lane(ClientId client) {
+  Lane* const lane = find_lane(client);
+  if (lane == nullptr) return;
+  if (const auto& first = lane->first) {
+    std::vector<ChunkKey> keys;
+    for (const ChunkCoord chunk : first->asked) keys.push_back({chunk, Lod{}});
+    parts_.base.cancel(lane->look_ups->owner(), keys);
+  }
+  waiting_ -= lane->waiting.size() + (lane->first ? 1 : 0) + (lane->attach_waits ? 1 : 0);
+  if (lane->attaching) end_attach(*lane);
+  lanes_.erase(client);
+}
+
+}  // namespace talus::server
