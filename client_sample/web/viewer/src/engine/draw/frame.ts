@@ -22,6 +22,7 @@ import {
   WebGLRenderTarget,
   WebGLRenderer,
   type IUniform,
+  type Object3D,
   type Texture,
 } from 'three';
 import type { Column } from '../stream/column.js';
@@ -66,6 +67,7 @@ export class Frame {
   private shadowReach = 0;
   private readonly skyMaterial: RawShaderMaterial;
   private readonly marker: MarkerBox;
+  private disposed = false;
 
   constructor(canvas: HTMLCanvasElement, quality: 'low' | 'high') {
     this.renderer = new WebGLRenderer({ canvas, antialias: quality === 'high', powerPreference: 'high-performance', stencil: false, alpha: false });
@@ -128,8 +130,23 @@ export class Frame {
     sky.frustumCulled = false;
     this.sky.add(sky);
     this.setQuality(quality);
-    // The programs are made while the first chunks come, and are not waited for.
-    for (const scene of [this.terrain.solid, this.sky, this.terrain.liquid]) this.renderer.compile(scene, this.camera);
+    void this.warmUp();
+  }
+
+  /** Makes the programs while the first chunks come. What their uniforms are is asked as soon as they are made: asked
+   *  while the first picture is drawn, the answer waits for all that the card was given to draw before it. */
+  private async warmUp(): Promise<void> {
+    const scenes = [this.terrain.solid, this.sky, this.terrain.liquid];
+    await Promise.all(scenes.map((scene) => this.renderer.compileAsync(scene, this.camera)));
+    if (this.disposed || this.renderer.getContext().isContextLost()) return;
+    for (const scene of scenes) scene.traverse((object) => this.readProgram(object));
+  }
+
+  private readProgram(object: Object3D): void {
+    const material = (object as Partial<Mesh>).material;
+    if (material === undefined) return;
+    const { currentProgram } = this.renderer.properties.get(material) as { currentProgram?: { getUniforms(): unknown } };
+    currentProgram?.getUniforms();
   }
 
   get gpuBytes(): number {
@@ -274,6 +291,7 @@ export class Frame {
   }
 
   dispose(): void {
+    this.disposed = true;
     this.terrain.dispose();
     this.setGround(null);
     this.skyMaterial.dispose();
