@@ -37,10 +37,9 @@ class Answers {
       answers_.emplace_back();
     }
     auto taken = log.append(std::move(entry), [this, number](const auto& outcome) {
-      {
-        const std::lock_guard lock{mutex_};
-        answers_[number] = outcome ? Outcome{**outcome} : tl::unexpected{outcome.error()};
-      }
+      // Under the mutex: who has the answer may end this object.
+      const std::lock_guard lock{mutex_};
+      answers_[number] = outcome ? Outcome{**outcome} : tl::unexpected{outcome.error()};
       comes_.notify_all();
     });
     if (!taken) return tl::unexpected{taken.error()};
