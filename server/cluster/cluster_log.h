@@ -47,6 +47,8 @@ class ClusterLog final : public EditLog {
     std::chrono::milliseconds look_interval{500};  // at the stream's end
     /// Who is stuck publishes nothing any more; what was on its way to the stream is there after that.
     std::chrono::milliseconds sure_of_stuck{10'000};
+    /// So long every answer says that the stream has another message where this server's last one was.
+    std::chrono::milliseconds sure_of_other{15'000};
   };
   /// All outlive this; `database` and `state` are changed by nobody else from here on. The database has its
   /// log elsewhere.
@@ -166,8 +168,9 @@ class ClusterLog final : public EditLog {
 
   // The applier's thread alone.
   bool placed_ = false;
-  std::optional<StreamMessage> held_;  // came, and could not be applied
-  int unread_ = 0;                     // how often what it changes could not be read
+  std::optional<StreamMessage> held_;     // came, and could not be applied
+  int unread_ = 0;                        // how often what it changes could not be read
+  std::optional<TimePoint> other_since_;  // another message has been where the last one was
   StateComparison comparison_;
   std::uint64_t none_newer_to_ = 0;  // up to this message the stream has none for a newer talusd
   TimePoint skip_told_{};            // in the log

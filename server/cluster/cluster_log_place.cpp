@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cluster/cluster_log.h"
+#include "cluster/last_message.h"
 #include "cluster/log_reasons.h"
 #include "cluster/message.h"
 
@@ -61,20 +62,21 @@ bool ClusterLog::is_as_applied(const StreamState& stream, const StreamPlace& pla
     trouble(kShorter);  // whether it stays so the watching thread judges
     return false;
   }
-  if (stream.first > place.sequence) return true;
-  const auto message = parts_.stream.next(place.sequence - 1, SteadyClock::now() + milliseconds{500});
-  if (!message && message.error().kind != StreamFailure::Kind::gone) {
-    cannot_get(message.error());
+  const auto last = compare_last_message(parts_.stream, stream, place);
+  if (!last) {
+    cannot_get(last.error());
     return false;
   }
-  if (!message || !*message) {
-    trouble(fmt::format("message {} of the log, which was applied last, does not come", place.sequence));
-    return false;
-  }
-  if (hash_of_message((*message)->bytes) == place.message_hash) return true;
-  lose(Lost::other, fmt::format("message {} of the stream is another than the one that this server has "
-                                "applied: the stream lost its end, and went on without it",
-                                place.sequence));
+  if (*last != LastMessage::other) return true;
+  const std::string reason = fmt::format(
+      "message {} of the stream is another than the one that this server has applied: the stream "
+      "lost its end, and went on without it",
+      place.sequence);
+  trouble(reason);
+  // One replica that went wrong may have answered: the next may be asked by another connection.
+  const auto now = SteadyClock::now();
+  if (!other_since_) other_since_ = now;
+  if (now - *other_since_ > settings_.sure_of_other) lose(Lost::other, reason);
   return false;
 }
 

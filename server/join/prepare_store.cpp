@@ -9,6 +9,7 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
 
+#include "cluster/last_message.h"
 #include "cluster/message.h"
 #include "cluster/server_number.h"
 #include "join/start_plan.h"
@@ -144,13 +145,21 @@ class Preparation {
   }
 
   [[nodiscard]] tl::expected<StartFacts, StreamFailure> facts_of(const StreamState& state,
-                                                                 LogStream& stream) const {
+                                                                 LogStream& stream) {
     StartFacts facts{local_,
                      state,
                      false,
                      !parts_.peers.urls.empty(),
                      local_ ? bytes_of_files(parts_.directory.path() / "db") : 0,
                      rejoin_};
+    is_known_ = false;
+    if (local_ && local_->stream.sequence > 0 && local_->stream.created_ns == state.created_ns &&
+        local_->stream.sequence <= state.last) {
+      const auto last = cluster::compare_last_message(stream, state, local_->stream);
+      if (!last) return tl::unexpected{last.error()};
+      facts.is_other = *last == cluster::LastMessage::other;
+      is_known_ = *last == cluster::LastMessage::as_applied;
+    }
     if (local_ || state.last == 0 || state.first > 1) return facts;
     const auto first = stream.next(0, SteadyClock::now() + kGenesisPatience);
     if (!first) {
@@ -238,7 +247,7 @@ class Preparation {
 
   /// What was there is kept where the new store does not have all of it.
   [[nodiscard]] Done tidy(const fs::path& replaced, const StoreMeta& now) {
-    const bool of_value = local_ && (!is_ancestor(*local_, now) || !rejoin_.empty());
+    const bool of_value = local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty());
     std::error_code code;
     if (!replaced.empty() && of_value) {
       const auto kept = keep_rejoined(parts_.directory.path(), replaced);
@@ -274,6 +283,7 @@ class Preparation {
   bool gave_up_ = false;
   std::optional<AsideStore> aside_;  // the local store, while it must not be used
   bool own_goes_on_ = false;         // it is used after all
+  bool is_known_ = false;            // the stream has what the local store applied last
   bool is_compared_ = true;          // unless the local store came from a peer before there was a stream
   std::uint64_t joins_ = 0;
 };

@@ -81,6 +81,10 @@ StartPlan plan_start(const StartFacts& facts) {
             fmt::format("this store has read up to message {}, and the stream begins with {}", place.sequence,
                         stream.first)};
   }
+  if (facts.is_other) {
+    return {Kind::as_it_is,
+            fmt::format("of another stream, it seems: message {} is another there", place.sequence)};
+  }
   const std::uint64_t behind = stream.last - place.sequence;
   const std::uint64_t bytes = bytes_of(behind, stream);
   if (facts.has_peers && checkpoint_is_quicker(behind, bytes, facts.local_bytes + bytes)) {

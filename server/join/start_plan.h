@@ -23,6 +23,9 @@ struct StartFacts {
   bool has_peers = false;
   std::uint64_t local_bytes = 0;  // of the store on the disk
   std::string rejoin{};           // why the store on the disk must not be used any more; empty: it may
+  /// The stream has another message where the local store's last one was, as one answer says: what was
+  /// acknowledged may be in this store alone.
+  bool is_other = false;
 };
 
 struct StartPlan {

@@ -37,7 +37,11 @@ std::optional<std::int64_t> parse_utc(const std::string& text) {
   for (const char* const format : {"%Y-%m-%dT%H:%M:%SZ", "%Y-%m-%d"}) {
     std::tm broken_down{};
     const char* const stop = ::strptime(text.c_str(), format, &broken_down);
-    if (stop != nullptr && *stop == '\0') return std::int64_t{::timegm(&broken_down)} * 1'000;
+    if (stop == nullptr || *stop != '\0') continue;
+    const int day = broken_down.tm_mday;
+    const std::int64_t seconds = ::timegm(&broken_down);
+    if (broken_down.tm_mday != day) return std::nullopt;  // the 31st of a month of 30
+    return seconds * 1'000;
   }
   return std::nullopt;
 }

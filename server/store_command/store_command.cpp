@@ -4,6 +4,7 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <ranges>
 #include <span>
@@ -43,7 +44,7 @@ struct Flags {
   std::optional<std::string> at;
   std::string subject;
   std::string since;
-  std::uint64_t after = 0;
+  std::int64_t after = 0;
   std::uint64_t count = SubjectQuery{}.most_edits;
   std::string box;
   bool dry_run = false;
@@ -152,7 +153,7 @@ Answer show_subjects_history(const Flags& flags) {
     if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
     query.since_ms = *since;
   }
-  query.after = flags.after;
+  query.after = static_cast<std::uint64_t>(flags.after);
   query.most_edits = flags.count;
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
@@ -511,12 +512,13 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       ->type_name("TIME");
   history->add_option("--after", flags.after, "with --subject: after this entry of the log, to read on")
       ->excludes(at)
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
       ->type_name("ENTRY");
   history
       ->add_option("--count", flags.count,
                    fmt::format("with --subject: so many edits at most; default: {}", flags.count))
       ->excludes(at)
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000}))
       ->type_name("COUNT");
   add_json(history);
   CLI::App* const rolling =

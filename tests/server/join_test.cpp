@@ -21,6 +21,14 @@ using Kind = StartPlan::Kind;
 
 constexpr std::int64_t kMade = 77;  // when the stream was
 
+/// Of a scripted stream, from its second one on.
+Bytes message_of(std::uint64_t sequence) {
+  return {std::byte{1}, static_cast<std::byte>(sequence), static_cast<std::byte>(sequence >> 8U)};
+}
+StreamPlace place_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
+  return {sequence, created_ns, 0, cluster::hash_of_message(message_of(sequence))};
+}
+
 StoreMeta store_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
   StoreMeta meta;
   meta.store_id = {3, 4};
@@ -41,12 +49,13 @@ class ScriptedStream final : public LogStream {
     StreamState state{1, 1, kMade};
     std::optional<Bytes> first;
     std::deque<StreamFailure> failures;  // of state(), one after the other
+    bool lost_end = false;               // and went on: its messages are others than those of the stores
   };
   explicit ScriptedStream(Script& script) : script_{script} {}
 
   tl::expected<std::uint64_t, StreamFailure> publish(std::span<const std::byte>) override { return {}; }
   tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after, TimePoint) override {
-    REQUIRE(after == 0);
+    if (after > 0) return StreamMessage{after + 1, message_of(after + (script_.lost_end ? 2 : 1))};
     if (!script_.first) return tl::unexpected{StreamFailure{StreamFailure::Kind::gone, "gone"}};
     return StreamMessage{1, *script_.first};
   }
@@ -222,7 +231,7 @@ TEST_CASE("an empty disk never begins empty where the cluster's store is not") {
 
 TEST_CASE("an empty disk takes a peer's store, also where nobody said which") {
   Peer peer;
-  peer.store.enter({60, kMade});
+  peer.store.enter(place_at(60));
   Joiner joiner;
   joiner.script.state = {40, 90, kMade};
   joiner.peers = {{peer.url}, peer.admin()};
@@ -235,7 +244,7 @@ TEST_CASE("an empty disk takes a peer's store, also where nobody said which") {
   }
   CHECK(joiner.start() == "");
   CHECK(joiner.meta()->head == peer.store.head());
-  CHECK(joiner.meta()->stream == StreamPlace{60, kMade});
+  CHECK(joiner.meta()->stream == place_at(60));
   CHECK_FALSE(joiner.kept_the_old_one());
   CHECK(joiner.start() == "");  // and again, as it is
 }
@@ -248,10 +257,10 @@ TEST_CASE("a peer's store is not taken where it is in no cluster, of another str
   joiner.peers = {{peer.url}, peer.admin()};
   SECTION("in none") {}
   SECTION("another") {
-    peer.store.enter({60, kMade + 1});
+    peer.store.enter(place_at(60, kMade + 1));
   }
   SECTION("too old") {
-    peer.store.enter({38, kMade});
+    peer.store.enter(place_at(38));
   }
   CHECK(joiner.start() == "joining was given up");
   CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
@@ -259,18 +268,18 @@ TEST_CASE("a peer's store is not taken where it is in no cluster, of another str
 
 TEST_CASE("a store that was away for too long is replaced, and one that is wrong is kept aside") {
   Peer peer;
-  peer.store.enter({20, kMade});
+  peer.store.enter(place_at(20));
   Joiner joiner;
   joiner.id = peer.store.id();
   joiner.peers = {{peer.url}, peer.admin()};
   copy_store(peer.store, joiner.path);
   std::mt19937_64 random{11};
   (void)peer.store.editor.edit(peer.store.store, random_edit(random));
-  peer.store.enter({60, kMade});
+  peer.store.enter(place_at(60));
   SECTION("away") {
     joiner.script.state = {40, 90, kMade};
     CHECK(joiner.start() == "");
-    CHECK_FALSE(joiner.kept_the_old_one());
+    CHECK(joiner.kept_the_old_one());  // nobody can tell any more whether the other has all that it had
   }
   SECTION("wrong") {
     joiner.script.state = {1, 90, kMade};
@@ -283,9 +292,25 @@ TEST_CASE("a store that was away for too long is replaced, and one that is wrong
   CHECK(joiner.meta()->stream.sequence == 60);
 }
 
+TEST_CASE("a store whose last message the stream has not is replaced by nobody's, however far it is behind") {
+  Peer peer;
+  peer.store.enter(place_at(60));
+  Joiner joiner;
+  joiner.id = peer.store.id();
+  joiner.peers = {{peer.url}, peer.admin()};
+  copy_store(peer.store, joiner.path);
+  peer.store.enter(place_at(100'000));
+  joiner.script.state = {1, 200'000, kMade};
+  joiner.script.lost_end = true;
+  const auto before = joiner.meta();
+  CHECK(joiner.start() == "");
+  CHECK(joiner.meta() == before);
+  CHECK_FALSE(joiner.kept_the_old_one());
+}
+
 TEST_CASE("of stores that were replaced by joining two are kept, and all that a person had replaced") {
   Peer peer;
-  peer.store.enter({60, kMade});
+  peer.store.enter(place_at(60));
   Joiner joiner;
   joiner.id = peer.store.id();
   joiner.script.state = {1, 90, kMade};
@@ -309,7 +334,7 @@ TEST_CASE("of stores that were replaced by joining two are kept, and all that a 
 
 TEST_CASE("a store that must not be used is not used where no peer has another") {
   Peer peer;
-  peer.store.enter({20, kMade});
+  peer.store.enter(place_at(20));
   Joiner joiner;
   joiner.id = peer.store.id();
   copy_store(peer.store, joiner.path);
@@ -343,7 +368,7 @@ struct AsidePeer {
 
 TEST_CASE("where all have put their stores aside the one that has read most uses its own again") {
   Peer before;
-  before.store.enter({20, kMade});
+  before.store.enter(place_at(20));
   Joiner joiner;
   joiner.id = before.store.id();
   copy_store(before.store, joiner.path);
@@ -387,7 +412,7 @@ TEST_CASE("where all have put their stores aside the one that has read most uses
 
 TEST_CASE("a store that is far behind reads the stream where no peer answers") {
   Peer peer;
-  peer.store.enter({20, kMade});
+  peer.store.enter(place_at(20));
   Joiner joiner;
   joiner.id = peer.store.id();
   copy_store(peer.store, joiner.path);
@@ -400,7 +425,7 @@ TEST_CASE("a store that is far behind reads the stream where no peer answers") {
 
 TEST_CASE("without the stream a store that is there is served, and one that is not is waited for") {
   Peer peer;
-  peer.store.enter({60, kMade});
+  peer.store.enter(place_at(60));
   Joiner joiner;
   joiner.id = peer.store.id();
   joiner.peers = {{peer.url}, peer.admin()};
@@ -419,7 +444,7 @@ TEST_CASE("without the stream a store that is there is served, and one that is n
 
 TEST_CASE("a store that a peer gave before the stream was asked waits to be compared with it") {
   Peer peer;
-  peer.store.enter({60, kMade});
+  peer.store.enter(place_at(60));
   Joiner joiner;
   joiner.peers = {{peer.url}, peer.admin()};
   const StreamFailure away{StreamFailure::Kind::unavailable, "no NATS server answers"};
@@ -427,7 +452,7 @@ TEST_CASE("a store that a peer gave before the stream was asked waits to be comp
   SECTION("it is of this stream") {
     joiner.script.state = {40, 90, kMade};
     CHECK(joiner.start() == "");
-    CHECK(joiner.meta()->stream == StreamPlace{60, kMade});
+    CHECK(joiner.meta()->stream == place_at(60));
   }
   SECTION("it is of another one") {
     joiner.script.state = {40, 90, kMade + 1};

@@ -34,6 +34,7 @@ TEST_CASE("times are a while ago, or in UTC") {
   CHECK(parse_moment("2h", kNow) == kNow - 7'200'000);
   CHECK(parse_moment("7d", kNow) == kNow - 604'800'000);
   CHECK(parse_moment("1970-01-02", kNow) == 86'400'000);
+  CHECK_FALSE(parse_moment("2026-02-31", kNow).has_value());
   CHECK(parse_moment("2025-11-24T16:00:00Z", kNow) == kNow);
   CHECK(moment(kNow) == "2025-11-24T16:00:00Z");
   for (const char* const wrong : {"", "h", "2", "2w", "-2h", "2h ", "99999999999999999999s",
