@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "cluster/message.h"
-#include "store/acknowledged_file.h"
 #include "store/id_check.h"
 #include "store/read_only_store.h"
 #include "store/whole_store.h"
@@ -89,8 +88,7 @@ tl::expected<StoreMeta, std::string> read_place(const fs::path& directory) {
   const auto store = ReadOnlyStore::open(directory);
   if (!store) return tl::unexpected{store.error()};
   const StoreMeta meta = (*store)->meta();
-  if (const auto whole = check_acknowledged(directory, meta); !whole) return tl::unexpected{whole.error()};
-  if (const auto one = check_store_id(directory, meta); !one) return tl::unexpected{one.error()};
+  if (const auto whole = check_whole_store(directory, meta); !whole) return tl::unexpected{whole.error()};
   return meta;
 }
 

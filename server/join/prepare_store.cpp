@@ -14,7 +14,7 @@
 #include "cluster/server_number.h"
 #include "join/start_plan.h"
 #include "log/escape.h"
-#include "store/acknowledged_file.h"
+#include "store/id_check.h"
 #include "store/read_only_store.h"
 #include "store/regular_files.h"
 #include "store/store_swap.h"
@@ -108,7 +108,7 @@ class Preparation {
     const auto store = ReadOnlyStore::open(path);
     if (!store) return tl::unexpected{store.error()};
     const StoreMeta& meta = (*store)->meta();
-    if (auto whole = check_acknowledged(path, meta); !whole) return whole;
+    if (auto whole = check_whole_store(path, meta); !whole) return whole;
     if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // nothing of value
     if (parts_.store_id && meta.store_id != *parts_.store_id) {
       return refused(fmt::format("it has store {}, and cluster.store names {}; give --data another directory",

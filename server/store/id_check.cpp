@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "store/acknowledged_file.h"
 #include "store/store_identity.h"
 
 namespace talus::server {
@@ -17,6 +18,12 @@ tl::expected<void, std::string> check_store_id(const std::filesystem::path& dire
   if (identity->store_id == meta.store_id) return {};
   return tl::unexpected{
       fmt::format("edits {}: {}", directory.string(), ids_differ(meta.store_id, identity->store_id))};
+}
+
+tl::expected<void, std::string> check_whole_store(const std::filesystem::path& directory,
+                                                  const StoreMeta& meta) {
+  auto one = check_store_id(directory, meta);
+  return one ? check_acknowledged(directory, meta) : one;
 }
 
 std::string ids_differ(ContentHash of_database, ContentHash of_store_toml) {

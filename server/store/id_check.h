@@ -17,6 +17,11 @@ namespace talus::server {
 [[nodiscard]] tl::expected<void, std::string> check_store_id(const std::filesystem::path& directory,
                                                              const StoreMeta& meta);
 
+/// That, and then whether the database has all that was acknowledged (acknowledged_file.h): of another store's
+/// database the file says nothing. Whoever reads a store in a directory that nobody else uses calls it first.
+[[nodiscard]] tl::expected<void, std::string> check_whole_store(const std::filesystem::path& directory,
+                                                                const StoreMeta& meta);
+
 /// What is said where they differ, behind the name of the directory.
 [[nodiscard]] std::string ids_differ(ContentHash of_database, ContentHash of_store_toml);
 

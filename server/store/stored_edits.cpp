@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "store/acknowledged_file.h"
+#include "store/id_check.h"
 #include "store/store_identity.h"
 
 namespace talus::server {
@@ -74,7 +74,7 @@ tl::expected<std::unique_ptr<StoredEdits>, std::string> StoredEdits::open(const 
   auto store = ReadOnlyStore::open(directory);
   if (!store) return tl::unexpected{std::move(store.error())};
   edits->store_ = *std::move(store);
-  auto done = check_acknowledged(directory, edits->store_->meta());
+  auto done = check_whole_store(directory, edits->store_->meta());
   if (!done) return tl::unexpected{std::move(done.error())};
   done = edits->store_->for_each_chunk([&](ChunkKey key, const StoredChunk&) {
     const auto [at, added] = edits->rows_.try_emplace(column_of(key), ChunkRange{key.coord.y, key.coord.y});

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <rocksdb/utilities/checkpoint.h>
 
-#include "store/acknowledged_file.h"
 #include "store/id_check.h"
 #include "store/regular_files.h"
 #include "store/rocks.h"
@@ -100,8 +99,7 @@ tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   if (!meta) return tl::unexpected{meta.error()};
   if (!*meta)
     return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
-  if (const auto whole = check_acknowledged(path, **meta); !whole) return whole;
-  if (const auto one = check_store_id(path, **meta); !one) return one;
+  if (const auto whole = check_whole_store(path, **meta); !whole) return whole;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
   rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);

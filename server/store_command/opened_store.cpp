@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "store/acknowledged_file.h"
 #include "store/id_check.h"
 
 namespace talus::server {
@@ -36,10 +35,8 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   if (!store) return tl::unexpected{std::move(store.error())};
   opened.store_ = *std::move(store);
   if (!opened.server_) {
-    const auto whole = check_acknowledged(data, opened.store_->meta());
+    const auto whole = check_whole_store(data, opened.store_->meta());
     if (!whole) return tl::unexpected{whole.error()};
-    const auto one = check_store_id(data, opened.store_->meta());
-    if (!one) return tl::unexpected{one.error()};
   }
   return opened;
 }

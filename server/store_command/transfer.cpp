@@ -16,8 +16,8 @@
 #include <talus/terrain/generator.h>
 
 #include "log/escape.h"
-#include "store/acknowledged_file.h"
 #include "store/edit_database.h"
+#include "store/id_check.h"
 #include "store/regular_files.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
@@ -36,7 +36,7 @@ tl::unexpected<std::string> of_file(const fs::path& file, std::string_view what)
 tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
   auto store = ReadOnlyStore::open(directory.path());
   if (!store) return store;
-  if (const auto whole = check_acknowledged(directory.path(), (*store)->meta()); !whole) {
+  if (const auto whole = check_whole_store(directory.path(), (*store)->meta()); !whole) {
     return tl::unexpected{whole.error()};
   }
   return store;

@@ -12,6 +12,7 @@
 #include "store/whole_store.h"
 #include "store_command/cluster_moves.h"
 #include "store_command/opened_store.h"
+#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {
@@ -140,6 +141,13 @@ TEST_CASE("a database and a store.toml of different stores are noticed, and no s
   const auto compacted = compact(member.path);
   REQUIRE_FALSE(compacted.has_value());
   check_noticed(compacted.error());
+  {
+    const auto directory = DataDirectory::open_store(member.path);
+    REQUIRE(directory.has_value());
+    const auto rebased = rebase_edits(*directory, member.world, false);
+    REQUIRE_FALSE(rebased.has_value());
+    check_noticed(rebased.error());
+  }
   // What is said helps.
   member.scratch.write("data/store.toml", store_text({member.id, member.world.fingerprint()}));
   CHECK(member.join(member.path) == "");
