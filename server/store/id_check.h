@@ -17,8 +17,9 @@ namespace talus::server {
 [[nodiscard]] tl::expected<void, std::string> check_store_id(const std::filesystem::path& directory,
                                                              const StoreMeta& meta);
 
-/// That, and then whether the database has all that was acknowledged (acknowledged_file.h): of another store's
-/// database the file says nothing. Whoever reads a store in a directory that nobody else uses calls it first.
+/// That, and then whether the database has all that was acknowledged (acknowledged_file.h): of another
+/// store's database the file says nothing. Whoever reads a store in a directory that nobody else uses calls
+/// it first.
 [[nodiscard]] tl::expected<void, std::string> check_whole_store(const std::filesystem::path& directory,
                                                                 const StoreMeta& meta);
 
