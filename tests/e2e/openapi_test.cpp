@@ -169,9 +169,14 @@ class Provoker {
     }
     if (status == "426") return get(open_, target);
     if (status == "429") {
-      HttpClient client{slow_.http_port()};
-      for (int i = 0; i < 3; ++i) (void)client.get("/v1/world");
-      return client.get(target, example.fields);
+      Answer answer;
+      // Where the machine stands still for a second, one more is allowed.
+      for (int tries = 0; tries < 20 && answer.status != 429; ++tries) {
+        HttpClient client{slow_.http_port()};
+        for (int i = 0; i < 3; ++i) (void)client.get("/v1/world");
+        answer = client.get(target, example.fields);
+      }
+      return answer;
     }
     REQUIRE(status == "503");
     const HttpClient first{full_.http_port()};
