@@ -39,9 +39,9 @@ std::optional<std::int64_t> parse_utc(const std::string& text) {
     const char* const stop = ::strptime(text.c_str(), format, &broken_down);
     if (stop == nullptr || *stop != '\0') continue;
     const int day = broken_down.tm_mday;
-    const std::int64_t seconds = ::timegm(&broken_down);
+    const std::int64_t since_1970 = ::timegm(&broken_down);
     if (broken_down.tm_mday != day) return std::nullopt;  // the 31st of a month of 30
-    return seconds * 1'000;
+    return since_1970 * 1'000;
   }
   return std::nullopt;
 }
