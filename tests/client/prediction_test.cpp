@@ -208,6 +208,26 @@ TEST_CASE("what was dug and filled from a neighbour chunk does not stay dug here
   CHECK(player.own.open() == 0);
 }
 
+TEST_CASE("a chunk that was away since the answer shows as it comes back, dug and filled again or not") {
+  const bool is_away_at_answer = GENERATE(true, false);
+  Server server;
+  std::set<ChunkCoord> changed;
+  REQUIRE(server.apply(write_of({0, 2, 3}, kStone), changed));
+  REQUIRE(server.apply(write_of({-1, 3, 3}, kStone), changed));
+  Player player{server};
+  const ChunkKey dug{{0, 0, 0}, Lod{}};
+  Edit two = write_of({0, 2, 3}, kAir);
+  two.writes.push_back({{-1, 9, 3}, kBrick});  // keeps the edit open: its chunk has not come
+  const auto id = player.own.begin(two);
+  const auto done = server.apply(two, changed, Server::Slide{{0, 0, 0}, {-1, 3, 3}});
+  if (is_away_at_answer) player.own.erase(dug);
+  player.own.done(id, done);
+  if (!is_away_at_answer) player.own.erase(dug);
+  player.own.put(server.sent({0, 0, 0}));  // of before the edit, which did not change it
+  CHECK(player.own.open() == 1);
+  CHECK(player.sees({0, 2, 3}) == kStone);
+}
+
 TEST_CASE("what is answered when the prediction is gone or cleared changes nothing") {
   Server server;
   Player player{server};

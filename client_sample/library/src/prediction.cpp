@@ -30,7 +30,9 @@ struct Prediction::Open {
   Edit edit;
   std::vector<edits::TouchedChunk> touched;
   std::optional<std::uint64_t> revision;  // it happened; of the world after it
-  std::set<ChunkCoord> resolved;          // of `touched`: held as they were after it, or later
+  // Of `touched`: shown as they are held. They were asked for again, or were not held at some time since the
+  // answer: what comes after that has the edit, or is followed by what does, or was not changed by it.
+  std::set<ChunkCoord> resolved;
 };
 
 struct Prediction::Overlay {
@@ -64,6 +66,9 @@ void Prediction::erase(const ChunkKey& key) {
   store_.erase(key);
   if (!is_touched(key)) return;
   confirmed_.erase(key.coord);
+  for (Open& open : edits_) {
+    if (open.revision) open.resolved.insert(key.coord);
+  }
   rebuild();
 }
 
@@ -141,6 +146,9 @@ void Prediction::done(Id id, const Result<EditDone>& result) {
   if (result) {
     open->revision = result->revision;
     open->edit.guards.clear();  // they held
+    for (const edits::TouchedChunk& touched : open->touched) {
+      if (confirmed(touched.chunk) == nullptr) open->resolved.insert(touched.chunk);
+    }
   } else {
     edits_.erase(open);
   }
