@@ -14,6 +14,7 @@
 #include "cluster_command/connection_words.h"
 #include "cluster_command/formats_line.h"
 #include "cluster_command/nats_greeting.h"
+#include "cluster_command/replica_comparison.h"
 #include "cluster_command/stream_contents.h"
 #include "cluster_command/stream_world.h"
 #include "jetstream/stream_admin.h"
@@ -36,22 +37,21 @@ class Checker {
       : target_{target}, genesis_{genesis}, messages_{messages} {}
 
   std::vector<Finding> all() {
-    std::shared_ptr<jetstream::Connection> connection;
     for (const std::string& url : target_.urls) {
-      auto opened = check_server(url);
-      if (connection == nullptr) connection = std::move(opened);
+      if (auto opened = check_server(url)) connections_.push_back(std::move(opened));
     }
-    if (connection == nullptr) {
+    if (connections_.empty()) {
       add(Kind::fault, "no NATS server lets this one in; the rest was not looked at");
       return std::move(findings_);
     }
-    connection_ = connection;
+    connection_ = connections_.front();
     if (const auto info = check_stream()) {
       check_settings(*info);
       check_formats(*info);
       check_replicas(*info);
       check_permissions();
       check_contents();
+      check_sameness(*info);
     }
     return std::move(findings_);
   }
@@ -240,6 +240,16 @@ class Checker {
     }
   }
 
+  void check_sameness(const jetstream::StreamInfo& info) {
+    if (info.replicas.empty()) return;
+    const std::vector<std::string> lines = compare_replicas(connections_, target_);
+    for (const std::string& line : lines) {
+      add(Kind::fault, fmt::format("{}: the replicas differ: {}; see \"The stream is lost\" in OPERATIONS.md",
+                                   target_.names.stream, line));
+    }
+    if (lines.empty()) add(Kind::ok, "all replicas that answer have the same newest messages");
+  }
+
   void add_unread(const Contents::Unread& unread, const cluster::EnabledFormats& enabled) {
     const bool stops =
         unread.fault.kind == cluster::MessageFault::Kind::newer && enabled.is_newer_at(unread.sequence);
@@ -255,7 +265,8 @@ class Checker {
   const Target& target_;
   const cluster::Genesis& genesis_;
   const std::uint64_t messages_;
-  std::shared_ptr<jetstream::Connection> connection_;
+  std::vector<std::shared_ptr<jetstream::Connection>> connections_;  // to each server that lets this one in
+  std::shared_ptr<jetstream::Connection> connection_;                // the first of them
   std::vector<Finding> findings_;
 };
 

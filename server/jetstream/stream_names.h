@@ -23,6 +23,9 @@ struct StreamNames {
   [[nodiscard]] static std::string by_number(std::uint64_t sequence) {
     return fmt::format("{{\"seq\":{}}}", sequence);
   }
+  [[nodiscard]] static std::string newest_of(const std::string& subject) {
+    return fmt::format("{{\"last_by_subj\":\"{}\"}}", subject);
+  }
 
   [[nodiscard]] static StreamNames of(const ContentHash& store_id) {
     const std::string id = to_string(store_id);

@@ -63,8 +63,12 @@ std::string ask(const NatsServers& servers, const std::string& subject, const st
   return std::string{Arrived{reply->get()}.text()};
 }
 
-void send_as_stream(const NatsServers& servers, const std::string& subject, const std::string& stream,
-                    std::uint64_t sequence, std::string_view text) {
+namespace {
+
+using Headers = std::vector<std::pair<std::string, std::string>>;
+
+void send_with(const NatsServers& servers, const std::string& subject, const Headers& headers,
+               std::string_view text) {
   const auto must = [](natsStatus status) {
     if (status != NATS_OK) throw std::runtime_error{natsStatus_GetText(status)};
   };
@@ -74,12 +78,25 @@ void send_as_stream(const NatsServers& servers, const std::string& subject, cons
   natsMsg* made = nullptr;
   must(natsMsg_Create(&made, subject.c_str(), nullptr, text.data(), static_cast<int>(text.size())));
   const NatsMessage message{made};
-  must(natsMsgHeader_Set(made, "Nats-Stream", stream.c_str()));
-  must(natsMsgHeader_Set(made, "Nats-Sequence", std::to_string(sequence).c_str()));
-  must(natsMsgHeader_Set(made, "Nats-Time-Stamp", "2099-01-01T00:00:00Z"));
-  must(natsMsgHeader_Set(made, "Status", "404"));
+  for (const auto& [name, value] : headers) must(natsMsgHeader_Set(made, name.c_str(), value.c_str()));
   must(natsConnection_PublishMsg(connection, made));
   must(natsConnection_FlushTimeout(connection, 10'000));
+}
+
+}  // namespace
+
+void publish_to_be_refused(const NatsServers& servers, const std::string& subject, std::string_view text) {
+  send_with(servers, subject, {{"Nats-Expected-Last-Sequence", "999999"}}, text);
+}
+
+void send_as_stream(const NatsServers& servers, const std::string& subject, const std::string& stream,
+                    std::uint64_t sequence, std::string_view text) {
+  send_with(servers, subject,
+            {{"Nats-Stream", stream},
+             {"Nats-Sequence", std::to_string(sequence)},
+             {"Nats-Time-Stamp", "2099-01-01T00:00:00Z"},
+             {"Status", "404"}},
+            text);
 }
 
 std::unique_ptr<JetStreamLog> open_log(const std::string& urls, const StreamNames& names,

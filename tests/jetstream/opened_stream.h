@@ -37,6 +37,10 @@ std::string ask(const NatsServers& servers, const std::string& subject, const st
     const std::string& urls, const server::jetstream::StreamNames& names,
     server::jetstream::Credentials credentials = {});
 
+/// Publishes what all replicas have to refuse, as it expects another message to be the stream's last. By it a
+/// replica of nats-server 2.9.10 that is killed and starts again takes its newest message twice.
+void publish_to_be_refused(const NatsServers& servers, const std::string& subject, std::string_view text);
+
 /// A message with the headers that NATS gives those of a stream, and its refusals, by somebody who is no NATS
 /// server.
 void send_as_stream(const NatsServers& servers, const std::string& subject, const std::string& stream,
