@@ -1,4 +1,5 @@
-// Base64 with the URL alphabet and without padding (RFC 4648 section 5; RFC 7515 appendix C).
+// Base64 (RFC 4648): with the URL alphabet and without padding (section 5; RFC 7515 appendix C), and as JSON
+// of others mostly has it (section 4).
 #pragma once
 
 #include <optional>
@@ -12,5 +13,8 @@ namespace talus::server {
 /// None where the text holds a character outside the alphabet or has a length that no bytes encode to. Unused
 /// bits of the last character are ignored.
 [[nodiscard]] std::optional<std::string> base64url_decode(std::string_view text);
+
+/// The same of the alphabet with + and /, padded by =.
+[[nodiscard]] std::optional<std::string> base64_decode(std::string_view text);
 
 }  // namespace talus::server

@@ -242,12 +242,17 @@ class Checker {
 
   void check_sameness(const jetstream::StreamInfo& info) {
     if (info.replicas.empty()) return;
-    const std::vector<std::string> lines = compare_replicas(connections_, target_);
-    for (const std::string& line : lines) {
+    const auto lines = compare_replicas(connections_, target_);
+    if (!lines) {
+      add(Kind::note,
+          fmt::format("{}: the replicas were not compared: {}", target_.names.stream, lines.error()));
+      return;
+    }
+    for (const std::string& line : *lines) {
       add(Kind::fault, fmt::format("{}: the replicas differ: {}; see \"The stream is lost\" in OPERATIONS.md",
                                    target_.names.stream, line));
     }
-    if (lines.empty()) add(Kind::ok, "all replicas that answer have the same newest messages");
+    if (lines->empty()) add(Kind::ok, "all replicas that answer have the same newest messages");
   }
 
   void add_unread(const Contents::Unread& unread, const cluster::EnabledFormats& enabled) {

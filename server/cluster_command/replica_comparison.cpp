@@ -27,15 +27,17 @@ class ReplicaComparison {
   ReplicaComparison(std::span<const std::shared_ptr<jetstream::Connection>> connections, const Target& target)
       : connections_{connections}, target_{target} {}
 
-  std::vector<std::string> lines() {
+  tl::expected<std::vector<std::string>, std::string> lines() {
     const auto state = leader_state();
-    if (!state) return {};
+    if (!state) return tl::unexpected{std::string{"the leader says nothing"}};
     std::vector<std::string> lines;
     // The newest, and ever fewer of the older ones.
     for (std::uint64_t back = 0; state->first + back <= state->last; back = back == 0 ? 1 : back * 2) {
+      if (refusal_) break;
       if (auto line = difference_at(state->last - back)) lines.push_back(*std::move(line));
     }
     if (auto line = beyond_the_end()) lines.push_back(*std::move(line));
+    if (refusal_) return tl::unexpected{*refusal_};
     return lines;
   }
 
@@ -52,6 +54,10 @@ class ReplicaComparison {
     for (std::size_t i = 0; i < kTimesAsked; ++i) {
       const auto reply = connections_[i % connections_.size()]->request(target_.names.direct_get(), question,
                                                                         kReplicaPatience);
+      if (!reply && reply.error().kind == StreamFailure::Kind::refused) {
+        refusal_ = reply.error().reason;
+        break;
+      }
       if (!reply) continue;
       const jetstream::Arrived message{reply->get()};
       if (message.status() != 0) {
@@ -99,13 +105,14 @@ class ReplicaComparison {
 
   std::span<const std::shared_ptr<jetstream::Connection>> connections_;
   const Target& target_;
+  std::optional<std::string> refusal_;
   const std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::now() + kLagPatience;
 };
 
 }  // namespace
 
-std::vector<std::string> compare_replicas(std::span<const std::shared_ptr<jetstream::Connection>> connections,
-                                          const Target& target) {
+tl::expected<std::vector<std::string>, std::string> compare_replicas(
+    std::span<const std::shared_ptr<jetstream::Connection>> connections, const Target& target) {
   return ReplicaComparison{connections, target}.lines();
 }
 

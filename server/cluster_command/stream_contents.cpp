@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "jetstream/stored_message.h"
 #include "jetstream/stream_admin.h"
 
 namespace talus::server::cluster_tool {
@@ -15,28 +16,26 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kMessagePatience = 500ms;
-constexpr int kMostAsked = 20;  // of replicas that lag behind
+constexpr int kMostAsked = 20;  // while a leader is being chosen
 constexpr std::size_t kMostNamed = 10;
-constexpr int kNotFound = 404;
 
 /// The message; nothing where the stream does not keep it any more.
-tl::expected<std::optional<jetstream::NatsMessage>, std::string> message_of(jetstream::Connection& connection,
-                                                                            const Target& target,
-                                                                            std::uint64_t sequence) {
+tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
+    jetstream::Connection& connection, const Target& target, std::uint64_t sequence) {
   std::string why;
   for (int asked = 0; asked < kMostAsked; ++asked) {
     if (asked > 0) std::this_thread::sleep_for(kBetweenTries);
-    auto reply = connection.request(target.names.direct_get(), jetstream::StreamNames::by_number(sequence),
+    auto reply = connection.request(target.names.message_get(), jetstream::StreamNames::by_number(sequence),
                                     kMessagePatience);
     if (!reply) {
       why = reply.error().reason;
       if (reply.error().kind == StreamFailure::Kind::refused) break;
       continue;
     }
-    const int status = jetstream::Arrived{reply->get()}.status();
-    if (status == 0) return *std::move(reply);
-    why = fmt::format("it is not to be had by Direct Get (status {})", status);
-    if (status != kNotFound) continue;
+    auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
+    if (message) return *std::move(message);
+    why = message.error().what;
+    if (message.error().code != jetstream::kMessageNotFound) continue;
     const auto info = ask_stream_info(connection, target.names);
     if (info && info->state.first > sequence) return std::nullopt;
   }
@@ -59,7 +58,7 @@ tl::expected<Contents, std::string> read_contents(
     const auto message = message_of(connection, target, sequence);
     if (!message) return tl::unexpected{message.error()};
     if (*message) {
-      auto fault = cluster::fault_of(jetstream::Arrived{(*message)->get()}.bytes(), sequence, identity);
+      auto fault = cluster::fault_of((*message)->bytes, sequence, identity);
       if (fault) {
         ++contents.unread_count;
         if (contents.unread.size() < kMostNamed) contents.unread.push_back({sequence, *std::move(fault)});

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "jetstream/stored_message.h"
 #include "jetstream/stream_admin.h"
 
 namespace talus::server::cluster_tool {
@@ -15,16 +16,16 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
   const StreamState state = info->state;
   if (state.first > state.last) return {};
   const auto reply =
-      connection.request(target.names.direct_get(), jetstream::StreamNames::by_number(state.first),
+      connection.request(target.names.message_get(), jetstream::StreamNames::by_number(state.first),
                          std::chrono::milliseconds{500});
   if (!reply) return tl::unexpected{reply.error().reason};
-  const jetstream::Arrived message{reply->get()};
-  if (message.status() != 0) {
-    return tl::unexpected{fmt::format("{}: message {} is not to be had by Direct Get (status {})",
-                                      target.names.stream, state.first, message.status())};
+  const auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
+  if (!message) {
+    return tl::unexpected{
+        fmt::format("{}: message {}: {}", target.names.stream, state.first, message.error().what)};
   }
   if (state.first == 1) {
-    const auto there = cluster::decode_genesis(message.bytes());
+    const auto there = cluster::decode_genesis(message->bytes);
     if (!there)
       return tl::unexpected{fmt::format("{}: message 1: {}{}", target.names.stream, there.error().reason,
                                         remedy_of(there.error()))};
@@ -34,7 +35,7 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
                     to_string(there->identity.fingerprint), to_string(there->identity.store_id),
                     to_string(genesis.identity.fingerprint), to_string(genesis.identity.store_id))};
   }
-  const auto batch = cluster::decode_batch(message.bytes(), genesis.identity);
+  const auto batch = cluster::decode_batch(message->bytes, genesis.identity);
   using Kind = cluster::MessageFault::Kind;
   if (!batch && (batch.error().kind == Kind::other_world || batch.error().kind == Kind::other_store)) {
     return tl::unexpected{

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jetstream/reading.h"
+#include "jetstream/stored_message.h"
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_settings.h"
 #include "log/escape.h"
@@ -118,21 +119,24 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     tail_ = std::move(tail);
   }
 
-  /// To a Direct Get.
+  /// Which the leader gives.
   void message(const Arrived& arrived) {
     const std::uint64_t sequence = number_at_end(arrived.subject());
+    // More than a message has nobody need keep: cut it is no message either.
+    constexpr std::size_t kMost = kStreamMessageBytes + 1;
+    const bool too_long = arrived.bytes().size() > kMostAnswerBytes;
+    auto stored = too_long
+                      ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMost}, 0}
+                      : parse_stored_message(arrived.text());
     {
       const std::lock_guard lock{mutex_};
       const auto now = Clock::now();
-      if (arrived.status() != 0 || arrived.sequence() != sequence ||
-          arrived.header("Nats-Stream") != names_.stream) {
+      if (!stored || stored->sequence != sequence) {
         reading_.not_found(sequence, now);
         question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
       } else {
-        // More than a message has nobody need keep: cut it is no message either.
-        constexpr std::size_t kMost = kStreamMessageBytes + 1;
-        const auto bytes = arrived.bytes();
-        reading_.answered(sequence, bytes.first(std::min(bytes.size(), kMost)), now);
+        if (stored->bytes.size() > kMost) stored->bytes.resize(kMost);
+        reading_.answered(sequence, stored->bytes, now);
       }
     }
     changed_.notify_all();
@@ -332,7 +336,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       if (question) (void)(*connection)->send(names_.info(), fmt::format("{}.i.{}", log.reply_, after), "");
       for (const std::uint64_t sequence : messages) {
         (void)(*connection)
-            ->send(names_.direct_get(), fmt::format("{}.d.{}", log.reply_, sequence),
+            ->send(names_.message_get(), fmt::format("{}.m.{}", log.reply_, sequence),
                    StreamNames::by_number(sequence));
       }
     }
@@ -504,16 +508,11 @@ tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t se
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   const auto reply =
-      (*connection)->request(settings_.names.direct_get(), StreamNames::by_number(sequence), kPatience);
+      (*connection)->request(settings_.names.message_get(), StreamNames::by_number(sequence), kPatience);
   if (!reply) return tl::unexpected{reply.error()};
-  const Arrived message{reply->get()};
-  if (message.status() == 0 && message.sequence() == sequence &&
-      message.header("Nats-Stream") == settings_.names.stream) {
-    if (const auto time_ns = nanoseconds_of(std::string{message.header("Nats-Time-Stamp")})) {
-      return *time_ns / 1'000'000;
-    }
-  }
-  // The replica that was asked lags behind, unless nobody has it any more.
+  const auto message = parse_stored_message(Arrived{reply->get()}.text());
+  if (message && message->sequence == sequence) return message->time_ns / 1'000'000;
+  // An old leader has answered, unless nobody has it any more.
   const auto state = this->state();
   if (!state) return tl::unexpected{state.error()};
   if (state->first <= sequence) {

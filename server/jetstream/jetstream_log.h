@@ -21,9 +21,10 @@
 
 namespace talus::server::jetstream {
 
-/// Reads without a consumer: what NATS republishes to the tail subject, and single messages by number (Direct
-/// Get) where the tail has a gap or is silent. Any replica answers those, also one that lags; what the stream
-/// has in all its leader says, which is asked each second.
+/// Reads without a consumer: what NATS republishes to the tail subject, and single messages by number where
+/// the tail has a gap or is silent. Those are asked of the leader, not of any replica (Direct Get): one that
+/// lags has not all of them, and of nats-server 2.9.10 some were seen to hold others. What the stream has in
+/// all the leader says, too, which is asked each second.
 ///
 /// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
 /// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with

@@ -16,9 +16,9 @@
 
 namespace talus::server::jetstream {
 
-/// Messages come by themselves (the tail), in order but with gaps, and as answers to requests (Direct Get).
-/// Answers are the stream's own; of the tail it is only believed that others may not publish to it, so a
-/// message of it that does not fit another is held against an answer.
+/// Messages come by themselves (the tail), in order but with gaps, and as answers to requests, of the
+/// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
+/// to it, so a message of it that does not fit another is held against an answer.
 class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
@@ -29,7 +29,7 @@ class Reading {
   static constexpr std::chrono::milliseconds kSilence{1000};  // after it the next message is asked for
   static constexpr std::chrono::milliseconds kAnswerIn{500};  // after it a request is made again
   static constexpr std::chrono::milliseconds kOnItsWay{10};   // the tail may bring it
-  static constexpr std::chrono::milliseconds kFirstRetry{5};  // a replica that answers may lag behind
+  static constexpr std::chrono::milliseconds kFirstRetry{5};  // it may be an old leader that answers
   static constexpr std::chrono::milliseconds kLastRetry{250};
   static constexpr std::chrono::milliseconds kSureOfNone{
       40};  // so long a retry, after some that found nothing
@@ -45,7 +45,7 @@ class Reading {
   void heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
   /// To a request.
   void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
-  /// The replica asked has it not, or not yet.
+  /// The leader has it not, or not yet: one that was deposed says so too.
   void not_found(std::uint64_t sequence, TimePoint now);
   /// The stream was heard to have all up to `sequence`. Whether that is news.
   bool learned(std::uint64_t sequence, TimePoint now);

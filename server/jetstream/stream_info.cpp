@@ -15,7 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMaxAnswerBytes = 1U << 20;
 constexpr std::size_t kMaxReplicas = 16;
 
 json object_of(const json& object, const char* name) {
@@ -48,7 +47,7 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
 }
 
 tl::expected<json, ApiError> parse_answer(std::string_view text) {
-  if (text.size() > kMaxAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
+  if (text.size() > kMostAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
   json answer = json::parse(text, nullptr, false);
   if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is no JSON object"}};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {

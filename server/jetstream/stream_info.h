@@ -41,6 +41,7 @@ struct StreamInfo {
 [[nodiscard]] bool has_majority(const StreamInfo& info);
 
 /// JetStream's error codes (server/errors.json of nats-server).
+inline constexpr int kMessageNotFound = 10037;
 inline constexpr int kStreamNotFound = 10059;
 inline constexpr int kNotEnabledForAccount = 10039;
 inline constexpr int kNotEnabled = 10076;
@@ -50,6 +51,9 @@ struct ApiError {
   int code = 0;  // JetStream's; 0: the answer is not what JetStream answers
   std::string what;
 };
+
+/// JetStream's answers are not longer.
+inline constexpr std::size_t kMostAnswerBytes = 1U << 20;
 
 /// The object of an answer of JetStream, or the error in it.
 [[nodiscard]] tl::expected<nlohmann::json, ApiError> parse_answer(std::string_view text);

@@ -15,8 +15,10 @@ struct StreamNames {
   std::string log;     // messages are published to it
   std::string tail;    // NATS publishes them to it, once they are stored; nobody else may
 
-  /// Where its leader says what it is, and any replica gives a message by its number.
+  /// Where its leader says what it is, and gives a message by its number.
   [[nodiscard]] std::string info() const { return "$JS.API.STREAM.INFO." + stream; }
+  [[nodiscard]] std::string message_get() const { return "$JS.API.STREAM.MSG.GET." + stream; }
+  /// Where any replica does.
   [[nodiscard]] std::string direct_get() const { return "$JS.API.DIRECT.GET." + stream; }
 
   /// What is asked there.

@@ -1,5 +1,6 @@
 """What the shipped configuration of nats-server lets each certificate do, and what it refuses, asked of three real servers."""
 
+import base64
 import json
 import pathlib
 import shutil
@@ -69,7 +70,9 @@ class ShippedConfiguration(unittest.TestCase):
             subject, head, payload = reader.next()
             self.assertEqual((subject, payload), (TAIL, b"an edit"))
             self.assertIn(f"Nats-Sequence: {acked['seq']}".encode(), head)
-            # Any replica answers, those that are behind too.
+            stored = reader.ask(f"$JS.API.STREAM.MSG.GET.{STREAM}", seq=acked["seq"])
+            self.assertEqual(base64.b64decode(stored["message"]["data"]), b"an edit")
+            # Here any replica answers, those that are behind too.
             until = time.monotonic() + 10
             while status((answer := reader.request(f"$JS.API.DIRECT.GET.{STREAM}", json.dumps({"seq": acked["seq"]}).encode()))[0]):
                 self.assertLess(time.monotonic(), until)

@@ -135,22 +135,6 @@ TEST_CASE("init refuses a stream of other settings by their names, and changes n
                          Catch::Contains("peer"));
 }
 
-namespace {
-
-/// What each server's own replica of the stream ends with.
-std::vector<std::uint64_t> last_of_each(const NatsServers& servers, const std::string& stream) {
-  std::vector<std::uint64_t> last;
-  for (std::size_t server = 0; server < servers.count(); ++server) {
-    const auto page = nlohmann::json::parse(servers.page(server, "/jsz?streams=true"));
-    for (const auto& each : page.at("account_details").at(0).at("stream_detail")) {
-      if (each.at("name") == stream) last.push_back(each.at("state").at("last_seq"));
-    }
-  }
-  return last;
-}
-
-}  // namespace
-
 TEST_CASE("after init and check, each given twice, replicas that are killed and start again stay the same") {
   NatsServers servers;
   const Target target = target_at(servers.url_list(), 3);
@@ -252,7 +236,7 @@ TEST_CASE("check names each missing permission, and one too many") {
            publish + ", subscribe: " + subscribe + " } } ] }";
   };
   const std::string info = "\"$JS.API.STREAM.INFO.>\"";
-  const std::string get = "\"$JS.API.DIRECT.GET.>\"";
+  const std::string get = "\"$JS.API.STREAM.MSG.GET.>\", \"$JS.API.DIRECT.GET.>\"";
   const std::string log = "\"" + id + ".log\"";
   const auto faults = [&](const std::string& publish, const std::string& subscribe) {
     NatsServers servers{{.servers = 1, .more = with(publish, subscribe)}};
@@ -273,9 +257,9 @@ TEST_CASE("check names each missing permission, and one too many") {
     CHECK_THAT(faults("[" + info + "," + get + "]", tail),
                Catch::Contains("fault: cannot publish to " + id + ".log"));
   }
-  SECTION("no Direct Get") {
+  SECTION("no messages") {
     CHECK_THAT(faults("[" + info + "," + log + "]", tail),
-               Catch::Contains("fault: ") && Catch::Contains("$JS.API.DIRECT.GET"));
+               Catch::Contains("fault: ") && Catch::Contains("$JS.API.STREAM.MSG.GET"));
   }
   SECTION("no tail") {
     CHECK_THAT(faults("[" + info + "," + get + "," + log + "]", "\"_INBOX.>\""),

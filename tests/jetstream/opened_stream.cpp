@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "jetstream/stream_admin.h"
 
 namespace talus::nats_test {
@@ -61,6 +63,17 @@ std::string ask(const NatsServers& servers, const std::string& subject, const st
   const auto reply = connected_to(servers.url_list())->request(subject, text, std::chrono::seconds{5});
   if (!reply) throw std::runtime_error{reply.error().reason};
   return std::string{Arrived{reply->get()}.text()};
+}
+
+std::vector<std::uint64_t> last_of_each(const NatsServers& servers, const std::string& stream) {
+  std::vector<std::uint64_t> last;
+  for (std::size_t server = 0; server < servers.count(); ++server) {
+    const auto page = nlohmann::json::parse(servers.page(server, "/jsz?streams=true"));
+    for (const auto& each : page.at("account_details").at(0).at("stream_detail")) {
+      if (each.at("name") == stream) last.push_back(each.at("state").at("last_seq"));
+    }
+  }
+  return last;
 }
 
 namespace {

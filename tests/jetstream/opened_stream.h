@@ -37,6 +37,9 @@ std::string ask(const NatsServers& servers, const std::string& subject, const st
     const std::string& urls, const server::jetstream::StreamNames& names,
     server::jetstream::Credentials credentials = {});
 
+/// The number of the newest message of each server's own replica.
+[[nodiscard]] std::vector<std::uint64_t> last_of_each(const NatsServers& servers, const std::string& stream);
+
 /// Publishes what all replicas have to refuse, as it expects another message to be the stream's last. By it a
 /// replica of nats-server 2.9.10 that is killed and starts again takes its newest message twice.
 void publish_to_be_refused(const NatsServers& servers, const std::string& subject, std::string_view text);

@@ -1,6 +1,7 @@
 // What JetStream answers, right and wrong.
 #include <catch2/catch.hpp>
 
+#include "jetstream/stored_message.h"
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_settings.h"
 
@@ -33,6 +34,28 @@ TEST_CASE("the leader's answer is read") {
   CHECK(info->state.bytes == 99);
   CHECK(info->state.enabled == talus::server::cluster::EnabledFormats{});
   CHECK(info->description.empty());
+}
+
+TEST_CASE("a message that the leader gives is read, and nothing else is taken for one") {
+  const auto stored = parse_stored_message(
+      R"({"message":{"subject":"s","seq":7,"data":"AP8=","time":"2026-11-26T04:18:20.5Z"}})");
+  REQUIRE(stored);
+  CHECK(stored->sequence == 7);
+  CHECK(stored->bytes == std::vector{std::byte{0}, std::byte{255}});
+  CHECK(stored->time_ns == 1'795'666'700'500'000'000);
+  const auto empty = parse_stored_message(R"({"message":{"seq":8,"time":"2026-11-26T04:18:20Z"}})");
+  REQUIRE(empty);
+  CHECK(empty->bytes.empty());
+  const auto missing =
+      parse_stored_message(R"({"error":{"code":404,"err_code":10037,"description":"no message found"}})");
+  REQUIRE_FALSE(missing);
+  CHECK(missing.error().code == kMessageNotFound);
+  for (const auto* text : {"", "{}", "[]", R"({"message":7})", R"({"message":{}})",
+                           R"({"message":{"seq":0,"data":"","time":"2026-11-26T04:18:20Z"}})",
+                           R"({"message":{"seq":7,"data":"?","time":"2026-11-26T04:18:20Z"}})",
+                           R"({"message":{"seq":7,"data":"","time":"today"}})"}) {
+    CHECK_FALSE(parse_stored_message(text));
+  }
 }
 
 TEST_CASE("the format that the stream's settings enable is read") {

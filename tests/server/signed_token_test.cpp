@@ -187,6 +187,13 @@ TEST_CASE("base64url is that of RFC 4648, without padding") {
   }
   CHECK(rc::check(
       [](const std::string& bytes) { RC_ASSERT(base64url_decode(base64url_encode(bytes)) == bytes); }));
+  // With the other alphabet, padded.
+  CHECK(base64_decode("") == "");
+  CHECK(base64_decode("Zg==") == "f");
+  CHECK(base64_decode("Zm8=") == "fo");
+  CHECK(base64_decode("+/8A") == std::string{"\xFB\xFF\0", 3});
+  for (const std::string_view text : {"Zg", "Zg=", "Zg===", "=", "====", "Z=g=", "-_8A", "Zm8 ", "Zm8=Zm8="})
+    CHECK_FALSE(base64_decode(text).has_value());
 }
 
 TEST_CASE("a token with anything changed, left out or added is not accepted") {
