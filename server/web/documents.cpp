@@ -66,7 +66,6 @@ http::Response error_response(int status, wire::ErrorCode code, std::string_view
     response.fields.push_back(
         {"Retry-After", std::to_string(std::chrono::ceil<std::chrono::seconds>(retry_after).count())});
   }
-  if (status == 401) response.fields.push_back({"WWW-Authenticate", "Bearer"});
   response.body =
       ordered_json{{"error", error}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
   return response;

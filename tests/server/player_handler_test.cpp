@@ -5,6 +5,7 @@
 
 #include "player_site.h"
 #include "scratch_directory.h"
+#include "signed_tokens.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -61,6 +62,44 @@ TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are pub
     CHECK(site.ask("/v1/world", kToken).status == 200);
     CHECK(site.ask("/v1/world", "Authorization: Bearer wrong\r\n").status == 401);
   }
+}
+
+TEST_CASE("who has no right token is told what is wrong with it, and how one is sent") {
+  const ScratchDirectory scratch;
+  Access settings;
+  settings.signing_key_file = scratch.write("key", kKeyText);
+  settings.revoked_file = scratch.write("revoked", "sub 2100-01-01T00:00:00Z gone\n");
+  settings.blocked_file = scratch.write("blocked", "subject rude\n");
+  PlayerSite site{settings};
+  const auto bearer = [&](const std::string& subject, std::chrono::seconds lasts = 1h) {
+    const auto now = site.clock.wall();
+    return "Authorization: Bearer " +
+           *make_signed_token(Secret{kKeyText}, {subject, {Right::read}, now + lasts}, now) + "\r\n";
+  };
+  REQUIRE(site.ask("/v1/world", bearer("a")).status == 200);
+
+  const auto [fields, text, challenge] = GENERATE_REF(table<std::string, std::string, std::string>(
+      {{"", "this server asks for a token", "Bearer"},
+       {bearer("a", -1h), "the token has expired",
+        R"(Bearer error="invalid_token", error_description="the token has expired")"},
+       {bearer("gone"), "the token was revoked",
+        R"(Bearer error="invalid_token", error_description="the token was revoked")"},
+       {"Authorization: Bearer guess\r\n", "the token is not accepted",
+        R"(Bearer error="invalid_token", error_description="the token is not accepted")"}}));
+  for (const std::string& target : {std::string{"/v1/world"}, kChunks + "/0/0/0/0"}) {
+    const Answer answer = site.ask(target, fields);
+    CHECK(answer.status == 401);
+    CHECK(answer.code() == "unauthorized");
+    CHECK(answer.field("WWW-Authenticate") == challenge);
+    CHECK_THAT(answer.text(), Catch::StartsWith(text) && Catch::Contains("Authorization: Bearer TOKEN"));
+  }
+
+  // No other token helps whom the operator has blocked.
+  const Answer blocked = site.ask("/v1/world", bearer("rude"));
+  CHECK(blocked.status == 403);
+  CHECK(blocked.code() == "unauthorized");
+  CHECK(blocked.field("WWW-Authenticate").empty());
+  CHECK_THAT(blocked.text(), Catch::Contains("blocked you; only the operator can let you in again"));
 }
 
 TEST_CASE("requests over the rate are told when there is room") {
