@@ -97,7 +97,7 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
 }
 
 std::string with_edits(std::string_view world_document, EditsNow edits) {
-  return fmt::format(R"({},"edits":{{"taken":{},"revision":{}}}}})"
+  return fmt::format(R"({},"edits":{{"taken":{},"revision":"{}"}}}})"
                      "\n",
                      world_document.substr(0, world_document.size() - 1), edits.taken, edits.revision);
 }
