@@ -1,5 +1,6 @@
 // Players' HTTP: chunks with edits, by their revisions, and the index of what was edited.
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -198,6 +198,29 @@ TEST_CASE("what every cache may keep is one copy that any page may read") {
   }
 }
 
+TEST_CASE("where origins are listed, every answer of /v1 is theirs and the own host's alone") {
+  PlayerSite site;
+  site.settings.origins = *AllowedOrigins::parse("https://play.example");
+  site.source.rows = {0, 0, MaterialId{3}};
+  for (const std::int32_t y : {-1, 0, 1})
+    site.source.in_memory[key_at(0, y, 0)] = scripted_chunk(key_at(0, y, 0));
+  site.source.drawn = map::Tile{8, 0, 0};
+  const std::string map = "/v1/00000000000000020000000000000001/map/8/0/0.png";
+  for (const std::string& target : {std::string{"/v1/world"}, kChunks + "/0/0/0/0", kChunks + "/0/0/0", map,
+                                    kStore + "/edits/0/0/0", std::string{"/v1/heights?columns=x"}}) {
+    CAPTURE(target);
+    const auto reader = [&](const std::string& origin) {
+      const Answer answer = site.ask(target, origin.empty() ? "" : "Origin: " + origin + "\r\n");
+      CHECK(answer.field("Vary") == "Origin");  // a cache holds an answer for each
+      return answer.field("Access-Control-Allow-Origin");
+    };
+    CHECK(reader("https://play.example") == "https://play.example");
+    CHECK(reader("https://a.example") == "https://a.example");
+    CHECK(reader("https://b.example").empty());
+    CHECK(reader("").empty());
+  }
+}
+
 TEST_CASE("pages of other hosts read only where they are listed") {
   PlayerSite site;
   CHECK(site.ask("/v1/world", "Origin: https://a.example\r\n").field("Access-Control-Allow-Origin") ==
