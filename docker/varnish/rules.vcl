@@ -5,8 +5,11 @@ sub vcl_recv {
     if (req.method != "GET" && req.method != "HEAD" && req.method != "OPTIONS") {
         return (synth(405));
     }
-    # Which land was edited is told as it is now; while talusd is away, as it was (vcl_deliver comes back here).
-    if (req.url ~ "^/v1/[^/]+/[^/]+/edits/") {
+    # talusd knows no cookies, and what others have set for this host would keep answers out of the cache.
+    unset req.http.Cookie;
+    # Which land was edited is told as it is now, and so are the viewer's pages; while talusd is away, as it was (vcl_deliver
+    # comes back here).
+    if (req.url ~ "^/v1/[^/]+/[^/]+/edits/" || req.url !~ "^/v1/") {
         set req.grace = 0s;
         if (req.restarts > 0) {
             set req.grace = 7d;
@@ -40,6 +43,12 @@ sub vcl_backend_response {
         set beresp.grace = 7d;
         return (deliver);
     }
+    if (beresp.status == 200 && bereq.url !~ "^/v1/" && beresp.http.Cache-Control == "no-cache") {
+        # The viewer's pages likewise. Its assets, whose names change with their bytes, are kept as chunks are.
+        set beresp.ttl = 1s;
+        set beresp.grace = 7d;
+        return (deliver);
+    }
     # Chunks, which never change under their path; but for land that is edited just now, which nobody keeps.
     if (beresp.status == 200 && beresp.ttl > 0s && beresp.http.Cache-Control !~ "no-store") {
         set beresp.grace = 30d;
@@ -47,7 +56,7 @@ sub vcl_backend_response {
 }
 
 sub vcl_deliver {
-    if (resp.status >= 500 && req.restarts == 0 && req.url ~ "^/v1/[^/]+/[^/]+/edits/") {
+    if (resp.status >= 500 && req.restarts == 0 && (req.url ~ "^/v1/[^/]+/[^/]+/edits/" || req.url !~ "^/v1/")) {
         return (restart);
     }
     if (obj.hits > 0) {

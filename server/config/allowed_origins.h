@@ -22,6 +22,8 @@ class AllowedOrigins {
   /// `host`: the request's Host field.
   [[nodiscard]] bool allow(std::string_view origin, std::string_view host) const;
   [[nodiscard]] bool all() const { return all_; }
+  /// Whether it is as it was made: nobody has said which.
+  [[nodiscard]] bool unset() const { return !all_ && origins_.empty(); }
   /// As parse() takes it.
   [[nodiscard]] const std::string& text() const { return text_; }
   bool operator==(const AllowedOrigins&) const = default;

@@ -129,9 +129,11 @@ const std::array kFields{
     Field{"http.public_chunks", "switch",
           "whether chunks over HTTP need no token, so that caches may keep them",
           SwitchTarget{[](Config& c) -> bool& { return c.http.public_chunks; }}},
-    Field{"http.origins", "origins",
-          "origins whose pages may read and stream, beside the server's own; *: all; empty: no other",
-          OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
+    Field{
+        "http.origins", "origins",
+        "origins whose pages may read and stream, beside the server's own; *: all; empty: no other, but all "
+        "may read what every cache may keep",
+        OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
     Field{"http.log_every", "answers", "of so many HTTP answers one is logged; 0: none",
           number<&Config::http, &Http::log_every>(0, 1'000'000'000)},
 

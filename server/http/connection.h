@@ -21,12 +21,15 @@
 #include <asio/buffer.hpp>
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
+#include <asio/execution/context.hpp>
 #include <asio/post.hpp>
+#include <asio/query.hpp>
 #include <asio/redirect_error.hpp>
 #include <asio/use_awaitable.hpp>
 
 #include "clock/clock.h"
 #include "http/handler.h"
+#include "http/read_rounds.h"
 #include "http/request_parser.h"
 #include "http/response.h"
 #include "http/service.h"
@@ -37,7 +40,7 @@
 namespace talus::server::http {
 
 template <Stream S>
-class Connection : public std::enable_shared_from_this<Connection<S>> {
+class Connection : public ReadRounds::Reader, public std::enable_shared_from_this<Connection<S>> {
  public:
   /// Takes the stream over after a response with status 101 is written, with what has been read already.
   using TakeOver = std::function<void(S stream, std::span<const std::byte> unread)>;
@@ -48,6 +51,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         handler_{std::move(handler)},
         take_over_{std::move(take_over)},
         parser_{service.bounds},
+        read_rounds_{
+            asio::use_service<ReadRounds>(asio::query(stream_.get_executor(), asio::execution::context))},
         watch_waits_{stream_.get_executor(), service.clock},
         now_{service.clock.now()},
         last_active_{now_} {}
@@ -99,19 +104,23 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if constexpr (kWritesNow) {
       // After those whose requests wait: a client that answers soon has sent its next by then. At once the
       // read would mostly find nothing, and cost a system call.
-      if (next == Next::input) return asio::post(stream_.get_executor(), keeping(&Connection::read));
+      if (next == Next::input) return read_rounds_.enter(this->shared_from_this(), stream_.get_executor());
       if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
     }
     asio::co_spawn(
         stream_.get_executor(), [self = this->shared_from_this(), next] { return self->serve(next); },
         keeping(&Connection::ended));
   }
-  void read() {
+  void read() noexcept override {
     if (!open_) return;
-    if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
-    begin_reading();
-    between_requests_ = !parser_.mid_request();
-    stream_.async_read_some(asio::buffer(input_), keeping(&Connection::take_input));
+    try {
+      if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
+      begin_reading();
+      between_requests_ = !parser_.mid_request();
+      stream_.async_read_some(asio::buffer(input_), keeping(&Connection::take_input));
+    } catch (const std::exception& error) {
+      fail(error);
+    }
   }
   void take_input(std::error_code failed, std::size_t bytes) {
     read_error_ = failed;
@@ -124,9 +133,12 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     try {
       go_on(read_error_ ? Next::end : answer());
     } catch (const std::exception& error) {
-      service_.log->error("a connection failed: {}", error.what());
-      close();
+      fail(error);
     }
+  }
+  void fail(const std::exception& error) {
+    service_.log->error("a connection failed: {}", error.what());
+    close();
   }
 
   /// As serve() and watch() have it.
@@ -389,6 +401,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   const std::shared_ptr<Handler> handler_;
   const TakeOver take_over_;
   RequestParser parser_;
+  ReadRounds& read_rounds_;  // of the stream's context
   TimedEvent watch_waits_;
   Clock::time_point now_;  // when it last waited for something
   Clock::time_point last_active_;

@@ -47,8 +47,8 @@ bool is_strange_page(const http::Request& request, const AllowedOrigins& origins
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response) {
   if (response.status == 101) return;
-  // What every cache may keep is the same for all: one copy, which any page may read.
-  if (audience.caches || origins.all()) {
+  // What every cache may keep is one copy, which any page may read unless the operator has said which may.
+  if (origins.all() || (audience.caches && origins.unset())) {
     response.any_origin = true;
     return;
   }

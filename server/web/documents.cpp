@@ -66,7 +66,6 @@ http::Response error_response(int status, wire::ErrorCode code, std::string_view
     response.fields.push_back(
         {"Retry-After", std::to_string(std::chrono::ceil<std::chrono::seconds>(retry_after).count())});
   }
-  if (status == 401) response.fields.push_back({"WWW-Authenticate", "Bearer"});
   response.body =
       ordered_json{{"error", error}}.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
   return response;
@@ -98,7 +97,7 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
 }
 
 std::string with_edits(std::string_view world_document, EditsNow edits) {
-  return fmt::format(R"({},"edits":{{"taken":{},"revision":{}}}}})"
+  return fmt::format(R"({},"edits":{{"taken":{},"revision":"{}"}}}})"
                      "\n",
                      world_document.substr(0, world_document.size() - 1), edits.taken, edits.revision);
 }

@@ -35,7 +35,7 @@ struct EditsNow {
   std::uint64_t revision = 0;
   bool operator==(const EditsNow&) const = default;
 };
-/// The world's document whole.
+/// The world's document whole. The revision as decimal digits: numbers of JSON end at 2^53 for most readers.
 [[nodiscard]] std::string with_edits(std::string_view world_document, EditsNow edits);
 
 /// A line of the access log, as a JSON object.

@@ -14,10 +14,55 @@ namespace talus::server::web {
 
 using wire::ErrorCode;
 
+namespace {
+
+constexpr std::string_view kHowToSend = "by HTTP it is sent as Authorization: Bearer TOKEN";
+
+/// `what`: is wrong with the token, or would be right, before how it is sent.
+http::Response ask_for_token(AuthFailure failure, std::string_view what) {
+  const std::string_view text = describe(failure);
+  http::Response response =
+      error_response(401, ErrorCode::unauthorized, fmt::format("{}; {}{}", text, what, kHowToSend));
+  // RFC 6750, 3.1: who sent no token is told of no error.
+  response.fields.push_back(
+      {"WWW-Authenticate",
+       failure == AuthFailure::missing
+           ? "Bearer"
+           : fmt::format(R"(Bearer error="invalid_token", error_description="{}")", text)});
+  return response;
+}
+
+}  // namespace
+
+http::Response blocked_response() {
+  return error_response(
+      403, ErrorCode::unauthorized,
+      fmt::format("{}; only the operator can let you in again", describe(AuthFailure::blocked)));
+}
+
+http::Response token_refused(AuthFailure failure) {
+  switch (failure) {
+    case AuthFailure::blocked:
+      return blocked_response();
+    case AuthFailure::missing:
+      return ask_for_token(failure, "");
+    case AuthFailure::not_accepted:
+      return ask_for_token(failure, "it is not one of this server's, or not whole; ");
+    default:
+      return ask_for_token(failure, "get a new one; ");
+  }
+}
+
+http::Response right_missing() {
+  return error_response(403, ErrorCode::forbidden,
+                        "this token does not permit to read; get one with the right read");
+}
+
 std::vector<std::byte> refusal_response(ErrorCode code, const std::string& text,
                                         std::chrono::milliseconds retry_after) {
-  const int status = code == ErrorCode::unauthorized ? 403 : 503;
-  const http::Response response = error_response(status, code, text, retry_after);
+  // Before a request nobody is refused for its token.
+  const http::Response response =
+      code == ErrorCode::unauthorized ? blocked_response() : error_response(503, code, text, retry_after);
   std::string whole;
   http::append_head(whole, response, false,
                     std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));

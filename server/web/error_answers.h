@@ -10,6 +10,7 @@
 
 #include <talus/protocol/message.h>
 
+#include "access/auth_failure.h"
 #include "http/response.h"
 #include "memory/memory_budget.h"
 #include "web/fetch.h"
@@ -23,6 +24,13 @@ using Answer = std::optional<http::Response>;
 /// What a client of the HTTP port is told that is refused: a whole response.
 [[nodiscard]] std::vector<std::byte> refusal_response(wire::ErrorCode code, const std::string& text,
                                                       std::chrono::milliseconds retry_after);
+
+/// What an address is told that the operator has blocked.
+[[nodiscard]] http::Response blocked_response();
+/// Where the token is missing or not accepted, or its subject blocked: how a right one is sent.
+[[nodiscard]] http::Response token_refused(AuthFailure failure);
+/// Where the token lacks the right to read.
+[[nodiscard]] http::Response right_missing();
 
 [[nodiscard]] http::Response fetch_failed(FetchError error, const MemoryBudget& memory);
 [[nodiscard]] http::Response no_memory();

@@ -43,7 +43,7 @@ Answer Requester::find(const http::Request& request) {
   }
   if (shared_.access.meet(*address)) {
     shared_.metrics.denied(AuthFailure::blocked).add();
-    http::Response blocked = error_response(403, ErrorCode::unauthorized, describe(AuthFailure::blocked));
+    http::Response blocked = blocked_response();
     blocked.last = true;
     return blocked;
   }
@@ -73,12 +73,9 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
   const auto grant = shared_.access.admit(token, shared_.clock.wall());
   if (!grant) {
     shared_.metrics.denied(grant.error().failure).add();
-    return error_response(401, ErrorCode::unauthorized, describe(grant.error().failure));
+    return token_refused(grant.error().failure);
   }
-  if (!grant->rights.has(Right::read)) {
-    return error_response(403, ErrorCode::forbidden, "this token does not permit to read");
-  }
-  return std::nullopt;
+  return grant->rights.has(Right::read) ? std::nullopt : Answer{right_missing()};
 }
 
 Clock::time_point Requester::next_chunk(Clock::time_point now) {

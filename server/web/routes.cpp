@@ -35,7 +35,7 @@ std::vector<std::string_view> split(std::string_view text, char by, std::size_t 
 /// As std::to_chars writes it: 007, +7 and -0 are none.
 std::optional<std::int64_t> number_of(std::string_view text) {
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-  if (digits.starts_with('0') && text != "0") return std::nullopt;
+  if (digits.starts_with('0') && text.size() > 1) return std::nullopt;
   // Each chunk's path has four short numbers, for which from_chars takes three times as long.
   constexpr std::size_t kShort = 18;
   if (!digits.empty() && digits.size() <= kShort) {

@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kCompressed{
     {{".br", "br"}, {".gz", "gzip"}}};
 
+constexpr std::string_view kWasm = "application/wasm";
+
 constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kContentTypes{
     {{".css", "text/css; charset=utf-8"},
      {".gif", "image/gif"},
@@ -38,7 +40,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> kContent
      {".png", "image/png"},
      {".svg", "image/svg+xml"},
      {".txt", "text/plain; charset=utf-8"},
-     {".wasm", "application/wasm"},
+     {".wasm", kWasm},
      {".webmanifest", "application/manifest+json"},
      {".webp", "image/webp"},
      {".woff2", "font/woff2"},
@@ -165,6 +167,7 @@ tl::expected<std::shared_ptr<const Site>, std::string> Site::read(const std::fil
       if (!compressed.empty()) file.forms.push_back(form(encoding, std::move(compressed.mapped())));
     }
     file.forms.push_back(form({}, std::move(each->second)));
+    if (file.content_type == kWasm) site->has_wasm_ = true;
     site->files_.emplace(each->first, std::move(file));
   }
   return site;

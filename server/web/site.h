@@ -48,12 +48,15 @@ class Site {
 
   /// By a request's path; one that ends in '/' is that folder's index.html. Null: there is none.
   [[nodiscard]] const File* find(std::string_view path) const;
+  /// Whether a file of it is WebAssembly.
+  [[nodiscard]] bool has_wasm() const { return has_wasm_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t files() const { return files_.size(); }
 
  private:
   std::map<std::string, File, std::less<>> files_;  // by path: "assets/x.js"
   std::size_t bytes_ = 0;
+  bool has_wasm_ = false;
 };
 
 }  // namespace talus::server::web

@@ -16,13 +16,15 @@ constexpr std::string_view kForever = "public, max-age=31536000, immutable";
 
 // Nothing inline, nothing from elsewhere; blobs are what the viewer makes itself, and a page may look at
 // another server's world by WebSocket.
-constexpr const char* kPolicy =
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self' ws: wss:; "
+constexpr std::string_view kPolicy =
+    "default-src 'self'; script-src 'self'{}; connect-src 'self' ws: wss:; "
     "img-src 'self' blob: data:; worker-src 'self' blob:; style-src 'self'; frame-ancestors 'none'; "
     "base-uri 'none'";
 
-void guard(http::Response& response) {
-  response.fields.push_back({"Content-Security-Policy", kPolicy});
+/// A site without WebAssembly needs no leave to compile any.
+void guard(http::Response& response, const Site& site) {
+  response.fields.push_back(
+      {"Content-Security-Policy", fmt::format(kPolicy, site.has_wasm() ? " 'wasm-unsafe-eval'" : "")});
   response.fields.push_back({"X-Content-Type-Options", "nosniff"});
   response.fields.push_back({"Referrer-Policy", "no-referrer"});
 }
@@ -34,13 +36,13 @@ std::string way_to_root(std::string_view path) {
   return way;
 }
 
-http::Response nothing_there(std::string_view path) {
+http::Response nothing_there(std::string_view path, const Site& site) {
   http::Response response{
       404, "text/html; charset=utf-8",
       fmt::format("<!doctype html>\n<html lang=\"en\">\n<title>Not found</title>\n"
                   "<h1>Nothing is here</h1>\n<p>The viewer is <a href=\"{}\">here</a>.</p>\n",
                   way_to_root(path))};
-  guard(response);
+  guard(response, site);
   return response;
 }
 
@@ -55,7 +57,7 @@ http::Response site_answer(const Site* site, const http::Request& request) {
         "serves it with --web");
   }
   const Site::File* const file = site->find(path);
-  if (file == nullptr) return nothing_there(path);
+  if (file == nullptr) return nothing_there(path, *site);
   const Site::Form& form = file->form_for(request.field("Accept-Encoding"));
   http::Response response{200, file->content_type};
   response.cache_control = file->hashed ? kForever : http::kNoCache;
@@ -67,7 +69,7 @@ http::Response site_answer(const Site* site, const http::Request& request) {
   }
   if (!form.encoding.empty()) response.fields.push_back({"Content-Encoding", std::string{form.encoding}});
   response.kept = form.bytes;
-  guard(response);
+  guard(response, *site);
   return response;
 }
 

@@ -122,7 +122,7 @@ TEST_CASE("what is built comes by HTTP under its revision, at every level, and t
         std::map<std::uint64_t, std::uint64_t>{
             {static_cast<std::uint64_t>((key.coord.z & 31) * 32 + (key.coord.x & 31)), done->revision}});
   CHECK(nlohmann::json::parse(land.http.get("/v1/world").body)["edits"] ==
-        nlohmann::json{{"taken", true}, {"revision", done->revision}});
+        nlohmann::json{{"taken", true}, {"revision", std::to_string(done->revision)}});
   const Answer column = land.http.get(land.column_path(key, done->revision));
   REQUIRE(column.status == 200);
   CHECK(column.field("Cache-Control") == "public, max-age=31536000, immutable");

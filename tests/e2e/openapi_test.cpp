@@ -1,11 +1,15 @@
-// protocol/openapi.json, held against a running talusd: every path, and every status that it lists.
+// protocol/openapi.json, held against a running talusd: every path with every parameter, and every status
+// that it lists.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "http_client.h"
 #include "scratch_directory.h"
@@ -73,24 +77,41 @@ std::string fault_of(const json& value, const json& reference, const std::string
 struct Example {
   std::string target;
   std::string fields;
+  std::set<std::string> names;  // of the parameters in it
 };
 
-Example example_of(const std::string& path, const json& operation, const json& world) {
-  Example example{path, ""};
+/// Of what the heights of a request are: a list or a grid, never both. None: a parameter of either.
+std::optional<std::string> form_of(const json& parameter) {
+  static const std::set<std::string> kOfGrid{"x", "z", "w", "h", "step"};
+  const std::string name = parameter["name"];
+  if (parameter["in"] != "query") return std::nullopt;
+  if (name == "columns") return "list";
+  return kOfGrid.contains(name) ? std::optional<std::string>{"grid"} : std::nullopt;
+}
+
+using Values = std::map<std::string, std::string>;  // by the parameter's name
+
+/// With the parameters' examples, but for `values`. `form`: of form_of().
+Example example_of(const std::string& path, const json& parameters, const std::optional<std::string>& form,
+                   const Values& values) {
+  Example example{path, "", {}};
   std::string query;
-  for (const json& each : operation.value("parameters", json::array())) {
+  for (const json& each : parameters) {
     const json& parameter = resolved(each);
+    const auto its_form = form_of(parameter);
+    if (its_form && its_form != form) continue;
     const std::string name = parameter["name"];
-    const std::string value = name == "fingerprint" ? world["fingerprint"].get<std::string>()
-                              : name == "store"     ? world["store_id"].get<std::string>()
-                                                    : parameter["example"].get<std::string>();
+    const std::string value =
+        values.contains(name) ? values.at(name) : parameter.at("example").get<std::string>();
+    example.names.insert(name);
     if (parameter["in"] == "path") {
       const std::string mark = "{" + name + "}";
       REQUIRE(example.target.find(mark) != std::string::npos);
       example.target.replace(example.target.find(mark), mark.size(), value);
     } else if (parameter["in"] == "header") {
       example.fields += name + ": " + value + "\r\n";
-    } else if (name != "columns") {  // a list or a grid, never both
+    } else {
+      REQUIRE(parameter["in"] == "query");
       query += (query.empty() ? "?" : "&") + name + "=" + value;
     }
   }
@@ -98,6 +119,40 @@ Example example_of(const std::string& path, const json& operation, const json& w
   example.target += query;
   if (path == "/v1/stream") example.fields += "Connection: Upgrade\r\n";
   return example;
+}
+
+/// Requests in which every parameter of a path is, and each value of a query that the file lists.
+std::vector<Example> examples_of(const std::string& path, const json& operation, const json& world) {
+  const json parameters = operation.value("parameters", json::array());
+  const Values of_world{{"fingerprint", world["fingerprint"]}, {"store", world["store_id"]}};
+  std::set<std::optional<std::string>> forms;
+  std::set<std::string> documented;
+  for (const json& each : parameters) {
+    documented.insert(resolved(each)["name"]);
+    if (const auto form = form_of(resolved(each))) forms.insert(form);
+  }
+  if (forms.empty()) forms.insert(std::nullopt);
+  std::vector<Example> examples;
+  for (const auto& form : forms) examples.push_back(example_of(path, parameters, form, of_world));
+  for (const json& each : parameters) {
+    const json& parameter = resolved(each);
+    if (parameter["in"] != "query") continue;
+    // Without other choices: an array has heights alone.
+    json alone = json::array();
+    for (const json& other : parameters) {
+      if (other == each || form_of(resolved(other)) || resolved(other)["in"] != "query")
+        alone.push_back(other);
+    }
+    for (const json& value : parameter["schema"].value("enum", json::array())) {
+      Values values = of_world;
+      values[parameter["name"]] = value;
+      examples.push_back(example_of(path, alone, *forms.begin(), values));
+    }
+  }
+  std::set<std::string> walked;
+  for (const Example& each : examples) walked.insert(each.names.begin(), each.names.end());
+  CHECK(walked == documented);
+  return examples;
 }
 
 /// Whether an answer is as the file says of its status.
@@ -203,18 +258,20 @@ class Provoker {
 
 }  // namespace
 
-TEST_CASE("each path of openapi.json answers as it says, by each status that it lists") {
+TEST_CASE("each path of openapi.json answers as it says, with each parameter, by each status that it lists") {
   Provoker provoker;
   const json world = provoker.world();
   REQUIRE(document()["paths"].size() == 15);
   for (const auto& [path, operations] : document()["paths"].items()) {
-    const json& operation = operations["get"];
-    const Example example = example_of(path, operation, world);
-    for (const auto& [status, response] : operation["responses"].items()) {
-      INFO(path << ": " << status << ", asked for " << example.target);
-      const Answer answer = provoker.ask(status, path, example);
-      CHECK(std::to_string(answer.status) == status);
-      check_answer(answer, operation["responses"]);
+    REQUIRE(operations.size() == 1);  // HEAD is as GET
+    const json& operation = operations.at("get");
+    for (const Example& example : examples_of(path, operation, world)) {
+      for (const auto& [status, response] : operation["responses"].items()) {
+        INFO(path << ": " << status << ", asked for " << example.target);
+        const Answer answer = provoker.ask(status, path, example);
+        CHECK(std::to_string(answer.status) == status);
+        check_answer(answer, operation["responses"]);
+      }
     }
   }
 }

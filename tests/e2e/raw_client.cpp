@@ -120,14 +120,19 @@ std::optional<std::size_t> RawClient::send_some(std::span<const std::byte> bytes
   const std::size_t fresh = websocket_ && unsent_.empty() ? std::min(bytes.size(), kMostWrapped) : 0;
   if (fresh > 0) unsent_ = wrapped(bytes.first(fresh));
   if (websocket_) bytes = unsent_;
-  const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-  if (sent >= 0 && websocket_) {
-    unsent_.erase(unsent_.begin(), unsent_.begin() + sent);
-    return fresh;
+  ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  if (sent < 0) {
+    if (errno != EAGAIN && errno != EWOULDBLOCK) return std::nullopt;
+    sent = 0;
   }
-  if (sent >= 0) return static_cast<std::size_t>(sent);
-  if (errno == EAGAIN || errno == EWOULDBLOCK) return 0;
-  return std::nullopt;
+  if (!websocket_) return static_cast<std::size_t>(sent);
+  unsent_.erase(unsent_.begin(), unsent_.begin() + sent);
+  return fresh;  // wrapped, and so on their way
+}
+
+void RawClient::drop_received() {
+  std::array<std::byte, 65536> dropped;
+  while (::recv(socket_, dropped.data(), dropped.size(), MSG_DONTWAIT) > 0) continue;
 }
 
 bool RawClient::fill(int patience_ms) {

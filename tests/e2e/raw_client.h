@@ -55,8 +55,11 @@ class RawClient {
   bool send(std::span<const std::byte> bytes);
   /// The same past the WebSocket, whatever that makes of it.
   bool send_raw(std::span<const std::byte> bytes);
-  /// Sends what fits into the socket now; the count, or none where the connection is closed.
+  /// Takes what fits into the socket now, or a WebSocket frame of it; the count, or none where the connection
+  /// is closed. The rest of a frame goes first with the next call.
   [[nodiscard]] std::optional<std::size_t> send_some(std::span<const std::byte> bytes);
+  /// Whatever has come, unread: nothing can be received after it.
+  void drop_received();
 
   /// The next frame; none where the server has closed the connection. Fails the test where neither
   /// happens for a long time.

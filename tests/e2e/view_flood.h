@@ -1,15 +1,10 @@
 // Sessions that send Views without end.
 #pragma once
 
-#include <array>
-#include <asio/buffer.hpp>
-#include <asio/io_context.hpp>
-#include <asio/ip/tcp.hpp>
-#include <asio/read.hpp>
-#include <asio/write.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <thread>
 #include <vector>
@@ -34,27 +29,18 @@ inline protocol::Frame many_views() {
 class ViewFlood {
  public:
   /// Connects to 127.0.0.1 from `from`, and has joined when this returns. `views` outlives it.
-  ViewFlood(asio::io_context& io, const asio::ip::address& from, std::uint16_t port,
-            const protocol::Frame& views)
-      : socket_{io, {from, 0}}, views_{views} {
-    socket_.connect({asio::ip::address_v4::loopback(), port});
-    asio::write(socket_, asio::buffer(hello()));
-    std::array<std::byte, 4> of_welcome;
-    asio::read(socket_, asio::buffer(of_welcome));
-    socket_.non_blocking(true);
-  }
+  ViewFlood(std::uint32_t from, std::uint16_t port, const protocol::Frame& views)
+      : client_{greeted(port, 0, from)}, views_{views} {}
 
-  /// As much as the server takes now.
+  /// As much as the server takes now. From any one thread.
   void go_on() {
-    std::error_code failed;
-    sent_ += socket_.write_some(asio::buffer(views_) + sent_ % views_.size(), failed);
-    std::array<std::byte, 65536> dropped;
-    while (socket_.read_some(asio::buffer(dropped), failed) > 0) continue;
+    sent_ += client_.send_some(std::span{views_}.subspan(sent_ % views_.size())).value_or(0);
+    client_.drop_received();
   }
   [[nodiscard]] std::size_t sent_bytes() const { return sent_; }
 
  private:
-  asio::ip::tcp::socket socket_;
+  RawClient client_;
   const protocol::Frame& views_;
   std::size_t sent_ = 0;
 };
@@ -64,8 +50,8 @@ class ViewFloods {
  public:
   ViewFloods(std::size_t sessions, std::uint32_t addresses, std::uint16_t port) {
     for (std::size_t i = 0; i < sessions; ++i) {
-      const asio::ip::address_v4 from{kLoopback + static_cast<std::uint32_t>(i % addresses)};
-      floods_.push_back(std::make_unique<ViewFlood>(io_, from, port, views_));
+      const std::uint32_t from = kLoopback + static_cast<std::uint32_t>(i % addresses);
+      floods_.push_back(std::make_unique<ViewFlood>(from, port, views_));
     }
     attack_ = std::jthread{[this](const std::stop_token& stop) {
       while (!stop.stop_requested()) {
@@ -85,7 +71,6 @@ class ViewFloods {
 
  private:
   const protocol::Frame views_ = many_views();
-  asio::io_context io_;
   std::vector<std::unique_ptr<ViewFlood>> floods_;
   std::jthread attack_;
 };

@@ -29,6 +29,8 @@ usage: tests/load/run.sh [--short] [SCENARIO...]
            each of whom waits for its answer, beside a bare echo server
   churn    joining, jumping and being cut off, CHURN_SECONDS long (1800 unless told otherwise)
   siege    the same beside 150 attackers of 4 other addresses
+  websocket-siege
+           the same, and the attackers come by WebSocket
 
 All of them unless told otherwise. BUILD=DIR: the build to take the programs from (build/release). TLS=1: by TLS, but for pong.
 
@@ -482,16 +484,23 @@ siege() {
   [[ -z "${TLS:-}" ]] || { printf '\n== siege: left out: talus-siege speaks plain TCP alone\n'; return 0; }
   churn_as siege 10
 }
+websocket-siege() {
+  [[ -z "${TLS:-}" ]] || { printf '\n== websocket-siege: left out: talus-siege speaks no TLS\n'; return 0; }
+  churn_as websocket-siege 10
+}
 
 # churn_as NAME PERCENT: resident memory may grow by so much.
 churn_as() {
   expect 'errors>0' "resident_growth_percent>$2"
-  [[ "$1" == siege ]] || expected+=(--fail-if 'files_left>0')  # attackers are still there at the end
+  [[ "$1" == *siege ]] || expected+=(--fail-if 'files_left>0')  # attackers are still there at the end
   # The caches are full before the measured time begins.
   local settings=(TALUS_CACHE_CHUNK_BYTES=33554432 TALUS_CACHE_PATCH_BYTES=33554432)
-  if [[ "$1" == siege ]]; then
-    start "${settings[@]}"  # with the rates as shipped: they are there for attackers
-    "$talus_siege" "${address##*:}" 86400 >"$out/siege.txt" &
+  if [[ "$1" == *siege ]]; then
+    # With the rates as shipped: they are there for attackers.
+    start "${settings[@]}" TALUS_HTTP_LISTEN=127.0.0.1:0
+    local attacked=("${address##*:}" 86400)
+    [[ "$1" == siege ]] || attacked=("${http##*:}" 86400 websocket)
+    "$talus_siege" "${attacked[@]}" >"$out/siege.txt" &
     siege_pid=$!
   else
     start "${no_address_rates[@]}" "${settings[@]}"
@@ -502,7 +511,7 @@ churn_as() {
   [[ -z "$siege_pid" ]] || { stop_siege; cat "$out/siege.txt"; }
 }
 
-scenarios=(join horizon hot groups alone loners storm idle greedy slow rates websocket pong edits churn siege)
+scenarios=(join horizon hot groups alone loners storm idle greedy slow rates websocket pong edits churn siege websocket-siege)
 if [[ "${1:-}" == --short ]]; then
   short=yes
   shift

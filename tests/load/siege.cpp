@@ -1,5 +1,5 @@
 // Attackers beside good players, against a server that runs already: they send what is legal without end,
-// what is not, and nothing at all. Prints how much of each; judges nothing.
+// what is not, and nothing at all, by TCP or inside WebSockets. Prints how much of each; judges nothing.
 #include <algorithm>
 #include <array>
 #include <asio/buffer.hpp>
@@ -20,6 +20,8 @@
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include <talus/websocket/client_side.h>
 
 #include "messages.h"
 
@@ -94,6 +96,14 @@ protocol::Frame broken(std::mt19937& random) {
   return bytes;
 }
 
+/// In messages of a WebSocket.
+protocol::Frame wrapped(const protocol::Frame& bytes) {
+  constexpr std::array kMask{std::byte{0xDE}, std::byte{0xCA}, std::byte{0xDE}, std::byte{0x01}};
+  protocol::Frame frames;
+  websocket::ClientSide::append(frames, bytes, kMask);
+  return frames;
+}
+
 /// One attacker: it connects, sends its bytes again and again, reads or not, and comes back when it is thrown
 /// out, or after some seconds, as somebody new.
 class Attacker {
@@ -106,8 +116,8 @@ class Attacker {
     bool resets = false;  // ends by RST at once
     std::chrono::milliseconds stays{10'000};
   };
-  Attacker(asio::io_context& io, const Way& way, std::uint32_t seed, std::uint16_t port)
-      : way_{way}, io_{io}, random_{seed}, seed_{seed}, port_{port} {}
+  Attacker(asio::io_context& io, const Way& way, std::uint32_t seed, std::uint16_t port, bool by_websocket)
+      : way_{way}, io_{io}, random_{seed}, seed_{seed}, port_{port}, by_websocket_{by_websocket} {}
 
   /// As much as the server takes now.
   void go_on() {
@@ -143,8 +153,21 @@ class Attacker {
     }
     to_send_ = way_.bytes ? way_.bytes(random_) : protocol::Frame{};
     sent_ = 0;
-    if (way_.greets) asio::write(*socket_, asio::buffer(hello({.window_bytes = 1U << 24U})), failed);
+    if (way_.greets) greet(failed);
     socket_->non_blocking(true, failed);
+  }
+
+  /// Who does not greet sends no WebSocket's bytes either.
+  void greet(std::error_code& failed) {
+    protocol::Frame first = hello({.window_bytes = 1U << 24U});
+    if (by_websocket_) {
+      constexpr std::array<std::byte, websocket::kNonceBytes> kNonce{};
+      const websocket::ClientSide side{"127.0.0.1", "/v1/stream", kNonce};
+      asio::write(*socket_, asio::buffer(side.request()), failed);
+      first = wrapped(first);
+      to_send_ = wrapped(to_send_);
+    }
+    asio::write(*socket_, asio::buffer(first), failed);
   }
 
   void send_and_read() {
@@ -168,6 +191,7 @@ class Attacker {
   std::mt19937 random_;
   const std::uint32_t seed_;
   const std::uint16_t port_;
+  const bool by_websocket_;
   std::unique_ptr<tcp::socket> socket_;
   protocol::Frame to_send_;
   std::size_t sent_ = 0;
@@ -194,10 +218,14 @@ std::vector<std::pair<Attacker::Way, int>> ways() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const long seconds = argc == 3 ? std::strtol(argv[2], nullptr, 10) : 0;
-  const unsigned long port = argc == 3 ? std::strtoul(argv[1], nullptr, 10) : 0;
-  if (seconds <= 0 || port == 0 || port > 65535) {
-    std::fputs("usage: talus-siege SERVER_PORT SECONDS   (the server is on 127.0.0.1)\n", stderr);
+  const long seconds = argc >= 3 ? std::strtol(argv[2], nullptr, 10) : 0;
+  const unsigned long port = argc >= 3 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  const bool by_websocket = argc == 4 && std::string{argv[3]} == "websocket";
+  if (seconds <= 0 || port == 0 || port > 65535 || argc != (by_websocket ? 4 : 3)) {
+    std::fputs(
+        "usage: talus-siege PORT SECONDS [websocket]   (of a server on 127.0.0.1; of its HTTP by "
+        "WebSocket)\n",
+        stderr);
     return 2;
   }
   (void)std::signal(SIGTERM, [](int) { told_to_end = 1; });
@@ -207,8 +235,8 @@ int main(int argc, char** argv) {
   std::uint32_t seed = 0;
   for (const auto& [way, count] : kinds) {
     for (int i = 0; i < count; ++i) {
-      attackers.emplace_back(&way,
-                             std::make_unique<Attacker>(io, way, ++seed, static_cast<std::uint16_t>(port)));
+      attackers.emplace_back(
+          &way, std::make_unique<Attacker>(io, way, ++seed, static_cast<std::uint16_t>(port), by_websocket));
     }
   }
   const auto ends = Clock::now() + std::chrono::seconds{seconds};

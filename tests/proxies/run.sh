@@ -5,6 +5,7 @@
 #   - a flight over the same land twice: at most 1 % of the second flight's requests reach talusd
 #   - an edit is seen through the caches once they ask again, and what has edits is kept by them for ever
 #   - every answer is talusd's own, byte for byte, also while talusd is away
+#   - the viewer opens while talusd is away, and as it is now once talusd is there
 #   - a client behind a proxy is held by the rates of its own address, whatever it claims to be, and no other client is
 #   - players by WebSocket get what is right
 set -euo pipefail
@@ -108,6 +109,34 @@ edits_seen() {
   printf '%s: an edit is seen, and its column kept\n' "$name"
 }
 
+# site_through NAME PORT: the viewer's pages and assets are those of `site`.
+site_through() {
+  local file
+  while read -r file; do
+    [[ "$(through "$2" "/$file" file)" == 200 ]] || die "$1: no /$file"
+    cmp -s "$out/file" "$site/$file" || die "$1: another /$file"
+  done < <(cd "$site" && find . -type f -printf '%P\n')
+  [[ "$(through "$2" / file)" == 200 ]] && cmp -s "$out/file" "$site/index.html" || die "$1: no page at /"
+}
+
+# site_kept NAME PORT: the viewer comes, and its assets from the cache.
+site_kept() {
+  local asset
+  site_through "$1" "$2"
+  for asset in "$site"/assets/*; do
+    [[ "$(through "$2" "/assets/${asset##*/}" file)" == 200 ]] && grep -qi '^x-cache: *hit' "$out/file.head" ||
+      die "$1 does not keep $asset"
+  done
+}
+
+# new_page NAME PORT: once talusd has another page, it is seen.
+new_page() {
+  until [[ "$(through "$2" / file)" == 200 ]] && cmp -s "$out/file" "$site/index.html"; do
+    kill -0 "$talusd_pid" || die "talusd has ended"
+  done
+  printf '%s: the viewer opens while talusd is away, and its new page is seen\n' "$1"
+}
+
 # without_talusd NAME PORT: the land seen before, and which world it is.
 without_talusd() {
   fetch "$2" "$1-away"
@@ -117,6 +146,7 @@ without_talusd() {
   [[ -n "$(revision_through "$2")" ]] || die "$1 does not say what was edited while talusd is away"
   [[ "$(through "$2" "/v1/$fingerprint/$store/4/0/3/3@$(revision_through "$2")" away)" == 200 ]] ||
     die "$1 has no land with edits while talusd is away"
+  site_through "$1" "$2"
   printf '%s: all right while talusd is away\n' "$1"
 }
 
@@ -151,7 +181,9 @@ has nginx
 has varnishd
 for port in talusd_port admin_port nginx_port varnish_port; do free_port $port; done
 
-start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit
+site="$out/site"
+cp -r client_sample/web/viewer/dist "$site"
+start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit "TALUS_HTTP_WEB=$site"
 curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"
 fingerprint="$(sed -n 's/.*"fingerprint": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
 store="$(sed -n 's/.*"store_id": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
@@ -168,6 +200,7 @@ for proxy in nginx varnish; do
   curl -sS --fail -o /dev/null --interface 127.0.0.2 "http://127.0.0.1:${!port}/v1/world"
   fly_twice $proxy "${!port}"
   players $proxy "${!port}"
+  site_kept $proxy "${!port}"
 done
 edits_seen nginx "$nginx_port" granite
 edits_seen varnish "$varnish_port" gneiss
@@ -187,6 +220,11 @@ for proxy in nginx varnish; do
   port="${proxy}_port"
   without_talusd $proxy "${!port}"
 done
+echo '<!-- another -->' >>"$site/index.html"
+start_talusd "TALUS_HTTP_WEB=$site"
+new_page nginx "$nginx_port"
+new_page varnish "$varnish_port"
+stop_talusd
 start_talusd TALUS_RATES_ADDRESS_REQUESTS=1 TALUS_RATES_BURST_MS=10000
 rates_behind nginx "$nginx_port" 127.0.0.3 127.0.0.4
 rates_behind varnish "$varnish_port" 127.0.0.5 127.0.0.6

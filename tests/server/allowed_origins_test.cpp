@@ -11,6 +11,8 @@ TEST_CASE("a page of the server's own host is always allowed") {
   CHECK_FALSE(none.allow("https://play.example.evil", "play.example"));
   CHECK_FALSE(none.allow("null", "play.example"));
   CHECK_FALSE(none.allow("", ""));
+  CHECK(none.unset());
+  CHECK(AllowedOrigins::parse("")->unset());
 }
 
 TEST_CASE("listed origins are allowed, and * means all") {
@@ -20,9 +22,11 @@ TEST_CASE("listed origins are allowed, and * means all") {
   CHECK(some->allow("http://localhost:5173", "b"));
   CHECK_FALSE(some->allow("http://a.example", "b"));
   CHECK_FALSE(some->all());
+  CHECK_FALSE(some->unset());
   const auto all = AllowedOrigins::parse("*");
   REQUIRE(all);
   CHECK(all->all());
+  CHECK_FALSE(all->unset());
   CHECK(all->allow("https://anything", ""));
 }
 

@@ -5,6 +5,7 @@
 
 #include "player_site.h"
 #include "scratch_directory.h"
+#include "signed_tokens.h"
 
 using namespace talus;
 using namespace talus::server;
@@ -61,6 +62,44 @@ TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are pub
     CHECK(site.ask("/v1/world", kToken).status == 200);
     CHECK(site.ask("/v1/world", "Authorization: Bearer wrong\r\n").status == 401);
   }
+}
+
+TEST_CASE("who has no right token is told what is wrong with it, and how one is sent") {
+  const ScratchDirectory scratch;
+  Access settings;
+  settings.signing_key_file = scratch.write("key", kKeyText);
+  settings.revoked_file = scratch.write("revoked", "sub 2100-01-01T00:00:00Z gone\n");
+  settings.blocked_file = scratch.write("blocked", "subject rude\n");
+  PlayerSite site{settings};
+  const auto bearer = [&](const std::string& subject, std::chrono::seconds lasts = 1h) {
+    const auto now = site.clock.wall();
+    return "Authorization: Bearer " +
+           *make_signed_token(Secret{kKeyText}, {subject, {Right::read}, now + lasts}, now) + "\r\n";
+  };
+  REQUIRE(site.ask("/v1/world", bearer("a")).status == 200);
+
+  const auto [fields, text, challenge] = GENERATE_REF(table<std::string, std::string, std::string>(
+      {{"", "this server asks for a token", "Bearer"},
+       {bearer("a", -1h), "the token has expired",
+        R"(Bearer error="invalid_token", error_description="the token has expired")"},
+       {bearer("gone"), "the token was revoked",
+        R"(Bearer error="invalid_token", error_description="the token was revoked")"},
+       {"Authorization: Bearer guess\r\n", "the token is not accepted",
+        R"(Bearer error="invalid_token", error_description="the token is not accepted")"}}));
+  for (const std::string& target : {std::string{"/v1/world"}, kChunks + "/0/0/0/0"}) {
+    const Answer answer = site.ask(target, fields);
+    CHECK(answer.status == 401);
+    CHECK(answer.code() == "unauthorized");
+    CHECK(answer.field("WWW-Authenticate") == challenge);
+    CHECK_THAT(answer.text(), Catch::StartsWith(text) && Catch::Contains("Authorization: Bearer TOKEN"));
+  }
+
+  // No other token helps whom the operator has blocked.
+  const Answer blocked = site.ask("/v1/world", bearer("rude"));
+  CHECK(blocked.status == 403);
+  CHECK(blocked.code() == "unauthorized");
+  CHECK(blocked.field("WWW-Authenticate").empty());
+  CHECK_THAT(blocked.text(), Catch::Contains("blocked you; only the operator can let you in again"));
 }
 
 TEST_CASE("requests over the rate are told when there is room") {
@@ -156,6 +195,29 @@ TEST_CASE("what every cache may keep is one copy that any page may read") {
     const Answer chunk = site.ask(kChunks + "/0/0/0/0", fields);
     CHECK(chunk.field("Access-Control-Allow-Origin") == "*");
     CHECK(chunk.field("Vary").empty());
+  }
+}
+
+TEST_CASE("where origins are listed, every answer of /v1 is theirs and the own host's alone") {
+  PlayerSite site;
+  site.settings.origins = *AllowedOrigins::parse("https://play.example");
+  site.source.rows = {0, 0, MaterialId{3}};
+  for (const std::int32_t y : {-1, 0, 1})
+    site.source.in_memory[key_at(0, y, 0)] = scripted_chunk(key_at(0, y, 0));
+  site.source.drawn = map::Tile{8, 0, 0};
+  const std::string map = "/v1/00000000000000020000000000000001/map/8/0/0.png";
+  for (const std::string& target : {std::string{"/v1/world"}, kChunks + "/0/0/0/0", kChunks + "/0/0/0", map,
+                                    kStore + "/edits/0/0/0", std::string{"/v1/heights?columns=x"}}) {
+    CAPTURE(target);
+    const auto reader = [&](const std::string& origin) {
+      const Answer answer = site.ask(target, origin.empty() ? "" : "Origin: " + origin + "\r\n");
+      CHECK(answer.field("Vary") == "Origin");  // a cache holds an answer for each
+      return answer.field("Access-Control-Allow-Origin");
+    };
+    CHECK(reader("https://play.example") == "https://play.example");
+    CHECK(reader("https://a.example") == "https://a.example");
+    CHECK(reader("https://b.example").empty());
+    CHECK(reader("").empty());
   }
 }
 

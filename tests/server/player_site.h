@@ -40,6 +40,7 @@ struct Answer {
     return head.substr(from, head.find("\r\n", from) - from);
   }
   [[nodiscard]] std::string code() const { return nlohmann::json::parse(body)["error"]["code"]; }
+  [[nodiscard]] std::string text() const { return nlohmann::json::parse(body)["error"]["text"]; }
 };
 
 inline std::vector<Answer> answers_in(std::string_view text, bool heads_alone = false) {

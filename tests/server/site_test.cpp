@@ -176,8 +176,7 @@ TEST_CASE("a page is asked about again, and is not sent where it is there") {
   const http::Response page = site_answer(site.get(), request_of("/?x=1&y=2"));
   CHECK(page.status == 200);
   CHECK(page.cache_control == http::kNoCache);
-  CHECK_THAT(field_of(page, "Content-Security-Policy"),
-             Catch::Contains("script-src 'self' 'wasm-unsafe-eval';"));
+  CHECK_THAT(field_of(page, "Content-Security-Policy"), Catch::Contains("script-src 'self';"));
   CHECK(field_of(page, "X-Content-Type-Options") == "nosniff");
   CHECK(field_of(page, "Referrer-Policy") == "no-referrer");
   const http::Response same = site_answer(
@@ -185,6 +184,16 @@ TEST_CASE("a page is asked about again, and is not sent where it is there") {
   CHECK(same.status == 304);
   CHECK(same.content().empty());
   CHECK(same.etag == page.etag);
+}
+
+TEST_CASE("pages may compile WebAssembly where the site has some") {
+  const Dist dist;
+  dist.scratch.write("assets/decoder-Ab3dEf9_.wasm", "\0asm");
+  const auto site = dist.read();
+  for (const char* const path : {"/", "/nothing"}) {
+    CHECK_THAT(field_of(site_answer(site.get(), request_of(path)), "Content-Security-Policy"),
+               Catch::Contains("script-src 'self' 'wasm-unsafe-eval';"));
+  }
 }
 
 TEST_CASE("what is not there says where the viewer is, from wherever it was looked for") {

@@ -15,7 +15,7 @@ const world = (storeId) => ({
   server: 'test', fingerprint: FINGERPRINT, store_id: storeId, codec: 4, chunk_size: 32, levels: 7, min_y: 0, max_y: 64,
   spawn: [0, 40, 0], materials: [{ id: 0, name: 'air', colour: '#000000', phase: 'gas' }], looks: [], fields: [],
   limits: { heights_per_request: 10, view_horizontal_radius: 9, view_vertical_radius: 9, view_chunks: 9999, square_edge: 4, session: rates, address: rates },
-  edits: { taken: true, revision: 0 },
+  edits: { taken: true, revision: '0' },
 });
 
 const uniform = (material) => encodeChunk({ uniform: material, voxels: null });
