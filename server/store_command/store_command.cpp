@@ -19,7 +19,7 @@
 #include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/cluster_moves.h"
-#include "store_command/history.h"
+#include "store_command/history_report.h"
 #include "store_command/local_writer.h"
 #include "store_command/moments.h"
 #include "store_command/opened_store.h"
@@ -143,6 +143,11 @@ Answer compact_store(const Flags& flags, const Outside&) {
   return std::string{"compacted\n"};
 }
 
+/// say() tells where it could not be written.
+void to_standard_output(std::string_view text) {
+  (void)std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
 Answer show_subjects_history(const Flags& flags) {
   SubjectQuery query;
   auto subject = parse_subject(flags.subject);
@@ -157,10 +162,10 @@ Answer show_subjects_history(const Flags& flags) {
   query.most_edits = flags.count;
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  ProgressBar progress{"history", "entries"};
-  const auto history = subject_history(opened->store(), query, progress);
-  if (!history) return tl::unexpected{history.error()};
-  return flags.json ? history_json(*history, query) : history_lines(*history, query);
+  if (const auto printed = print_history(opened->store(), query, flags.json, to_standard_output); !printed) {
+    return tl::unexpected{printed.error()};
+  }
+  return std::string{};
 }
 
 Answer show_history(const Flags& flags, const Outside&) {
@@ -171,11 +176,9 @@ Answer show_history(const Flags& flags, const Outside&) {
   }
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  ProgressBar progress{"history", "entries"};
-  const auto history = history_of(opened->store(), {at[0], at[1], at[2]}, progress);
-  if (!history) return tl::unexpected{history.error()};
-  const MaterialNames names{opened->store().materials()};
-  return flags.json ? history_json(*history, names) : history_lines(*history, names);
+  const auto printed = print_history(opened->store(), {at[0], at[1], at[2]}, flags.json, to_standard_output);
+  if (!printed) return tl::unexpected{printed.error()};
+  return std::string{};
 }
 
 /// Six numbers, or a box as tokens have it.
@@ -387,7 +390,7 @@ int say(std::string_view name, const Answer& answer) {
     return kFailed;
   }
   fmt::print("{}", *answer);
-  if (std::fflush(stdout) == 0) return 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
   fmt::print(stderr, "{}: standard output: cannot write to it\n", name);
   return kFailed;
 }
@@ -452,7 +455,8 @@ int store_command(int argc, const char* const* argv, const Environment& environm
                       "voxels that both have stay as in the store; without it the file's win");
   CLI::App* const rebasing = add(
       "rebase",
-      "carries the edits over to another world, or to this one after its file has changed: what is unlike "
+      "carries the edits over to another world, or to this one after its file has changed or lost a "
+      "[[placeable]]: what is unlike "
       "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
       "stays in replaced-N",
       rebase);
