@@ -447,6 +447,29 @@ EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
   return {};
 }
 
+EditDatabase::Done EditDatabase::rename(const std::string& from, const std::string& to) {
+  const auto held = materials_.find(from);
+  if (held == materials_.end()) return failure(fmt::format("no material is called {}", from));
+  const MaterialId id = held->second;
+  if (to_integer(id) < kFirstBound) {
+    return failure(fmt::format("material {} is one that the world generates: its file names it", from));
+  }
+  if (to.empty() || to.size() > edits::kMaxMaterialNameBytes) {
+    return failure(
+        fmt::format("a name has 1 to {} bytes, this has {}", edits::kMaxMaterialNameBytes, to.size()));
+  }
+  if (const auto taken = materials_.find(to); taken != materials_.end()) {
+    return failure(fmt::format("material {} is there already, with id {}", to, to_integer(taken->second)));
+  }
+  rocksdb::WriteBatch batch;
+  batch.Delete(material_key(from));
+  put_material(to, id, batch);
+  if (auto written = write(batch, true); !written) return written;
+  materials_.erase(held);
+  materials_.emplace(to, id);
+  return {};
+}
+
 EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materials) {
   edits::MaterialIds names = materials;
   rocksdb::WriteBatch batch;

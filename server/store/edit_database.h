@@ -144,6 +144,9 @@ class EditDatabase {
   /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
   /// another name; then nothing is bound.
   [[nodiscard]] Done bind(const edits::MaterialIds& materials);
+  /// Another name for a bound id, synced. Refuses a name that is not bound, or is generated, and a new one
+  /// that is taken, empty or too long. Not where a cluster's log binds names.
+  [[nodiscard]] Done rename(const std::string& from, const std::string& to);
   /// What the world calls the materials that it generates, in place of what it called them before: their ids,
   /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
   [[nodiscard]] Done name_generated(const edits::MaterialIds& materials);

@@ -23,6 +23,7 @@
 #include "store_command/local_writer.h"
 #include "store_command/moments.h"
 #include "store_command/opened_store.h"
+#include "store_command/rename.h"
 #include "store_command/reports.h"
 #include "store_command/rollback.h"
 #include "store_command/store_figures.h"
@@ -51,6 +52,7 @@ struct Flags {
   bool keep = false;
   std::string world;
   bool drop_unknown = false;
+  std::string from, to;  // names of materials
   bool keep_id = false;
   bool yes = false;
   Cluster cluster;  // as talusd has it
@@ -337,6 +339,20 @@ Answer rebase(const Flags& flags, const Outside& outside) {
              rebased->as_base, rebased->unknown);
 }
 
+Answer rename(const Flags& flags, const Outside&) {
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+  const auto directory = DataDirectory::open_store(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  if (const auto alone = check_is_alone(flags.data, "rename a material of"); !alone) {
+    return tl::unexpected{alone.error()};
+  }
+  const auto renamed = rename_material(*directory, flags.from, flags.to);
+  if (!renamed) return tl::unexpected{renamed.error()};
+  return fmt::format(
+      "{} of \"{}\" {} called \"{}\" now; let the world's file call that [[placeable]] so, too\n",
+      counted(*renamed, "voxel"), escaped(flags.from), *renamed == 1 ? "is" : "are", escaped(flags.to));
+}
+
 /// Of a store that nobody uses.
 tl::expected<DataDirectory, std::string> lock_store(const Flags& flags) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
@@ -469,6 +485,13 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "--drop-unknown", flags.drop_unknown,
       "lose voxels of materials that the new world does not name; without it they are counted and "
       "nothing happens");
+  CLI::App* const renaming =
+      add("rename",
+          "another name for a material that players have placed: what is built of it stays, and the world's "
+          "file then has that name for its [[placeable]]",
+          rename);
+  renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
+  renaming->add_option("TO", flags.to, "the new one, which no material has")->required();
   const auto add_world = [&](CLI::App* command) {
     command
         ->add_option(
