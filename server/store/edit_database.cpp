@@ -89,10 +89,11 @@ EditDatabase::Done EditDatabase::open_database() {
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
   rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::Open(rocks_options({settings_.env, settings_.write_buffer_bytes,
-                                                       settings_.block_cache_bytes, settings_.log_elsewhere},
-                                                      !used),
-                                        database_path(), &db);
+  const auto status =
+      rocksdb::DB::Open(rocks_options({settings_.env, settings_.memory.write_buffer_bytes,
+                                       settings_.memory.block_cache_bytes, settings_.log_elsewhere},
+                                      !used),
+                        database_path(), &db);
   db_.reset(db);
   if (status.ok()) return {};
   if (status.IsCorruption() || used) {
@@ -422,6 +423,11 @@ std::uint64_t EditDatabase::free_bytes() const {
   std::uint64_t free = 0;
   // Where the file system does not say, nobody stops for it.
   return env().GetFreeSpace(settings_.path.string(), &free).ok() ? free : UINT64_MAX;
+}
+
+std::size_t EditDatabase::memory_bytes() const {
+  const std::shared_lock lock{handle_, std::try_to_lock};
+  return lock && db_ ? rocks_memory(*db_) : 0;
 }
 
 EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
