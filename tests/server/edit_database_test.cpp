@@ -259,7 +259,7 @@ TEST_CASE("what RocksDB has in memory is told, and bounded by the settings howev
   REQUIRE(written > 5'000'000);
   CHECK(most >= std::size_t{64} << 10U);
   // What is written at once, and the tables' indices, come on top.
-  CHECK(most <= store.settings.memory.most() + (std::size_t{512} << 10U));
+  CHECK(most <= store.settings.memory.most() + (std::size_t{1} << 20U));
 }
 
 }  // namespace talus::server
