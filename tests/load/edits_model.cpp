@@ -12,6 +12,7 @@
 #include <exception>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,10 +44,8 @@ struct ModelChunk {
 
 using Model = std::map<ChunkCoord, ModelChunk>;
 
-struct Failure : std::exception {
-  explicit Failure(std::string line) : line{std::move(line)} {}
-  [[nodiscard]] const char* what() const noexcept override { return line.c_str(); }
-  std::string line;
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 std::vector<Write> read_writes(const std::string& path) {
