@@ -152,7 +152,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
       const talus::server::HistoryLimits history{config.edits.history_bytes,
                                                  std::chrono::days{config.edits.history_days}};
       return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
-                              edit_state_settings(config), history, std::move(shared));
+                              edit_state_settings(config), history, store_memory(config), std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);

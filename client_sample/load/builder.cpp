@@ -167,6 +167,10 @@ void Builder::take(const wire::EditResult& result) {
   seen_revision_ = std::max(seen_revision_, result.revision());
   ++tally().edits;
   tally().edited_voxels += result.changed();
+  if (EditJournal* const journal = worker().plan().journal.get();
+      journal != nullptr && result.changed() > 0) {
+    journal->add(result.revision(), site_->voxel(write.cell), write.material);
+  }
   Live::add(worker().live().edits, 1);
   if (worker().counts(write.due)) tally().edit_ack.record(Clock::now() - write.due);
 }

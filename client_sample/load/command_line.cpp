@@ -98,6 +98,9 @@ void add_builders(CLI::App& app, Options& options) {
                      "Instead of a rate: edits that each player keeps unanswered (a closed loop)");
   auto* const group = app.add_option("--edit-group", options.edit_group,
                                      "Number of players who edit and look on at one place");
+  app.add_option("--edits-file", options.edits_file,
+                 "Append a line to this file for each acknowledged edit that changed its voxel: revision, x, "
+                 "y, z, material id");
   rate->check(within(0.001, 10'000))->excludes(in_flight);
   in_flight->check(CLI::Range(1U, 64U));
   group->check(CLI::Range(1U, EditSite::kMaxBuilders))->capture_default_str();

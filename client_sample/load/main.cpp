@@ -35,7 +35,7 @@ tl::expected<std::string, std::string> read_whole(const std::string& path) {
 
 /// Before the work, so that none is lost: where results cannot go, or what they cannot be compared with.
 tl::expected<void, std::string> check_files(const Options& options) {
-  for (const std::string& path : {options.json, options.plot}) {
+  for (const std::string& path : {options.json, options.plot, options.edits_file}) {
     if (path.empty()) continue;
     const auto folder = std::filesystem::absolute(path).parent_path();
     if (::access(folder.c_str(), W_OK) != 0) {
@@ -63,6 +63,11 @@ tl::expected<Plan, std::string> make_plan(const Options& options) {
     auto trace = parse_trace(*text);
     if (!trace) return tl::unexpected{options.mix.trace_file + ":" + trace.error()};
     plan.trace = std::make_shared<const Trace>(*std::move(trace));
+  }
+  if (!options.edits_file.empty()) {
+    auto journal = EditJournal::open(options.edits_file);
+    if (!journal) return tl::unexpected{journal.error()};
+    plan.journal = *std::move(journal);
   }
   if (const auto probed = probe_world(plan); !probed) return tl::unexpected{probed.error()};
   return plan;
@@ -108,6 +113,9 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
   }
   if (!options.json.empty()) note(files::write_file(options.json, json.dump(2) + "\n"));
   if (!options.plot.empty()) note(files::write_file(options.plot, plot_of(plan, result)));
+  if (plan.journal != nullptr) {
+    if (const auto kept = plan.journal->flush(); !kept) failures.push_back(kept.error());
+  }
   if (options.builds()) {
     const Tally players = result.players();
     if (players.edits_missing > 0) {

@@ -45,6 +45,7 @@ struct Options {
   double edits = 0;                   // a second, of each player; 0: players do not edit, unless in flight
   std::uint32_t edit_group = 1;       // players who share a place
   std::uint32_t edits_in_flight = 0;  // of each player, in place of a rate
+  std::string edits_file;             // for those that were acknowledged; empty: none
   [[nodiscard]] bool builds() const { return edits > 0 || edits_in_flight != 0; }
 
   std::uint32_t in_flight = 0;  // requests mode where not 0

@@ -12,6 +12,7 @@
 #include <talus/client/view.h>
 #include <talus/client/world_info.h>
 
+#include "edit_journal.h"
 #include "movement.h"
 #include "options.h"
 
@@ -23,9 +24,10 @@ struct Plan {
   std::vector<asio::ip::tcp::endpoint> servers{};  // of one world
   tls::Context tls;                                // null: plain
   client::WorldInfo world;
-  std::shared_ptr<const Trace> trace;  // where the mix has one
-  std::vector<glm::dvec3> origins;     // where each group begins, on its ground
-  std::vector<ChunkKey> fixed_set;     // requests mode: chunks with a surface in them
+  std::shared_ptr<const Trace> trace;      // where the mix has one
+  std::vector<glm::dvec3> origins;         // where each group begins, on its ground
+  std::vector<ChunkKey> fixed_set;         // requests mode: chunks with a surface in them
+  std::shared_ptr<EditJournal> journal{};  // null: none is kept
 
   /// What a player there asks for.
   [[nodiscard]] client::View view_at(VoxelPos centre, const glm::dvec3& direction) const {

@@ -78,10 +78,11 @@ tl::expected<std::vector<std::string>, std::string> names_without_ids(const terr
   if (!uses) return tl::unexpected{uses.error()};
   for (const auto& [name, id] : missing) {
     if (const auto count = uses->find(id); count != uses->end()) {
-      return tl::unexpected{
-          fmt::format("data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} "
-                      "voxels; put it back into the world's file",
-                      database.path().string(), name, count->second)};
+      return tl::unexpected{fmt::format(
+          "data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} "
+          "voxels; put it back into the world's file, or call what is built of it something else by talusd "
+          "store rename, or lose it by talusd store rebase --drop-unknown",
+          database.path().string(), name, count->second)};
     }
   }
   return names;

@@ -444,6 +444,8 @@ void Server::watch_edits() {
   if (now - last_look_at_edits_ < kLookAtEdits) return;
   last_look_at_edits_ = now;
   memory_.set(MemoryUse::edits, edits_->state().bytes());
+  memory_.set(MemoryUse::store, edits_->store_bytes());
+  chunks_.count_columns();
   auto read_only = edits_->status().read_only;
   if (read_only == edits_read_only_) return;
   if (read_only) {

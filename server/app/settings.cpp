@@ -174,16 +174,30 @@ EditStateSettings edit_state_settings(const Config& config) {
   return settings;
 }
 
+StoreMemory store_memory(const Config& config) {
+  StoreMemory memory;
+  if (config.limits.memory_bytes == 0) return memory;
+  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // of each
+  const std::uint64_t room = room_for_edits(config);
+  // The index may have three quarters of it.
+  const std::uint64_t left = room - std::min<std::uint64_t>(room, edit_state_settings(config).recent_bytes);
+  memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
+  memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
+  return memory;
+}
+
 tl::expected<void, std::string> check_index_memory(const Config& config, std::uint64_t index_bytes) {
   constexpr std::uint64_t kMebibyte = 1U << 20U;
   const std::uint64_t limit = config.limits.memory_bytes;
   const EditStateSettings settings = edit_state_settings(config);
   if (limit == 0 || index_bytes <= settings.index_bytes) return {};
-  if (index_bytes + settings.recent_bytes < room_for_edits(config)) return {};
+  if (index_bytes + settings.recent_bytes + store_memory(config).most() < room_for_edits(config)) return {};
   // Three eighths of the budget less the program, of which the index may have three quarters.
   Config enough = config;
   enough.limits.memory_bytes = (limit / kMebibyte + 1) * kMebibyte;
-  while (index_bytes + kMostRecentBytes >= room_for_edits(enough)) enough.limits.memory_bytes += kMebibyte;
+  while (index_bytes + kMostRecentBytes + store_memory(enough).most() >= room_for_edits(enough)) {
+    enough.limits.memory_bytes += kMebibyte;
+  }
   return tl::make_unexpected(fmt::format(
       "limits.memory_bytes: {} is too little for the edits in {}, whose index of edited chunks takes {} "
       "bytes: the server might refuse every client; give at least {}, or 0 for no limit",

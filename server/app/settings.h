@@ -23,6 +23,7 @@
 #include "net/session_runner.h"
 #include "rates/rates.h"
 #include "session/session_limits.h"
+#include "store/edit_database.h"
 #include "web/web_context.h"
 
 namespace talus::server {
@@ -65,6 +66,9 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// What edits may take of limits.memory_bytes. With the program and the largest share of the generators they
 /// stay below the half at which connections are taken again.
 [[nodiscard]] EditStateSettings edit_state_settings(const Config& config);
+/// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
+/// below that half, too.
+[[nodiscard]] StoreMemory store_memory(const Config& config);
 /// An error, one line, where an index of so many bytes, as a store has it, takes more than that, so that the
 /// server might refuse every client for good. Below that it is served, and refuses to grow.
 [[nodiscard]] tl::expected<void, std::string> check_index_memory(const Config& config,

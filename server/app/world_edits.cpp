@@ -38,13 +38,14 @@ EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrai
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
     const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
-    SharedLog shared) {
+    StoreMemory memory, SharedLog shared) {
   const SignalsBlocked blocked;  // for RocksDB's threads
   EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = world.fingerprint();
   settings.store_id = store_id;
   settings.history = history;
+  settings.memory = memory;
   settings.log_elsewhere = shared.stream != nullptr;
   settings.on_lost_end = shared.on_lost_end;
   auto database = EditDatabase::open(settings);

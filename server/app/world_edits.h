@@ -53,7 +53,7 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
       const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
-      SharedLog shared = {});
+      StoreMemory memory = {}, SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
@@ -86,6 +86,8 @@ class WorldEdits final : public EditedLand {
 
   /// Any thread.
   [[nodiscard]] HistoryKept history() const { return database_->history(); }
+  /// Any thread. EditDatabase::memory_bytes().
+  [[nodiscard]] std::size_t store_bytes() const { return database_->memory_bytes(); }
   /// Any thread. EditDatabase::checkpoint().
   [[nodiscard]] EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
     return database_->checkpoint(path);

@@ -16,6 +16,7 @@
 
 #include "store/no_info_log.h"
 #include "store/regular_files.h"
+#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -53,10 +54,6 @@ rocksdb::WriteOptions without_waiting() {
   options.disableWAL = true;  // what a crash takes is made again
   options.no_slowdown = true;
   return options;
-}
-
-rocksdb::Slice as_slice(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 }  // namespace
@@ -191,6 +188,7 @@ bool ColumnCache::has_room() {
 ColumnCache::Status ColumnCache::status() const {
   Status status{found_.total(), missing_.total(), kept_.total(), lost_.total()};
   (void)db_->GetIntProperty(rocksdb::DB::Properties::kTotalSstFilesSize, &status.bytes);
+  status.memory_bytes = rocks_memory(*db_);
   return status;
 }
 

@@ -69,9 +69,10 @@ class ColumnCache {
   struct Status {
     std::uint64_t found = 0;  // by find()
     std::uint64_t missing = 0;
-    std::uint64_t kept = 0;   // by put()
-    std::uint64_t lost = 0;   // damaged, or not kept as the disk was behind, full or failing
-    std::uint64_t bytes = 0;  // on disk
+    std::uint64_t kept = 0;        // by put()
+    std::uint64_t lost = 0;        // damaged, or not kept as the disk was behind, full or failing
+    std::uint64_t bytes = 0;       // on disk
+    std::size_t memory_bytes = 0;  // of RocksDB
   };
   [[nodiscard]] Status status() const;
 

@@ -13,55 +13,12 @@ Replay::Replay(const EditDatabase& database, const ChunkIndex& index)
         return stored;
       }} {}
 
-void Replay::start(edits::EditorId id, StoredEditor&& stored) {
-  positions_.emplace(id, stored.position);
-  editors_.put(id, std::move(stored.editor));
-}
-
 bool Replay::apply(const LogRecord& record) {
   const bool changed = !record.changes.empty();
   if (revision_ && record.revision != *revision_ + (changed ? 1 : 0)) return false;
   revision_ = record.revision;
-  apply_to_editors(record);
+  editors_.apply(record);
   return chunks_.apply(record).has_value();
-}
-
-void Replay::apply_to_editors(const LogRecord& record) {
-  using Kind = edits::Applied::Kind;
-  const bool attach =
-      record.kind == Kind::attached || record.kind == Kind::superseded || record.kind == Kind::editors_full;
-  if (attach) {
-    for (const edits::EditorId id : editors_.idle_at(record.time_ms)) {
-      editors_.erase(id);
-      dirty_editors_.insert(id);
-    }
-  }
-  if (record.forgotten) {
-    // One of that id which the database has of later never was this one.
-    const auto has = positions_.find(*record.forgotten);
-    if (has == positions_.end() || has->second < record.position) {
-      editors_.erase(*record.forgotten);
-      dirty_editors_.insert(*record.forgotten);
-    }
-  }
-  if (record.kind != Kind::attached && record.kind != Kind::done && record.kind != Kind::conflict) return;
-  if (const auto has = positions_.find(record.editor);
-      has != positions_.end() && has->second >= record.position) {
-    return;
-  }
-  const edits::Editor* const before = editors_.find(record.editor);
-  // One that the database has forgotten already, by a record that follows.
-  if (before == nullptr && record.kind != Kind::attached) return;
-  edits::Editor editor = before == nullptr ? edits::Editor{} : *before;
-  editor.used_ms = record.time_ms;
-  if (record.kind == Kind::attached) {
-    editor.epoch = record.epoch;
-    editor.subject = record.subject;
-  } else {
-    editor.keep(record.result);
-  }
-  editors_.put(record.editor, std::move(editor));
-  dirty_editors_.insert(record.editor);
 }
 
 }  // namespace talus::server

@@ -6,12 +6,14 @@
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <talus/edits/batch.h>
 
 #include "edits/chunk_index.h"
 #include "store/edit_database.h"
 #include "store/replayed_chunks.h"
+#include "store/replayed_editors.h"
 
 namespace talus::server {
 
@@ -21,23 +23,18 @@ class Replay {
   Replay(const EditDatabase& database, const ChunkIndex& index);
 
   /// An editor of the database. All of them before the first record.
-  void start(edits::EditorId id, StoredEditor&& stored);
+  void start(edits::EditorId id, StoredEditor&& stored) { editors_.start(id, std::move(stored)); }
   /// False where the record does not fit to those before it, or a chunk cannot be read.
   [[nodiscard]] bool apply(const LogRecord& record);
 
   [[nodiscard]] std::unordered_map<ChunkKey, ReplayedChunks::Chunk> take_chunks() { return chunks_.take(); }
-  [[nodiscard]] edits::Editors take_editors() { return std::move(editors_); }
+  [[nodiscard]] edits::Editors take_editors() { return editors_.take(); }
   /// Those that the database has otherwise, or has and should not.
-  [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty_editors() { return std::move(dirty_editors_); }
+  [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty_editors() { return editors_.take_dirty(); }
 
  private:
-  void apply_to_editors(const LogRecord& record);
-
   ReplayedChunks chunks_;
-  edits::Editors editors_;
-  std::unordered_map<edits::EditorId, std::uint64_t>
-      positions_;  // up to which entry the database has an editor
-  std::unordered_set<edits::EditorId> dirty_editors_;
+  ReplayedEditors editors_;
   std::optional<std::uint64_t> revision_;
 };
 

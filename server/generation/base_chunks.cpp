@@ -136,6 +136,10 @@ bool BaseChunks::fit_caches() {
   return patches_fit && chunks_fit;
 }
 
+void BaseChunks::count_columns() {
+  if (columns_ != nullptr) memory_.set(MemoryUse::column_cache, columns_->status().memory_bytes);
+}
+
 void BaseChunks::keep_on_disk() {
   if (columns_ == nullptr) return;
   patches_.keep_all();

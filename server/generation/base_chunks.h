@@ -86,6 +86,9 @@ class BaseChunks final : public ChunkSource {
   /// refused.
   [[nodiscard]] bool fit_caches();
 
+  /// Tells the memory budget what the cache of columns on disk holds in memory. Once a second will do.
+  void count_columns();
+
   /// What was generated and is worth it is on the disk when it returns.
   void keep_on_disk();
 

@@ -20,12 +20,12 @@ std::uint64_t MemoryBudget::used(MemoryUse use) const {
 
 std::uint64_t MemoryBudget::beside_caches() const {
   return used(MemoryUse::program) + used(MemoryUse::sessions) + used(MemoryUse::jobs) +
-         used(MemoryUse::generators) + used(MemoryUse::edits);
+         used(MemoryUse::generators) + used(MemoryUse::edits) + used(MemoryUse::store);
 }
 
 std::uint64_t MemoryBudget::used() const {
   return beside_caches() + used(MemoryUse::chunk_cache) + used(MemoryUse::patch_cache) +
-         used(MemoryUse::edit_cache);
+         used(MemoryUse::edit_cache) + used(MemoryUse::column_cache);
 }
 
 void MemoryBudget::add(MemoryUse use, std::int64_t bytes) {
@@ -63,9 +63,10 @@ std::uint64_t MemoryBudget::left_by(std::uint64_t bytes) const {
 std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
   if (limit_ == 0) return wanted;
   const std::uint64_t edits = used(MemoryUse::edit_cache);
-  // The least that all caches have is a 16th, of which that of edits has its 64th.
-  return std::min(wanted,
-                  std::max(left_by(beside_caches() + edits), limit_ / 16 - std::min(edits, limit_ / 64)));
+  const std::uint64_t columns = used(MemoryUse::column_cache);
+  // The least that all caches have is a 16th, of which those of edits and of columns have their 64ths.
+  const std::uint64_t least = limit_ / 16 - std::min(edits, limit_ / 64) - std::min(columns, limit_ / 64);
+  return std::min(wanted, std::max(left_by(beside_caches() + edits + columns), least));
 }
 
 std::uint64_t MemoryBudget::for_edit_cache(std::uint64_t wanted) const {

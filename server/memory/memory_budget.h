@@ -24,12 +24,15 @@ enum class MemoryUse : std::uint8_t {
   jobs,
   generators,
   edits,
+  store,
   chunk_cache,
   patch_cache,
-  edit_cache
+  edit_cache,
+  column_cache
 };
-inline constexpr std::array<std::string_view, 8> kMemoryUses{
-    "program", "sessions", "jobs", "generators", "edits", "chunk_cache", "patch_cache", "edit_cache"};
+inline constexpr std::array<std::string_view, 10> kMemoryUses{
+    "program", "sessions",    "jobs",        "generators", "edits",
+    "store",   "chunk_cache", "patch_cache", "edit_cache", "column_cache"};
 
 class MemoryBudget {
  public:
@@ -72,8 +75,8 @@ class MemoryBudget {
   void when_jobs_resume(std::function<void()> resumed);
 
   /// How much of `wanted` bytes caches of chunks and patches may hold now: what everything else, and the
-  /// cache of edits, leaves of 7/8 of the limit, and at least 1/16 of it, less what the latter has of its
-  /// least.
+  /// caches of edits and of columns on disk, leave of 7/8 of the limit, and at least 1/16 of it, less what
+  /// those have of their least, a 64th each.
   [[nodiscard]] std::uint64_t for_caches(std::uint64_t wanted) const;
   /// The same of the cache of edits: an eighth of what caches may have, and at least 1/64 of the limit.
   [[nodiscard]] std::uint64_t for_edit_cache(std::uint64_t wanted) const;

@@ -89,10 +89,11 @@ EditDatabase::Done EditDatabase::open_database() {
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
   rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::Open(rocks_options({settings_.env, settings_.write_buffer_bytes,
-                                                       settings_.block_cache_bytes, settings_.log_elsewhere},
-                                                      !used),
-                                        database_path(), &db);
+  const auto status =
+      rocksdb::DB::Open(rocks_options({settings_.env, settings_.memory.write_buffer_bytes,
+                                       settings_.memory.block_cache_bytes, settings_.log_elsewhere},
+                                      !used),
+                        database_path(), &db);
   db_.reset(db);
   if (status.ok()) return {};
   if (status.IsCorruption() || used) {
@@ -424,6 +425,11 @@ std::uint64_t EditDatabase::free_bytes() const {
   return env().GetFreeSpace(settings_.path.string(), &free).ok() ? free : UINT64_MAX;
 }
 
+std::size_t EditDatabase::memory_bytes() const {
+  const std::shared_lock lock{handle_, std::try_to_lock};
+  return lock && db_ ? rocks_memory(*db_) : 0;
+}
+
 EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
   std::map<MaterialId, std::string> names;
   for (const auto& [name, id] : materials_) names.emplace(id, name);
@@ -444,6 +450,29 @@ EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
   if (batch.Count() == 0) return {};
   if (auto written = write(batch, true); !written) return written;
   for (const auto& each : materials) materials_.insert(each);
+  return {};
+}
+
+EditDatabase::Done EditDatabase::rename(const std::string& from, const std::string& to) {
+  const auto held = materials_.find(from);
+  if (held == materials_.end()) return failure(fmt::format("no material is called {}", from));
+  const MaterialId id = held->second;
+  if (to_integer(id) < kFirstBound) {
+    return failure(fmt::format("material {} is one that the world generates: its file names it", from));
+  }
+  if (to.empty() || to.size() > edits::kMaxMaterialNameBytes) {
+    return failure(
+        fmt::format("a name has 1 to {} bytes, this has {}", edits::kMaxMaterialNameBytes, to.size()));
+  }
+  if (const auto taken = materials_.find(to); taken != materials_.end()) {
+    return failure(fmt::format("material {} is there already, with id {}", to, to_integer(taken->second)));
+  }
+  rocksdb::WriteBatch batch;
+  batch.Delete(material_key(from));
+  put_material(to, id, batch);
+  if (auto written = write(batch, true); !written) return written;
+  materials_.erase(held);
+  materials_.emplace(to, id);
   return {};
 }
 

@@ -47,12 +47,18 @@ struct HistoryKept {
   std::int64_t since_ms = 0;  // from then on all of it, since 1970 by the log's time; 0: there is none
 };
 
+/// What RocksDB may hold in memory, but for the index and the filter of each open table.
+struct StoreMemory {
+  std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // of which there are two at most
+  std::size_t block_cache_bytes = std::size_t{8} << 20U;
+  [[nodiscard]] std::size_t most() const { return 2 * write_buffer_bytes + block_cache_bytes; }
+};
+
 struct EditDatabaseSettings {
   std::filesystem::path path;  // a directory that a DataDirectory has locked
   ContentHash fingerprint;     // of the world
   ContentHash store_id;
-  std::size_t write_buffer_bytes = std::size_t{32} << 20U;
-  std::size_t block_cache_bytes = std::size_t{8} << 20U;
+  StoreMemory memory{};
   HistoryLimits history{};
   /// On a full disk RocksDB may abort the process where it opens.
   std::uint64_t free_bytes_to_open = std::uint64_t{64} << 20U;
@@ -139,11 +145,18 @@ class EditDatabase {
 
   [[nodiscard]] std::uint64_t free_bytes() const;
 
+  /// What RocksDB has in memory: what was written and is in no table yet, blocks that were read, and the
+  /// index and the filter of each open table. Any thread; waits for nobody.
+  [[nodiscard]] std::size_t memory_bytes() const;
+
   /// Which name has which id, for ever. On the thread that writes.
   [[nodiscard]] const edits::MaterialIds& materials() const { return materials_; }
   /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
   /// another name; then nothing is bound.
   [[nodiscard]] Done bind(const edits::MaterialIds& materials);
+  /// Another name for a bound id, synced. Refuses a name that is not bound, or is generated, and a new one
+  /// that is taken, empty or too long. Not where a cluster's log binds names.
+  [[nodiscard]] Done rename(const std::string& from, const std::string& to);
   /// What the world calls the materials that it generates, in place of what it called them before: their ids,
   /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
   [[nodiscard]] Done name_generated(const edits::MaterialIds& materials);

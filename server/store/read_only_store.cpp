@@ -7,6 +7,7 @@
 
 #include "store/regular_files.h"
 #include "store/replayed_chunks.h"
+#include "store/replayed_editors.h"
 #include "store/rocks.h"
 
 namespace talus::server {
@@ -57,6 +58,7 @@ ReadOnlyStore::Done ReadOnlyStore::read_unflushed() {
   });
   if (!read) return read;
   if (!replayed) return tl::unexpected{std::move(replayed.error())};
+  unflushed_bytes_ = *replayed;
   for (const auto& [key, chunk] : chunks.take()) {
     const auto voxels = chunk.overrides.voxels();
     unflushed_.emplace(chunk_key(key), StoredChunk{chunk.revision, {voxels.begin(), voxels.end()}});
@@ -102,6 +104,28 @@ ReadOnlyStore::Done ReadOnlyStore::for_each_base_chunk(
 
 std::uint64_t ReadOnlyStore::first_record() const {
   return history_.empty() ? meta_.flushed + 1 : history_.front().first;
+}
+
+std::uint64_t ReadOnlyStore::record_bytes() const {
+  std::uint64_t bytes = unflushed_bytes_;
+  for (const HistorySegment& segment : history_) bytes += segment.bytes;
+  return bytes;
+}
+
+StoreReader::Result<std::size_t> ReadOnlyStore::count_editors() const {
+  const StoreReader reader = this->reader();
+  ReplayedEditors editors;
+  const auto read = reader.for_each_editor([&](edits::EditorId id, StoredEditor&& stored) {
+    stored.editor.results = {};  // the most of what it takes, and nobody counts them
+    editors.start(id, std::move(stored));
+  });
+  if (!read) return tl::unexpected{read.error()};
+  const auto replayed = reader.replay(meta_, [&](LogRecord&& record) {
+    editors.apply(record);
+    return true;
+  });
+  if (!replayed) return tl::unexpected{replayed.error()};
+  return editors.take().size();
 }
 
 ReadOnlyStore::Done ReadOnlyStore::verify_files() const {

@@ -43,6 +43,10 @@ class ReadOnlyStore {
 
   /// The first entry of the log that is kept; one more than the last where none is.
   [[nodiscard]] std::uint64_t first_record() const;
+  /// Of the log's entries that are kept, those that are not flushed yet among them.
+  [[nodiscard]] std::uint64_t record_bytes() const;
+  /// How many there are as of the last entry of the log. Reads all of them.
+  [[nodiscard]] StoreReader::Result<std::size_t> count_editors() const;
   /// Reads every block of every file.
   [[nodiscard]] Done verify_files() const;
   /// Chunks that are stored, roughly, for progress.
@@ -59,6 +63,7 @@ class ReadOnlyStore {
   std::map<std::string, MaterialId> materials_;
   std::deque<HistorySegment> history_;
   std::map<std::string, StoredChunk> unflushed_;
+  std::uint64_t unflushed_bytes_ = 0;  // of their records
 };
 
 }  // namespace talus::server

@@ -54,6 +54,17 @@ rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
   return options;
 }
 
+std::size_t rocks_memory(rocksdb::DB& db) {
+  using Properties = rocksdb::DB::Properties;
+  std::size_t bytes = 0;
+  for (const std::string& property :
+       {Properties::kSizeAllMemTables, Properties::kBlockCacheUsage, Properties::kEstimateTableReadersMem}) {
+    std::uint64_t of_property = 0;
+    if (db.GetIntProperty(property, &of_property)) bytes += of_property;
+  }
+  return bytes;
+}
+
 std::string_view remedy_for(const rocksdb::Status& status) {
   return status.IsNoSpace() ? "its disk is full: nothing is damaged; free space" : kStoreLost;
 }

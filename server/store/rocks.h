@@ -25,6 +25,10 @@ struct RocksSettings {
 
 [[nodiscard]] rocksdb::Options rocks_options(const RocksSettings& settings, bool create);
 
+/// What a database has in memory: what was written and is in no table yet, blocks that were read, and the
+/// index and the filter of each open table. Any thread.
+[[nodiscard]] std::size_t rocks_memory(rocksdb::DB& db);
+
 /// What one may do where a database does not open, or is not read.
 [[nodiscard]] std::string_view remedy_for(const rocksdb::Status& status);
 

@@ -1,14 +1,15 @@
 #include "store_command/history.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace talus::server {
 namespace {
 
 /// REQUIRES: the record changes something.
-SubjectHistory::Changes changes_of(const LogRecord& record) {
-  SubjectHistory::Changes all{record.time_ms, record.position, record.revision, record.editor, 0, {}, {}};
+SubjectEdit edit_of(const LogRecord& record) {
+  SubjectEdit all{record.time_ms, record.position, record.revision, record.editor, 0, {}, {}};
   for (const edits::ChunkChanges& changes : record.changes) {
     const VoxelPos origin = chunk_origin(changes.chunk);
     for (const edits::VoxelChange& voxel : changes.voxels) {
@@ -21,50 +22,92 @@ SubjectHistory::Changes changes_of(const LogRecord& record) {
   return all;
 }
 
+/// Who edited, as far as they are told apart.
+class Others {
+ public:
+  void count(const std::string& subject) {
+    const auto at = edits_.find(subject);
+    if (at != edits_.end()) {
+      ++at->second;
+    } else if (edits_.size() < SubjectSummary::kMostOthers) {
+      edits_.emplace(subject, 1);
+    } else {
+      more_ = true;
+    }
+  }
+  void give(SubjectSummary& summary) {
+    summary.others.assign(edits_.begin(), edits_.end());
+    std::ranges::stable_sort(summary.others, std::ranges::greater{},
+                             &std::pair<std::string, std::uint64_t>::second);
+    summary.more_others = more_;
+  }
+
+ private:
+  std::map<std::string, std::uint64_t> edits_;
+  bool more_ = false;
+};
+
 }  // namespace
 
-tl::expected<VoxelHistory, std::string> history_of(const ReadOnlyStore& store, VoxelPos voxel,
-                                                   ProgressBar& progress) {
+tl::expected<KeptRecords, std::string> kept_records(const ReadOnlyStore& store) {
+  const StoreMeta& meta = store.meta();
+  KeptRecords kept{store.first_record(), meta.head.position, meta.head.time_ms};
+  if (!kept.any()) return kept;
+  const auto read = store.reader().for_each_record(meta, kept.first, [&](LogRecord&& record) {
+    kept.first_time_ms = record.time_ms;
+    return false;
+  });
+  if (!read) return tl::unexpected{read.error()};
+  return kept;
+}
+
+tl::expected<void, std::string> history_of(const ReadOnlyStore& store, VoxelPos voxel,
+                                           const std::function<void(const VoxelHistory&)>& visit,
+                                           ProgressBar& progress) {
   const auto key = chunk_holding(voxel, Lod{});
   if (!key) return tl::unexpected{key.error().message};
   const auto index = static_cast<std::uint16_t>(voxel_index(local_pos(voxel)));
   const StoreMeta& meta = store.meta();
-  VoxelHistory history{{}, store.first_record(), meta.head.time_ms};
-  progress.expect(meta.head.position + 1 - history.first_position);
-  bool first = true;
-  const auto read = store.reader().for_each_record(meta, history.first_position, [&](LogRecord&& record) {
+  progress.expect(meta.head.position + 1 - store.first_record());
+  return store.reader().for_each_record(meta, store.first_record(), [&](LogRecord&& record) {
     progress.advance(1);
-    if (std::exchange(first, false)) history.first_time_ms = record.time_ms;
     const auto chunk = std::ranges::find(record.changes, key->coord, &edits::ChunkChanges::chunk);
     if (chunk == record.changes.end()) return true;
     const auto change = std::ranges::lower_bound(chunk->voxels, index, {}, &edits::VoxelChange::index);
     if (change != chunk->voxels.end() && change->index == index) {
-      history.changes.push_back({record.time_ms, record.position, record.revision, std::move(record.subject),
-                                 record.editor, change->before, change->after});
+      visit({record.time_ms, record.position, record.revision, std::move(record.subject), record.editor,
+             change->before, change->after});
     }
     return true;
   });
-  if (!read) return tl::unexpected{read.error()};
-  return history;
 }
 
-tl::expected<SubjectHistory, std::string> subject_history(const ReadOnlyStore& store,
-                                                          const SubjectQuery& query, ProgressBar& progress) {
+tl::expected<SubjectSummary, std::string> subject_history(
+    const ReadOnlyStore& store, const SubjectQuery& query,
+    const std::function<void(const SubjectEdit&)>& visit, ProgressBar& progress) {
   const StoreMeta& meta = store.meta();
-  SubjectHistory history{{}, false, store.first_record(), meta.head.time_ms};
-  progress.expect(meta.head.position + 1 - history.first_position);
-  bool first = true;
-  const auto read = store.reader().for_each_record(meta, history.first_position, [&](LogRecord&& record) {
+  SubjectSummary summary;
+  Others others;
+  progress.expect(meta.head.position + 1 - store.first_record());
+  const auto read = store.reader().for_each_record(meta, store.first_record(), [&](LogRecord&& record) {
     progress.advance(1);
-    if (std::exchange(first, false)) history.first_time_ms = record.time_ms;
+    if (record.changes.empty()) return true;
+    if (record.subject != query.subject) {
+      if (!summary.met) others.count(record.subject);
+      return true;
+    }
+    summary.met = true;
     if (record.position <= query.after || record.time_ms < query.since_ms) return true;
-    if (record.changes.empty() || record.subject != query.subject) return true;
-    history.more = history.edits.size() == query.most_edits;
-    if (!history.more) history.edits.push_back(changes_of(record));
-    return !history.more;
+    summary.more = summary.listed == query.most_edits;
+    if (summary.more) return false;
+    visit(edit_of(record));
+    ++summary.listed;
+    summary.last_position = record.position;
+    return true;
   });
   if (!read) return tl::unexpected{read.error()};
-  return history;
+  if (!summary.met) others.give(summary);
+  return summary;
 }
 
 }  // namespace talus::server

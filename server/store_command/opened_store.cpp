@@ -41,6 +41,15 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   return opened;
 }
 
+tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
+  auto store = ReadOnlyStore::open(directory.path());
+  if (!store) return store;
+  if (const auto whole = check_whole_store(directory.path(), (*store)->meta()); !whole) {
+    return tl::unexpected{whole.error()};
+  }
+  return store;
+}
+
 tl::expected<void, std::string> check_may_write(const std::filesystem::path& data) {
   const auto server = StoreConnection::open(data);
   if (!server) return tl::unexpected{server.error()};

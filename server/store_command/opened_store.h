@@ -47,6 +47,10 @@ class OpenedStore {
   std::unique_ptr<ReadOnlyStore> store_;
 };
 
+/// The store in a directory that nobody else uses, with all that was acknowledged.
+[[nodiscard]] tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(
+    const DataDirectory& directory);
+
 /// For commands that write files of a store: refused where a server uses it, and where they would belong to
 /// another user than the directory does.
 [[nodiscard]] tl::expected<void, std::string> check_may_write(const std::filesystem::path& data);

@@ -1,30 +1,16 @@
 #include "store_command/reports.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "log/escape.h"
 #include "store/regular_files.h"
 #include "store_command/moments.h"
-#include "store_command/subjects.h"
 
 namespace talus::server {
 namespace {
 
 using ReportJson = nlohmann::ordered_json;
-
-std::uint64_t history_bytes(const ReadOnlyStore& store) {
-  std::uint64_t bytes = 0;
-  for (const HistorySegment& segment : store.history()) bytes += segment.bytes;
-  return bytes;
-}
-
-/// An editor's id is a secret; a part of it tells editors apart.
-std::string short_id(edits::EditorId id) {
-  return fmt::format("{:08x}", id.high >> 32U);
-}
 
 }  // namespace
 
@@ -80,7 +66,7 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("history", store.first_record() > meta.head.position
                       ? "none"
                       : fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
-                                    readable_bytes(history_bytes(store))));
+                                    readable_bytes(store.record_bytes())));
   line("disk", readable_bytes(bytes_of_files(opened.path() / "db")));
   const MaterialNames names{store.materials()};
   for (const auto& [material, voxels] : figures.materials) {
@@ -112,80 +98,11 @@ std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
   json["editors"] = figures.editors;
   json["history"] = {{"first_position", store.first_record()},
                      {"last_position", meta.head.position},
-                     {"bytes", history_bytes(store)}};
+                     {"bytes", store.record_bytes()}};
   json["disk_bytes"] = bytes_of_files(opened.path() / "db");
   const MaterialNames names{store.materials()};
   json["materials"] = ReportJson::object();
   for (const auto& [material, voxels] : figures.materials) json["materials"][names.of(material)] = voxels;
-  return json.dump(2) + "\n";
-}
-
-std::string history_lines(const VoxelHistory& history, const MaterialNames& names) {
-  std::string text = fmt::format("records go back to entry {}, at {}\n", history.first_position,
-                                 moment(history.first_time_ms));
-  if (history.changes.empty()) text += "nobody has changed the voxel since\n";
-  for (const VoxelHistory::Change& change : history.changes) {
-    text += fmt::format("{}  {} -> {}  {}  editor {}, revision {}\n", moment(change.time_ms),
-                        names.of(change.before), names.of(change.after), subject_text(change.subject),
-                        short_id(change.editor), change.revision);
-  }
-  return text;
-}
-
-std::string history_json(const VoxelHistory& history, const MaterialNames& names) {
-  ReportJson json;
-  json["first_position"] = history.first_position;
-  json["first_time"] = moment(history.first_time_ms);
-  json["changes"] = ReportJson::array();
-  for (const VoxelHistory::Change& change : history.changes) {
-    json["changes"].push_back({{"time", moment(change.time_ms)},
-                               {"time_ms", change.time_ms},
-                               {"before", names.of(change.before)},
-                               {"after", names.of(change.after)},
-                               {"subject", change.subject.empty() ? "" : subject_text(change.subject)},
-                               {"editor", short_id(change.editor)},
-                               {"position", change.position},
-                               {"revision", change.revision}});
-  }
-  return json.dump(2) + "\n";
-}
-
-std::string history_lines(const SubjectHistory& history, const SubjectQuery& query) {
-  std::string text = fmt::format("records go back to entry {}, at {}\n", history.first_position,
-                                 moment(history.first_time_ms));
-  if (history.edits.empty()) {
-    return text + fmt::format("{} has changed nothing since {}{}\n", subject_text(query.subject),
-                              moment(std::max(query.since_ms, history.first_time_ms)),
-                              query.after == 0 ? "" : fmt::format(", after entry {}", query.after));
-  }
-  for (const SubjectHistory::Changes& edit : history.edits) {
-    const VoxelPos& first = edit.first;
-    const VoxelPos& last = edit.last;
-    text += fmt::format("{}  {} in {},{},{}:{},{},{}  editor {}, entry {}, revision {}\n",
-                        moment(edit.time_ms), counted(edit.voxels, "voxel"), first.x, first.y, first.z,
-                        last.x, last.y, last.z, short_id(edit.editor), edit.position, edit.revision);
-  }
-  if (history.more) text += fmt::format("there are more: --after {}\n", history.edits.back().position);
-  return text;
-}
-
-std::string history_json(const SubjectHistory& history, const SubjectQuery& query) {
-  ReportJson json;
-  json["first_position"] = history.first_position;
-  json["first_time"] = moment(history.first_time_ms);
-  json["subject"] = query.subject.empty() ? "" : subject_text(query.subject);
-  json["edits"] = ReportJson::array();
-  for (const SubjectHistory::Changes& edit : history.edits) {
-    json["edits"].push_back({{"time", moment(edit.time_ms)},
-                             {"time_ms", edit.time_ms},
-                             {"voxels", edit.voxels},
-                             {"first", {edit.first.x, edit.first.y, edit.first.z}},
-                             {"last", {edit.last.x, edit.last.y, edit.last.z}},
-                             {"editor", short_id(edit.editor)},
-                             {"position", edit.position},
-                             {"revision", edit.revision}});
-  }
-  json["more"] = history.more;
   return json.dump(2) + "\n";
 }
 

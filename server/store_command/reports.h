@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "store_command/history.h"
 #include "store_command/opened_store.h"
 #include "store_command/store_figures.h"
 
@@ -31,9 +30,5 @@ class MaterialNames {
 
 [[nodiscard]] std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures);
 [[nodiscard]] std::string stat_json(const OpenedStore& opened, const StoreFigures& figures);
-[[nodiscard]] std::string history_lines(const VoxelHistory& history, const MaterialNames& names);
-[[nodiscard]] std::string history_json(const VoxelHistory& history, const MaterialNames& names);
-[[nodiscard]] std::string history_lines(const SubjectHistory& history, const SubjectQuery& query);
-[[nodiscard]] std::string history_json(const SubjectHistory& history, const SubjectQuery& query);
 
 }  // namespace talus::server

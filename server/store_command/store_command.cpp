@@ -19,10 +19,11 @@
 #include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/cluster_moves.h"
-#include "store_command/history.h"
+#include "store_command/history_report.h"
 #include "store_command/local_writer.h"
 #include "store_command/moments.h"
 #include "store_command/opened_store.h"
+#include "store_command/rename.h"
 #include "store_command/reports.h"
 #include "store_command/rollback.h"
 #include "store_command/store_figures.h"
@@ -51,6 +52,7 @@ struct Flags {
   bool keep = false;
   std::string world;
   bool drop_unknown = false;
+  std::string from, to;  // names of materials
   bool keep_id = false;
   bool yes = false;
   Cluster cluster;  // as talusd has it
@@ -143,6 +145,11 @@ Answer compact_store(const Flags& flags, const Outside&) {
   return std::string{"compacted\n"};
 }
 
+/// say() tells where it could not be written.
+void to_standard_output(std::string_view text) {
+  (void)std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
 Answer show_subjects_history(const Flags& flags) {
   SubjectQuery query;
   auto subject = parse_subject(flags.subject);
@@ -157,10 +164,10 @@ Answer show_subjects_history(const Flags& flags) {
   query.most_edits = flags.count;
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  ProgressBar progress{"history", "entries"};
-  const auto history = subject_history(opened->store(), query, progress);
-  if (!history) return tl::unexpected{history.error()};
-  return flags.json ? history_json(*history, query) : history_lines(*history, query);
+  if (const auto printed = print_history(opened->store(), query, flags.json, to_standard_output); !printed) {
+    return tl::unexpected{printed.error()};
+  }
+  return std::string{};
 }
 
 Answer show_history(const Flags& flags, const Outside&) {
@@ -171,11 +178,9 @@ Answer show_history(const Flags& flags, const Outside&) {
   }
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  ProgressBar progress{"history", "entries"};
-  const auto history = history_of(opened->store(), {at[0], at[1], at[2]}, progress);
-  if (!history) return tl::unexpected{history.error()};
-  const MaterialNames names{opened->store().materials()};
-  return flags.json ? history_json(*history, names) : history_lines(*history, names);
+  const auto printed = print_history(opened->store(), {at[0], at[1], at[2]}, flags.json, to_standard_output);
+  if (!printed) return tl::unexpected{printed.error()};
+  return std::string{};
 }
 
 /// Six numbers, or a box as tokens have it.
@@ -334,6 +339,20 @@ Answer rebase(const Flags& flags, const Outside& outside) {
              rebased->as_base, rebased->unknown);
 }
 
+Answer rename(const Flags& flags, const Outside&) {
+  if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+  const auto directory = DataDirectory::open_store(flags.data);
+  if (!directory) return tl::unexpected{directory.error()};
+  if (const auto alone = check_is_alone(flags.data, "rename a material of"); !alone) {
+    return tl::unexpected{alone.error()};
+  }
+  const auto renamed = rename_material(*directory, flags.from, flags.to);
+  if (!renamed) return tl::unexpected{renamed.error()};
+  return fmt::format(
+      "{} of \"{}\" {} called \"{}\" now; let the world's file call that [[placeable]] so, too\n",
+      counted(*renamed, "voxel"), escaped(flags.from), *renamed == 1 ? "is" : "are", escaped(flags.to));
+}
+
 /// Of a store that nobody uses.
 tl::expected<DataDirectory, std::string> lock_store(const Flags& flags) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
@@ -387,7 +406,7 @@ int say(std::string_view name, const Answer& answer) {
     return kFailed;
   }
   fmt::print("{}", *answer);
-  if (std::fflush(stdout) == 0) return 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
   fmt::print(stderr, "{}: standard output: cannot write to it\n", name);
   return kFailed;
 }
@@ -452,7 +471,8 @@ int store_command(int argc, const char* const* argv, const Environment& environm
                       "voxels that both have stay as in the store; without it the file's win");
   CLI::App* const rebasing = add(
       "rebase",
-      "carries the edits over to another world, or to this one after its file has changed: what is unlike "
+      "carries the edits over to another world, or to this one after its file has changed or lost a "
+      "[[placeable]]: what is unlike "
       "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
       "stays in replaced-N",
       rebase);
@@ -465,6 +485,13 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       "--drop-unknown", flags.drop_unknown,
       "lose voxels of materials that the new world does not name; without it they are counted and "
       "nothing happens");
+  CLI::App* const renaming =
+      add("rename",
+          "another name for a material that players have placed: what is built of it stays, and the world's "
+          "file then has that name for its [[placeable]]",
+          rename);
+  renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
+  renaming->add_option("TO", flags.to, "the new one, which no material has")->required();
   const auto add_world = [&](CLI::App* command) {
     command
         ->add_option(

@@ -43,9 +43,9 @@ tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store,
     return true;
   });
   if (!read) return tl::unexpected{read.error()};
-  const auto editors =
-      store.reader().for_each_editor([&](edits::EditorId, StoredEditor&&) { ++figures.editors; });
+  const auto editors = store.count_editors();
   if (!editors) return tl::unexpected{editors.error()};
+  figures.editors = *editors;
   return figures;
 }
 

@@ -17,10 +17,10 @@
 
 #include "log/escape.h"
 #include "store/edit_database.h"
-#include "store/id_check.h"
 #include "store/regular_files.h"
 #include "store/store_builder.h"
 #include "store/store_swap.h"
+#include "store_command/opened_store.h"
 #include "store_command/portable_file.h"
 
 namespace talus::server {
@@ -30,16 +30,6 @@ namespace fs = std::filesystem;
 
 tl::unexpected<std::string> of_file(const fs::path& file, std::string_view what) {
   return tl::unexpected{fmt::format("{}: {}", file.string(), what)};
-}
-
-/// The store in a directory that nobody else uses, with all that was acknowledged.
-tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
-  auto store = ReadOnlyStore::open(directory.path());
-  if (!store) return store;
-  if (const auto whole = check_whole_store(directory.path(), (*store)->meta()); !whole) {
-    return tl::unexpected{whole.error()};
-  }
-  return store;
 }
 
 /// Ids for placed materials that none has, the lowest first.
@@ -340,8 +330,8 @@ tl::expected<void, std::string> check_names(const ReadOnlyStore& store, Renaming
     voxels += count;
   }
   return tl::unexpected{
-      fmt::format("the world names no {}: {} voxels; add them to the world as [[placeable]], or give "
-                  "--drop-unknown to lose those voxels",
+      fmt::format("the world names no {}: {} voxels; add them to the world as [[placeable]], rename "
+                  "them by talusd store rename, or give --drop-unknown to lose those voxels",
                   list, voxels)};
 }
 
@@ -375,18 +365,24 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   if (!opened) return tl::unexpected{opened.error()};
   std::unique_ptr<ReadOnlyStore> store = *std::move(opened);
   const StoreMeta before = store->meta();
-  if (before.fingerprint == world.fingerprint()) {
-    return tl::unexpected{
-        fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
-                    directory.path().string(), to_string(before.fingerprint))};
-  }
+  const bool same_land = before.fingerprint == world.fingerprint();
   const auto named = rebased_materials(store->materials(), world);
   if (!named) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), named.error())};
   const std::map<std::string, MaterialId>& materials = *named;
   Renaming renaming{{}, {}, &materials};
   for (const auto& [name, id] : store->materials()) renaming.names.emplace(id, name);
-  if (!drop_unknown) {
-    if (const auto known = check_names(*store, renaming); !known) return tl::unexpected{known.error()};
+  if (same_land) {
+    // What is generated has one id, whatever the file called it when the server started last.
+    for (const terrain::Material& material : world.materials()) renaming.to.emplace(material.id, material.id);
+  }
+  if (!drop_unknown || same_land) {
+    const auto known = check_names(*store, renaming);
+    if (!known && !drop_unknown) return tl::unexpected{known.error()};
+    if (known && same_land) {
+      return tl::unexpected{
+          fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
+                      directory.path().string(), to_string(before.fingerprint))};
+    }
   }
   if (const auto enough = check_space(directory.path(), bytes_of_files(directory.path() / "db")); !enough) {
     return tl::unexpected{enough.error()};
@@ -408,13 +404,13 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
     progress.advance(1);
     if (stored.voxels.empty()) return true;
-    maker.make(chunk, *base);
+    if (!same_land) maker.make(chunk, *base);
     std::vector<Override> kept;
     for (const Override& voxel : stored.voxels) {
       const auto material = renaming(voxel.material);
       if (!material) {
         ++rebuilt.unknown;
-      } else if ((*base)[voxel.index] == *material) {
+      } else if (!same_land && (*base)[voxel.index] == *material) {
         ++rebuilt.as_base;
       } else {
         kept.push_back({voxel.index, *material});

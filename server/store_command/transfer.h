@@ -41,7 +41,8 @@ struct Rebuilt {
                                                               const DataDirectory& directory, Winner winner);
 
 /// The store's edits over another world: overrides that are as that generates go, materials are those of the
-/// same names. Where the world lacks some, nothing happens, unless those voxels may go.
+/// same names. Where the world lacks some, nothing happens, unless those voxels may go. A store of that world
+/// has something to lose where the world's file has lost a placeable; else it is refused.
 [[nodiscard]] tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory,
                                                               const terrain::World& world, bool drop_unknown);
 

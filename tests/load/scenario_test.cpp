@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "certificates.h"
 #include "fault_proxy.h"
@@ -216,6 +217,51 @@ TEST_CASE("builders in a closed loop send the next edit when one is answered") {
                                "1", "--vertical", "1", "--fail-if", "wrong>0", "--fail-if", "edits<20"});
   INFO(said(ended));
   CHECK(ended.status == 0);
+}
+
+TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees where one is unlike them") {
+  const ScratchDirectory scratch;
+  const ServerProcess server{
+      {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
+  const std::string edits = (scratch.path() / "edits").string();
+  for (const char* const seed : {"1", "2"}) {
+    const Ended ended = run_load(
+        server.port(), {"--players", "4", "--edits", "40", "--edit-group", "2", "--duration", "1", "--radius",
+                        "1", "--vertical", "1", "--churn", "1", "--seed", seed, "--edits-file", edits});
+    INFO(said(ended));
+    REQUIRE(ended.status == 0);
+  }
+  const auto compare = [&] {
+    return e2e::run_program(TALUS_EDITS_MODEL_PATH, {edits, "127.0.0.1", std::to_string(server.port())});
+  };
+  const Ended same = compare();
+  INFO(said(same));
+  CHECK(same.status == 0);
+  std::istringstream figures{same.out};
+  std::uint64_t compared = 0, differing = 0, voxels = 0, revision = 0;
+  figures >> compared >> differing >> voxels >> revision;
+  CHECK(compared >= 2);
+  CHECK(voxels > 100);
+
+  std::vector<std::string> lines;
+  std::ifstream file{edits};
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  CHECK(lines.size() == revision);  // nobody else edits
+  file.close();
+  // The newest edit, as if the server had lost one behind it, or done another.
+  const auto newest =
+      std::ranges::max_element(lines, {}, [](const std::string& line) { return std::stoull(line); });
+  const std::string done = *newest;
+  for (const bool lost : {true, false}) {
+    *newest = lost ? std::to_string(revision + 1) + done.substr(done.find(' '))
+                   : done.substr(0, done.rfind(' ')) + " 1";
+    std::ofstream changed{edits};
+    for (const std::string& line : lines) changed << line << '\n';
+    changed.close();
+    const Ended other = compare();
+    CHECK(other.status == 1);
+    CHECK(other.err.find(lost ? ": revision " : ": hash ") != std::string::npos);
+  }
 }
 
 TEST_CASE("a server that takes no edits fails a run of builders") {

@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # A world that is dug and built in, flown through, cut off and started again, for as long as is asked: soak.sh [MINUTES] [SEED].
-# Needs `cmake --build --preset release`. Each round is a minute: builders and flyers by talus-load, a kill -9 every one to three
-# seconds (KILLS=0: none), a SIGTERM at the end, and then `talusd store verify`, which holds the hash of all edits against the chunks.
-# It fails where a builder misses an edit that was acknowledged, or the store is not sound; the table shows whether memory or the
-# disk grow. Between rounds it waits while a file out/soak/pause is there.
+# Needs `cmake --build --preset release`. Each round is a minute, and the last begins before MINUTES are
+# over: builders and flyers by talus-load, and a kill -9 every one to three seconds (KILLS=0: none). Then a model outside of the server,
+# talus-edits-model, lays all edits that were acknowledged since the first round over generated chunks, and each chunk that was ever
+# edited must have its content hash and revision at the server. After a SIGTERM `talusd store verify` must find the store sound, and
+# `talusd store stat` say the model's revision, voxels, chunks and hash of all edits.
+# It fails, too, where a builder misses an edit that was acknowledged, or memory or the disk take more than MEMORY_MB and DISK_MB.
+# Between rounds it waits while a file out/soak/pause is there.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 minutes="${1:-60}"
@@ -12,7 +15,10 @@ build="${BUILD:-build/release}"
 port="${PORT:-4790}"
 talusd="$build/server/talusd"
 load="$build/client_sample/load/talus-load"
-out="$PWD/out/soak"
+model="$build/tests/load/talus-edits-model"
+memory_mb="${MEMORY_MB:-1024}"
+disk_mb="${DISK_MB:-512}"
+out="${OUT:-$PWD/out/soak}"
 rm -rf "$out"
 mkdir -p "$out"
 RANDOM="$seed"
@@ -47,15 +53,17 @@ address_bytes = 0
 address_voxels = 0
 SETTINGS
 
-printf 'seed %s\n\n| minute | kills so far | edits acknowledged | missing | revision | hash of all edits | peak memory, MB | on disk, MB |\n' "$seed"
-printf '| --- | --- | --- | --- | --- | --- | --- | --- |\n'
+fail() { printf '%s\n' "$1" >&2; exit 1; }
+
+printf 'seed %s\n\n| minute | kills so far | edits acknowledged | missing | revision | edited chunks as the model has them | hash of all edits |' "$seed"
+printf ' peak memory, MB | on disk, MB |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n'
 kills=0
-for ((minute = 1; minute <= minutes; ++minute)); do
+for ((minute = 1; SECONDS < minutes * 60; ++minute)); do
   while [[ -e "$out/pause" ]]; do sleep 1; done
   began="$SECONDS"
   start
   "$load" --connect "127.0.0.1:$port" --players 24 --edits 10 --edit-group 6 --radius 4 --duration 50 --seed "$((seed + minute))" \
-    --json "$out/builders.json" >"$out/builders.txt" 2>&1 &
+    --json "$out/builders.json" --edits-file "$out/edits" >"$out/builders.txt" 2>&1 &
   builders=$!
   "$load" --connect "127.0.0.1:$port" --players 12 --radius 6 --duration 50 --seed "$((seed + minute))" >"$out/flyers.txt" 2>&1 &
   flyers=$!
@@ -74,12 +82,18 @@ for ((minute = 1; minute <= minutes; ++minute)); do
   done
   wait "$builders" || { cat "$out/builders.txt" >&2; exit 1; }
   wait "$flyers" || { cat "$out/flyers.txt" >&2; exit 1; }
+  "$model" "$out/edits" 127.0.0.1 "$port" >"$out/model.txt" || exit 1
   kill "$server"
   wait "$server" || { printf 'talusd ended with %s\n' "$?" >&2; exit 1; }
   server=""
   "$talusd" store verify --data "$out/data" >"$out/verify.txt" || { cat "$out/verify.txt" >&2; exit 1; }
   "$talusd" store stat --json --data "$out/data" >"$out/stat.json"
-  printf '| %s | %s | %s | %s | %s | %s | %s | %s |\n' "$minute" "$kills" \
-    "$(jq .roles.build.edits.acknowledged "$out/builders.json")" "$(jq .roles.build.edits.missing "$out/builders.json")" \
-    "$(jq .revision "$out/stat.json")" "$(sed -n 's/.*hash //p' "$out/verify.txt")" "$most" "$(du -sm "$out/data" | cut -f1)"
+  read -r compared chunks voxels revision hash <"$out/model.txt"
+  stored="$(jq -r '"\(.levels[0].chunks) \(.levels[0].voxels) \(.revision) \(.hash)"' "$out/stat.json")"
+  [[ "$stored" == "$chunks $voxels $revision $hash" ]] || fail "the store has $stored, the model $chunks $voxels $revision $hash"
+  disk="$(du -sm "$out/data" | cut -f1)"
+  printf '| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n' "$minute" "$kills" "$(jq .roles.build.edits.acknowledged "$out/builders.json")" \
+    "$(jq .roles.build.edits.missing "$out/builders.json")" "$revision" "$compared" "$hash" "$most" "$disk"
+  ((most <= memory_mb)) || fail "memory: $most MB"
+  ((disk <= disk_mb)) || fail "on disk: $disk MB"
 done

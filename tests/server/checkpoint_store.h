@@ -15,7 +15,7 @@ namespace talus::server::testing {
 struct CheckpointStore {
   explicit CheckpointStore(std::uint64_t seed = 7, int edits = 200) {
     store.database_settings.store_id = directory->store_id();
-    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.database_settings.memory.write_buffer_bytes = 64 << 10;
     store.log_settings.flush_interval = std::chrono::milliseconds{1};
     REQUIRE(store.open() == "");
     editor.attach(store);

@@ -84,7 +84,7 @@ class ClusterNode {
     store.path = path_;
     store.fingerprint = kClusterIdentity.fingerprint;
     store.store_id = kClusterIdentity.store_id;
-    store.write_buffer_bytes = 64 << 10;
+    store.memory.write_buffer_bytes = 64 << 10;
     store.env = env_.get();
     store.log_elsewhere = true;
     auto database = EditDatabase::open(store);

@@ -22,7 +22,7 @@ class Killed {
  public:
   Killed() {
     EditStore store{scratch_ / "live"};
-    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.database_settings.memory.write_buffer_bytes = 64 << 10;
     std::mt19937_64 random{7};
     REQUIRE(store.open() == "");
     TestEditor editor;

@@ -1,6 +1,7 @@
 // Which stores are opened, and the table of materials.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -233,6 +234,32 @@ TEST_CASE("a checkpoint is a store of its own, and the first goes on") {
   // A name that is taken is an error, and leaves what is there.
   CHECK_FALSE((*database)->checkpoint(store.scratch / "copy" / "db").has_value());
   CHECK(ReadOnlyStore::open(store.scratch / "copy").has_value());
+}
+
+TEST_CASE("what RocksDB has in memory is told, and bounded by the settings however much is written") {
+  Store store;
+  store.settings.memory = {std::size_t{128} << 10U, std::size_t{128} << 10U};
+  const auto database = EditDatabase::open(store.settings);
+  REQUIRE(database.has_value());
+  // Of no use to a compressor.
+  std::vector<Override> voxels;
+  for (std::uint32_t index = 0; index < 16'384; ++index) {
+    voxels.push_back({static_cast<std::uint16_t>(index * 2), MaterialId{static_cast<std::uint16_t>(index)}});
+  }
+  std::size_t most = 0;
+  std::uint64_t written = 0;
+  for (std::int32_t x = 0; x < 200; ++x) {
+    EditDatabase::Slice slice;
+    slice.put({{x, 0, 0}, Lod{}}, 1, voxels);
+    written += slice.bytes();
+    REQUIRE((*database)->put(slice).has_value());
+    REQUIRE((*database)->chunk({{x / 2, 0, 0}, Lod{}}).has_value());
+    most = std::max(most, (*database)->memory_bytes());
+  }
+  REQUIRE(written > 5'000'000);
+  CHECK(most >= std::size_t{64} << 10U);
+  // What is written at once, and the tables' indices, come on top.
+  CHECK(most <= store.settings.memory.most() + (std::size_t{1} << 20U));
 }
 
 }  // namespace talus::server

@@ -29,7 +29,7 @@ struct Trouble {
         environment{environment_of(disk)},
         store{scratch / "edits"} {
     store.database_settings.env = environment.get();
-    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.database_settings.memory.write_buffer_bytes = 64 << 10;
     store.log_settings.flush_interval = std::chrono::milliseconds{2};
     store.log_settings.retry_interval = std::chrono::milliseconds{5};
   }

@@ -126,7 +126,9 @@ TEST_CASE("while work is taken, it and the caches together are below the budget"
     hold(budget, beside);
     if (!budget.takes_work()) return;
     budget.set(MemoryUse::edit_cache, budget.for_edit_cache(UINT64_MAX));
-    const std::uint64_t caches = budget.for_caches(UINT64_MAX) + budget.used(MemoryUse::edit_cache);
+    budget.set(MemoryUse::column_cache, *rc::gen::inRange<std::uint64_t>(0, budget.limit_bytes() / 64));
+    const std::uint64_t caches = budget.for_caches(UINT64_MAX) + budget.used(MemoryUse::edit_cache) +
+                                 budget.used(MemoryUse::column_cache);
     RC_ASSERT(beside + caches <= budget.limit_bytes() / 8 * 7 + 7);
   }));
 }

@@ -166,6 +166,7 @@ TEST_CASE(
     budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
     budget.set(MemoryUse::sessions, config.limits.memory_bytes);
     budget.set(MemoryUse::edits, edits.index_bytes + edits.recent_bytes);
+    budget.set(MemoryUse::store, store_memory(config).most());
     budget.set(MemoryUse::sessions, 1);
     CHECK(budget.takes_connections());
     CHECK(edits.index_bytes > kMebibyte);
@@ -173,6 +174,24 @@ TEST_CASE(
   }
   config.limits.memory_bytes = 0;
   CHECK(edit_state_settings(config) == EditStateSettings{});
+  CHECK(store_memory(config).most() == StoreMemory{}.most());
+}
+
+TEST_CASE(
+    "the store's buffers are as large as RocksDB is best with where the budget has room, and else less") {
+  Config config;
+  config.threads = {4, 4};
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  CHECK(store_memory(config).most() == 72 * kMebibyte);  // of the default budget, as without any
+  std::size_t before = 0;
+  for (const std::uint64_t mebibytes : {72U, 100U, 128U, 256U, 512U, 1'024U, 2'048U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes * kMebibyte;
+    const std::size_t most = store_memory(config).most();
+    CHECK(most >= before);
+    CHECK(most <= config.limits.memory_bytes / 16);
+    before = most;
+  }
 }
 
 TEST_CASE(

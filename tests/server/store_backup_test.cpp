@@ -28,7 +28,7 @@ struct Data {
     REQUIRE(directory.has_value());
     EditStore store{path};
     store.database_settings.store_id = directory->store_id();
-    store.database_settings.write_buffer_bytes = 64 << 10;
+    store.database_settings.memory.write_buffer_bytes = 64 << 10;
     store.log_settings.flush_interval = std::chrono::milliseconds{1};
     REQUIRE(store.open() == "");
     TestEditor editor;

@@ -64,6 +64,8 @@ TEST_CASE("wrong flags and failures have statuses of their own") {
   CHECK(run({"rollback", "--data", data.c_str(), "--subject", "", "--since", "1h", "--box", "1,2,3,4,5"}) ==
         kFailed);
   CHECK(run({"rebase", "--data", data.c_str()}) == kFailed);
+  CHECK(run({"rename", "--data", data.c_str(), "planks"}) == kWrongUse);
+  CHECK(run({"rename", "--data", data.c_str(), "planks", "boards"}) == kFailed);
   CHECK_FALSE(std::filesystem::exists(data));
 }
 
@@ -81,7 +83,7 @@ TEST_CASE("a store of a cluster is replaced or changed by no command, and each s
     REQUIRE(database.has_value());
     REQUIRE((*database)->enter({5, 1}).has_value());
   }
-  for (const std::string_view command : {"restore", "rebase", "import into"}) {
+  for (const std::string_view command : {"restore", "rebase", "import into", "rename a material of"}) {
     const auto refused = check_is_alone(data, command);
     REQUIRE_FALSE(refused.has_value());
     CHECK(refused.error().find("talusd store leave-cluster, " + std::string{command}) != std::string::npos);

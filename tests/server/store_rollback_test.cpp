@@ -252,22 +252,28 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
   const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
   REQUIRE(opened.has_value());
   ProgressBar progress{"", ""};
+  const auto changes_of = [&](VoxelPos at) {
+    std::vector<VoxelHistory> changes;
+    REQUIRE(history_of(
+        **opened, at, [&](const VoxelHistory& change) { changes.push_back(change); }, progress));
+    return changes;
+  };
   std::size_t looked = 0;
   for (const auto& [at, list] : griefed.changes) {
     if (++looked > 60) break;
-    const auto history = history_of(**opened, at, progress);
-    REQUIRE(history.has_value());
-    CHECK(history->first_position == 1);
-    REQUIRE(history->changes.size() == list.size());
+    const auto changes = changes_of(at);
+    REQUIRE(changes.size() == list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-      CHECK(history->changes[i].subject == list[i].subject);
-      CHECK(history->changes[i].before == list[i].before);
-      CHECK(history->changes[i].after == list[i].after);
+      CHECK(changes[i].subject == list[i].subject);
+      CHECK(changes[i].before == list[i].before);
+      CHECK(changes[i].after == list[i].after);
     }
   }
-  const auto never = history_of(**opened, {5'000, 5, 5}, progress);
-  REQUIRE(never.has_value());
-  CHECK(never->changes.empty());
+  CHECK(changes_of({5'000, 5, 5}).empty());
+  const auto kept = kept_records(**opened);
+  REQUIRE(kept.has_value());
+  CHECK(kept->first == 1);
+  CHECK(kept->last == (*opened)->meta().head.position);
 }
 
 TEST_CASE(
@@ -293,17 +299,21 @@ TEST_CASE(
   REQUIRE(expected.begin()->first <= before_since);
   ProgressBar progress{"", ""};
   const auto read = [&](std::int64_t since_ms, std::size_t most) {
-    std::vector<SubjectHistory::Changes> all;
+    std::vector<SubjectEdit> all;
     SubjectQuery query{"griefer", since_ms, 0, most};
     for (;;) {
-      const auto page = subject_history(**opened, query, progress);
+      const std::size_t before = all.size();
+      const auto page = subject_history(
+          **opened, query, [&](const SubjectEdit& edit) { all.push_back(edit); }, progress);
       REQUIRE(page.has_value());
-      CHECK(page->first_position == 1);
-      CHECK(page->edits.size() <= most);
-      all.insert(all.end(), page->edits.begin(), page->edits.end());
+      CHECK(page->met);
+      CHECK(page->others.empty());
+      CHECK(page->listed == all.size() - before);
+      CHECK(page->listed <= most);
       if (!page->more) return all;
-      REQUIRE(page->edits.size() == most);
-      query.after = page->edits.back().position;
+      REQUIRE(page->listed == most);
+      REQUIRE(page->last_position == all.back().position);
+      query.after = page->last_position;
     }
   };
   for (const std::size_t most : {std::size_t{1}, std::size_t{7}, expected.size(), std::size_t{100'000}}) {
@@ -329,10 +339,17 @@ TEST_CASE(
       static_cast<std::size_t>(std::distance(expected.upper_bound(before_since), expected.end()));
   REQUIRE(later > 0);
   CHECK(read(since, 7).size() == later);
-  const auto nobody = subject_history(**opened, SubjectQuery{"nobody"}, progress);
+  const auto nobody = subject_history(
+      **opened, SubjectQuery{"nobody"}, [](const SubjectEdit&) { FAIL(); }, progress);
   REQUIRE(nobody.has_value());
-  CHECK(nobody->edits.empty());
+  CHECK(nobody->listed == 0);
   CHECK_FALSE(nobody->more);
+  CHECK_FALSE(nobody->met);
+  REQUIRE(nobody->others.size() > 1);
+  CHECK(std::ranges::is_sorted(nobody->others, std::ranges::greater{},
+                               &std::pair<std::string, std::uint64_t>::second));
+  CHECK(std::ranges::find(nobody->others, std::pair{std::string{"griefer"},
+                                                    std::uint64_t{expected.size()}}) != nobody->others.end());
 }
 
 TEST_CASE("a record that is missing in the middle, or at the end, is damage and no shorter history") {
@@ -353,7 +370,8 @@ TEST_CASE("a record that is missing in the middle, or at the end, is damage and 
   REQUIRE(store.has_value());
   ProgressBar progress{"", ""};
   const std::string damage = fmt::format("entry {} of its log is damaged or lost", lost);
-  const auto history = history_of(**store, griefed.changes.begin()->first, progress);
+  const auto history = history_of(
+      **store, griefed.changes.begin()->first, [](const VoxelHistory&) {}, progress);
   REQUIRE_FALSE(history.has_value());
   CHECK_THAT(history.error(), Catch::Contains(damage));
   const auto plan = plan_rollback(**store, {"griefer", 0, {-60, -8, -8}, {30, 2, 3}}, progress);
@@ -375,10 +393,9 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
   const auto opened = ReadOnlyStore::open(scratch / "edits");
   REQUIRE(opened.has_value());
   CHECK((*opened)->first_record() > 1);
-  ProgressBar progress{"", ""};
-  const auto history = history_of(**opened, {0, 0, 0}, progress);
-  REQUIRE(history.has_value());
-  CHECK(history->first_position == (*opened)->first_record());
+  const auto kept = kept_records(**opened);
+  REQUIRE(kept.has_value());
+  CHECK(kept->first == (*opened)->first_record());
 }
 
 TEST_CASE("slices are within the bounds of an edit") {

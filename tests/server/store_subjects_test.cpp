@@ -11,8 +11,7 @@
 #include "log/escape.h"
 #include "scratch_directory.h"
 #include "store/data_directory.h"
-#include "store_command/history.h"
-#include "store_command/reports.h"
+#include "store_command/history_report.h"
 #include "store_command/store_command.h"
 #include "store_command/subjects.h"
 
@@ -105,25 +104,25 @@ TEST_CASE("what history calls a subject gives its edits back") {
     edit.writes.push_back({at, MaterialId{9}});
     REQUIRE(editor.edit(store, edit)->result.changed == 1);
   }
-  const auto history = [&] {
+  const auto history = [&](bool json) {
     const auto store = ReadOnlyStore::open(path);
     REQUIRE(store.has_value());
-    ProgressBar progress{"", ""};
-    return history_of(**store, at, progress).value();
+    std::string text;
+    REQUIRE(print_history(**store, at, json, [&](std::string_view page) { text += page; }));
+    return text;
   };
-  const std::string shown =
-      nlohmann::json::parse(history_json(history(), MaterialNames{{}})).at("changes")[0].at("subject");
-  CHECK_THAT(history_lines(history(), MaterialNames{{}}),
-             Catch::Contains("  " + subject_text(subject) + "  editor"));
+  const auto changes = [&] { return nlohmann::json::parse(history(true)).at("changes"); };
+  const std::string shown = changes().at(0).at("subject");
+  CHECK_THAT(history(false), Catch::Contains("  " + subject_text(subject) + "  editor"));
   const auto rollback = [&](const std::string& named) {
     return run_store_command({"rollback", "--data", path.c_str(), "--subject", named.c_str(), "--since", "1h",
                               "--box", "0,0,0,9,9,9"});
   };
   CHECK(rollback("somebody else") == 0);
-  CHECK(history().changes.size() == 1);
+  CHECK(changes().size() == 1);
   CHECK(rollback(shown) == 0);
-  REQUIRE(history().changes.size() == 2);
-  CHECK(history().changes[1].after == history().changes[0].before);
+  REQUIRE(changes().size() == 2);
+  CHECK(changes().at(1).at("after") == changes().at(0).at("before"));
 }
 
 }  // namespace talus::server

@@ -18,6 +18,7 @@
 #include "store/edit_database.h"
 #include "store/store_builder.h"
 #include "store_command/portable_file.h"
+#include "store_command/rename.h"
 #include "store_command/store_figures.h"
 #include "store_command/transfer.h"
 
@@ -446,13 +447,80 @@ TEST_CASE("a rebase refuses materials that the new world does not name, with the
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().find("names no planks (1): 1 voxels") != std::string::npos);
   CHECK(voxels_of(scratch / "data").size() == 2);
-  const auto same = rebase_edits(*directory, old, false);
-  REQUIRE_FALSE(same.has_value());
-  CHECK(same.error().find("of that world already") != std::string::npos);
+  for (const bool drop : {false, true}) {
+    const auto same = rebase_edits(*directory, old, drop);
+    REQUIRE_FALSE(same.has_value());
+    CHECK(same.error().find("of that world already") != std::string::npos);
+  }
   const auto dropped = rebase_edits(*directory, fresh, true);
   REQUIRE(dropped.has_value());
   CHECK(dropped->unknown == 1);
   CHECK(voxels_of(scratch / "data") == Voxels{{beside, id_of(fresh, "granite")}});
+}
+
+TEST_CASE("a world that lost a placeable is refused with the count of its voxels, or they are dropped") {
+  const ScratchDirectory scratch;
+  const terrain::World old = world_of(1, placeable("planks") + placeable("glass"));
+  const terrain::World fresh = world_of(1, placeable("glass"));
+  REQUIRE(old.fingerprint() == fresh.fingerprint());
+  std::map<std::string, MaterialId> materials{{"planks", MaterialId{256}}, {"glass", MaterialId{257}}};
+  // The file called it something else when the server started last: a name is no part of the fingerprint.
+  for (const terrain::Material& material : old.materials()) {
+    materials.emplace(material.name == "granite" ? "grey stone" : material.name, material.id);
+  }
+  const ChunkCoord sky{0, 40, 0};
+  const Voxels voxels{{{sky, 6}, MaterialId{256}},
+                      {{sky, 7}, MaterialId{256}},
+                      {{sky, 8}, MaterialId{257}},
+                      {{sky, 9}, id_of(old, "granite")}};
+  make_store(scratch / "data", voxels, old.fingerprint(), materials);
+  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto refused = rebase_edits(*directory, fresh, false);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().find("names no planks (2): 2 voxels") != std::string::npos);
+  CHECK(voxels_of(scratch / "data") == voxels);
+  const auto dropped = rebase_edits(*directory, fresh, true);
+  INFO((dropped ? "" : dropped.error()));
+  REQUIRE(dropped.has_value());
+  CHECK(dropped->unknown == 2);
+  CHECK(dropped->as_base == 0);
+  CHECK(voxels_of(scratch / "data") ==
+        Voxels{{{sky, 8}, MaterialId{257}}, {{sky, 9}, id_of(old, "granite")}});
+  const auto store = ReadOnlyStore::open(scratch / "data");
+  CHECK((*store)->meta().fingerprint == old.fingerprint());
+  CHECK_FALSE((*store)->materials().contains("planks"));
+  CHECK((*store)->materials().at("glass") == MaterialId{257});
+}
+
+TEST_CASE("a placed material gets another name, and no other one's") {
+  const ScratchDirectory scratch;
+  const Voxels voxels{{{{0, 0, 0}, 1}, MaterialId{256}},
+                      {{{0, 0, 0}, 2}, MaterialId{256}},
+                      {{{1, 0, 0}, 2}, MaterialId{257}}};
+  make_store(scratch / "data", voxels);
+  const auto directory = DataDirectory::open_store(scratch / "data");
+  REQUIRE(directory.has_value());
+  const auto error = [&](const std::string& from, const std::string& to) {
+    const auto renamed = rename_material(*directory, from, to);
+    return renamed ? std::string{} : renamed.error();
+  };
+  CHECK_THAT(error("plank", "boards"), Catch::Contains("the store has no material \"plank\""));
+  CHECK_THAT(error("planks", "glass"), Catch::Contains("another material of the store, with 1 voxel;"));
+  CHECK_THAT(error("planks", "stone"), Catch::Contains("another material of the store, with 0 voxels;"));
+  CHECK_THAT(error("stone", "boards"), Catch::Contains("one that the world generates"));
+  CHECK_THAT(error("planks", "a\nb"), Catch::Contains("control characters"));
+  CHECK_THAT(error("planks", ""), Catch::Contains("a name has 1 to 64 bytes"));
+  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials() == kMaterials);
+  const auto renamed = rename_material(*directory, "planks", "boards");
+  INFO((renamed ? "" : renamed.error()));
+  REQUIRE(renamed == 2);
+  const auto store = ReadOnlyStore::open(scratch / "data");
+  std::map<std::string, MaterialId> materials = kMaterials;
+  materials.erase("planks");
+  materials.emplace("boards", MaterialId{256});
+  CHECK((*store)->materials() == materials);
+  CHECK((*store)->meta().store_id == ContentHash{3, 4});  // clients keep what they know
+  CHECK(voxels_of(scratch / "data") == voxels);
 }
 
 }  // namespace talus::server

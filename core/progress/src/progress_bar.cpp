@@ -52,7 +52,11 @@ ProgressBar::ProgressBar(std::string label, std::string unit)
       next_draw_{started_ + kFirstDraw} {}
 
 ProgressBar::~ProgressBar() {
-  if (drawn_) std::fputs("\r\x1b[K", stderr);
+  clear();
+}
+
+void ProgressBar::clear() {
+  if (std::exchange(drawn_, false)) std::fputs("\r\x1b[K", stderr);
 }
 
 void ProgressBar::advance(std::uint64_t amount) {

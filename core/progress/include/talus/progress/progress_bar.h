@@ -17,6 +17,9 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
+  /// Erases the line, so that something else may be printed there; the next count may draw it again.
+  void clear();
+
   /// How much there is to count.
   void expect(std::uint64_t total) { total_ = total; }
   void advance(std::uint64_t amount);
