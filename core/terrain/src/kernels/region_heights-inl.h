@@ -34,21 +34,6 @@ struct PlainAt {
   }
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
 };
-struct TwoAt {
-  using Number = Two;
-  const RegionRow& row;
-  std::size_t i;
-
-  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const { return both(row.*values + i); }
-  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return both(row.shape[k] + i); }
-  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
-
- private:
-  [[nodiscard]] static HWY_INLINE Two both(const float* values) {
-    const RegionTag f;
-    return {hn::LoadU(f, values), hn::LoadU(f, values + hn::Lanes(f))};
-  }
-};
 struct SlopedAt {
   using Number = Sloped;
   const SlopedRegionRow& row;
@@ -67,6 +52,45 @@ struct SlopedAt {
   [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
 };
 
+/// Slow rows between their samples: to the bit what spread() writes.
+struct CellsAt {
+  using Number = RegionVector;
+  const RegionCells& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
+    return cubic(row.rows.*values);
+  }
+  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
+    if (k < static_cast<std::size_t>(kSlowOctaves)) return cubic(row.rows.shape[k]);
+    return hn::LoadU(RegionTag{}, row.rows.shape[k] + i);
+  }
+  [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
+
+ private:
+  [[nodiscard]] HWY_INLINE RegionVector cubic(const float* of) const {
+    static_assert(hn::MaxLanes(RegionTag{}) <= kSampleStep);
+    const float* const c = of + i / kSampleStep;
+    const auto t = hn::LoadU(RegionTag{}, row.fractions + i % kSampleStep);
+    const auto inner = hn::Add(constant(c[2 * row.plane]), hn::Mul(t, constant(c[3 * row.plane])));
+    return hn::Add(constant(c[0]), hn::Mul(t, hn::Add(constant(c[row.plane]), hn::Mul(t, inner))));
+  }
+};
+
+/// Two vectors of columns side by side.
+template <class At>
+struct TwoAt {
+  using Number = Two;
+  At a;
+  At b;
+
+  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const {
+    return {a.load(values), b.load(values)};
+  }
+  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return {a.octave(k), b.octave(k)}; }
+  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
+};
+
 template <class N>
 struct ShapeSums {
   N ridge;
@@ -74,31 +98,25 @@ struct ShapeSums {
   N small;
 };
 
-// Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
-template <class At, class N = typename At::Number>
-HWY_INLINE N ridges(const At& at, const RegionShape& shape) {
+/// `kRidged`: whether any ridge stands here; where none does they cost nothing. Ridges are where an octave is
+/// near 0, rounded off there; each shows the more of the next the higher it is.
+template <bool kRidged, class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
   constexpr float kRound = 0.045F;
-  N sum = at.number(0);
-  N shown = at.number(1);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
-    const N size = size_of(at.octave(k));
-    const N inside = at_least(less(kRound, size), 0);
-    const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
-    const N crest = at_least(less(1, times(distance, 1.8F)), 0);
-    const N signal = mul(mul(crest, crest), shown);
-    sum = add(sum, times(signal, shape.ridge_weights[k]));
-    shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
-  }
-  return sum;
-}
-
-/// `ridged`: whether any ridge stands here; where none does they cost nothing.
-template <class At, class N = typename At::Number>
-HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape, bool ridged) {
   ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
-  if (ridged) sums.ridge = ridges(at, shape);
-  for (std::size_t k = 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
+  N shown = at.number(1);
+  for (std::size_t k = kRidged ? 0 : 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
     const N n = at.octave(k);
+    if constexpr (kRidged) {
+      const N size = size_of(n);
+      const N inside = at_least(less(kRound, size), 0);
+      const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
+      const N crest = at_least(less(1, times(distance, 1.8F)), 0);
+      const N signal = mul(mul(crest, crest), shown);
+      sums.ridge = add(sums.ridge, times(signal, shape.ridge_weights[k]));
+      shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
+    }
+    if (k == 0) continue;
     sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
     if (k >= static_cast<std::size_t>(kSmallFrom)) {
       sums.small = add(sums.small, times(n, shape.small_weights[k]));
@@ -114,6 +132,15 @@ struct Uncut {
   N river, tributary;
 };
 
+/// How far a tributary is, on the side of the river where a column lies.
+template <class At, class N = typename At::Number>
+HWY_INLINE N tributary_at(const At& at, N river) {
+  if (all_above(river, at.number(0))) return at.load(&RegionRow::tributary_a);
+  N other = at.load(&RegionRow::tributary_b);
+  if (none_above(river, at.number(0))) return other;
+  return where_above(river, at.number(0), at.load(&RegionRow::tributary_a), other);
+}
+
 // What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
 // numbers that the formula under it would give, to the bit.
 template <class At, class N = typename At::Number>
@@ -125,7 +152,7 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
   const N mesa = at_least(at.load(&RegionRow::mesa), 0);
   const N river = at.load(&RegionRow::river);
   const bool ridged = !none(belt);
-  const ShapeSums<N> sums = summed(at, shape, ridged);
+  const ShapeSums<N> sums = ridged ? summed<true>(at, shape) : summed<false>(at, shape);
 
   const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
   const N hill = mul(filled, root(filled));
@@ -143,8 +170,10 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
   const N above = at_least(plus(plain, -shape.carve[0]), 0);
   N lifted = at.number(0);
   if (!none(above)) lifted = quotient(mul(above, above), plus(above, 20));
-  const N tributary =
-      where_above(river, at.number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
+  N terrace_field = at.number(0);
+  if (!none(mesa)) {
+    terrace_field = add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness));
+  }
   return {base,
           belt,
           plain,
@@ -152,10 +181,10 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
           add(add(plain, mul(hills, hill)), relief),
           lifted,
           mesa,
-          add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness)),
+          terrace_field,
           sums.small,
           size_of(river),
-          size_of(tributary)};
+          size_of(tributary_at(at, river))};
 }
 
 HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
