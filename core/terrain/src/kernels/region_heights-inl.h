@@ -29,7 +29,8 @@ struct PlainAt {
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return hn::LoadU(RegionTag{}, row.*values + i);
   }
-  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE RegionVector octave() const {
     return hn::LoadU(RegionTag{}, row.shape[k] + i);
   }
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
@@ -44,7 +45,8 @@ struct SlopedAt {
     return {hn::LoadU(f, row.value.*values + i), hn::LoadU(f, row.east.*values + i),
             hn::LoadU(f, row.south.*values + i)};
   }
-  [[nodiscard]] HWY_INLINE Sloped octave(std::size_t k) const {
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE Sloped octave() const {
     const RegionTag f;
     return {hn::LoadU(f, row.value.shape[k] + i), hn::LoadU(f, row.east.shape[k] + i),
             hn::LoadU(f, row.south.shape[k] + i)};
@@ -61,8 +63,9 @@ struct CellsAt {
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return cubic(row.rows.*values);
   }
-  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
-    if (k < static_cast<std::size_t>(kSlowOctaves)) return cubic(row.rows.shape[k]);
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE RegionVector octave() const {
+    if constexpr (k < static_cast<std::size_t>(kSlowOctaves)) return cubic(row.rows.shape[k]);
     return hn::LoadU(RegionTag{}, row.rows.shape[k] + i);
   }
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
@@ -87,7 +90,10 @@ struct TwoAt {
   [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const {
     return {a.load(values), b.load(values)};
   }
-  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return {a.octave(k), b.octave(k)}; }
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE Two octave() const {
+    return {a.template octave<k>(), b.template octave<k>()};
+  }
   [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
 };
 
@@ -98,15 +104,13 @@ struct ShapeSums {
   N small;
 };
 
-/// `kRidged`: whether any ridge stands here; where none does they cost nothing. Ridges are where an octave is
-/// near 0, rounded off there; each shows the more of the next the higher it is.
-template <bool kRidged, class At, class N = typename At::Number>
-HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
+// Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
+// `kRidged`: whether any ridge stands here; where none does they cost nothing. Octave k: a loop is left one.
+template <bool kRidged, std::size_t k, class At, class N>
+HWY_INLINE void add_octaves_from(const At& at, const RegionShape& shape, N shown, ShapeSums<N>& sums) {
   constexpr float kRound = 0.045F;
-  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
-  N shown = at.number(1);
-  for (std::size_t k = kRidged ? 0 : 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
-    const N n = at.octave(k);
+  if constexpr (k < static_cast<std::size_t>(kShapeOctaves)) {
+    const N n = at.template octave<k>();
     if constexpr (kRidged) {
       const N size = size_of(n);
       const N inside = at_least(less(kRound, size), 0);
@@ -116,12 +120,18 @@ HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
       sums.ridge = add(sums.ridge, times(signal, shape.ridge_weights[k]));
       shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
     }
-    if (k == 0) continue;
-    sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
-    if (k >= static_cast<std::size_t>(kSmallFrom)) {
+    if constexpr (k > 0) sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
+    if constexpr (k >= static_cast<std::size_t>(kSmallFrom)) {
       sums.small = add(sums.small, times(n, shape.small_weights[k]));
     }
+    add_octaves_from<kRidged, k + 1>(at, shape, shown, sums);
   }
+}
+
+template <bool kRidged, class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
+  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
+  add_octaves_from<kRidged, kRidged ? 0 : 1>(at, shape, at.number(1), sums);
   return sums;
 }
 
@@ -131,6 +141,16 @@ struct Uncut {
   N base, belt, plain, toward_hills, land, lifted, mesa, terrace_field, small;
   N river, tributary;
 };
+
+/// What is read of a row whether places ask for it, too, or not.
+template <class N>
+struct Country {
+  N base, belt, mesa;
+};
+template <class At, class N = typename At::Number>
+HWY_INLINE Country<N> country_at(const At& at) {
+  return {at.load(&RegionRow::base), at.load(&RegionRow::belt), at.load(&RegionRow::mesa)};
+}
 
 /// How far a tributary is, on the side of the river where a column lies.
 template <class At, class N = typename At::Number>
@@ -144,12 +164,12 @@ HWY_INLINE N tributary_at(const At& at, N river) {
 // What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
 // numbers that the formula under it would give, to the bit.
 template <class At, class N = typename At::Number>
-HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
-  const N base = at.load(&RegionRow::base);
+HWY_INLINE Uncut<N> uncut_at(const At& at, const Country<N>& country, const RegionShape& shape) {
+  const N base = country.base;
   // Between samples a curve may pass a little beyond them.
-  const N belt = unit(at.load(&RegionRow::belt));
+  const N belt = unit(country.belt);
   const N hills = at.load(&RegionRow::hills);
-  const N mesa = at_least(at.load(&RegionRow::mesa), 0);
+  const N mesa = at_least(country.mesa, 0);
   const N river = at.load(&RegionRow::river);
   const bool ridged = !none(belt);
   const ShapeSums<N> sums = ridged ? summed<true>(at, shape) : summed<false>(at, shape);
@@ -185,6 +205,11 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
           sums.small,
           size_of(river),
           size_of(tributary_at(at, river))};
+}
+
+template <class At, class N = typename At::Number>
+HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
+  return uncut_at(at, country_at(at), shape);
 }
 
 HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
