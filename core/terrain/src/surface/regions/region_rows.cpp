@@ -95,16 +95,27 @@ void RegionRows::start_cells() {
   plane_of_cells_ = rows_of_cells_.count * rows_of_cells_.stride + kPadding;
   cubics_.resize(5 * plane_of_cells_);
   for (auto& line : sample_lines_) line.resize(spread_.size());
+  lines_from_.reset();
+  first_of_cells_.resize(spread_.size());
+  for (std::size_t slow = 0; slow < first_of_cells_.size(); ++slow) {
+    first_of_cells_[slow] = cubics_.data() + slow * rows_of_cells_.stride;
+  }
 }
 
 /// The polynomials between the samples of row z.
 void RegionRows::find_cubics(std::int64_t z) {
   const std::int64_t inside = floor_mod(z, kSampleStep);
-  for (std::size_t k = 0; k < sample_lines_.size(); ++k) {
-    const std::int64_t away = inside == 0 ? 0 : (static_cast<std::int64_t>(k) - 1) * kSampleStep;
-    const SlowLine& line = lines_.at(z - inside + away).values;
-    for (std::size_t slow = 0; slow < line.size(); ++slow) sample_lines_[k][slow] = line[slow].data();
-    rows_of_cells_.line[k] = sample_lines_[k].data();
+  const std::int64_t north = z - inside;
+  const bool between = inside != 0;  // or on a line
+  if (!between || lines_from_ != north) {
+    for (std::size_t k = 0; k < sample_lines_.size(); ++k) {
+      const std::int64_t away = between ? (static_cast<std::int64_t>(k) - 1) * kSampleStep : 0;
+      const SlowLine& line = lines_.at(north + away).values;
+      for (std::size_t slow = 0; slow < line.size(); ++slow) sample_lines_[k][slow] = line[slow].data();
+      rows_of_cells_.line[k] = sample_lines_[k].data();
+    }
+    lines_from_.reset();
+    if (between) lines_from_ = north;
   }
   rows_of_cells_.share = line_shares(inside);
   kernels_->cubics(rows_of_cells_, plane_of_cells_, cubics_.data());
@@ -140,6 +151,7 @@ void RegionRows::spread_row(std::int64_t z) {
 /// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these
 /// stores.
 void RegionRows::blend_lines(std::int64_t z) {
+  lines_from_.reset();  // it may draw over them
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const bool on_line = inside == 0 && !sloped_;
   std::array<const SlowLine*, 4> lines{};
@@ -192,12 +204,7 @@ RegionRow RegionRows::plain_row(std::int64_t z) {
 
 RegionCells RegionRows::cells(std::int64_t z) {
   find_cubics(z);
-  std::vector<float*>& first = first_of_cells_;
-  first.resize(spread_.size());
-  for (std::size_t slow = 0; slow < first.size(); ++slow) {
-    first[slow] = cubics_.data() + slow * rows_of_cells_.stride;
-  }
-  RegionCells cells{row_of(first), plane_of_cells_, between_.fractions()};
+  RegionCells cells{row_of(first_of_cells_), plane_of_cells_, between_.fractions()};
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
     shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
     cells.rows.shape[k] = octaves_[k].data();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,7 @@ class RegionRows final : public SurfaceRows {
   std::vector<std::int64_t> whole_cells_;
   SampleRows rows_of_cells_;
   std::array<std::vector<const float*>, 4> sample_lines_;
+  std::optional<std::int64_t> lines_from_;  // the line north of rows that all four of these are around
   std::size_t plane_of_cells_ = 0;
   AlignedVector<float> cubics_;  // five planes of rows of cells: RegionKernels::cubics
   std::vector<float*> first_of_cells_;
