@@ -24,24 +24,52 @@ struct Cubics {
   const float* c[4];
 };
 
+struct Cubic {
+  RegionVector c[4];
+};
+
+/// Of the cells whose sample before is at `samples` and so on.
+HWY_INLINE Cubic cubic_of(const float* samples) {
+  const RegionTag f;
+  const auto before = hn::LoadU(f, samples);
+  const auto west = hn::LoadU(f, samples + 1);
+  const auto east = hn::LoadU(f, samples + 2);
+  const auto after = hn::LoadU(f, samples + 3);
+  const auto first = times(hn::Sub(east, before), 0.5F);
+  const auto third = hn::Add(times(hn::Sub(after, before), 0.5F), times(hn::Sub(west, east), 1.5F));
+  return {{west, first, hn::Sub(hn::Sub(hn::Sub(east, west), first), third), third}};
+}
+
+HWY_INLINE void store(const Cubic& cubic, float* out, std::size_t plane) {
+  const RegionTag f;
+  for (std::size_t k = 0; k < 4; ++k) hn::StoreU(cubic.c[k], f, out + k * plane);
+}
+
 /// `scratch`: 4 rows as wide as the samples, padded.
 Cubics cubics_of(const float* samples, std::size_t count, float* scratch) {
-  const RegionTag f;
   const std::size_t row = padded(count);
-  for (std::size_t i = 0; i + 3 < count; i += hn::Lanes(f)) {
-    const auto sample = [&](std::size_t k) HWY_ATTR { return hn::LoadU(f, samples + i + k); };
-    const auto before = sample(0);
-    const auto west = sample(1);
-    const auto east = sample(2);
-    const auto after = sample(3);
-    const auto first = times(hn::Sub(east, before), 0.5F);
-    const auto third = hn::Add(times(hn::Sub(after, before), 0.5F), times(hn::Sub(west, east), 1.5F));
-    hn::StoreU(west, f, scratch + i);
-    hn::StoreU(first, f, scratch + row + i);
-    hn::StoreU(hn::Sub(hn::Sub(hn::Sub(east, west), first), third), f, scratch + 2 * row + i);
-    hn::StoreU(third, f, scratch + 3 * row + i);
+  for (std::size_t i = 0; i + 3 < count; i += hn::Lanes(RegionTag{})) {
+    store(cubic_of(samples + i), scratch + i, row);
   }
   return {{scratch, scratch + row, scratch + 2 * row, scratch + 3 * row}};
+}
+
+// The last plane is what is summed: all rows of it before one is read, whose loads would wait for the stores.
+void cubics_between(const SampleRows& rows, std::size_t plane, float* planes) {
+  const RegionTag f;
+  float* const blended = planes + 4 * plane;
+  for (std::size_t k = 0; k < rows.count; ++k) {
+    for (std::size_t i = 0; i < rows.samples; i += hn::Lanes(f)) {
+      auto sum = times(hn::LoadU(f, rows.line[0][k] + i), rows.share[0]);
+      for (std::size_t n = 1; n < rows.line.size(); ++n) {
+        sum = hn::Add(sum, times(hn::LoadU(f, rows.line[n][k] + i), rows.share[n]));
+      }
+      hn::StoreU(sum, f, blended + k * rows.stride + i);
+    }
+  }
+  for (std::size_t i = 0; i < rows.count * rows.stride; i += hn::Lanes(f)) {
+    store(cubic_of(blended + i), planes + i, plane);
+  }
 }
 
 void blend_lines(const SampleLines& lines, std::size_t width, float* out) {

@@ -29,25 +29,11 @@ struct PlainAt {
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return hn::LoadU(RegionTag{}, row.*values + i);
   }
-  [[nodiscard]] HWY_INLINE RegionVector octave(std::size_t k) const {
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE RegionVector octave() const {
     return hn::LoadU(RegionTag{}, row.shape[k] + i);
   }
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
-};
-struct TwoAt {
-  using Number = Two;
-  const RegionRow& row;
-  std::size_t i;
-
-  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const { return both(row.*values + i); }
-  [[nodiscard]] HWY_INLINE Two octave(std::size_t k) const { return both(row.shape[k] + i); }
-  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
-
- private:
-  [[nodiscard]] static HWY_INLINE Two both(const float* values) {
-    const RegionTag f;
-    return {hn::LoadU(f, values), hn::LoadU(f, values + hn::Lanes(f))};
-  }
 };
 struct SlopedAt {
   using Number = Sloped;
@@ -59,12 +45,56 @@ struct SlopedAt {
     return {hn::LoadU(f, row.value.*values + i), hn::LoadU(f, row.east.*values + i),
             hn::LoadU(f, row.south.*values + i)};
   }
-  [[nodiscard]] HWY_INLINE Sloped octave(std::size_t k) const {
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE Sloped octave() const {
     const RegionTag f;
     return {hn::LoadU(f, row.value.shape[k] + i), hn::LoadU(f, row.east.shape[k] + i),
             hn::LoadU(f, row.south.shape[k] + i)};
   }
   [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
+};
+
+/// Slow rows between their samples: to the bit what spread() writes.
+struct CellsAt {
+  using Number = RegionVector;
+  const RegionCells& row;
+  std::size_t i;
+
+  [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
+    return cubic(row.rows.*values);
+  }
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE RegionVector octave() const {
+    if constexpr (k < static_cast<std::size_t>(kSlowOctaves)) return cubic(row.rows.shape[k]);
+    return hn::LoadU(RegionTag{}, row.rows.shape[k] + i);
+  }
+  [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
+
+ private:
+  [[nodiscard]] HWY_INLINE RegionVector cubic(const float* of) const {
+    static_assert(hn::MaxLanes(RegionTag{}) <= kSampleStep);
+    const float* const c = of + i / kSampleStep;
+    const auto t = hn::LoadU(RegionTag{}, row.fractions + i % kSampleStep);
+    const auto inner = hn::Add(constant(c[2 * row.plane]), hn::Mul(t, constant(c[3 * row.plane])));
+    return hn::Add(constant(c[0]), hn::Mul(t, hn::Add(constant(c[row.plane]), hn::Mul(t, inner))));
+  }
+};
+
+/// Two vectors of columns side by side.
+template <class At>
+struct TwoAt {
+  using Number = Two;
+  At a;
+  At b;
+
+  [[nodiscard]] HWY_INLINE Two load(const float* RegionRow::*values) const {
+    return {a.load(values), b.load(values)};
+  }
+  template <std::size_t k>
+  [[nodiscard]] HWY_INLINE Two octave() const {
+    return {a.template octave<k>(), b.template octave<k>()};
+  }
+  [[nodiscard]] static HWY_INLINE Two number(float value) { return {constant(value), constant(value)}; }
 };
 
 template <class N>
@@ -75,35 +105,33 @@ struct ShapeSums {
 };
 
 // Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
-template <class At, class N = typename At::Number>
-HWY_INLINE N ridges(const At& at, const RegionShape& shape) {
+// `kRidged`: whether any ridge stands here; where none does they cost nothing. Octave k: a loop is left one.
+template <bool kRidged, std::size_t k, class At, class N>
+HWY_INLINE void add_octaves_from(const At& at, const RegionShape& shape, N shown, ShapeSums<N>& sums) {
   constexpr float kRound = 0.045F;
-  N sum = at.number(0);
-  N shown = at.number(1);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
-    const N size = size_of(at.octave(k));
-    const N inside = at_least(less(kRound, size), 0);
-    const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
-    const N crest = at_least(less(1, times(distance, 1.8F)), 0);
-    const N signal = mul(mul(crest, crest), shown);
-    sum = add(sum, times(signal, shape.ridge_weights[k]));
-    shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
-  }
-  return sum;
-}
-
-/// `ridged`: whether any ridge stands here; where none does they cost nothing.
-template <class At, class N = typename At::Number>
-HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape, bool ridged) {
-  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
-  if (ridged) sums.ridge = ridges(at, shape);
-  for (std::size_t k = 1; k < static_cast<std::size_t>(kShapeOctaves); ++k) {
-    const N n = at.octave(k);
-    sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
-    if (k >= static_cast<std::size_t>(kSmallFrom)) {
+  if constexpr (k < static_cast<std::size_t>(kShapeOctaves)) {
+    const N n = at.template octave<k>();
+    if constexpr (kRidged) {
+      const N size = size_of(n);
+      const N inside = at_least(less(kRound, size), 0);
+      const N distance = add(size, times(mul(inside, inside), 0.5F / kRound));
+      const N crest = at_least(less(1, times(distance, 1.8F)), 0);
+      const N signal = mul(mul(crest, crest), shown);
+      sums.ridge = add(sums.ridge, times(signal, shape.ridge_weights[k]));
+      shown = at_most(plus(times(signal, 1.1F), 0.3F), 1);
+    }
+    if constexpr (k > 0) sums.hill = add(sums.hill, times(n, shape.hill_weights[k]));
+    if constexpr (k >= static_cast<std::size_t>(kSmallFrom)) {
       sums.small = add(sums.small, times(n, shape.small_weights[k]));
     }
+    add_octaves_from<kRidged, k + 1>(at, shape, shown, sums);
   }
+}
+
+template <bool kRidged, class At, class N = typename At::Number>
+HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
+  ShapeSums<N> sums{at.number(0), at.number(0), at.number(0)};
+  add_octaves_from<kRidged, kRidged ? 0 : 1>(at, shape, at.number(1), sums);
   return sums;
 }
 
@@ -114,18 +142,37 @@ struct Uncut {
   N river, tributary;
 };
 
+/// What is read of a row whether places ask for it, too, or not.
+template <class N>
+struct Country {
+  N base, belt, mesa;
+};
+template <class At, class N = typename At::Number>
+HWY_INLINE Country<N> country_at(const At& at) {
+  return {at.load(&RegionRow::base), at.load(&RegionRow::belt), at.load(&RegionRow::mesa)};
+}
+
+/// How far a tributary is, on the side of the river where a column lies.
+template <class At, class N = typename At::Number>
+HWY_INLINE N tributary_at(const At& at, N river) {
+  if (all_above(river, at.number(0))) return at.load(&RegionRow::tributary_a);
+  N other = at.load(&RegionRow::tributary_b);
+  if (none_above(river, at.number(0))) return other;
+  return where_above(river, at.number(0), at.load(&RegionRow::tributary_a), other);
+}
+
 // What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
 // numbers that the formula under it would give, to the bit.
 template <class At, class N = typename At::Number>
-HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
-  const N base = at.load(&RegionRow::base);
+HWY_INLINE Uncut<N> uncut_at(const At& at, const Country<N>& country, const RegionShape& shape) {
+  const N base = country.base;
   // Between samples a curve may pass a little beyond them.
-  const N belt = unit(at.load(&RegionRow::belt));
+  const N belt = unit(country.belt);
   const N hills = at.load(&RegionRow::hills);
-  const N mesa = at_least(at.load(&RegionRow::mesa), 0);
+  const N mesa = at_least(country.mesa, 0);
   const N river = at.load(&RegionRow::river);
   const bool ridged = !none(belt);
-  const ShapeSums<N> sums = summed(at, shape, ridged);
+  const ShapeSums<N> sums = ridged ? summed<true>(at, shape) : summed<false>(at, shape);
 
   const N filled = unit(plus(times(sums.hill, 0.45F), 0.5F));
   const N hill = mul(filled, root(filled));
@@ -143,8 +190,10 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
   const N above = at_least(plus(plain, -shape.carve[0]), 0);
   N lifted = at.number(0);
   if (!none(above)) lifted = quotient(mul(above, above), plus(above, 20));
-  const N tributary =
-      where_above(river, at.number(0), at.load(&RegionRow::tributary_a), at.load(&RegionRow::tributary_b));
+  N terrace_field = at.number(0);
+  if (!none(mesa)) {
+    terrace_field = add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness));
+  }
   return {base,
           belt,
           plain,
@@ -152,10 +201,15 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
           add(add(plain, mul(hills, hill)), relief),
           lifted,
           mesa,
-          add(at.load(&RegionRow::terrace), times(sums.small, shape.mesa_roughness)),
+          terrace_field,
           sums.small,
           size_of(river),
-          size_of(tributary)};
+          size_of(tributary_at(at, river))};
+}
+
+template <class At, class N = typename At::Number>
+HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
+  return uncut_at(at, country_at(at), shape);
 }
 
 HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {

@@ -243,6 +243,13 @@ HWY_INLINE bool all_above(Two m, Two n) {
   return hn::AllTrue(RegionTag{}, hn::And(hn::Gt(m.a, n.a), hn::Gt(m.b, n.b)));
 }
 template <class N>
+HWY_INLINE bool none_above(N a, N b) {
+  return hn::AllFalse(RegionTag{}, hn::Gt(value_of(a), value_of(b)));
+}
+HWY_INLINE bool none_above(Two m, Two n) {
+  return hn::AllFalse(RegionTag{}, hn::Or(hn::Gt(m.a, n.a), hn::Gt(m.b, n.b)));
+}
+template <class N>
 HWY_INLINE bool all_at_least(N a, float least) {
   return hn::AllTrue(RegionTag{}, hn::Ge(value_of(a), constant(least)));
 }

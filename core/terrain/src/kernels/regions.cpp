@@ -167,6 +167,15 @@ HWY_INLINE void store_details(const Height<N>& at, RegionVector mesa, const Regi
   hn::StoreU(value_of(at.small), f, details.small + i);
 }
 
+HWY_INLINE void store_country(const Country<RegionVector>& country, const RegionDetails& details,
+                              std::size_t i) {
+  if (details.base == nullptr) return;
+  const RegionTag f;
+  hn::StoreU(country.base, f, details.base + i);
+  hn::StoreU(country.belt, f, details.belt + i);
+  hn::StoreU(country.mesa, f, details.mesa + i);
+}
+
 HWY_INLINE void store_height(RegionVector over_sea, const RegionShape& shape, float highest_fx,
                              std::int32_t* heights_fx) {
   const RegionTag f;
@@ -176,8 +185,10 @@ HWY_INLINE void store_height(RegionVector over_sea, const RegionShape& shape, fl
   hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, height_fx), ints, heights_fx);
 }
 
-void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
-             std::int32_t* heights_fx, const RegionDetails& details) {
+/// `At{row, i}` reads the columns from i on.
+template <class At, class Row>
+HWY_INLINE void compose_by(const Row& row, const RegionShape& shape, std::size_t width, float highest_fx,
+                           std::int32_t* heights_fx, const RegionDetails& details) {
   const std::size_t lanes = hn::Lanes(RegionTag{});
   const auto store = [&](const Height<RegionVector>& at, RegionVector mesa, std::size_t i) HWY_ATTR {
     store_details(at, mesa, details, i);
@@ -187,17 +198,34 @@ void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, 
   static_assert(2 * hn::MaxLanes(RegionTag{}) <= kPadding);
   if (lanes == 16) {
     for (std::size_t i = 0; i < width; i += 2 * lanes) {
-      const auto uncut = uncut_at(TwoAt{row, i}, shape);
+      const TwoAt<At> two{{row, i}, {row, i + lanes}};
+      const Country<Two> country = country_at(two);
+      store_country({country.base.a, country.belt.a, country.mesa.a}, details, i);
+      store_country({country.base.b, country.belt.b, country.mesa.b}, details, i + lanes);
+      const auto uncut = uncut_at(two, country, shape);
       const auto at = cut(uncut, shape, 0);
       store(half_of(at, &Two::a), uncut.mesa.a, i);
       store(half_of(at, &Two::b), uncut.mesa.b, i + lanes);
     }
   } else {
     for (std::size_t i = 0; i < width; i += lanes) {
-      const auto uncut = uncut_at(PlainAt{row, i}, shape);
+      const At one{row, i};
+      const Country<RegionVector> country = country_at(one);
+      store_country(country, details, i);
+      const auto uncut = uncut_at(one, country, shape);
       store(cut(uncut, shape, 0), uncut.mesa, i);
     }
   }
+}
+
+void compose(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
+             std::int32_t* heights_fx, const RegionDetails& details) {
+  compose_by<PlainAt>(row, shape, width, highest_fx, heights_fx, details);
+}
+
+void compose_cells(const RegionCells& cells, const RegionShape& shape, std::size_t width, float highest_fx,
+                   std::int32_t* heights_fx, const RegionDetails& details) {
+  compose_by<CellsAt>(cells, shape, width, highest_fx, heights_fx, details);
 }
 
 void part(const RegionRow& row, const RegionShape& shape, std::size_t width, const LandParts& parts) {
@@ -259,9 +287,9 @@ void equalize_sloped(const Equalizer& equalizer, const SlopedRow& noise, std::si
 
 }  // namespace
 
-constexpr RegionKernels kRegions{displace,       distances,   lay,      lay_sloped,
-                                 bend,           blend_lines, spread,   compose,
-                                 compose_sloped, part,        equalize, equalize_sloped};
+constexpr RegionKernels kRegions{displace,       distances,      lay,      lay_sloped,     bend,
+                                 blend_lines,    cubics_between, spread,   compose,        compose_cells,
+                                 compose_sloped, part,           equalize, equalize_sloped};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -29,6 +29,14 @@ struct RegionRow {
   std::array<const float*, kShapeOctaves> shape{};  // the noise of its octaves
 };
 
+/// A row of whole cells between samples, of 16 columns each, whose slow rows are not written but computed
+/// where they are asked for.
+struct RegionCells {
+  RegionRow rows;                    // of slow rows c[0] of each cell's polynomial; of others the columns
+  std::size_t plane = 0;             // numbers from each c[k] to c[k + 1]
+  const float* fractions = nullptr;  // where a cell's columns lie, of the way from sample to sample
+};
+
 /// The same with its derivatives: how each rises a column eastward and southward.
 struct SlopedRegionRow {
   RegionRow value;
@@ -41,6 +49,10 @@ struct RegionDetails {
   float* height = nullptr;    // over the sea, before it is rounded
   float* terraces = nullptr;  // 0 to 1
   float* small = nullptr;     // small hills
+  // Of cells alone, as RegionRow has them.
+  float* base = nullptr;
+  float* belt = nullptr;
+  float* mesa = nullptr;
 };
 
 /// What heights are made of, in terrain units over the sea. Padded.
@@ -90,6 +102,15 @@ struct SampleLines {
   std::array<float, 4> share{};
 };
 
+/// Rows of samples on four lines, and how much of each line is summed.
+struct SampleRows {
+  std::array<const float* const*, 4> line{};
+  std::array<float, 4> share{};
+  std::size_t count = 0;    // rows
+  std::size_t samples = 0;  // of each
+  std::size_t stride = 0;   // of what is written
+};
+
 /// What lies between four samples in a row, each time: `columns` (1, 2, 4, 8 or 16) between the middle two.
 struct Cells {
   std::size_t count = 0;  // 3 less than there are samples
@@ -117,12 +138,19 @@ struct RegionKernels {
                std::size_t width, float* out_east, float* out_south);
   /// The sum of four lines.
   void (*blend)(const SampleLines& lines, std::size_t width, float* out);
+  /// Four lines of `count` rows of samples summed, and the polynomials between: of cell i of row k, c[n] is
+  /// at planes[n * plane + k * stride + i]. `stride` is a multiple of 16 and not less than `samples`;
+  /// `plane` is kPadding more than all rows, and `planes` has five of them.
+  void (*cubics)(const SampleRows& rows, std::size_t plane, float* planes);
   /// Cubics between samples: values at `cells.count * cells.columns` columns from the second sample on, and
   /// how they rise a column eastward, which may be null. All padded.
   void (*spread)(const float* samples, const Cells& cells, float* out, float* rise);
   /// H in subvoxels at `width` columns.
   void (*compose)(const RegionRow& row, const RegionShape& shape, std::size_t width, float highest_fx,
                   std::int32_t* heights_fx, const RegionDetails& details);
+  /// The same from cells.
+  void (*compose_cells)(const RegionCells& cells, const RegionShape& shape, std::size_t width,
+                        float highest_fx, std::int32_t* heights_fx, const RegionDetails& details);
   /// At columns of a coarse level: H with rivers `widened` to that half width at least, the slope of H as
   /// level 0 has it, by its derivatives, and what level 0 has of the rest.
   void (*compose_sloped)(const SlopedRegionRow& row, const RegionShape& shape, float widened,

@@ -30,6 +30,9 @@ class ColumnSpread {
   /// The first column's place in a row that is written, and how long such a row is at least.
   [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] std::size_t row_size() const { return row_size_; }
+  /// From one sample to the next, 0 where columns are uneven or samples; and where they lie, of the way.
+  [[nodiscard]] std::size_t columns_a_cell() const { return columns_a_cell_; }
+  [[nodiscard]] const float* fractions() const { return fractions_.data(); }
 
   /// From values at the samples, padded, those at the columns, and how they rise a column eastward, which may
   /// be null.

@@ -50,8 +50,19 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
   between_.start(xs, at_samples);
   // Between samples their curves know how they rise.
   lines_.start(between_.samples(), sloped && at_samples);
+  from_cells_ = !sloped && between_.columns_a_cell() == static_cast<std::size_t>(kSampleStep);
+  first_ = from_cells_ ? between_.first() : 0;
+  if (first_ > 0) {
+    // Whole cells.
+    whole_cells_.clear();
+    for (std::int64_t x = xs.front() - static_cast<std::int64_t>(first_); x <= xs.back(); ++x) {
+      whole_cells_.push_back(x);
+    }
+    xs = whole_cells_;
+  }
   shape_.start(regions_->shape, xs);
   if (places_) border_.start(regions_->border, xs);
+  if (from_cells_) start_cells();
   const auto resize = [&](std::vector<AlignedVector<float>>& rows, std::vector<float*>& at) {
     at.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -64,10 +75,10 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
     rows->resize(spread_.size());
     for (auto& values : *rows) values.resize(padded(between_.samples().size()));
   }
-  for (auto& octave : octaves_) octave.resize(padded(width_));
-  heights_.resize(padded(width_));
+  for (auto& octave : octaves_) octave.resize(padded(xs.size()));
+  heights_.resize(padded(xs.size()));
   if (places_) {
-    for (auto& detail : details_) detail.resize(padded(width_));
+    for (auto& detail : details_) detail.resize(padded(xs.size()));
   }
   if (!sloped) return;
   for (std::size_t axis = 0; axis < rises_.size(); ++axis) {
@@ -76,6 +87,38 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
     for (auto& octave : octave_rises_[axis]) octave.resize(padded(width_));
   }
   slopes_.resize(padded(width_));
+}
+
+void RegionRows::start_cells() {
+  const std::size_t samples = between_.samples().size();
+  rows_of_cells_ = {{}, {}, spread_.size(), samples, (samples + kMaxLanes - 1) / kMaxLanes * kMaxLanes};
+  plane_of_cells_ = rows_of_cells_.count * rows_of_cells_.stride + kPadding;
+  cubics_.resize(5 * plane_of_cells_);
+  for (auto& line : sample_lines_) line.resize(spread_.size());
+  lines_from_.reset();
+  first_of_cells_.resize(spread_.size());
+  for (std::size_t slow = 0; slow < first_of_cells_.size(); ++slow) {
+    first_of_cells_[slow] = cubics_.data() + slow * rows_of_cells_.stride;
+  }
+}
+
+/// The polynomials between the samples of row z.
+void RegionRows::find_cubics(std::int64_t z) {
+  const std::int64_t inside = floor_mod(z, kSampleStep);
+  const std::int64_t north = z - inside;
+  const bool between = inside != 0;  // or on a line
+  if (!between || lines_from_ != north) {
+    for (std::size_t k = 0; k < sample_lines_.size(); ++k) {
+      const std::int64_t away = between ? (static_cast<std::int64_t>(k) - 1) * kSampleStep : 0;
+      const SlowLine& line = lines_.at(north + away).values;
+      for (std::size_t slow = 0; slow < line.size(); ++slow) sample_lines_[k][slow] = line[slow].data();
+      rows_of_cells_.line[k] = sample_lines_[k].data();
+    }
+    lines_from_.reset();
+    if (between) lines_from_ = north;
+  }
+  rows_of_cells_.share = line_shares(inside);
+  kernels_->cubics(rows_of_cells_, plane_of_cells_, cubics_.data());
 }
 
 /// The slow rows at the columns of row z, and where slopes are asked for how they rise.
@@ -108,6 +151,7 @@ void RegionRows::spread_row(std::int64_t z) {
 /// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these
 /// stores.
 void RegionRows::blend_lines(std::int64_t z) {
+  lines_from_.reset();  // it may draw over them
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const bool on_line = inside == 0 && !sloped_;
   std::array<const SlowLine*, 4> lines{};
@@ -153,9 +197,19 @@ RegionRow RegionRows::plain_row(std::int64_t z) {
   RegionRow at = row_of(at_columns_);
   for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
     shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
-    at.shape[k] = octaves_[k].data();
+    at.shape[k] = octaves_[k].data() + first_;
   }
   return at;
+}
+
+RegionCells RegionRows::cells(std::int64_t z) {
+  find_cubics(z);
+  RegionCells cells{row_of(first_of_cells_), plane_of_cells_, between_.fractions()};
+  for (std::size_t k = kSlowOctaves; k < kShapeOctaves; ++k) {
+    shape_.octave(static_cast<int>(k), z, {octaves_[k].data()});
+    cells.rows.shape[k] = octaves_[k].data();
+  }
+  return cells;
 }
 
 void RegionRows::parts_row(std::int64_t z, const LandParts& parts) {
@@ -163,11 +217,34 @@ void RegionRows::parts_row(std::int64_t z, const LandParts& parts) {
 }
 
 void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
-  const RegionRow at = plain_row(z);
-  const RegionDetails details =
+  RegionDetails details =
       places_ ? RegionDetails{details_[0].data(), details_[1].data(), details_[2].data()} : RegionDetails{};
-  kernels_->compose(at, regions_->at_columns, width_, highest_fx_, heights_.data(), details);
-  std::copy_n(heights_.begin(), width_, heights_fx);
+  if (from_cells_) {
+    const RegionCells from = cells(z);
+    if (places_) {
+      const auto whole_row = [&](Slow slow) { return spread_[static_cast<std::size_t>(slow)].data(); };
+      details.base = whole_row(Slow::base);
+      details.belt = whole_row(Slow::belt);
+      details.mesa = whole_row(Slow::mesa);
+      spread_climate();
+    }
+    kernels_->compose_cells(from, regions_->at_columns, first_ + width_, highest_fx_, heights_.data(),
+                            details);
+  } else {
+    kernels_->compose(plain_row(z), regions_->at_columns, width_, highest_fx_, heights_.data(), details);
+  }
+  std::copy_n(heights_.data() + first_, width_, heights_fx);
+}
+
+/// What places ask for and heights are not made of, from the samples of the last row.
+void RegionRows::spread_climate() {
+  const float* const samples = cubics_.data() + 4 * plane_of_cells_;
+  const auto spread = [&](std::size_t slow) {
+    between_.row(*kernels_, samples + slow * rows_of_cells_.stride, spread_[slow].data(), nullptr);
+  };
+  spread(static_cast<std::size_t>(Slow::temperature));
+  spread(static_cast<std::size_t>(Slow::moisture));
+  for (std::size_t slow = kSlowCount; slow < spread_.size(); ++slow) spread(slow);
 }
 
 void RegionRows::sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) {
@@ -190,24 +267,26 @@ void RegionRows::sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32
 
 void RegionRows::quantities(std::int64_t z, std::span<const float*> rows) {
   const auto at = [&](Slow slow) { return at_columns_[static_cast<std::size_t>(slow)]; };
-  const float* const border = border_.row(z);
+  const float* const border = border_.row(z) + first_;
+  float* const height = details_[0].data() + first_;
+  float* const terraces = details_[1].data() + first_;
   const PlaceKernels& kernels = *place_kernels_;
-  kernels.climate({border, details_[2].data(), details_[0].data()}, places_->reciprocal_lapse, width_,
+  kernels.climate({border, details_[2].data() + first_, height}, places_->reciprocal_lapse, width_,
                   at(Slow::temperature), at(Slow::moisture));
   constexpr float kJitter = 0.047F;            // as of climate
   constexpr float kBaseJitter = 20 * kJitter;  // of heights
   kernels.jitter(border, kJitter, width_, at(Slow::mesa));
   kernels.jitter(border, kJitter, width_, at(Slow::belt));
   kernels.jitter(border, kBaseJitter, width_, at(Slow::base));
-  kernels.jitter(border, kJitter, width_, details_[1].data());
+  kernels.jitter(border, kJitter, width_, terraces);
   const auto set = [&](Quantity quantity, const float* values) { rows[number_of(quantity)] = values; };
-  set(Quantity::height, details_[0].data());
+  set(Quantity::height, height);
   set(Quantity::temperature, at(Slow::temperature));
   set(Quantity::moisture, at(Slow::moisture));
   set(Quantity::mesas, at(Slow::mesa));
   set(Quantity::ranges, at(Slow::belt));
   set(Quantity::base, at(Slow::base));
-  set(Quantity::terraces, details_[1].data());
+  set(Quantity::terraces, terraces);
   for (std::size_t i = 0; i < regions_->slow.others.size(); ++i) {
     kernels.jitter(border, kJitter, width_, at_columns_[kSlowCount + i]);
     rows[kQuantities + i] = at_columns_[kSlowCount + i];

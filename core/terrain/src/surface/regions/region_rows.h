@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,16 @@ class RegionRows final : public SurfaceRows {
 
   /// What the heights of row z are made of.
   void parts_row(std::int64_t z, const LandParts& parts);
-  /// What a slow field says at the columns of the last row.
+  /// What a slow field says at the columns of the last row of parts.
   [[nodiscard]] const float* slow(Slow slow) const { return at_columns_[static_cast<std::size_t>(slow)]; }
 
  private:
   void begin(std::span<const std::int64_t> xs, bool at_samples, bool sloped);
   void spread_row(std::int64_t z);
+  void start_cells();
+  void find_cubics(std::int64_t z);
+  [[nodiscard]] RegionCells cells(std::int64_t z);
+  void spread_climate();
   [[nodiscard]] RegionRow plain_row(std::int64_t z);
   void blend_lines(std::int64_t z);
   void copy_sloped_line(std::int64_t z);
@@ -57,6 +62,16 @@ class RegionRows final : public SurfaceRows {
   std::vector<AlignedVector<float>> rising_;   // and how they rise southward
   std::vector<AlignedVector<float>> spread_;   // Slow, and others
   std::vector<float*> at_columns_;
+  // Where each column is asked for: whole cells, whose slow rows are not spread.
+  bool from_cells_ = false;
+  std::size_t first_ = 0;  // columns from the first cell's west to the first that is asked for; else 0
+  std::vector<std::int64_t> whole_cells_;
+  SampleRows rows_of_cells_;
+  std::array<std::vector<const float*>, 4> sample_lines_;
+  std::optional<std::int64_t> lines_from_;  // the line north of rows that all four of these are around
+  std::size_t plane_of_cells_ = 0;
+  AlignedVector<float> cubics_;  // five planes of rows of cells: RegionKernels::cubics
+  std::vector<float*> first_of_cells_;
   // Of coarse levels: how those rise, and the shape's fast octaves.
   bool sloped_ = false;
   bool at_samples_ = false;  // the columns of such a level are
