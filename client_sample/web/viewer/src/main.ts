@@ -13,6 +13,7 @@ import { editCommands, undoByHabit } from './edit/hands';
 import type { Engine, Vector } from './engine/engine';
 import { Loop } from './loop';
 import { Address } from './place/address';
+import { capOf, capped, thisDevice } from './place/device';
 import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } from './place/place';
 import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
 import { Traveller } from './place/traveller';
@@ -27,14 +28,16 @@ import { TokenDialog } from './ui/token_dialog';
 import { TrafficPanel } from './ui/traffic_panel';
 import { FIELD_OF_VIEW, rayThrough, VoxelCard } from './ui/voxel_card';
 
-const isPhone = matchMedia('(pointer: coarse)').matches;
+const device = thisDevice();
+const isPhone = device.isCoarse;
+const cap = capOf(device);
 const isReducedBySystem = matchMedia('(prefers-reduced-motion: reduce)');
 const storage = () => localStorage;
 const DAY_S = 24 * 60;
 const SPAWN_PITCH = -8;
 
 let kept = load(defaults(isPhone), storage);
-const settings: Settings = mend(kept, fromLink(location.hash));
+const settings: Settings = capped(mend(kept, fromLink(location.hash)), cap);
 const isReduced = () => settings.reducedMotion ?? isReducedBySystem.matches;
 
 const tokens = new TokenStore();
@@ -90,7 +93,8 @@ timeRuns.addEventListener('change', () => change({ timeRuns: timeRuns.checked })
 
 // --- Settings ---
 
-function change(changed: Partial<Settings>): void {
+function change(wanted: Partial<Settings>): void {
+  const changed = capped(wanted, cap);
   Object.assign(settings, changed);
   kept = { ...kept, ...changed };
   save(kept, storage);
@@ -129,7 +133,7 @@ const slice = new SlicePanel(
   () => ({ x: body.position[0], z: body.position[2], yaw: body.yaw }),
   (plane) => engine?.setSlice(plane),
 );
-new SettingsPanel(settings, change, isPhone);
+new SettingsPanel(settings, change, isPhone, cap);
 new SharePanel(() => engine?.screenshot() ?? null, place, () => address.write(place()));
 const tokenDialog = new TokenDialog(tokens, () => session.again());
 find('token-change').addEventListener('click', () => tokenDialog.ask('The next connection uses it.'));

@@ -1,40 +1,25 @@
 // Layers: the boundary planes between materials. FORMAT.md, "Layered".
 import { DecodeError } from './decode_error.js';
-import {
-  CARRIED,
-  cachePlace,
-  CELL_BITS,
-  FAR_EAST,
-  FIRST,
-  FROM_CELLS,
-  KIND,
-  LEVEL,
-  planeSlots,
-  PlaneModel,
-  RISE_BITS,
-  STEP_BITS,
-  SYMBOL_EAST,
-  SYMBOL_WEST,
-  THICKNESS_BITS,
-} from './plane_model.js';
+import { PlaneKeys, signs } from './plane_keys.js';
+import { planeSlots, PlaneModel } from './plane_model.js';
 import { LANES, type Source } from './source.js';
 
 const SIZE = 32;
 const AREA = SIZE * SIZE;
 const MAX_MATERIALS = 64;
+// Without bundler each use of an imported constant is a load and checks; one of this module is a number in the code.
+const STATES: number = LANES;
+
+// Kinds of rows, in the order of their weights.
+const LEVEL = 0;
+const CARRIED = 1;
+const FIRST = 2;
 
 // Four columns at a time, a byte each: heights are at most 32, so a high bit is free to borrow from.
 const WORDS = SIZE / 4;
 const ONES = 0x01010101;
 const SEVENS = 0x7f7f7f7f;
 const GUARDS = 0x80808080 | 0;
-
-/** Of bytes below 128: 2 where a > b, 1 where they are equal, 0 where a < b. */
-function signs(a: number, b: number): number {
-  const notBelow = (((a | GUARDS) - b) >>> 7) & ONES;
-  const notAbove = (((b | GUARDS) - a) >>> 7) & ONES;
-  return notBelow + (notAbove ^ ONES);
-}
 
 export class LayersDecoder {
   private readonly even = new PlaneModel(false);
@@ -43,12 +28,8 @@ export class LayersDecoder {
   // The planes one after the other, the first of them all 0: the floor of the second.
   private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
   private readonly planeWords = new Int32Array(this.planes.buffer);
-  // Of the row that is read: parts of keys, which plane_model.ts explains. Cells begin four before column 0.
-  private readonly cells = new Uint8Array(SIZE + 8);
-  private readonly cellWords = new Int32Array(this.cells.buffer);
-  private readonly extras = new Uint8Array(SIZE);
-  private readonly extraWords = new Int32Array(this.extras.buffer);
-  private readonly oddKeys = new Int32Array(LANES);
+  private readonly keys = new PlaneKeys();
+  private readonly intervals = new Int32Array(LANES); // where they begin in slots
   private readonly symbols = new Uint8Array(SIZE + 4); // and one beyond the row, 0
   private readonly symbolWords = new Int32Array(this.symbols.buffer);
   private readonly stepSigns = new Int32Array(WORDS);
@@ -91,97 +72,64 @@ export class LayersDecoder {
     const carried = readCarried(source);
     // The row to the north of row 0 is its floor, without steps.
     this.stepSigns.fill(ONES);
-    const floor = plane - AREA;
-    this.prepareRow(floor, floor, floor);
+    let north = plane - AREA;
     let kind = FIRST;
     for (let z = 0; z < SIZE; ++z) {
       const row = plane + z * SIZE;
-      this.readEvenSymbols(source, kind << KIND);
-      this.readOddSymbols(source);
+      const floor = row - AREA;
+      this.keys.make(this.planeWords, north >> 2, (z === 0 ? floor : floor - SIZE) >> 2, floor >> 2, this.stepSigns, kind);
+      this.readSymbols(source, this.even, this.keys.even, 0);
+      this.keys.addSymbols(this.symbolWords);
+      this.readSymbols(source, this.odd, this.keys.odd, 1);
       const bad = this.readRow(source, row, kind);
       source.checkRead();
       if (bad) throw new DecodeError('bad_number');
       kind = z + 1 < SIZE && (carried >>> (z + 1)) & 1 ? CARRIED : LEVEL;
-      this.prepareRow(row, row - AREA, row - AREA + SIZE);
+      north = row;
     }
   }
 
-  /** The features of a row's columns, but for the symbols beside them, from the row to its north, the floor of that,
-   *  its own floor, and stepSigns. */
-  private prepareRow(north: number, floorNorth: number, floor: number): void {
-    const { planeWords, stepSigns, cellWords, cells, extraWords } = this;
-    north >>= 2;
-    floorNorth >>= 2;
-    floor >>= 2;
-    let here = planeWords[north]!;
-    let before = here << 24; // the height west of this word, in the highest byte
-    for (let i = 0; i < WORDS; ++i) {
-      // Beyond the row's end heights repeat.
-      const next = i < WORDS - 1 ? planeWords[north + i + 1]! : Math.imul(here >>> 24, ONES);
-      const below = planeWords[floorNorth + i]!;
-      const rises = signs(here, (here << 8) | (before >>> 24));
-      const rises2 = signs((here >>> 16) | (next << 16), here);
-      const thickness = here - below;
-      const thick = (((thickness + SEVENS) >>> 7) & ONES) + (((thickness + SEVENS - ONES) >>> 7) & ONES);
-      cellWords[1 + i] = (stepSigns[i]! << STEP_BITS) | (rises << RISE_BITS) | (thick << THICKNESS_BITS);
-      extraWords[i] = rises2 | (signs(planeWords[floor + i]!, below) << 2);
-      before = here;
-      here = next;
-    }
-    const flat = (1 << STEP_BITS) | (1 << RISE_BITS);
-    const thickAt = 3 << THICKNESS_BITS;
-    cells[2] = flat;
-    cells[3] = flat | (cells[4]! & thickAt);
-    cells[4 + SIZE] = flat | (cells[3 + SIZE]! & thickAt);
-    cells[5 + SIZE] = flat;
-  }
-
-  /** Reads the symbols of even columns, and makes the keys of odd ones. */
-  private readEvenSymbols(source: Source, kind: number): void {
-    const { cells, extras, oddKeys, symbols, slots } = this;
-    const { fill, cache } = this.even;
+  /** Reads the symbols of every second column from `first` on. Four at a time, written out: in each turn of a loop V8
+   *  checks and loads every array anew, which takes as long as two symbols. */
+  private readSymbols(source: Source, model: PlaneModel, keys: Int32Array, first: number): void {
+    const { symbols, slots, intervals } = this;
     const { bytes, states } = source;
+    model.look(keys, intervals);
     let next = source.next;
-    let window = (cells[2]! << (3 * CELL_BITS)) | (cells[3]! << (2 * CELL_BITS)) | (cells[4]! << CELL_BITS) | cells[5]!;
-    for (let lane = 0; lane < LANES; ++lane) {
-      window = (window << CELL_BITS) | cells[2 * lane + 6]!;
-      const key = (window & FROM_CELLS) | (extras[2 * lane]! << FAR_EAST) | kind;
-      window = (window << CELL_BITS) | cells[2 * lane + 7]!;
-      oddKeys[lane] = (window & FROM_CELLS) | (extras[2 * lane + 1]! << FAR_EAST) | kind;
-      const place = cachePlace(key);
-      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
-      let state = states[lane]!;
-      const slot = slots[intervals + (state & 0xff)]!;
-      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
-      // Whether a byte is taken cannot be foreseen: it is read in any case.
-      const taken = (state - 256) >>> 31;
+    let state = 0;
+    let slot = 0;
+    let taken = 0;
+    let at = first;
+    for (let lane = 0; lane < STATES; lane = (lane + 4) | 0) {
+      state = states[lane]!;
+      slot = slots[(intervals[lane]! + (state & 0xff)) | 0]!;
+      state = (Math.imul(slot >> 16, state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff)) | 0;
+      taken = (state - 256) >>> 31;
       states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
-      next += taken;
-      symbols[2 * lane] = slot;
-    }
-    source.next = next;
-  }
-
-  /** Those of odd columns, by the symbols to their west and east too. */
-  private readOddSymbols(source: Source): void {
-    const { oddKeys, symbols, slots } = this;
-    const { fill, cache } = this.odd;
-    const { bytes, states } = source;
-    let next = source.next;
-    let west = symbols[0]!;
-    for (let lane = 0; lane < LANES; ++lane) {
-      const east = symbols[2 * lane + 2]!; // 0 beyond the row
-      const key = oddKeys[lane]! | (west << SYMBOL_WEST) | (east << SYMBOL_EAST);
-      west = east;
-      const place = cachePlace(key);
-      const intervals = cache[place] === key ? cache[place + 1]! : fill(key, place);
-      let state = states[lane]!;
-      const slot = slots[intervals + (state & 0xff)]!;
-      state = (slot >> 16) * (state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff);
-      const taken = (state - 256) >>> 31;
-      states[lane] = (state << (taken << 3)) | (bytes[next]! & -taken);
-      next += taken;
-      symbols[2 * lane + 1] = slot;
+      next = (next + taken) | 0;
+      symbols[at] = slot;
+      state = states[lane + 1]!;
+      slot = slots[(intervals[lane + 1]! + (state & 0xff)) | 0]!;
+      state = (Math.imul(slot >> 16, state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff)) | 0;
+      taken = (state - 256) >>> 31;
+      states[lane + 1] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next = (next + taken) | 0;
+      symbols[at + 2] = slot;
+      state = states[lane + 2]!;
+      slot = slots[(intervals[lane + 2]! + (state & 0xff)) | 0]!;
+      state = (Math.imul(slot >> 16, state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff)) | 0;
+      taken = (state - 256) >>> 31;
+      states[lane + 2] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next = (next + taken) | 0;
+      symbols[at + 4] = slot;
+      state = states[lane + 3]!;
+      slot = slots[(intervals[lane + 3]! + (state & 0xff)) | 0]!;
+      state = (Math.imul(slot >> 16, state >> 8) + (state & 0xff) - ((slot >> 8) & 0xff)) | 0;
+      taken = (state - 256) >>> 31;
+      states[lane + 3] = (state << (taken << 3)) | (bytes[next]! & -taken);
+      next = (next + taken) | 0;
+      symbols[at + 6] = slot;
+      at = (at + 8) | 0;
     }
     source.next = next;
   }
@@ -196,7 +144,7 @@ export class LayersDecoder {
     let sum = 0; // of the changes so far, each one more than it is
     let counts = 0x04030201; // how many these are
     let good = GUARDS;
-    for (let i = 0; i < WORDS; ++i) {
+    for (let i = 0; i < WORDS; i = (i + 1) | 0) {
       const symbols = symbolWords[i]!;
       if ((symbols & (symbols >> 1) & ONES) !== 0) return this.readRowWithOthers(source, row, kind);
       const changes = ONES + (symbols & ONES) - ((symbols >> 1) & ONES);
@@ -208,15 +156,15 @@ export class LayersDecoder {
         bias = counts;
         counts += 4 * ONES;
       }
-      const floor = planeWords[floorRow + i]!;
-      const toNorth = planeWords[north + i]!;
+      const floor = planeWords[(floorRow + i) | 0]!;
+      const toNorth = planeWords[(north + i) | 0]!;
       // To the north, but not below the floor, unless the material is absent there.
       const above = (toNorth | GUARDS) - floor;
-      const present = ((toNorth ^ planeWords[floorNorth + i]!) + SEVENS) >>> 7;
+      const present = ((toNorth ^ planeWords[(floorNorth + i) | 0]!) + SEVENS) >>> 7;
       const risen = above & Math.imul((above >>> 7) & present & ONES, 0x7f);
       const height = ((floor + risen) | GUARDS) + steps - bias;
       good &= (height - floor) & ((GUARDS | 0x20202020) - (height & SEVENS)) & height;
-      planeWords[at + i] = height & SEVENS;
+      planeWords[(at + i) | 0] = height & SEVENS;
       stepSigns[i] = signs(steps, bias);
     }
     return good !== GUARDS;

@@ -1,94 +1,98 @@
 // The probabilities of a column's symbol: FORMAT.md, "Layered: the model". Terrain has few neighbourhoods, which come
 // again and again: a cache keeps the intervals of each.
+import { KIND, PAIRS } from './plane_keys.js';
 import { fillSlots } from './source.js';
 import { OTHER_START, SAME_END, UP_SPLIT, WEIGHTS } from './plane_weights.js';
 
-export const LEVEL = 0;
-export const CARRIED = 1;
-export const FIRST = 2;
-
-// Where the features of a column lie in its key, two bits each. Five cells of six bits hold a sign of a step, how the
-// row rises to its west, and a thickness: of the columns from two to the west (highest) to two to the east. What of them
-// is no feature makes room for other features.
-export const STEP_BITS = 0;
-export const RISE_BITS = 2;
-export const THICKNESS_BITS = 4;
-export const CELL_BITS = 6;
-const STEP_FAR_EAST = 0;
-const STEP_EAST = 6;
-const EAST = 8;
-const THICKNESS_EAST = 10;
-const STEP = 12;
-const WEST = 14;
-const THICKNESS = 16;
-const STEP_WEST = 18;
-const THICKNESS_WEST = 22;
-const STEP_FAR_WEST = 24;
-/** The features that a key has from the cells. */
-export const FROM_CELLS = [
-  STEP_FAR_EAST, STEP_EAST, EAST, THICKNESS_EAST, STEP, WEST, THICKNESS, STEP_WEST, THICKNESS_WEST, STEP_FAR_WEST,
-].reduce((mask, at) => mask | (3 << at), 0);
-export const SYMBOL_WEST = 2;
-export const SYMBOL_EAST = 4;
-export const KIND = 20;
-export const FAR_EAST = 26;
-const FLOOR = 28;
-
-const PAIRS = [
-  [STEP_WEST, STEP_EAST],
-  [FLOOR, THICKNESS_EAST],
-  [WEST, EAST],
-  [STEP, STEP_FAR_WEST],
-  [FAR_EAST, STEP_FAR_EAST],
-  [THICKNESS_WEST, THICKNESS_EAST],
-  [WEST, THICKNESS],
-  [EAST, THICKNESS],
-  [FLOOR, THICKNESS],
-  [WEST, SYMBOL_WEST],
-  [EAST, SYMBOL_EAST],
-  [THICKNESS, SYMBOL_WEST],
-  [THICKNESS, SYMBOL_EAST],
-] as const;
 const FIRST_OF_PAIR = Uint8Array.from(PAIRS, ([first]) => first);
 const SECOND_OF_PAIR = Uint8Array.from(PAIRS, ([, second]) => second);
+const ROW_KIND: number = KIND;
 const EVEN_PAIRS = 9;
 const CLASSES = 16;
 
-function parseWeights(): Int8Array[] {
-  return WEIGHTS.map((text) => Int8Array.from(text.trim().split(/\s+/), Number));
+/** By pair and by what its features are: the weight of the first score in the upper half, of the second in the lower. */
+function parseWeights(text: string): Int32Array {
+  const all = text.trim().split(/\s+/).map(Number);
+  return Int32Array.from({ length: all.length / 2 }, (_, i) => {
+    const at = ((i >> 4) << 5) | (i & 15);
+    return (all[at]! << 16) | (all[at + 16]! & 0xffff);
+  });
 }
 
 // Steep land has some hundred thousand keys, and a chunk of it asks for a thousand of them.
-const CACHE_BITS = 15;
+const PLACE_BITS = 16;
+const REST_BITS = 32 - PLACE_BITS;
+const REST = (1 << REST_BITS) - 1;
+const EMPTY = 1 << 31;
+const MIXER = 0x9e3779b1 | 0;
+const KEYS = 16;
 
 /** The intervals of even columns, or of odd ones, by key. */
 export class PlaneModel {
-  /** Of a key the place is cachePlace(key): there stands which key it is that the cache has, and then where in
-   *  planeSlots() its intervals begin. */
-  readonly cache = new Int32Array(2 << CACHE_BITS).fill(-1);
-  private readonly weights: Int8Array[];
+  // A key times an odd number is as good as the key: its upper bits are its place here, its lower ones stand there,
+  // and above them the class of its intervals.
+  private readonly cache = new Int32Array(1 << PLACE_BITS).fill(EMPTY);
+  private readonly weights: Int32Array[];
   private readonly pairs: number;
 
   constructor(odd: boolean) {
-    this.weights = parseWeights().filter((_, i) => (i % 2 === 1) === odd);
+    this.weights = WEIGHTS.filter((_, i) => (i % 2 === 1) === odd).map(parseWeights);
     this.pairs = odd ? PAIRS.length : EVEN_PAIRS;
   }
 
-  /** Puts the intervals of `key` where they belong. */
-  readonly fill = (key: number, place: number): number => {
-    const weights = this.weights[(key >>> KIND) & 3]!;
+  /** Where in planeSlots() the intervals of each of sixteen keys begin. Four at a time, as in LayersDecoder.readSymbols, and
+   *  without calls but where a key is new. */
+  look(keys: Int32Array, intervals: Int32Array): void {
+    const { cache } = this;
+    let missing = 0;
+    let mixed = 0;
+    let known = 0;
+    for (let i = 0; i < KEYS; i = (i + 4) | 0) {
+      mixed = Math.imul(keys[i]!, MIXER);
+      known = cache[mixed >>> REST_BITS]!;
+      missing |= known ^ (mixed & REST);
+      intervals[i] = (known >>> REST_BITS) << 8;
+      mixed = Math.imul(keys[i + 1]!, MIXER);
+      known = cache[mixed >>> REST_BITS]!;
+      missing |= known ^ (mixed & REST);
+      intervals[i + 1] = (known >>> REST_BITS) << 8;
+      mixed = Math.imul(keys[i + 2]!, MIXER);
+      known = cache[mixed >>> REST_BITS]!;
+      missing |= known ^ (mixed & REST);
+      intervals[i + 2] = (known >>> REST_BITS) << 8;
+      mixed = Math.imul(keys[i + 3]!, MIXER);
+      known = cache[mixed >>> REST_BITS]!;
+      missing |= known ^ (mixed & REST);
+      intervals[i + 3] = (known >>> REST_BITS) << 8;
+    }
+    if ((missing & (REST | EMPTY)) !== 0) this.fill(keys, intervals);
+  }
+
+  private fill(keys: Int32Array, intervals: Int32Array): void {
+    const { cache } = this;
+    for (let i = 0; i < KEYS; ++i) {
+      const mixed = Math.imul(keys[i]!, MIXER);
+      let known = cache[mixed >>> REST_BITS]!;
+      if (((known ^ (mixed & REST)) & (REST | EMPTY)) !== 0) {
+        known = (this.classOf(keys[i]!) << REST_BITS) | (mixed & REST);
+        cache[mixed >>> REST_BITS] = known;
+      }
+      intervals[i] = (known >>> REST_BITS) << 8;
+    }
+  }
+
+  private classOf(key: number): number {
+    const { pairs } = this;
+    const weights = this.weights[(key >>> ROW_KIND) & 3]!;
     let same = 0;
     let up = 0;
-    for (let p = 0; p < this.pairs; ++p) {
-      const at = p * 32 + ((key >>> FIRST_OF_PAIR[p]!) & 3) + 4 * ((key >>> SECOND_OF_PAIR[p]!) & 3);
-      same = Math.max(-128, Math.min(127, same + weights[at]!));
-      up = Math.max(-128, Math.min(127, up + weights[at + 16]!));
+    for (let p = 0; p < pairs; p = (p + 1) | 0) {
+      const both = weights[(p << 4) | ((key >>> FIRST_OF_PAIR[p]!) & 3) | (((key >>> SECOND_OF_PAIR[p]!) & 3) << 2)]!;
+      same = Math.max(-128, Math.min(127, (same + (both >> 16)) | 0));
+      up = Math.max(-128, Math.min(127, (up + ((both << 16) >> 16)) | 0));
     }
-    const intervals = ((Math.max(same, 0) >> 3) * CLASSES + (Math.max(up, 0) >> 3)) << 8;
-    this.cache[place] = key;
-    this.cache[place + 1] = intervals;
-    return intervals;
-  };
+    return (Math.max(same, 0) >> 3) * CLASSES + (Math.max(up, 0) >> 3);
+  }
 }
 
 /** By the classes of both scores and then by slot: symbol | start << 8 | size << 16. */
@@ -104,8 +108,4 @@ export function planeSlots(): Int32Array {
     }
   }
   return slots;
-}
-
-export function cachePlace(key: number): number {
-  return (Math.imul(key, 0x9e3779b1 | 0) >>> (32 - CACHE_BITS)) << 1;
 }

@@ -1,11 +1,12 @@
 // The form of the settings.
+import type { Reach } from '../place/device';
 import { defaults, mend, type Settings } from '../place/settings';
 import { find, say } from './dom';
 
-const figures: Record<string, (settings: Settings) => string> = {
-  radius: ({ radius }) => `${radius} chunks`,
-  horizon: ({ horizon }) => (horizon === 0 ? 'none' : `${(horizon / 1000).toFixed(1)} km`),
-  sensitivity: ({ sensitivity }) => `${Math.round(sensitivity * 100)}`,
+const figures = {
+  radius: ({ radius }: Reach) => `${radius} chunks`,
+  horizon: ({ horizon }: Reach) => (horizon === 0 ? 'none' : `${(horizon / 1000).toFixed(1)} km`),
+  sensitivity: ({ sensitivity }: Settings) => `${Math.round(sensitivity * 100)}`,
 };
 
 export class SettingsPanel {
@@ -15,7 +16,9 @@ export class SettingsPanel {
     private readonly settings: Settings,
     onChange: (changed: Partial<Settings>) => void,
     isPhone: boolean,
+    cap: Reach | null,
   ) {
+    if (cap !== null) this.#tellCap(cap);
     this.#form.addEventListener('submit', (event) => event.preventDefault());
     this.#form.addEventListener('input', (event) => {
       const field = event.target as HTMLInputElement | HTMLSelectElement;
@@ -33,12 +36,20 @@ export class SettingsPanel {
     this.show();
   }
 
+  #tellCap(cap: Reach): void {
+    for (const key of ['radius', 'horizon'] as const) (this.#form.elements.namedItem(key) as HTMLInputElement).max = String(cap[key]);
+    const said = find('settings-cap');
+    said.hidden = false;
+    const [radius, horizon] = [figures.radius(cap), figures.horizon(cap)];
+    say(said, `On this device at most ${radius} of full detail and a horizon of ${horizon}: more would take memory that it may not have.`);
+  }
+
   show(): void {
     for (const [key, value] of Object.entries(this.settings)) {
       const field = this.#form.elements.namedItem(key);
       if (field instanceof HTMLInputElement && field.type === 'checkbox') field.checked = value as boolean;
       else if (field instanceof HTMLInputElement || field instanceof HTMLSelectElement) field.value = String(value);
-      if (key in figures) say(find(`${key}-now`), figures[key]!(this.settings));
+      if (key in figures) say(find(`${key}-now`), figures[key as keyof typeof figures](this.settings));
     }
   }
 }

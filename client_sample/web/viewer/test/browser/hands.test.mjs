@@ -169,6 +169,18 @@ test('touch alone suffices', async (t) => {
     assert.equal((await place(page)).mode, 'walk');
   });
 
+  await t.test('how far one may look is capped, and said where one sets it', async () => {
+    assert.equal(await page.locator('#settings-cap[hidden]').count(), 0);
+    assert.match(await page.locator('#settings-cap').textContent(), /at most (6|10) chunks/);
+    const most = await page.locator('#settings [name=radius]').evaluate((slider) => Number(slider.max));
+    assert.ok(most <= 10, `${most} chunks`);
+    const other = await newPage(browser, { viewport: { width: 320, height: 400 }, hasTouch: true, isMobile: true });
+    await other.goto(`${site.url}#radius=24&horizon=16384&frameRate=1`);
+    const { radius, horizon } = await other.evaluate(() => window.talus.settings);
+    assert.ok(radius === most && horizon <= 4096, `a link goes beyond it: ${radius}, ${horizon}`);
+    await other.context().close();
+  });
+
   await t.test('everything fits on the screen', async () => {
     const { scroll, client } = await page.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
     assert.ok(scroll <= client, `${scroll} pixels wide on ${client}`);
