@@ -107,7 +107,7 @@ function change(changed: Partial<Settings>): void {
 
 function applyMotion(): void {
   engine?.setReducedMotion(isReduced());
-  document.body.classList.toggle('still', isReduced());
+  document.body.classList.toggle('moves', !isReduced());
 }
 isReducedBySystem.addEventListener('change', applyMotion);
 
