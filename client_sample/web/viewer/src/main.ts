@@ -111,7 +111,7 @@ function change(wanted: Partial<Settings>): void {
 
 function applyMotion(): void {
   engine?.setReducedMotion(isReduced());
-  document.body.classList.toggle('still', isReduced());
+  document.body.classList.toggle('moves', !isReduced());
 }
 isReducedBySystem.addEventListener('change', applyMotion);
 

@@ -1,8 +1,9 @@
 // The first picture: it waits for land, and no longer than that helps.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { firstLoad } from '../first_load.mjs';
 import { launch, newPage, noProblems } from './browser.mjs';
-import { startSite } from './talusd.mjs';
+import { DIST, startSite } from './talusd.mjs';
 
 test('a picture that is asked for before the land came is no empty one', async (t) => {
   const site = await startSite(t);
@@ -43,4 +44,18 @@ test('who looks at the sky while the server goes away sees the sky', async (t) =
   assert.ok(hasPicture);
   assert.ok(await page.locator('#crosshair').isVisible());
   noProblems(page, [/ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|WebSocket connection|502/]);
+});
+
+test('until the first picture the page asks for the files that first_load.mjs weighs, and for no others', async (t) => {
+  const site = await startSite(t);
+  const page = await newPage(await launch(t));
+  const asked = new Set();
+  page.on('request', (request) => {
+    const { pathname } = new URL(request.url());
+    if (!pathname.startsWith('/v1/')) asked.add(pathname === '/' ? 'index.html' : pathname.slice(1));
+  });
+  await page.goto(`${site.url}#radius=3&horizon=0&quality=high&frameRate=1`);
+  await page.waitForFunction(() => window.talus?.engine?.stats().hasPicture);
+  assert.deepEqual([...asked].sort(), firstLoad(DIST).sort());
+  noProblems(page);
 });

@@ -137,7 +137,15 @@ export class Frame {
    *  while the first picture is drawn, the answer waits for all that the card was given to draw before it. */
   private async warmUp(): Promise<void> {
     const scenes = [this.terrain.solid, this.sky, this.terrain.liquid];
-    await Promise.all(scenes.map((scene) => this.renderer.compileAsync(scene, this.camera)));
+    const made = scenes.map((scene) => this.renderer.compileAsync(scene, this.camera));
+    if (this.shadowReach > 0) {
+      // Another target is another program to three.
+      this.renderer.setRenderTarget(this.shadowTarget);
+      scenes.push(this.terrain.shadow);
+      made.push(this.renderer.compileAsync(this.terrain.shadow, this.camera));
+      this.renderer.setRenderTarget(null);
+    }
+    await Promise.all(made);
     if (this.disposed || this.renderer.getContext().isContextLost()) return;
     for (const scene of scenes) scene.traverse((object) => this.readProgram(object));
   }
