@@ -1,9 +1,8 @@
-// What a view costs: time to the first terrain and to all of it, triangles, draw calls; and memory that stays flat.
+// What a view costs: time to the first terrain and to all of it, triangles, draw calls, processor time a frame.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { filled, launch, newPage, noProblems, SMALL, stats } from './browser.mjs';
+import { filled, launch, newPage, noProblems, stats } from './browser.mjs';
 import { startSite } from './talusd.mjs';
 
 const world = (name) => fileURLToPath(new URL(`../../../../../core/worlds/${name}.toml`, import.meta.url));
@@ -127,90 +126,3 @@ for (const name of ['default', 'classic'])
     for (const [way, p95] of times) assert.ok(p95 <= 6, `${way}: p95 ${p95.toFixed(1)} ms of processor time a frame, all between two frames`);
     noProblems(page);
   });
-
-/** Bytes of the heaps of a page's workers after a forced collection. */
-async function heapOfWorkers(session) {
-  const workers = [];
-  const waiting = new Map();
-  session.on('Target.attachedToTarget', ({ sessionId }) => workers.push(sessionId));
-  session.on('Target.receivedMessageFromTarget', ({ message }) => {
-    const { id, result } = JSON.parse(message);
-    waiting.get(id)?.(result);
-  });
-  await session.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: false });
-  let calls = 0;
-  const call = (sessionId, method) =>
-    new Promise((resolve) => {
-      const id = ++calls;
-      waiting.set(id, resolve);
-      void session.send('Target.sendMessageToTarget', { sessionId, message: JSON.stringify({ id, method }) });
-    });
-  let bytes = 0;
-  for (const worker of workers) {
-    await call(worker, 'HeapProfiler.enable');
-    await call(worker, 'HeapProfiler.collectGarbage');
-    const { usedSize, backingStorageSize = 0 } = await call(worker, 'Runtime.getHeapUsage');
-    bytes += usedSize + backingStorageSize;
-  }
-  assert.ok(workers.length >= 2 && bytes > 1e6, `${workers.length} workers hold ${bytes} bytes`);
-  return bytes;
-}
-
-/** Bytes after a forced collection: of the page, of its workers, and of the renderer's process as the kernel counts it. */
-async function memory(browser, page) {
-  const session = await page.context().newCDPSession(page);
-  await session.send('HeapProfiler.enable');
-  await session.send('HeapProfiler.collectGarbage');
-  const { usedSize, backingStorageSize = 0 } = await session.send('Runtime.getHeapUsage');
-  const workers = await heapOfWorkers(session);
-  await session.detach();
-  const system = await browser.newBrowserCDPSession();
-  const { processInfo } = await system.send('SystemInfo.getProcessInfo');
-  await system.detach();
-  let renderer = 0;
-  for (const { type, id } of processInfo)
-    if (type === 'renderer') renderer = Math.max(renderer, 1024 * Number(/RssAnon:\s+(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))[1]));
-  const { gpuBytes, heapBytes } = await stats(page);
-  // Kept up to a bound, which so few laps do not reach.
-  const voxels = await page.evaluate(() => window.talus.engine.voxels.bytes);
-  return { page: usedSize + backingStorageSize - voxels, workers, renderer, meshes: gpuBytes, held: heapBytes };
-}
-
-test('memory stays flat while flying', async (t) => {
-  const site = await startSite(t);
-  const browser = await launch(t);
-  const page = await newPage(browser);
-  await page.goto(`${site.url}#${SMALL}`);
-  await filled(page);
-  const lap = () =>
-    page.evaluate(async () => {
-      const { body } = window.talus.player;
-      const [cx, y, cz] = [body.position[0] - 320, body.position[1], body.position[2]];
-      for (let i = 1; i <= 48; ++i) {
-        const angle = (i / 48) * 2 * Math.PI;
-        body.place(cx + 320 * Math.cos(angle), y, cz + 320 * Math.sin(angle));
-        await new Promise(requestAnimationFrame);
-        await new Promise(requestAnimationFrame);
-      }
-    });
-  // What is held differs a little from lap to lap, and an allocator gives back late: the least of three laps counts.
-  const fly = async (laps) => {
-    let least = null;
-    for (let i = 1; i <= laps; ++i) {
-      await lap();
-      await filled(page);
-      if (i <= laps - 3) continue;
-      const now = await memory(browser, page);
-      least = Object.fromEntries(Object.entries(now).map(([name, bytes]) => [name, Math.min(bytes, least?.[name] ?? Infinity)]));
-    }
-    return least;
-  };
-  const early = await fly(8);
-  const late = await fly(16);
-  for (const [name, bytes] of Object.entries(early)) {
-    t.diagnostic(`${name}: ${bytes} bytes after 8 laps, ${late[name]} after 24`);
-    const slack = name === 'renderer' ? 8e6 : 1e6;
-    assert.ok(late[name] <= bytes * 1.05 + slack, `${name} grew from ${bytes} to ${late[name]} bytes`);
-  }
-  noProblems(page);
-});

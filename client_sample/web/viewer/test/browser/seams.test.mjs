@@ -1,18 +1,19 @@
 // Where levels of detail meet: no crack that one sees through, and no pop when a finer level takes a coarser one's place.
-// The world has no trees, arches or caves in sight, so that under land there is never sky.
+// Where a world has trees, one sees sky between their leaves, and the skyline may move by a tree where it is thinned out.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { filled, launch, newPage, noProblems } from './browser.mjs';
 import { startSite } from './talusd.mjs';
 
-const HILLS = fileURLToPath(new URL('../../../../../core/worlds/hills.toml', import.meta.url));
+const world = (name) => fileURLToPath(new URL(`../../../../../core/worlds/${name}.toml`, import.meta.url));
 const SIZE = { width: 320, height: 240 };
 const FOV = 70; // degrees, from top to bottom
-const RADIUS = 2; // of level 0; level l + 1 begins where twice as far a level l ends
-const HORIZON = 768;
-/** Pixels that a coarse voxel is high where its level begins, which is the same for all levels. */
-const VOXEL = ((SIZE.height / 2 / Math.tan((FOV / 2) * (Math.PI / 180))) * 2) / (RADIUS * 32);
+/** Pixels that a coarse voxel is high where its level begins, which is the same for all levels: where level l ends, l + 1 begins
+ *  and goes on twice as far. `radius`: of level 0. */
+const voxelPixels = (radius) => ((SIZE.height / 2 / Math.tan((FOV / 2) * (Math.PI / 180))) * 2) / (radius * 32);
+/** Software draws no more than these in a bearable time. */
+const MOST_TRIANGLES = 300_000;
 
 /** A picture of the solid land alone, before nothing: its skyline, the topmost row of each column of pixels that shows land, and
  *  the pixels inside of the land that show none. */
@@ -46,7 +47,7 @@ function landSeen(page) {
     }
     const holes = [];
     for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) if (!isLand(x, y) && !reached[y * width + x]) holes.push([x, y]);
-    return { skyline, holes };
+    return { skyline, holes, triangles: engine.stats().triangles };
   }, SIZE);
 }
 
@@ -62,43 +63,55 @@ function lookFrom(page, place, rise, yaw) {
   );
 }
 
-test('levels of detail meet without cracks, and take turns without pops', async (t) => {
-  const site = await startSite(t, ['--world', HILLS]);
-  const page = await newPage(await launch(t), { viewport: SIZE });
-  await page.goto(`${site.url}#radius=${RADIUS}&horizon=${HORIZON}&quality=low&frameRate=0.02`);
-  await filled(page);
-  const spawn = await page.evaluate(() => window.talus.engine.world.spawn);
-  let shifted = 0;
-  let most = 0;
-  let columns = 0;
-  for (const [dx, dz] of [[0, 0], [1500, -900]]) {
-    const y = await page.evaluate(async ([x, z]) => (await (await fetch(`/v1/heights?columns=${x},${z}`)).json()).heights[0] / 256, [spawn.x + dx, spawn.z + dz]);
-    const place = { x: spawn.x + dx + 0.5, y, z: spawn.z + dz + 0.5 };
-    for (const [rise, yaw] of [[3, 20], [12, 110], [30, 200], [70, 290]]) {
-      await lookFrom(page, place, rise, yaw);
-      const skylines = [];
-      for (const radius of [RADIUS, 2 * RADIUS]) {
-        await page.evaluate(([radius, horizon]) => window.talus.engine.setRadius(radius, horizon), [radius, HORIZON]);
-        await page.waitForFunction((radius) => {
-          const stats = window.talus.engine.stats();
-          return stats.state === 'complete' && stats.pendingMeshes === 0 && stats.chunksPerLevel[0] >= (2 * radius + 1) ** 2;
-        }, radius);
-        const { skyline, holes } = await landSeen(page);
-        const where = `${JSON.stringify(place)}, ${rise} up, toward ${yaw}, radius ${radius}`;
-        assert.deepEqual(holes.slice(0, 5), [], `${where}: one looks through the land at ${holes.length} pixels`);
-        skylines.push(skyline);
+const HILLSIDES = [[3, 20], [12, 110], [30, 200], [70, 290]];
+
+/** `radii`: of the coarser picture and the finer, of at most MOST_TRIANGLES. `most`: coarse voxels that the skyline may move at a
+ *  column of pixels; `usual`: at all columns but 3 of 100. `gaps`: pixels of sky inside of the land. */
+for (const { name, radii, horizon, places, looks, most, usual, gaps } of [
+  { name: 'hills', radii: [2, 4], horizon: 768, places: [[0, 0], [1500, -900]], looks: HILLSIDES, most: 3, usual: 3, gaps: 0 },
+  { name: 'default', radii: [4, 7], horizon: 1536, places: [[0, 0]], looks: HILLSIDES.slice(1), most: 8, usual: 3, gaps: 6 },
+  { name: 'mesas', radii: [4, 7], horizon: 1536, places: [[0, 0]], looks: HILLSIDES.slice(1), most: 8, usual: 3, gaps: 6 },
+])
+  test(`levels of detail meet without cracks, and take turns without pops: ${name}, radius ${radii.join(' and ')}`, async (t) => {
+    const site = await startSite(t, ['--world', world(name)]);
+    const page = await newPage(await launch(t), { viewport: SIZE });
+    await page.goto(`${site.url}#radius=${radii[0]}&horizon=${horizon}&quality=low&frameRate=0.02`);
+    await filled(page);
+    const spawn = await page.evaluate(() => window.talus.engine.world.spawn);
+    const moves = [];
+    let drawn = 0;
+    for (const [dx, dz] of places) {
+      const y = await page.evaluate(async ([x, z]) => (await (await fetch(`/v1/heights?columns=${x},${z}`)).json()).heights[0] / 256, [spawn.x + dx, spawn.z + dz]);
+      const place = { x: spawn.x + dx + 0.5, y, z: spawn.z + dz + 0.5 };
+      for (const [rise, yaw] of looks) {
+        await lookFrom(page, place, rise, yaw);
+        const skylines = [];
+        for (const radius of radii) {
+          await page.evaluate(([radius, horizon]) => window.talus.engine.setRadius(radius, horizon), [radius, horizon]);
+          await page.waitForFunction((radius) => {
+            const stats = window.talus.engine.stats();
+            return stats.state === 'complete' && stats.pendingMeshes === 0 && stats.chunksPerLevel[0] >= (2 * radius + 1) ** 2;
+          }, radius);
+          const { skyline, holes, triangles } = await landSeen(page);
+          const where = `${JSON.stringify(place)}, ${rise} up, toward ${yaw}, radius ${radius}`;
+          assert.ok(holes.length <= gaps, `${where}: one looks through the land at ${holes.length} pixels, ${JSON.stringify(holes.slice(0, 5))} among them`);
+          assert.ok(triangles <= MOST_TRIANGLES, `${where}: ${triangles} triangles`);
+          drawn = Math.max(drawn, triangles);
+          skylines.push(skyline);
+        }
+        const [coarse, fine] = skylines;
+        coarse.forEach((row, x) => {
+          const voxels = Math.abs(row - fine[x]) / voxelPixels(radii[0]);
+          assert.ok(voxels <= most, `from ${JSON.stringify(place)}, ${rise} up, toward ${yaw}: the skyline at pixel ${x} moves by ${voxels.toFixed(1)} coarse voxels`);
+          moves.push(voxels);
+        });
       }
-      const [coarse, fine] = skylines;
-      coarse.forEach((row, x) => {
-        const voxels = Math.abs(row - fine[x]) / VOXEL;
-        assert.ok(voxels <= 3, `from ${JSON.stringify(place)}, ${rise} up, toward ${yaw}: the skyline at pixel ${x} moves by ${voxels.toFixed(1)} coarse voxels`);
-        shifted += voxels;
-        most = Math.max(most, voxels);
-        ++columns;
-      });
     }
-  }
-  t.diagnostic(`of ${columns} columns of pixels the skyline moves by ${(shifted / columns).toFixed(2)} coarse voxels in the mean, ${most.toFixed(1)} at most`);
-  assert.ok(shifted / columns <= 0.5);
-  noProblems(page);
-});
+    moves.sort((a, b) => a - b);
+    const mean = moves.reduce((sum, voxels) => sum + voxels, 0) / moves.length;
+    const all = moves[Math.floor(moves.length * 0.97)];
+    t.diagnostic(`of ${moves.length} columns of pixels the skyline moves by ${mean.toFixed(2)} coarse voxels in the mean, ${all.toFixed(1)} in 97 of 100, ${moves.at(-1).toFixed(1)} at most; at most ${drawn} triangles`);
+    assert.ok(mean <= 0.5);
+    assert.ok(all <= usual);
+    noProblems(page);
+  });
