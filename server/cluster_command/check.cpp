@@ -29,6 +29,7 @@ using Kind = Finding::Kind;
 
 constexpr auto kPatience = 500ms;
 constexpr auto kDenialIn = 300ms;
+constexpr int kNoMessage = 404;
 constexpr std::array<std::string_view, 2> kSchemes{"nats", "tls"};
 
 class Checker {
@@ -51,7 +52,7 @@ class Checker {
       check_replicas(*info);
       check_permissions();
       check_contents();
-      check_sameness(*info);
+      compare_all_replicas(*info);
     }
     return std::move(findings_);
   }
@@ -240,9 +241,27 @@ class Checker {
     }
   }
 
-  void check_sameness(const jetstream::StreamInfo& info) {
+  void compare_all_replicas(const jetstream::StreamInfo& info) {
     if (info.replicas.empty()) return;
-    const auto lines = compare_replicas(connections_, target_);
+    ReplicaQuestions questions;
+    std::size_t asked = 0;
+    questions.ask = [&](const std::string& question) -> tl::expected<ReplicaAnswer, std::string> {
+      const auto reply = connections_[asked++ % connections_.size()]->request(target_.names.direct_get(),
+                                                                              question, kPatience);
+      if (!reply) return tl::unexpected{reply.error().reason};
+      const jetstream::Arrived message{reply->get()};
+      if (message.status() == kNoMessage) return ReplicaAnswer{};
+      if (message.status() != 0)
+        return tl::unexpected{fmt::format("no replica answers (status {})", message.status())};
+      return ReplicaAnswer{message.sequence(), std::string{message.text()}};
+    };
+    questions.info = [&]() -> std::optional<jetstream::StreamInfo> {
+      auto asked_now = ask_stream_info(*connection_, target_.names);
+      if (!asked_now) return std::nullopt;
+      return *std::move(asked_now);
+    };
+    questions.pause = [] { std::this_thread::sleep_for(kBetweenTries); };
+    const auto lines = compare_replicas(questions, target_.names);
     if (!lines) {
       add(Kind::note,
           fmt::format("{}: the replicas were not compared: {}", target_.names.stream, lines.error()));

@@ -1,43 +1,46 @@
 #include "cluster_command/replica_comparison.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
+#include <array>
 #include <set>
-#include <thread>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "jetstream/stream_admin.h"
 
 namespace talus::server::cluster_tool {
 namespace {
 
-using namespace std::chrono_literals;
+using jetstream::StreamInfo;
+using jetstream::StreamNames;
 
-constexpr auto kReplicaPatience = 500ms;
-constexpr auto kLagPatience = 2s;
-// One replica of five is missed once in 40,000 times, and the next message asks again.
-constexpr std::size_t kTimesAsked = 48;
+// One replica of three is missed once in 17,000 times, and the next question asks it again.
+constexpr int kTimesAsked = 24;
+constexpr int kMostSilent = 3;  // questions without an answer, one after another
+constexpr int kMostPauses = 20;
+constexpr std::array<std::uint64_t, 5> kMessagesBack{0, 1, 16, 256, 4096};
+
+bool lags(const StreamInfo& info) {
+  return std::ranges::any_of(info.replicas,
+                             [](const auto& each) { return !each.current || each.offline || each.lag > 0; });
+}
 
 class ReplicaComparison {
  public:
-  ReplicaComparison(std::span<const std::shared_ptr<jetstream::Connection>> connections, const Target& target)
-      : connections_{connections}, target_{target} {}
+  ReplicaComparison(const ReplicaQuestions& questions, const StreamNames& names)
+      : questions_{questions}, names_{names} {}
 
   tl::expected<std::vector<std::string>, std::string> lines() {
-    const auto state = leader_state();
-    if (!state) return tl::unexpected{std::string{"the leader says nothing"}};
+    const auto info = leader_info();
+    if (!info) return tl::unexpected{*failure_};
+    const StreamState& state = info->state;
     std::vector<std::string> lines;
-    // The newest, and ever fewer of the older ones.
-    for (std::uint64_t back = 0; state->first + back <= state->last; back = back == 0 ? 1 : back * 2) {
-      if (refusal_) break;
-      if (auto line = difference_at(state->last - back)) lines.push_back(*std::move(line));
+    for (const std::uint64_t back : kMessagesBack) {
+      if (state.first + back > state.last) break;
+      if (auto line = difference_at(state.last - back)) lines.push_back(*std::move(line));
+      if (failure_) return tl::unexpected{*failure_};
     }
     if (auto line = beyond_the_end()) lines.push_back(*std::move(line));
-    if (refusal_) return tl::unexpected{*refusal_};
+    if (failure_) return tl::unexpected{*failure_};
     return lines;
   }
 
@@ -51,69 +54,71 @@ class ReplicaComparison {
 
   Answers ask(const std::string& question) {
     Answers answers;
-    for (std::size_t i = 0; i < kTimesAsked; ++i) {
-      const auto reply = connections_[i % connections_.size()]->request(target_.names.direct_get(), question,
-                                                                        kReplicaPatience);
-      if (!reply && reply.error().kind == StreamFailure::Kind::refused) {
-        refusal_ = reply.error().reason;
-        break;
+    int silent = 0;
+    for (int i = 0; i < kTimesAsked && !failure_; ++i) {
+      auto answer = questions_.ask(question);
+      if (!answer) {
+        if (++silent == kMostSilent) failure_ = std::move(answer.error());
+        continue;
       }
-      if (!reply) continue;
-      const jetstream::Arrived message{reply->get()};
-      if (message.status() != 0) {
+      silent = 0;
+      if (answer->sequence == 0) {
         answers.missing = true;
         continue;
       }
-      answers.texts.emplace(message.text());
-      answers.newest = std::max(answers.newest, message.sequence());
+      answers.newest = std::max(answers.newest, answer->sequence);
+      answers.texts.insert(std::move(answer->text));
     }
     return answers;
   }
 
-  std::optional<StreamState> leader_state() {
-    auto info = ask_stream_info(*connections_.front(), target_.names);
-    if (!info) return std::nullopt;
-    return std::move(info->state);
-  }
-
-  [[nodiscard]] bool is_too_late() const { return std::chrono::steady_clock::now() > until_; }
-
   std::optional<std::string> difference_at(std::uint64_t sequence) {
-    for (;;) {
-      const Answers answers = ask(jetstream::StreamNames::by_number(sequence));
-      if (answers.texts.size() > 1) {
-        return fmt::format("message {} is not the same at all of them", sequence);
-      }
+    for (int pauses = 0;; ++pauses) {
+      const Answers answers = ask(StreamNames::by_number(sequence));
+      if (failure_) return std::nullopt;
+      if (answers.texts.size() > 1) return fmt::format("message {} is not the same at all of them", sequence);
       if (!answers.missing) return std::nullopt;
-      const auto state = leader_state();
-      if (!state || state->first > sequence) return std::nullopt;  // it is kept no more
-      if (is_too_late()) return fmt::format("not all of them have message {}", sequence);
-      std::this_thread::sleep_for(kBetweenTries);
+      const auto info = leader_info();
+      if (!info || info->state.first > sequence) return std::nullopt;  // it is kept no more
+      if (pauses == kMostPauses) {
+        if (!lags(*info)) return fmt::format("not all of them have message {}", sequence);
+        failure_ = "one lags behind; ask again when all are current";
+        return std::nullopt;
+      }
+      questions_.pause();
     }
   }
 
   std::optional<std::string> beyond_the_end() {
-    const std::uint64_t newest = ask(jetstream::StreamNames::newest_of(target_.names.log)).newest;
-    for (;;) {
-      const auto state = leader_state();
-      if (!state || state->last >= newest) return std::nullopt;
-      if (is_too_late())
-        return fmt::format("one has message {}, and the leader ends at {}", newest, state->last);
-      std::this_thread::sleep_for(kBetweenTries);
+    const std::uint64_t newest = ask(StreamNames::newest_of(names_.log)).newest;
+    for (int pauses = 0; !failure_; ++pauses) {
+      const auto info = leader_info();
+      if (!info || info->state.last >= newest) return std::nullopt;
+      if (pauses == kMostPauses)
+        return fmt::format("one has message {}, and the leader ends at {}", newest, info->state.last);
+      questions_.pause();
     }
+    return std::nullopt;
   }
 
-  std::span<const std::shared_ptr<jetstream::Connection>> connections_;
-  const Target& target_;
-  std::optional<std::string> refusal_;
-  const std::chrono::steady_clock::time_point until_ = std::chrono::steady_clock::now() + kLagPatience;
+  /// Without a leader nobody knows what the stream has.
+  std::optional<StreamInfo> leader_info() {
+    auto info = questions_.info();
+    if (info && !info->leader.empty()) return info;
+    failure_ = info ? "the stream has no leader" : "the leader says nothing";
+    return std::nullopt;
+  }
+
+  const ReplicaQuestions& questions_;
+  const StreamNames& names_;
+  std::optional<std::string> failure_;
 };
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, std::string> compare_replicas(
-    std::span<const std::shared_ptr<jetstream::Connection>> connections, const Target& target) {
-  return ReplicaComparison{connections, target}.lines();
+tl::expected<std::vector<std::string>, std::string> compare_replicas(const ReplicaQuestions& questions,
+                                                                     const StreamNames& names) {
+  return ReplicaComparison{questions, names}.lines();
 }
 
 }  // namespace talus::server::cluster_tool

@@ -33,7 +33,11 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
       continue;
     }
     auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
-    if (message) return *std::move(message);
+    if (message && message->sequence == sequence) return *std::move(message);
+    if (message) {
+      why = fmt::format("the answer is message {}", message->sequence);
+      continue;
+    }
     why = message.error().what;
     if (message.error().code != jetstream::kMessageNotFound) continue;
     const auto info = ask_stream_info(connection, target.names);

@@ -1,7 +1,9 @@
 // Lets connections of one io_context read that have answered all that came. One posted handler does it for
-// all who wait: one each would cost a fifth of what answering costs outside the kernel.
+// many who wait: one each would cost a fifth of what answering costs outside the kernel.
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -29,23 +31,32 @@ class ReadRounds final : public asio::execution_context::service {
   /// `reader` reads after those whose requests wait now, on `executor`, which is of the context. Throws where
   /// there is no memory, and then it does not.
   void enter(std::shared_ptr<Reader> reader, const asio::any_io_executor& executor) {
-    if (waiting_.empty()) asio::post(executor, [this] { go_round(); });
-    waiting_.push_back(std::move(reader));
+    if (rounds_.empty() || rounds_.back().size() == kMostAtOnce) {
+      asio::post(executor, [this] { go_round(); });
+      rounds_.push_back(std::move(spare_));
+    }
+    rounds_.back().push_back(std::move(reader));
   }
 
  private:
+  using Round = std::vector<std::shared_ptr<Reader>>;
+  static constexpr std::size_t kMostAtOnce = 256;  // what else the thread has to do comes in between
+
   void go_round() {
-    reading_.swap(waiting_);
-    for (const auto& reader : reading_) reader->read();
-    reading_.clear();
+    if (rounds_.empty()) return;  // there was no memory for it
+    Round round = std::move(rounds_.front());
+    rounds_.pop_front();
+    for (const auto& reader : round) reader->read();
+    round.clear();
+    spare_ = std::move(round);
   }
   void shutdown() noexcept override {
-    waiting_.clear();
-    reading_.clear();
+    rounds_.clear();
+    spare_.clear();
   }
 
-  std::vector<std::shared_ptr<Reader>> waiting_;
-  std::vector<std::shared_ptr<Reader>> reading_;  // of go_round()
+  std::deque<Round> rounds_;  // each has a posted handler
+  Round spare_;               // memory of one before
 };
 
 }  // namespace talus::server::http

@@ -24,6 +24,7 @@ using Kind = StreamFailure::Kind;
 constexpr auto kPatience = 500ms;
 constexpr auto kBetweenQuestions = 1s;    // to the leader
 constexpr auto kBetweenUrgent = 100ms;    // where something does not fit
+constexpr auto kBetweenDenials = 60s;     // of one kind, in the log
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
 // A server that is connected, and by which no leader answers, may be cut off from those that have one. An
 // election takes less.
@@ -33,6 +34,9 @@ constexpr auto kLongestNoLeader = 80s;
 constexpr auto kBetweenLooks = 20ms;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
+/// Answers have messages as base64 in JSON.
+constexpr int kPendingAnswerBytes =
+    static_cast<int>(Reading::kMostRequests * (kStreamMessageBytes / 3 * 4 + 4096));
 
 std::string new_reply_subject() {
   natsInbox* made = nullptr;
@@ -97,11 +101,21 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     log_->warn("NATS: no leader of the log answers by this server; trying any of cluster.nats");
   }
   void denied(std::string_view what) override {
+    bool is_news = false;
     {
       const std::lock_guard lock{mutex_};
       trouble_ = StreamFailure{Kind::refused, fmt::format("NATS: {}", what)};
+      const auto now = Clock::now();
+      is_news = denial_told_ != trouble_->reason || now > denial_told_at_ + kBetweenDenials;
+      if (is_news) {
+        denial_told_ = trouble_->reason;
+        denial_told_at_ = now;
+      }
     }
     changed_.notify_all();
+    // Questions for messages are asked again many times a second.
+    if (is_news)
+      log_->error("NATS: {}; see \"Many machines\" in OPERATIONS.md for what talusd must be allowed", what);
   }
 
   void tail(const Arrived& arrived) {
@@ -119,7 +133,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     tail_ = std::move(tail);
   }
 
-  /// Which the leader gives.
+  /// The leader's answer to a question for one.
   void message(const Arrived& arrived) {
     const std::uint64_t sequence = number_at_end(arrived.subject());
     // More than a message has nobody need keep: cut it is no message either.
@@ -357,7 +371,9 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   std::optional<StreamFailure> closed_;   // the connection, for good
   std::optional<StreamFailure> trouble_;  // told once
   std::optional<StreamFailure> fault_;    // told from now on
-  std::int64_t created_ns_ = 0;           // of the stream that was seen first
+  std::string denial_told_;               // in the log
+  TimePoint denial_told_at_{};
+  std::int64_t created_ns_ = 0;  // of the stream that was seen first
   std::uint64_t first_ = 0;
   TimePoint question_due_{};
   TimePoint asked_at_{};
@@ -404,7 +420,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connect()
                                    inbox->message(arrived);
                                  }
                                },
-                               kPendingMessages, kPendingBytes);
+                               kPendingMessages, kPendingAnswerBytes);
   if (!answers) return tl::unexpected{answers.error()};
   return connection;
 }

@@ -14,6 +14,7 @@
 #include "cluster_command/connection_words.h"
 #include "cluster_command/init.h"
 #include "cluster_command/nats_greeting.h"
+#include "cluster_command/replica_comparison.h"
 #include "cluster_command/status.h"
 #include "jetstream/stream_settings.h"
 #include "opened_stream.h"
@@ -159,6 +160,74 @@ TEST_CASE("after init and check, each given twice, replicas that are killed and 
     servers.await_replicas(stream);
   }
   CHECK(last_of_each(servers, stream) == std::vector<std::uint64_t>{6, 6, 6});
+}
+
+TEST_CASE("replicas are compared by what they answer, and by nothing else") {
+  using Texts = std::map<std::uint64_t, std::string>;
+  const Texts right{{1, "a"}, {2, "b"}, {3, "c"}};
+  std::vector<Texts> replicas{right, right, right};
+  jetstream::StreamInfo info;
+  info.leader = "n1";
+  info.state.first = 1;
+  info.state.last = 3;
+  info.replicas = {{"n2", true, false, 0, {}}, {"n3", true, false, 0, {}}};
+  std::size_t asked = 0;
+  int pauses = 0;
+  ReplicaQuestions questions;
+  questions.ask = [&](const std::string& question) -> tl::expected<ReplicaAnswer, std::string> {
+    const Texts& replica = replicas[asked++ % replicas.size()];
+    const auto json = nlohmann::json::parse(question);
+    const std::uint64_t sequence =
+        json.contains("seq") ? json.at("seq").get<std::uint64_t>() : replica.rbegin()->first;
+    const auto found = replica.find(sequence);
+    if (found == replica.end()) return ReplicaAnswer{};
+    return ReplicaAnswer{sequence, found->second};
+  };
+  questions.info = [&] { return std::optional{info}; };
+  questions.pause = [&] { ++pauses; };
+  const auto compared = [&] { return compare_replicas(questions, test_names()); };
+
+  CHECK(compared().value().empty());
+  SECTION("another message") {
+    replicas[1][3] = "d";
+    CHECK(compared().value() == std::vector<std::string>{"message 3 is not the same at all of them"});
+  }
+  SECTION("one too many") {
+    replicas[2][4] = "c";
+    CHECK(compared().value() == std::vector<std::string>{"one has message 4, and the leader ends at 3"});
+  }
+  SECTION("one too few, where NATS calls it current") {
+    replicas[2].erase(3);
+    CHECK(compared().value() == std::vector<std::string>{"not all of them have message 3"});
+  }
+  SECTION("one that lags behind is not compared") {
+    replicas[2].erase(3);
+    info.replicas[1].lag = 1;
+    CHECK_THAT(compared().error(), Catch::Contains("lags behind"));
+  }
+  SECTION("one that comes after it is asked is right") {
+    replicas[2].erase(3);
+    questions.pause = [&] { replicas[2][3] = "c"; };
+    CHECK(compared().value().empty());
+  }
+  SECTION("nobody answers") {
+    questions.ask = [&](const std::string&) -> tl::expected<ReplicaAnswer, std::string> {
+      ++asked;
+      return tl::unexpected{std::string{"no replica answers (status 503)"}};
+    };
+    asked = 0;
+    CHECK(compared().error() == "no replica answers (status 503)");
+    CHECK(asked == 3);
+  }
+  SECTION("there is no leader") {
+    replicas[2].erase(3);
+    info.leader.clear();
+    CHECK(compared().error() == "the stream has no leader");
+  }
+  SECTION("the leader says nothing") {
+    questions.info = [] { return std::nullopt; };
+    CHECK_FALSE(compared());
+  }
 }
 
 TEST_CASE("check finds that a replica holds other messages, though NATS calls it current") {

@@ -33,6 +33,11 @@ struct Prediction::Open {
   // Of `touched`: shown as they are held. They were asked for again, or were not held at some time since the
   // answer: what comes after that has the edit, or is followed by what does, or was not changed by it.
   std::set<ChunkCoord> resolved;
+
+  [[nodiscard]] bool touches(ChunkCoord chunk) const {
+    const auto at = std::ranges::lower_bound(touched, chunk, {}, &edits::TouchedChunk::chunk);
+    return at != touched.end() && at->chunk == chunk;
+  }
 };
 
 struct Prediction::Overlay {
@@ -67,16 +72,14 @@ void Prediction::erase(const ChunkKey& key) {
   if (!is_touched(key)) return;
   confirmed_.erase(key.coord);
   for (Open& open : edits_) {
-    if (open.revision) open.resolved.insert(key.coord);
+    if (open.revision && open.touches(key.coord)) open.resolved.insert(key.coord);
   }
   rebuild();
 }
 
 bool Prediction::is_touched(const ChunkKey& key) const {
-  return key.lod == Lod{} && std::ranges::any_of(edits_, [&](const Open& open) {
-           const auto at = std::ranges::lower_bound(open.touched, key.coord, {}, &edits::TouchedChunk::chunk);
-           return at != open.touched.end() && at->chunk == key.coord;
-         });
+  return key.lod == Lod{} &&
+         std::ranges::any_of(edits_, [&](const Open& open) { return open.touches(key.coord); });
 }
 
 bool Prediction::covers_lost() const {
