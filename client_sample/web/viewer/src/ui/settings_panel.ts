@@ -48,7 +48,12 @@ export class SettingsPanel {
     for (const [key, value] of Object.entries(this.settings)) {
       const field = this.#form.elements.namedItem(key);
       if (field instanceof HTMLInputElement && field.type === 'checkbox') field.checked = value as boolean;
-      else if (field instanceof HTMLInputElement || field instanceof HTMLSelectElement) field.value = String(value);
+      else if (field instanceof HTMLInputElement) field.value = String(value);
+      else if (field instanceof HTMLSelectElement) {
+        // A link may set what is not among the choices.
+        if (![...field.options].some((option) => option.value === String(value))) field.add(new Option(String(value)));
+        field.value = String(value);
+      }
       if (key in figures) say(find(`${key}-now`), figures[key as keyof typeof figures](this.settings));
     }
   }

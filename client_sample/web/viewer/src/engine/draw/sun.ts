@@ -37,8 +37,8 @@ const rgb = (hex: number, times: number) => {
 
 // By the sun's height, from night to noon.
 const KEYS: Key[] = [
-  { at: -0.3, sunLight: rgb(0xa9c0ff, 0.3), skyLight: rgb(0x3a5090, 0.5), zenith: rgb(0x04081a, 1), horizon: rgb(0x0f1c38, 1), glow: rgb(0x000000, 0), exposure: 2.1 },
-  { at: -0.14, sunLight: rgb(0xa9c0ff, 0.12), skyLight: rgb(0x4a60a0, 0.65), zenith: rgb(0x0a1436, 1), horizon: rgb(0x2c3a68, 0.9), glow: rgb(0xa0483a, 0.45), exposure: 2.0 },
+  { at: -0.3, sunLight: rgb(0xa9c0ff, 0.34), skyLight: rgb(0x3a5090, 0.7), zenith: rgb(0x04081a, 1), horizon: rgb(0x0f1c38, 1), glow: rgb(0x000000, 0), exposure: 2.1 },
+  { at: -0.14, sunLight: rgb(0xa9c0ff, 0.2), skyLight: rgb(0x4a60a0, 0.9), zenith: rgb(0x0a1436, 1), horizon: rgb(0x2c3a68, 0.9), glow: rgb(0xa0483a, 0.45), exposure: 2.0 },
   { at: -0.03, sunLight: rgb(0xff8a4a, 0.1), skyLight: rgb(0x8088b8, 0.85), zenith: rgb(0x1c3070, 1), horizon: rgb(0x7d7090, 0.75), glow: rgb(0xff6e32, 1.35), exposure: 1.7 },
   { at: 0.06, sunLight: rgb(0xff9a52, 2.3), skyLight: rgb(0x8c98c8, 0.85), zenith: rgb(0x34589e, 1), horizon: rgb(0xcbaaa4, 0.82), glow: rgb(0xff8a3c, 1.3), exposure: 1.25 },
   { at: 0.22, sunLight: rgb(0xffc58a, 3.7), skyLight: rgb(0x86a8e0, 0.85), zenith: rgb(0x2f66b8, 0.95), horizon: rgb(0xd0cbd0, 0.92), glow: rgb(0xffb870, 0.7), exposure: 0.9 },
