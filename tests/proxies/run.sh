@@ -142,7 +142,7 @@ objects() {
 # made_up NAME PORT: queries of the viewer's files, Accept-Encodings, Origins and Hosts that anybody makes up add no copies,
 # but for the three forms of a file.
 made_up() {
-  local name="$1" port="$2" before after number path chunk="/v1/$fingerprint/4/0/0/0" deadline=$((SECONDS + 60))
+  local name="$1" port="$2" before after number path chunk="/v1/$fingerprint/4/0/0/0" deadline=$((SECONDS + 30))
   local asset="/assets/$(cd "$site/assets" && ls ./*.js | sed -n '1s#^./##p')"
   # asked PATH FIELD...
   asked() {
