@@ -7,6 +7,10 @@ sub vcl_recv {
     }
     # talusd knows no cookies, and what others have set for this host would keep answers out of the cache.
     unset req.http.Cookie;
+    # talusd looks at no query of the viewer's files: anybody can make up as many as would fill the cache.
+    if (req.url !~ "^/v1/") {
+        set req.url = regsub(req.url, "\?.*$", "");
+    }
     # Which land was edited is told as it is now, and so are the viewer's pages; while talusd is away, as it was (vcl_deliver
     # comes back here).
     if (req.url ~ "^/v1/[^/]+/[^/]+/edits/" || req.url !~ "^/v1/") {
@@ -21,6 +25,13 @@ sub vcl_recv {
     }
 }
 
+# Without the Host, which anybody can make up too: all that is kept is the same for each. A Varnish with other sites beside
+# talusd adds it here.
+sub vcl_hash {
+    hash_data(req.url);
+    return (lookup);
+}
+
 sub vcl_pipe {
     set bereq.http.Upgrade = req.http.Upgrade;
     set bereq.http.Connection = "Upgrade";
@@ -29,6 +40,14 @@ sub vcl_pipe {
 sub vcl_backend_response {
     if (beresp.status >= 500 && bereq.is_bgfetch) {
         return (abandon);  # what is held is better
+    }
+    if (bereq.http.Origin && beresp.http.Cache-Control ~ "no-store") {
+        # Of an origin that is not listed. That it is not kept is known for a second, not for two minutes for each that is
+        # made up.
+        set beresp.uncacheable = true;
+        set beresp.ttl = 1s;
+        set beresp.grace = 0s;
+        return (deliver);
     }
     if (beresp.status == 200 && bereq.url == "/v1/world" && !bereq.http.Authorization) {
         # What a client asks for first: one answer does for a second, and for as long as talusd is away.

@@ -50,6 +50,10 @@ tl::expected<AllowedOrigins, std::string> AllowedOrigins::parse(std::string_view
 bool AllowedOrigins::allow(std::string_view origin, std::string_view host) const {
   if (all_) return true;
   if (!host.empty() && host_of(origin) == host) return true;
+  return lists(origin);
+}
+
+bool AllowedOrigins::lists(std::string_view origin) const {
   return std::find(origins_.begin(), origins_.end(), origin) != origins_.end();
 }
 

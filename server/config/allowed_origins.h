@@ -21,6 +21,8 @@ class AllowedOrigins {
 
   /// `host`: the request's Host field.
   [[nodiscard]] bool allow(std::string_view origin, std::string_view host) const;
+  /// Whether it is one of those given by name.
+  [[nodiscard]] bool lists(std::string_view origin) const;
   [[nodiscard]] bool all() const { return all_; }
   /// Whether it is as it was made: nobody has said which.
   [[nodiscard]] bool unset() const { return !all_ && origins_.empty(); }

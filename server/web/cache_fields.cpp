@@ -1,5 +1,8 @@
 #include "web/cache_fields.h"
 
+#include <string>
+#include <utility>
+
 #include "web/entity_tag.h"
 
 namespace talus::server::web {
@@ -39,9 +42,9 @@ void tag(const http::Request& request, http::Response& response, const http::Ent
 }
 
 bool is_strange_page(const http::Request& request, const AllowedOrigins& origins) {
-  const std::string* const origin = request.field("Origin");
+  if (request.field("Origin") == nullptr) return false;
   const std::string* const host = request.field("Host");
-  return origin != nullptr && !origins.allow(*origin, host == nullptr ? std::string_view{} : *host);
+  return !origins.allow(request.list("Origin"), host == nullptr ? std::string_view{} : *host);
 }
 
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
@@ -52,9 +55,15 @@ void add_origin_fields(const http::Request& request, const Audience& audience, c
     response.any_origin = true;
     return;
   }
-  const std::string* const origin = request.field("Origin");
-  if (origin != nullptr && !is_strange_page(request, origins)) {
-    response.fields.push_back({"Access-Control-Allow-Origin", *origin});
+  if (request.field("Origin") != nullptr) {
+    // All fields of that name, as a cache tells answers apart by all of them.
+    std::string origin = request.list("Origin");
+    // A cache keeps one copy for each origin that is listed, and one for who names none. Anybody can make up
+    // others, and the Host that goes with them.
+    if (!origins.lists(origin)) response.cache_control = passing_for(audience);
+    if (!is_strange_page(request, origins)) {
+      response.fields.push_back({"Access-Control-Allow-Origin", std::move(origin)});
+    }
   }
   response.fields.push_back({"Vary", "Origin"});  // a cache must not show one origin the answer to another
 }

@@ -31,7 +31,7 @@ void tag(const http::Request& request, http::Response& response, const http::Ent
 
 /// Whether a page asks whose origin is none of these.
 [[nodiscard]] bool is_strange_page(const http::Request& request, const AllowedOrigins& origins);
-/// Which pages may read the response.
+/// Which pages may read the response; it is kept by no cache where it is for one whose origin is not listed.
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response);
 

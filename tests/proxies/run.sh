@@ -5,6 +5,7 @@
 #   - a flight over the same land twice: at most 1 % of the second flight's requests reach talusd
 #   - an edit is seen through the caches once they ask again, and what has edits is kept by them for ever
 #   - every answer is talusd's own, byte for byte, also while talusd is away
+#   - queries, Accept-Encodings, Origins and Hosts that anybody makes up do not fill a cache
 #   - the viewer opens while talusd is away, and as it is now once talusd is there
 #   - a client behind a proxy is held by the rates of its own address, whatever it claims to be, and no other client is
 #   - players by WebSocket get what is right
@@ -129,6 +130,54 @@ site_kept() {
   done
 }
 
+# objects NAME: how many answers a proxy keeps.
+objects() {
+  if [[ "$1" == nginx ]]; then
+    find "$out/nginx/cache" -type f | wc -l
+  else
+    varnishstat -1 -n "$out/varnish/work" -f MAIN.n_object | awk '{ print $2 }'
+  fi
+}
+
+# made_up NAME PORT: queries of the viewer's files, Accept-Encodings, Origins and Hosts that anybody makes up add no copies,
+# but for the three forms of a file.
+made_up() {
+  local name="$1" port="$2" before after number path chunk="/v1/$fingerprint/4/0/0/0" deadline=$((SECONDS + 30))
+  local asset="/assets/$(cd "$site/assets" && ls ./*.js | sed -n '1s#^./##p')"
+  # asked PATH FIELD...
+  asked() {
+    printf 'next\nfail\nsilent\nshow-error\ninterface = 127.0.0.2\noutput = /dev/null\nurl = "http://127.0.0.1:%s%s"\n' "$port" "$1"
+    printf 'header = "%s"\n' "${@:2}"
+  }
+  before="$(objects "$name")"
+  for number in {1..40}; do
+    asked "$asset?$number" "Accept-Encoding: br, made-up-$number"
+    asked "/?$number" "Accept-Encoding: gzip;q=0.$number"
+    for path in "$chunk" /v1/world "$(region)"; do
+      asked "$path" "Origin: https://made-up-$number.example"
+      asked "$path" "Host: made-up-$number.example" "Origin: http://made-up-$number.example"
+      asked "$path" "Host: made-up-$number.example"
+    done
+  done | sed 1d >"$out/list"
+  curl -K "$out/list" >"$out/curl.log" 2>&1 || die "$name: not all came that was made up"
+  # Varnish knows for a second what is not kept.
+  until after="$(objects "$name")" && ((after <= before + 8)); do
+    ((SECONDS < deadline)) || die "$name keeps $((after - before)) answers more for what was made up"
+  done
+  printf '%s: of 440 requests with fields and queries that were made up it keeps %s answers\n' "$name" "$((after - before))"
+}
+
+# listed_origin NAME PORT: who asks from an origin that is listed gets what is kept, and it is told that it may read it.
+listed_origin() {
+  local turn
+  for turn in 1 2; do
+    curl -sS --fail -o /dev/null -D "$out/listed.head" --interface 127.0.0.2 -H 'Origin: https://play.example' \
+      "http://127.0.0.1:$2/v1/$fingerprint/4/0/0/0"
+  done
+  grep -qi '^access-control-allow-origin: https://play.example' "$out/listed.head" || die "$1: a listed origin may not read"
+  grep -qi '^x-cache: *hit' "$out/listed.head" || die "$1 does not keep what a listed origin asks for"
+}
+
 # new_page NAME PORT: once talusd has another page, it is seen.
 new_page() {
   until [[ "$(through "$2" / file)" == 200 ]] && cmp -s "$out/file" "$site/index.html"; do
@@ -183,7 +232,8 @@ for port in talusd_port admin_port nginx_port varnish_port; do free_port $port; 
 
 site="$out/site"
 cp -r client_sample/web/viewer/dist "$site"
-start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit "TALUS_HTTP_WEB=$site"
+start_talusd "TALUS_DATA=$out/data" TALUS_ACCESS_WITHOUT_TOKEN=read,edit "TALUS_HTTP_WEB=$site" \
+  TALUS_HTTP_ORIGINS=https://play.example
 curl -sS --fail "http://127.0.0.1:$talusd_port/v1/world" -H 'X-Forwarded-For: 127.0.0.2' >"$out/world"
 fingerprint="$(sed -n 's/.*"fingerprint": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
 store="$(sed -n 's/.*"store_id": *"\([0-9a-f]*\)".*/\1/p' "$out/world")"
@@ -201,6 +251,8 @@ for proxy in nginx varnish; do
   fly_twice $proxy "${!port}"
   players $proxy "${!port}"
   site_kept $proxy "${!port}"
+  made_up $proxy "${!port}"
+  listed_origin $proxy "${!port}"
 done
 edits_seen nginx "$nginx_port" granite
 edits_seen varnish "$varnish_port" gneiss

@@ -21,6 +21,9 @@ TEST_CASE("listed origins are allowed, and * means all") {
   CHECK(some->allow("https://a.example", "b"));
   CHECK(some->allow("http://localhost:5173", "b"));
   CHECK_FALSE(some->allow("http://a.example", "b"));
+  CHECK(some->allow("https://b", "b"));
+  CHECK(some->lists("https://a.example"));
+  CHECK_FALSE(some->lists("https://b"));  // allowed by its host alone
   CHECK_FALSE(some->all());
   CHECK_FALSE(some->unset());
   const auto all = AllowedOrigins::parse("*");

@@ -221,6 +221,34 @@ TEST_CASE("where origins are listed, every answer of /v1 is theirs and the own h
   }
 }
 
+TEST_CASE("no cache keeps a copy for an origin that anybody can make up") {
+  PlayerSite site;
+  site.settings.origins = *AllowedOrigins::parse("https://play.example");
+  site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
+  const std::string chunk = kChunks + "/0/0/0/0";
+  const std::string listed = "Origin: https://play.example\r\n";
+  const std::string tag = "If-None-Match: " + site.ask(chunk).field("ETag") + "\r\n";
+  for (const std::string& target : {chunk, kStore + "/edits/0/0/0", std::string{"/v1/world"}}) {
+    CAPTURE(target);
+    const std::string kept = site.ask(target).field("Cache-Control");
+    CHECK(kept.find("no-store") == std::string::npos);
+    CHECK(site.ask(target, listed).field("Cache-Control") == kept);
+    for (const char* const fields :
+         {"Origin: https://b.example\r\n", "Origin: https://a.example\r\n", "Origin: null\r\n",
+          "Origin: https://play.example\r\nOrigin: https://b.example\r\n"}) {
+      CAPTURE(fields);
+      const Answer answer = site.ask(target, fields);
+      CHECK(answer.status == 200);
+      CHECK(answer.field("Cache-Control").find("no-store") != std::string::npos);
+    }
+  }
+  CHECK(site.ask(chunk, listed + tag).status == 304);
+  CHECK(site.ask(chunk, listed + tag).field("Cache-Control") == site.ask(chunk).field("Cache-Control"));
+  const Answer strange = site.ask(chunk, "Origin: https://b.example\r\n" + tag);
+  CHECK(strange.status == 304);
+  CHECK(strange.field("Cache-Control") == "no-store");
+}
+
 TEST_CASE("pages of other hosts read only where they are listed") {
   PlayerSite site;
   CHECK(site.ask("/v1/world", "Origin: https://a.example\r\n").field("Access-Control-Allow-Origin") ==
