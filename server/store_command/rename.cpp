@@ -7,31 +7,13 @@
 
 #include <fmt/format.h>
 
-#include <talus/progress/progress_bar.h>
-
 #include "log/escape.h"
 #include "store/edit_database.h"
 #include "store_command/opened_store.h"
 #include "store_command/reports.h"
+#include "store_command/store_figures.h"
 
 namespace talus::server {
-namespace {
-
-tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
-    const ReadOnlyStore& store) {
-  std::map<MaterialId, std::uint64_t> voxels;
-  ProgressBar progress{"counting materials", "chunks"};
-  progress.expect(store.estimated_keys());
-  const auto read = store.for_each_base_chunk([&](ChunkCoord, const StoredChunk& chunk) {
-    progress.advance(1);
-    for (const Override& voxel : chunk.voxels) ++voxels[voxel.material];
-    return true;
-  });
-  if (!read) return tl::unexpected{read.error()};
-  return voxels;
-}
-
-}  // namespace
 
 tl::expected<std::uint64_t, std::string> rename_material(const DataDirectory& directory,
                                                          const std::string& from, const std::string& to) {

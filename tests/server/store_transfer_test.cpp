@@ -492,6 +492,47 @@ TEST_CASE("a world that lost a placeable is refused with the count of its voxels
   CHECK((*store)->materials().at("glass") == MaterialId{257});
 }
 
+TEST_CASE("a placed material that the same land generates now becomes that, where the ground is not of it") {
+  const terrain::World world = world_of(1, placeable("glass"));
+  const MaterialId granite = id_of(world, "granite");
+  // What is generated was called something else, and players placed a material of its name of today.
+  std::map<std::string, MaterialId> materials{{"granite", MaterialId{256}}, {"glass", MaterialId{257}}};
+  for (const terrain::Material& material : world.materials()) {
+    materials.emplace(material.name == "granite" ? "grey stone" : material.name, material.id);
+  }
+  const ChunkCoord ground{0, -1, 0};
+  const ChunkCoord sky{0, 40, 0};
+  const Chunk base = terrain::generate_chunk(world, {ground, Lod{}});
+  DenseVoxels generated;
+  base.copy_to(generated);
+  const auto granite_at = std::ranges::find(generated, granite);
+  REQUIRE(granite_at != generated.end());
+  const auto in_granite = static_cast<std::uint16_t>(granite_at - generated.begin());
+  const ScratchDirectory scratch;
+  const Voxels voxels{
+      {{ground, in_granite}, MaterialId{256}}, {{sky, 7}, MaterialId{256}}, {{sky, 8}, MaterialId{257}}};
+  const Voxels expected{{{sky, 7}, granite}, {{sky, 8}, MaterialId{257}}};
+  for (const bool drop : {false, true}) {
+    const auto path = scratch / (drop ? "dropping" : "keeping");
+    make_store(path, voxels, world.fingerprint(), materials);
+    const auto directory = DataDirectory::open_store(path);
+    const auto rebased = rebase_edits(*directory, world, drop);
+    INFO((rebased ? "" : rebased.error()));
+    REQUIRE(rebased.has_value());
+    CHECK(rebased->as_base == 1);
+    CHECK(rebased->unknown == 0);
+    CHECK(voxels_of(path) == expected);
+    CHECK(ReadOnlyStore::open(path).value()->materials().at("granite") == granite);
+    const auto again = rebase_edits(*directory, world, drop);
+    REQUIRE_FALSE(again.has_value());
+    CHECK_THAT(again.error(), Catch::Contains("nothing is to be done"));
+  }
+  // talusd refuses the name though nothing is built of it.
+  make_store(scratch / "unused", {{{sky, 8}, MaterialId{257}}}, world.fingerprint(), materials);
+  CHECK(rebase_edits(*DataDirectory::open_store(scratch / "unused"), world, false).has_value());
+  CHECK(voxels_of(scratch / "unused") == Voxels{{{sky, 8}, MaterialId{257}}});
+}
+
 TEST_CASE("a placed material gets another name, and no other one's") {
   const ScratchDirectory scratch;
   const Voxels voxels{{{{0, 0, 0}, 1}, MaterialId{256}},
