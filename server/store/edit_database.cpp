@@ -474,10 +474,11 @@ EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materi
   for (const auto& [name, id] : materials_) {
     const auto named = materials.find(name);
     if (to_integer(id) >= kFirstBound && named != materials.end()) {
-      return failure(
-          fmt::format("material {} is one that may be placed in the store, with id {}; the world may "
-                      "not generate one of that name",
-                      name, to_integer(id)));
+      return failure(fmt::format(
+          "material {} is one that may be placed in the store, with id {}; the world may "
+          "not generate one of that name; give it another by talusd store rename, or make it that one "
+          "by talusd store rebase",
+          name, to_integer(id)));
     }
     if (to_integer(id) >= kFirstBound) {
       names.emplace(name, id);
