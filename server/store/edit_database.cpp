@@ -15,6 +15,7 @@
 
 #include "store/id_check.h"
 #include "store/regular_files.h"
+#include "store/rename_check.h"
 #include "store/rocks.h"
 #include "store/store_identity.h"
 
@@ -427,7 +428,9 @@ std::uint64_t EditDatabase::free_bytes() const {
 
 std::size_t EditDatabase::memory_bytes() const {
   const std::shared_lock lock{handle_, std::try_to_lock};
-  return lock && db_ ? rocks_memory(*db_) : 0;
+  // While it is opened again it soon has as much as before.
+  if (lock) memory_ = db_ ? rocks_memory(*db_) : 0;
+  return memory_;
 }
 
 EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
@@ -454,25 +457,14 @@ EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
 }
 
 EditDatabase::Done EditDatabase::rename(const std::string& from, const std::string& to) {
-  const auto held = materials_.find(from);
-  if (held == materials_.end()) return failure(fmt::format("no material is called {}", from));
-  const MaterialId id = held->second;
-  if (to_integer(id) < kFirstBound) {
-    return failure(fmt::format("material {} is one that the world generates: its file names it", from));
-  }
-  if (to.empty() || to.size() > edits::kMaxMaterialNameBytes) {
-    return failure(
-        fmt::format("a name has 1 to {} bytes, this has {}", edits::kMaxMaterialNameBytes, to.size()));
-  }
-  if (const auto taken = materials_.find(to); taken != materials_.end()) {
-    return failure(fmt::format("material {} is there already, with id {}", to, to_integer(taken->second)));
-  }
+  const auto id = check_rename(materials_, from, to);
+  if (!id) return failure(id.error());
   rocksdb::WriteBatch batch;
   batch.Delete(material_key(from));
-  put_material(to, id, batch);
+  put_material(to, *id, batch);
   if (auto written = write(batch, true); !written) return written;
-  materials_.erase(held);
-  materials_.emplace(to, id);
+  materials_.erase(from);
+  materials_.emplace(to, *id);
   return {};
 }
 
@@ -482,10 +474,11 @@ EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materi
   for (const auto& [name, id] : materials_) {
     const auto named = materials.find(name);
     if (to_integer(id) >= kFirstBound && named != materials.end()) {
-      return failure(
-          fmt::format("material {} is one that may be placed in the store, with id {}; the world may "
-                      "not generate one of that name",
-                      name, to_integer(id)));
+      return failure(fmt::format(
+          "material {} is one that may be placed in the store, with id {}; the world may "
+          "not generate one of that name; give it another by talusd store rename, or make it that one "
+          "by talusd store rebase",
+          name, to_integer(id)));
     }
     if (to_integer(id) >= kFirstBound) {
       names.emplace(name, id);

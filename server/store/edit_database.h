@@ -146,16 +146,18 @@ class EditDatabase {
   [[nodiscard]] std::uint64_t free_bytes() const;
 
   /// What RocksDB has in memory: what was written and is in no table yet, blocks that were read, and the
-  /// index and the filter of each open table. Any thread; waits for nobody.
+  /// index and the filter of each open table. While the database is opened again, what it was when somebody
+  /// asked last. Any thread; waits for nobody.
   [[nodiscard]] std::size_t memory_bytes() const;
 
-  /// Which name has which id, for ever. On the thread that writes.
+  /// Which name has which id. An id is given once, for ever; rename() changes its name, and the old name,
+  /// bound again, has another id. On the thread that writes.
   [[nodiscard]] const edits::MaterialIds& materials() const { return materials_; }
   /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
   /// another name; then nothing is bound.
   [[nodiscard]] Done bind(const edits::MaterialIds& materials);
-  /// Another name for a bound id, synced. Refuses a name that is not bound, or is generated, and a new one
-  /// that is taken, empty or too long. Not where a cluster's log binds names.
+  /// Another name for a bound id, synced. Refuses what check_rename() does. Not where a cluster's log binds
+  /// names.
   [[nodiscard]] Done rename(const std::string& from, const std::string& to);
   /// What the world calls the materials that it generates, in place of what it called them before: their ids,
   /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
@@ -205,6 +207,7 @@ class EditDatabase {
   std::uint64_t history_bytes_ = 0;
   std::atomic<std::uint64_t> history_size_ = 0;  // history_bytes_, for other threads
   std::atomic<std::int64_t> history_since_ms_ = 0;
+  mutable std::atomic<std::size_t> memory_ = 0;  // the last figure of memory_bytes()
   edits::MaterialIds materials_;
   Bytes value_;    // of the thread that writes
   Bytes entries_;  // the same

@@ -49,6 +49,20 @@ tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store,
   return figures;
 }
 
+tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
+    const ReadOnlyStore& store) {
+  std::map<MaterialId, std::uint64_t> voxels;
+  ProgressBar progress{"counting materials", "chunks"};
+  progress.expect(store.estimated_keys());
+  const auto read = store.for_each_base_chunk([&](ChunkCoord, const StoredChunk& chunk) {
+    progress.advance(1);
+    for (const Override& voxel : chunk.voxels) ++voxels[voxel.material];
+    return true;
+  });
+  if (!read) return tl::unexpected{read.error()};
+  return voxels;
+}
+
 tl::expected<void, std::string> verify(const ReadOnlyStore& store, const StoreFigures& figures) {
   const StoreReader reader = store.reader();
   const StoreMeta& meta = store.meta();

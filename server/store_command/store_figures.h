@@ -31,6 +31,10 @@ struct StoreFigures {
 [[nodiscard]] tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store,
                                                                    ProgressBar& progress);
 
+/// Voxels of level 0 by material, with a progress bar of its own.
+[[nodiscard]] tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
+    const ReadOnlyStore& store);
+
 /// Whether S and the coarse levels are what level 0 says, and the log is whole as far as it is kept. An error
 /// is one line and names what is not as it must be.
 [[nodiscard]] tl::expected<void, std::string> verify(const ReadOnlyStore& store, const StoreFigures& figures);

@@ -22,6 +22,7 @@
 #include "store/store_swap.h"
 #include "store_command/opened_store.h"
 #include "store_command/portable_file.h"
+#include "store_command/store_figures.h"
 
 namespace talus::server {
 namespace {
@@ -304,24 +305,23 @@ struct Renaming {
     }
     return at->second;
   }
+  [[nodiscard]] bool changes(MaterialId material) {
+    const auto id = (*this)(material);
+    return id && *id != material;
+  }
 };
 
-/// Refuses where the store has materials that the world has not.
+/// Refuses where the store has voxels of materials that the world has not.
 tl::expected<void, std::string> check_names(const ReadOnlyStore& store, Renaming& renaming) {
+  const auto uses = voxels_by_material(store);
+  if (!uses) return tl::unexpected{uses.error()};
   std::map<std::string, std::uint64_t> unknown;
-  ProgressBar progress{"counting materials", "chunks"};
-  progress.expect(store.estimated_keys());
-  const auto read = store.for_each_base_chunk([&](ChunkCoord, const StoredChunk& stored) {
-    progress.advance(1);
-    for (const Override& voxel : stored.voxels) {
-      if (renaming(voxel.material)) continue;
-      const auto name = renaming.names.find(voxel.material);
-      ++unknown[name == renaming.names.end() ? fmt::format("material {}", to_integer(voxel.material))
-                                             : name->second];
-    }
-    return true;
-  });
-  if (!read) return read;
+  for (const auto& [material, voxels] : *uses) {
+    if (renaming(material)) continue;
+    const auto name = renaming.names.find(material);
+    unknown[name == renaming.names.end() ? fmt::format("material {}", to_integer(material)) : name->second] =
+        voxels;
+  }
   if (unknown.empty()) return {};
   std::string list;
   std::uint64_t voxels = 0;
@@ -378,7 +378,11 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   if (!drop_unknown || same_land) {
     const auto known = check_names(*store, renaming);
     if (!known && !drop_unknown) return tl::unexpected{known.error()};
-    if (known && same_land) {
+    // A material that was placed and is generated now is another one, though nothing is built of it:
+    // talusd refuses its name.
+    const bool same_materials = std::ranges::none_of(
+        store->materials(), [&](const auto& each) { return renaming.changes(each.second); });
+    if (known && same_land && same_materials) {
       return tl::unexpected{
           fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
                       directory.path().string(), to_string(before.fingerprint))};
@@ -404,13 +408,17 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
     progress.advance(1);
     if (stored.voxels.empty()) return true;
-    if (!same_land) maker.make(chunk, *base);
+    // On the same land an override that keeps its material is unlike the base as before.
+    const bool compared = !same_land || std::ranges::any_of(stored.voxels, [&](const Override& voxel) {
+      return renaming.changes(voxel.material);
+    });
+    if (compared) maker.make(chunk, *base);
     std::vector<Override> kept;
     for (const Override& voxel : stored.voxels) {
       const auto material = renaming(voxel.material);
       if (!material) {
         ++rebuilt.unknown;
-      } else if (!same_land && (*base)[voxel.index] == *material) {
+      } else if (compared && (*base)[voxel.index] == *material) {
         ++rebuilt.as_base;
       } else {
         kept.push_back({voxel.index, *material});

@@ -12,6 +12,7 @@
 #include <exception>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -52,13 +53,20 @@ std::vector<Write> read_writes(const std::string& path) {
   std::ifstream file{path};
   if (!file) throw Failure{path + ": cannot be read"};
   std::vector<Write> writes;
-  Write write;
-  std::uint16_t material = 0;
-  while (file >> write.revision >> write.at.x >> write.at.y >> write.at.z >> material) {
+  for (std::string line; std::getline(file, line);) {
+    // A line that was cut may still be five numbers, of which the last lacks digits.
+    if (file.eof()) throw Failure{fmt::format("{}: line {} is cut", path, writes.size() + 1)};
+    std::istringstream fields{line};
+    Write write;
+    std::uint16_t material = 0;
+    fields >> write.revision >> write.at.x >> write.at.y >> write.at.z >> material;
+    if (!fields || !fields.eof()) {
+      throw Failure{fmt::format("{}: line {} is no edit, which is five numbers", path, writes.size() + 1)};
+    }
     write.material = MaterialId{material};
     writes.push_back(write);
   }
-  if (!file.eof()) throw Failure{fmt::format("{}: line {} is no edit", path, writes.size() + 1)};
+  if (!file.eof()) throw Failure{path + ": cannot be read"};
   return writes;
 }
 

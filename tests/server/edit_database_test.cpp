@@ -2,11 +2,16 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <rocksdb/db.h>
+#include <rocksdb/env.h>
 #include <xxhash.h>
 #include <catch2/catch.hpp>
 
@@ -260,6 +265,39 @@ TEST_CASE("what RocksDB has in memory is told, and bounded by the settings howev
   CHECK(most >= std::size_t{64} << 10U);
   // What is written at once, and the tables' indices, come on top.
   CHECK(most <= store.settings.memory.most() + (std::size_t{1} << 20U));
+}
+
+namespace {
+
+/// Does something where the database looks first when it is opened.
+class WatchedEnv final : public rocksdb::EnvWrapper {
+ public:
+  WatchedEnv() : EnvWrapper{rocksdb::Env::Default()} {}
+  const char* Name() const override { return "WatchedEnv"; }
+  rocksdb::Status GetChildren(const std::string& path, std::vector<std::string>* names) override {
+    if (const auto visit = std::exchange(on_open_, {})) visit();
+    return EnvWrapper::GetChildren(path, names);
+  }
+  void on_open(std::function<void()> visit) { on_open_ = std::move(visit); }
+
+ private:
+  std::function<void()> on_open_;
+};
+
+}  // namespace
+
+TEST_CASE("while the database is opened again its memory is what it was") {
+  WatchedEnv env;
+  Store store;
+  store.settings.env = &env;
+  const auto database = EditDatabase::open(store.settings);
+  REQUIRE(database.has_value());
+  const std::size_t before = (*database)->memory_bytes();
+  REQUIRE(before > 0);
+  std::optional<std::size_t> meanwhile;
+  env.on_open([&] { std::thread{[&] { meanwhile = (*database)->memory_bytes(); }}.join(); });
+  REQUIRE((*database)->recover().has_value());
+  CHECK(meanwhile == before);
 }
 
 }  // namespace talus::server

@@ -10,6 +10,7 @@
 #include <random>
 
 #include <fmt/format.h>
+#include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
 #include <talus/terrain/extraction.h>
@@ -492,6 +493,65 @@ TEST_CASE("a world that lost a placeable is refused with the count of its voxels
   CHECK((*store)->materials().at("glass") == MaterialId{257});
 }
 
+TEST_CASE("a placed material that the same land generates now becomes that, where the ground is not of it") {
+  const terrain::World world = world_of(1, placeable("glass"));
+  const MaterialId granite = id_of(world, "granite");
+  // What is generated was called something else, and players placed a material of its name of today.
+  std::map<std::string, MaterialId> materials{{"granite", MaterialId{256}}, {"glass", MaterialId{257}}};
+  for (const terrain::Material& material : world.materials()) {
+    materials.emplace(material.name == "granite" ? "grey stone" : material.name, material.id);
+  }
+  const ChunkCoord ground{0, -1, 0};
+  const ChunkCoord sky{0, 40, 0};
+  const Chunk base = terrain::generate_chunk(world, {ground, Lod{}});
+  DenseVoxels generated;
+  base.copy_to(generated);
+  const auto granite_at = std::ranges::find(generated, granite);
+  REQUIRE(granite_at != generated.end());
+  const auto in_granite = static_cast<std::uint16_t>(granite_at - generated.begin());
+  const ScratchDirectory scratch;
+  const Voxels voxels{
+      {{ground, in_granite}, MaterialId{256}}, {{sky, 7}, MaterialId{256}}, {{sky, 8}, MaterialId{257}}};
+  const Voxels expected{{{sky, 7}, granite}, {{sky, 8}, MaterialId{257}}};
+  for (const bool drop : {false, true}) {
+    const auto path = scratch / (drop ? "dropping" : "keeping");
+    make_store(path, voxels, world.fingerprint(), materials);
+    const auto directory = DataDirectory::open_store(path);
+    const auto rebased = rebase_edits(*directory, world, drop);
+    INFO((rebased ? "" : rebased.error()));
+    REQUIRE(rebased.has_value());
+    CHECK(rebased->as_base == 1);
+    CHECK(rebased->unknown == 0);
+    CHECK(voxels_of(path) == expected);
+    CHECK(ReadOnlyStore::open(path).value()->materials().at("granite") == granite);
+    const auto again = rebase_edits(*directory, world, drop);
+    REQUIRE_FALSE(again.has_value());
+    CHECK_THAT(again.error(), Catch::Contains("nothing is to be done"));
+  }
+  // talusd refuses the name though nothing is built of it.
+  make_store(scratch / "unused", {{{sky, 8}, MaterialId{257}}}, world.fingerprint(), materials);
+  CHECK(rebase_edits(*DataDirectory::open_store(scratch / "unused"), world, false).has_value());
+  CHECK(voxels_of(scratch / "unused") == Voxels{{{sky, 8}, MaterialId{257}}});
+}
+
+TEST_CASE("names are looked at before the voxels are counted, and any text of UTF-8 is one") {
+  const ScratchDirectory scratch;
+  make_store(scratch / "data", {{{{0, 0, 0}, 1}, MaterialId{256}}});
+  const auto directory = DataDirectory::open_store(scratch / "data");
+  const std::string name = "br\xC3\xA4tt \xE6\x9D\xBF \xF0\x9F\xAA\xB5";
+  CHECK(rename_material(*directory, "planks", name) == 1);
+  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
+  // A chunk that cannot be read.
+  rocksdb::DB* db = nullptr;
+  REQUIRE(rocksdb::DB::Open({}, (scratch / "data" / "db").string(), &db).ok());
+  REQUIRE(db->Put({}, chunk_key({{0, 0, 0}, Lod{}}), std::string{"damaged"}).ok());
+  delete db;
+  CHECK_THAT(rename_material(*directory, "plank", "boards").error(),
+             Catch::Contains("no material \"plank\""));
+  CHECK_FALSE(rename_material(*directory, name, "boards").has_value());
+  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
+}
+
 TEST_CASE("a placed material gets another name, and no other one's") {
   const ScratchDirectory scratch;
   const Voxels voxels{{{{0, 0, 0}, 1}, MaterialId{256}},
@@ -504,12 +564,21 @@ TEST_CASE("a placed material gets another name, and no other one's") {
     const auto renamed = rename_material(*directory, from, to);
     return renamed ? std::string{} : renamed.error();
   };
-  CHECK_THAT(error("plank", "boards"), Catch::Contains("the store has no material \"plank\""));
-  CHECK_THAT(error("planks", "glass"), Catch::Contains("another material of the store, with 1 voxel;"));
-  CHECK_THAT(error("planks", "stone"), Catch::Contains("another material of the store, with 0 voxels;"));
-  CHECK_THAT(error("stone", "boards"), Catch::Contains("one that the world generates"));
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& why) {
+    CHECK_THAT(error(from, to), Catch::StartsWith("data " + (scratch / "data").string() + ": ") &&
+                                    Catch::Contains(why) && !Catch::Contains("\n"));
+  };
+  refused("plank", "boards", "the store has no material \"plank\"");
+  refused("planks", "glass", "\"glass\" is another material of the store");
+  refused("planks", "stone", "\"stone\" is another material of the store");
+  refused("stone", "boards", "one that the world generates");
+  refused("planks", "water", "the world's own");
+  refused("planks", "", "a name has 1 to 64 bytes");
+  refused("planks", std::string(65, 'x'), "a name has 1 to 64 bytes, this has 65");
+  for (const char* const name : {"\xFF", "gr\xFC", "\xC3", "\xED\xA0\x80", "\xC0\xAF"}) {
+    refused("planks", name, "a name is text in UTF-8, and this is none");
+  }
   CHECK_THAT(error("planks", "a\nb"), Catch::Contains("control characters"));
-  CHECK_THAT(error("planks", ""), Catch::Contains("a name has 1 to 64 bytes"));
   CHECK(ReadOnlyStore::open(scratch / "data").value()->materials() == kMaterials);
   const auto renamed = rename_material(*directory, "planks", "boards");
   INFO((renamed ? "" : renamed.error()));

@@ -6,6 +6,7 @@
 
 #include <talus/toml/toml_bounds.h>
 #include <talus/toml/toml_error.h>
+#include <talus/voxel/material_name.h>
 #include <toml++/toml.h>
 
 #include "spec/units.h"
@@ -306,14 +307,8 @@ std::size_t TableReader::choice(const std::string& key, std::initializer_list<st
 }
 
 void TableReader::take_name(const std::string& key, const std::string& name, std::set<std::string>& taken) {
-  const bool printable =
-      std::none_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
-  if (name.empty() || name.size() > kMaxNameBytes) {
-    fail(key, text_of("a name has 1 to ", kMaxNameBytes, " bytes, this has ", name.size()));
-  } else if (!printable) {
-    fail(key, "a name is printed as it is, so it holds no control characters");
-  } else if (name == "air" || name == "water") {
-    fail(key, "'" + name + "' is the world's own; choose another name");
+  if (const auto fault = material_name_fault(name)) {
+    fail(key, *fault);
   } else if (!taken.insert(name).second) {
     fail(key, "'" + name + "' names another material already; names are unique");
   }

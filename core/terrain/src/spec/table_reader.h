@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <talus/terrain/world.h>
+#include <talus/voxel/material_name.h>
 
 #include "spec/spec_errors.h"
 
@@ -24,8 +25,8 @@ inline constexpr double kMaxLength = 16777216;        // along x and z: 2^24; in
 inline constexpr double kMinLength = 1e-6;            // of what may not be 0
 inline constexpr double kMinUnits_q16 = 1.0 / 65536;  // of what becomes an integer of 2^-16 and may not be 0
 
-/// Bytes of a material's name.
-inline constexpr std::size_t kMaxNameBytes = 64;
+/// Bytes of a name, of a material or of anything else.
+inline constexpr std::size_t kMaxNameBytes = kMaxMaterialNameBytes;
 
 struct Range {
   double min;

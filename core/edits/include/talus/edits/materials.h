@@ -1,5 +1,5 @@
-// Which name of a material that people may place has which id, for ever. The log gives ids, so that all nodes
-// give the same.
+// Which name of a material that people may place has which id. The log gives ids, so that all nodes give the
+// same; an id is given once, for ever.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,15 @@
 #include <vector>
 
 #include <talus/voxel/chunk.h>
+#include <talus/voxel/material_name.h>
 
 namespace talus::edits {
 
-/// Ids from this one on are bound to names for ever; those below are of materials that worlds generate, and
-/// follow from the world alone.
+/// Ids from this one on are given to names, each once, for ever: a store may call its material something
+/// else, and gives the old name, used again, another id. Those below are of materials that worlds generate,
+/// and follow from the world alone.
 inline constexpr std::uint16_t kFirstBound = 256;
-/// Bytes of a name.
-inline constexpr std::size_t kMaxMaterialNameBytes = 64;
+using talus::kMaxMaterialNameBytes;
 
 using MaterialIds = std::map<std::string, MaterialId>;
 /// Names in the order in which they were asked for, each with its id.
