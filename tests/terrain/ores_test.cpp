@@ -94,7 +94,7 @@ class BodiesAround {
     std::vector<MaterialId> ore(kChunkSize, kAir);
     for (const auto& [material, lobes] : kinds_) {
       for (const OreLobe& lobe : lobes) {
-        const auto span = lobe.at((origin.x + x) * (1 << shift), (origin.z + z) * (1 << shift));
+        const auto span = OreRow{lobe, (origin.z + z) * (1 << shift)}.at((origin.x + x) * (1 << shift));
         if (!span) continue;
         for (int y = 0; y < kChunkSize; ++y) {
           const std::int64_t row = origin.y + y;
@@ -167,7 +167,7 @@ TEST_CASE("A column has the same ore from whatever box it is asked for") {
       add_lobes(kind, box, lobes);
       std::set<std::pair<std::int32_t, std::int32_t>> found;
       for (const OreLobe& lobe : lobes) {
-        if (const auto span = lobe.at(x, z)) found.insert({span->from_fx, span->to_fx});
+        if (const auto span = OreRow{lobe, z}.at(x)) found.insert({span->from_fx, span->to_fx});
       }
       return found;
     };
@@ -191,8 +191,8 @@ TEST_CASE("Heights that are asked for leave out no ore of theirs") {
     for (const OreLobe& lobe : lobes) {
       const std::int64_t x = lobe.x_fx / kSubvoxels + *rc::gen::inRange<std::int64_t>(-20, 21);
       const std::int64_t z = lobe.z_fx / kSubvoxels + *rc::gen::inRange<std::int64_t>(-20, 21);
-      const auto all = lobe.at(x, z);
-      const auto within = lobe.at(x, z, low_fx, high_fx);
+      const auto all = OreRow{lobe, z}.at(x);
+      const auto within = OreRow{lobe, z, low_fx, high_fx}.at(x);
       if (within) RC_ASSERT(all && all->from_fx == within->from_fx && all->to_fx == within->to_fx);
       if (all && !within) RC_ASSERT(all->to_fx < low_fx || all->from_fx >= high_fx);
     }
@@ -239,8 +239,9 @@ TEST_CASE("Veins are thin and long, pockets are lumps") {
       const std::int64_t x = lobe.x_fx / kSubvoxels;
       const std::int64_t z = lobe.z_fx / kSubvoxels;
       for (std::int64_t dz = -wide; dz <= wide; ++dz) {
+        OreRow row{lobe, z + dz};
         for (std::int64_t dx = -wide; dx <= wide; ++dx) {
-          const auto span = lobe.at(x + dx, z + dz);
+          const auto span = row.at(x + dx);
           if (!span) continue;
           columns += 1;
           rows += static_cast<double>(span->to_fx - span->from_fx) / kSubvoxels;

@@ -149,71 +149,89 @@ void add_body(const OreKind& kind, const Middle& middle, std::uint64_t seed, std
   }
 }
 
-bool meets(const OreLobe& lobe, const OreBox& box) {
-  const auto apart = [](std::int64_t middle, std::int64_t reach, std::int64_t first, std::int64_t end) {
-    return middle + reach < first || middle - reach >= end;
+// Whether what reaches so far to both sides of a middle meets the box.
+bool meets(const OreBox& box, const Middle& middle, std::int64_t reach_fx, std::int64_t rise_fx) {
+  const auto apart = [](std::int64_t at, std::int64_t reach, std::int64_t first, std::int64_t end) {
+    return at + reach < first || at - reach >= end;
   };
-  return !apart(lobe.x_fx, lobe.reach_fx, box.x0 * kSubvoxels, box.x1 * kSubvoxels) &&
-         !apart(lobe.z_fx, lobe.reach_fx, box.z0 * kSubvoxels, box.z1 * kSubvoxels) &&
-         !apart(lobe.y_fx, lobe.rise_fx, box.low_fx, box.high_fx);
+  return !apart(middle.x_fx, reach_fx, box.x0 * kSubvoxels, box.x1 * kSubvoxels) &&
+         !apart(middle.z_fx, reach_fx, box.z0 * kSubvoxels, box.z1 * kSubvoxels) &&
+         !apart(middle.y_fx, rise_fx, box.low_fx, box.high_fx);
 }
 
-// Two numbers of 2^-15 that change smoothly from grain to grain.
-struct Grain {
-  std::int64_t edge_q15 = 0;
-  std::int64_t sway_q15 = 0;
-};
+bool meets(const OreBox& box, const OreLobe& lobe) {
+  return meets(box, {lobe.x_fx, lobe.y_fx, lobe.z_fx}, lobe.reach_fx, lobe.rise_fx);
+}
 
-Grain grain_at(const OreLobe& lobe, std::int64_t x_fx, std::int64_t z_fx) {
-  const auto weight = [&](std::int64_t place_fx) {
-    const std::int64_t t = ((place_fx & ((std::int64_t{1} << lobe.grain_bits) - 1)) << 15) >> lobe.grain_bits;
-    return (t * t >> 15) * (3 * kOne_q15 - 2 * t) >> 15;
-  };
-  const std::int64_t x = x_fx >> lobe.grain_bits;
-  const std::int64_t z = z_fx >> lobe.grain_bits;
-  const std::int64_t east = weight(x_fx);
-  const std::int64_t south = weight(z_fx);
-  const auto corner = [&](std::int64_t cx, std::int64_t cz) {
-    return mix64(lobe.seed ^ (static_cast<std::uint64_t>(cx) * 0x9E3779B97F4A7C15U +
-                              static_cast<std::uint64_t>(cz) * 0xD1B54A32D192ED03U));
-  };
-  const std::array corners{corner(x, z), corner(x + 1, z), corner(x, z + 1), corner(x + 1, z + 1)};
-  const auto blend = [&](int shift) {
-    const auto at = [&](std::size_t i) { return static_cast<std::int64_t>((corners[i] >> shift) & 0x7FFF); };
-    const std::int64_t north = at(0) * (kOne_q15 - east) + at(1) * east;
-    const std::int64_t below = at(2) * (kOne_q15 - east) + at(3) * east;
-    return (north * (kOne_q15 - south) + below * south) >> 30;
-  };
-  return {blend(0), blend(20)};
+std::int64_t place_in_grain_q15(const OreLobe& lobe, std::int64_t place_fx) {
+  return ((place_fx & ((std::int64_t{1} << lobe.grain_bits) - 1)) << 15) >> lobe.grain_bits;
+}
+
+// From one grain to the next without a corner.
+std::int64_t weight_q15(std::int64_t t_q15) {
+  return (t_q15 * t_q15 >> 15) * (3 * kOne_q15 - 2 * t_q15) >> 15;
 }
 
 }  // namespace
 
-std::optional<OreSpan> OreLobe::at(std::int64_t column_x, std::int64_t column_z, std::int64_t low_fx,
-                                   std::int64_t high_fx) const {
-  const std::int64_t x = column_x * kSubvoxels;
-  const std::int64_t z = column_z * kSubvoxels;
-  const std::int64_t east = x - x_fx;
-  const std::int64_t south = z - z_fx;
-  if (std::abs(east) > reach_fx || std::abs(south) > reach_fx) return std::nullopt;
-  const std::int64_t along = (east * cos_q14 + south * sin_q14) >> 14;
-  const std::int64_t across = (south * cos_q14 - east * sin_q14) >> 14;
-  const std::int64_t a = (along * per_along_q40) >> 25;
-  const std::int64_t c = (across * per_across_q40) >> 25;
+OreRow::OreRow(const OreLobe& lobe, std::int64_t column_z, std::int64_t low_fx, std::int64_t high_fx)
+    : lobe_{lobe},
+      low_fx_{low_fx},
+      high_fx_{high_fx},
+      z_fx_{column_z * kSubvoxels},
+      along_q14_{(z_fx_ - lobe.z_fx) * lobe.sin_q14},
+      across_q14_{(z_fx_ - lobe.z_fx) * lobe.cos_q14},
+      misses_{std::abs(z_fx_ - lobe.z_fx) > lobe.reach_fx} {}
+
+OreRow::GrainLine OreRow::grain_line(std::int64_t line) const {
+  const std::int64_t north = z_fx_ >> lobe_.grain_bits;
+  const std::int64_t south = weight_q15(place_in_grain_q15(lobe_, z_fx_));
+  const auto corner = [&](std::int64_t at) {
+    return mix64(lobe_.seed ^ (static_cast<std::uint64_t>(line) * 0x9E3779B97F4A7C15U +
+                               static_cast<std::uint64_t>(at) * 0xD1B54A32D192ED03U));
+  };
+  const std::array corners{corner(north), corner(north + 1)};
+  const auto blend = [&](int shift) {
+    const auto at = [&](std::size_t i) { return static_cast<std::int64_t>((corners[i] >> shift) & 0x7FFF); };
+    return at(0) * (kOne_q15 - south) + at(1) * south;
+  };
+  return {blend(0), blend(20)};
+}
+
+std::optional<OreSpan> OreRow::at(std::int64_t column_x) {
+  const std::int64_t x_fx = column_x * kSubvoxels;
+  const std::int64_t east = x_fx - lobe_.x_fx;
+  if (misses_ || std::abs(east) > lobe_.reach_fx) return std::nullopt;
+  const std::int64_t along = (along_q14_ + east * lobe_.cos_q14) >> 14;
+  const std::int64_t across = (across_q14_ - east * lobe_.sin_q14) >> 14;
+  const std::int64_t a = (along * lobe_.per_along_q40) >> 25;
+  const std::int64_t c = (across * lobe_.per_across_q40) >> 25;
   std::int64_t out = (a * a + c * c) >> 15;
   if (out >= kOne_q15) return std::nullopt;
-  const std::int64_t tilted = y_fx + ((along * tilt_along_q12 + across * tilt_across_q12) >> 12);
+  const std::int64_t tilted =
+      lobe_.y_fx + ((along * lobe_.tilt_along_q12 + across * lobe_.tilt_across_q12) >> 12);
   // Steep lobes pass a chunk's rows in few columns: only these need the noise.
-  const std::int64_t most = half_fx + sway_fx;
-  if (tilted + most < low_fx || tilted - most >= high_fx) return std::nullopt;
-  const Grain grain = grain_at(*this, x, z);
-  out += (grain.edge_q15 * ragged_q15) >> 15;
+  const std::int64_t most = lobe_.half_fx + lobe_.sway_fx;
+  if (tilted + most < low_fx_ || tilted - most >= high_fx_) return std::nullopt;
+
+  const std::int64_t grain = x_fx >> lobe_.grain_bits;
+  if (grain != grain_) {
+    west_ = grain_line(grain);
+    east_ = grain_line(grain + 1);
+    grain_ = grain;
+  }
+  const std::int64_t weight = weight_q15(place_in_grain_q15(lobe_, x_fx));
+  const auto blend = [&](std::int64_t west_q30, std::int64_t east_q30) {
+    return (west_q30 * (kOne_q15 - weight) + east_q30 * weight) >> 30;
+  };
+  out += (blend(west_.edge_q30, east_.edge_q30) * lobe_.ragged_q15) >> 15;
   if (out >= kOne_q15) return std::nullopt;
   // Blunt at the rim, as an ellipsoid is.
-  const std::int64_t half = half_fx * (kOne_q15 - (out * out >> 15)) >> 15;
-  const std::int64_t middle = tilted + ((sway_fx * (2 * grain.sway_q15 - kOne_q15)) >> 15);
-  const std::int64_t from = std::max<std::int64_t>(middle - half, y_fx - rise_fx);
-  const std::int64_t to = std::min<std::int64_t>(middle + half, y_fx + rise_fx);
+  const std::int64_t half = lobe_.half_fx * (kOne_q15 - (out * out >> 15)) >> 15;
+  const std::int64_t sway_q15 = 2 * blend(west_.sway_q30, east_.sway_q30) - kOne_q15;
+  const std::int64_t middle = tilted + ((lobe_.sway_fx * sway_q15) >> 15);
+  const std::int64_t from = std::max<std::int64_t>(middle - half, lobe_.y_fx - lobe_.rise_fx);
+  const std::int64_t to = std::min<std::int64_t>(middle + half, lobe_.y_fx + lobe_.rise_fx);
   if (from >= to) return std::nullopt;
   return OreSpan{static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)};
 }
@@ -241,12 +259,13 @@ void add_lobes(const OreKind& kind, const OreBox& box, std::vector<OreLobe>& lob
         const Middle middle{cx * edge + draws.between(0, edge), cy * edge + draws.between(0, edge),
                             cz * edge + draws.between(0, edge)};
         if (middle.y_fx < lowest || middle.y_fx > highest) continue;
+        if (!meets(box, middle, reach, reach)) continue;
         add_body(kind, middle, seed, lobes);
       }
     }
   }
   lobes.erase(std::remove_if(lobes.begin() + before, lobes.end(),
-                             [&](const OreLobe& lobe) { return !meets(lobe, box); }),
+                             [&](const OreLobe& lobe) { return !meets(box, lobe); }),
               lobes.end());
 }
 

@@ -61,13 +61,38 @@ struct OreLobe {
   int grain_bits = 0;      // it changes over 2^this subvoxels
   std::int64_t ragged_q15 = 0;
   std::int32_t sway_fx = 0;
+};
 
-  /// What of a column the lobe takes; may be nothing where that lies outside of the heights [low_fx,
-  /// high_fx).
-  [[nodiscard]] std::optional<OreSpan> at(
-      std::int64_t column_x, std::int64_t column_z,
-      std::int64_t low_fx = std::numeric_limits<std::int64_t>::min(),
-      std::int64_t high_fx = std::numeric_limits<std::int64_t>::max()) const;
+/// A lobe along a row of columns. Columns of one grain share what is hashed, so they are best asked in order.
+class OreRow {
+ public:
+  /// `lobe` must outlive it. What lies outside of the heights [low_fx, high_fx) may be left out.
+  OreRow(const OreLobe& lobe, std::int64_t column_z,
+         std::int64_t low_fx = std::numeric_limits<std::int64_t>::min(),
+         std::int64_t high_fx = std::numeric_limits<std::int64_t>::max());
+
+  /// What of a column the lobe takes.
+  [[nodiscard]] std::optional<OreSpan> at(std::int64_t column_x);
+
+ private:
+  /// Two numbers that change smoothly from grain to grain, on a line between grains.
+  struct GrainLine {
+    std::int64_t edge_q30 = 0;
+    std::int64_t sway_q30 = 0;
+  };
+
+  [[nodiscard]] GrainLine grain_line(std::int64_t line) const;
+
+  const OreLobe& lobe_;
+  std::int64_t low_fx_;
+  std::int64_t high_fx_;
+  std::int64_t z_fx_;
+  std::int64_t along_q14_;  // of the row's distance from the middle
+  std::int64_t across_q14_;
+  bool misses_;
+  std::int64_t grain_ = std::numeric_limits<std::int64_t>::min();  // whose lines west_ and east_ are
+  GrainLine west_;
+  GrainLine east_;
 };
 
 /// Base columns [x0, x1) and [z0, z1), heights [low_fx, high_fx).

@@ -68,8 +68,9 @@ bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkP
   const std::int64_t high_fx = (origin.y + highest) * step * kSubvoxels;
   bool any = false;
   for (int z = columns.north; z < columns.south; ++z) {
+    OreRow along{lobe, (origin.z + z) * step, low_fx, high_fx};
     for (int x = columns.west; x < columns.east; ++x) {
-      const auto span = lobe.at((origin.x + x) * step, (origin.z + z) * step, low_fx, high_fx);
+      const auto span = along.at((origin.x + x) * step);
       if (!span) continue;
       const std::size_t column = column_index(x, z);
       const auto row = [&](std::int32_t height_fx) {
@@ -229,8 +230,9 @@ void Ores::add_exposed(const Stacks& stacks, const Field* /*survey*/, std::span<
       const auto [west, east] = range(lobe.x_fx, region.x, region.width);
       const auto [north, south] = range(lobe.z_fx, region.z, region.depth);
       for (int z = north; z < south; ++z) {
+        OreRow along{lobe, (region.z + z) * step};
         for (int x = west; x < east; ++x) {
-          const auto span = lobe.at((region.x + x) * step, (region.z + z) * step);
+          const auto span = along.at((region.x + x) * step);
           // The voxel under the surface of the rock, or under the floor of an open cave, at its centre.
           const std::int32_t row = boundary_row(std::min(rock.at(x, z), stacks.ground_fx(x, z))) - 1;
           if (span && row >= boundary_row(span->from_fx >> shift) &&
