@@ -19,8 +19,10 @@ flock -n 9 || die "another one runs in this folder"
 # A store of its own: what else this machine has built stays as it is, and goes unused.
 buildah() { command buildah --root "$out/store" --runroot "$out/run" "$@"; }
 container="" started=""
+# chroot hides no process: talusd is below the one that was started, and does not end with it.
+below() { local child; for child in $(pgrep -P "$1"); do printf '%s\n' "$child"; below "$child"; done; }
 finish() {
-  [[ -z "$started" ]] || { kill -TERM "$started" 2>/dev/null && wait "$started" 2>/dev/null; } || true
+  [[ -z "$started" ]] || { kill -TERM $(below "$started") "$started" 2>/dev/null; wait "$started" 2>/dev/null; } || true
   [[ -z "$container" ]] || buildah rm "$container" >/dev/null 2>&1 || true
   rm -rf --one-file-system "$out/root"
 }
@@ -76,8 +78,6 @@ until grep -q '^HTTP and WebSocket on' "$out/talusd.log" && grep -q 'listening o
   kill -0 "$started" 2>/dev/null || { cat "$out/talusd.log" >&2; die "talusd did not start in the image"; }
   sleep 0.1
 done
-# chroot hides no process: it is the talusd below the one that was started.
-below() { local child; for child in $(pgrep -P "$1"); do printf '%s\n' "$child"; below "$child"; done; }
 talusd="$(for process in $(below "$started"); do [[ "$(cat "/proc/$process/comm")" != talusd ]] || echo "$process"; done)"
 [[ "$(stat -c %u:%g "/proc/$talusd")" == 4780:4780 ]] || die "talusd runs as $(stat -c %u:%g "/proc/$talusd")"
 address="$(sed -n 's/.*listening on //p' "$out/talusd.log" | head -n 1)"
@@ -88,8 +88,9 @@ say "its health check, its operators' port, the viewer, an edit"
 buildah run --isolation chroot "$container" -- "${health[@]/127.0.0.1:4780/$address}" >/dev/null ||
   die "the image's health check fails: ${health[*]}"
 [[ "$(curl -sS -o /dev/null -w '%{http_code}' "$admin/-/ready")" == 200 ]] || die "it is not ready"
-curl -sS --fail "$web/" | grep -q '<html' || die "it does not serve the viewer"
-curl -sS --fail "$admin/metrics" | grep -q '^talus_edits_revision 0$' || die "it has no store of edits in its volume"
+# No pipes into grep -q: it reads no more than it needs, and what writes to it then fails as well.
+[[ "$(curl -sS --fail "$web/")" == *"<html"* ]] || die "it does not serve the viewer"
+[[ $'\n'"$(curl -sS --fail "$admin/metrics")"$'\n' == *$'\n'"talus_edits_revision 0"$'\n'* ]] || die "it has no store of edits in its volume"
 
 kill -TERM "$talusd"
 wait "$started" || die "talusd ended with $?"
