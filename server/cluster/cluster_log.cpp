@@ -131,7 +131,7 @@ ClusterLog::Status ClusterLog::status() const {
   } else if (!takes || silent || !places_known_) {
     const std::string& why = publishing.empty() ? trouble_ : publishing;
     status.read_only =
-        fmt::format("the log that this world's servers share cannot be reached, or has no quorum{}{}",
+        fmt::format("the log that this world's servers share cannot be reached or read, or has no quorum{}{}",
                     why.empty() ? "" : ": ", why);
   }
   if (!fault_.empty()) {
@@ -187,7 +187,10 @@ void ClusterLog::look_at_end() {
       shorter_since_.reset();  // it may be another leader that speaks next
       if (!known || trouble_.empty()) trouble_ = stream.error().reason;
     } else {
-      silent_since_.reset();
+      if (std::exchange(silent_since_, std::nullopt)) {
+        end_.was_silent(asked);
+        if (known) trouble_.clear();  // was the silence's
+      }
       if (known) heard_ = true;
       if (!is_of_stream || stream->created_ns != created_ns) {
         shorter_since_.reset();
@@ -220,10 +223,26 @@ void ClusterLog::tell_whether_it_takes() {
   {
     // What was seen is kept before another thread looks: the last to look keeps the newest.
     const std::lock_guard lock{telling_};
-    const bool takes = takes_entries();
+    const Status now = status();
+    const bool takes = !now.read_only;
     if (std::exchange(was_taking_, takes) == takes) return;
+    tell(now);
   }
   parts_.on_takes();
+}
+
+void ClusterLog::tell(const Status& now) {
+  {
+    const std::lock_guard lock{mutex_};
+    // What ends it for good has a line of its own; before there is a place nothing was taken.
+    if (!places_known_ || stopping_ || !fault_.empty()) return;
+  }
+  if (now.read_only) {
+    parts_.log->warn("cluster: no edits are taken: {}", *now.read_only);
+    told_none_taken_ = true;
+  } else if (std::exchange(told_none_taken_, false)) {
+    parts_.log->info("cluster: edits are taken again");
+  }
 }
 
 void ClusterLog::trouble(std::string reason) {

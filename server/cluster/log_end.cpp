@@ -21,6 +21,11 @@ void LogEnd::heard(std::uint64_t last, TimePoint asked) {
   judge();
 }
 
+void LogEnd::was_silent(TimePoint now) {
+  for (Look& look : ahead_) look.asked += now - heard_;
+  heard_ = now;
+}
+
 void LogEnd::applied(std::uint64_t sequence) {
   applied_ = std::max(applied_, sequence);
   for (; !ahead_.empty() && ahead_.front().last <= applied_; ahead_.pop_front()) reached_ = true;

@@ -68,7 +68,7 @@ class LogStream {
   [[nodiscard]] virtual tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                        TimePoint until) = 0;
 
-  /// Asks the leader. Waits about half a second at most.
+  /// Asks the leader. `unavailable` also where its messages cannot be read. Waits about a second at most.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
 
   /// When the stream took a message, in milliseconds since 1970 by the clock of who led it then: the same

@@ -39,13 +39,23 @@ tl::expected<std::string, std::string> first_line_of(const protocol::Endpoint& e
 
 tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
   constexpr std::string_view kInfo = "INFO ";
-  if (!line.starts_with(kInfo)) {
-    return tl::unexpected{fmt::format(
-        "what answers is no NATS server: it says \"{}\"; give the port of NATS for clients, 4222 as a rule",
-        escaped(line.substr(0, line.find('\r')), 60))};
-  }
+  const auto no_server = [&](std::string_view why) {
+    return tl::unexpected{
+        fmt::format("what answers is no NATS server: it says \"{}\"{}; give the port of "
+                    "NATS for clients, 4222 as a rule",
+                    escaped(line.substr(0, line.find('\r')), 60), why)};
+  };
+  if (!line.starts_with(kInfo)) return no_server("");
   const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
-  if (!info.is_object()) return tl::unexpected{std::string{"answers, but is no NATS server"}};
+  if (!info.is_object()) return no_server(", which is no JSON object behind INFO");
+  // Without these all else would be called wrong, and not what is.
+  for (const auto& [name, is] : {std::pair{"version", &nlohmann::json::is_string},
+                                 std::pair{"max_payload", &nlohmann::json::is_number_integer}}) {
+    const auto member = info.find(name);
+    if (member == info.end() || !((*member).*is)()) {
+      return no_server(fmt::format(", without the {} that one names", name));
+    }
+  }
   return Greeting{greeting_text(info, "server_name"),
                   greeting_text(info, "version"),
                   jetstream::json_member<bool>(info, "jetstream"),

@@ -9,6 +9,15 @@
 #include "log/escape.h"
 
 namespace talus::server {
+namespace {
+
+/// As the person typed it: with the subcommand, where one was given, whose --help has its flags.
+std::string command_name(const CLI::App& app) {
+  const auto given = app.get_subcommands();
+  return given.empty() ? app.get_name() : fmt::format("{} {}", app.get_name(), given.back()->get_name());
+}
+
+}  // namespace
 
 std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv) {
   try {
@@ -20,7 +29,7 @@ std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv
     return Exit{out.str(), 0};
   } catch (const CLI::ParseError& error) {
     const std::string wrong = escaped(describe(app, error), 500);
-    return Exit{fmt::format("{0}: {1}{2} {0} --help\n", app.get_name(), wrong,
+    return Exit{fmt::format("{0}: {1}{2} {0} --help\n", command_name(app), wrong,
                             wrong.ends_with('?') ? " See" : "; see"),
                 kWrongUse};
   }

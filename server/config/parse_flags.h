@@ -20,7 +20,7 @@ inline constexpr int kFailed = 1;
 inline constexpr int kWrongUse = 2;
 
 /// Reads the flags into the variables that `app` knows; else what to print. A wrong flag is one line that
-/// begins with the name of `app`, and exits with kWrongUse.
+/// begins with the name of `app` and that of its command, where one was given, and exits with kWrongUse.
 [[nodiscard]] std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace talus::server

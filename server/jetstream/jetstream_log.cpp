@@ -49,6 +49,11 @@ tl::unexpected<StreamFailure> failure(Kind kind, std::string reason) {
   return tl::unexpected{StreamFailure{kind, std::move(reason)}};
 }
 
+/// Whether it is what a leader says of a message, though it may have none of the number.
+bool is_of_messages(const tl::expected<StoredMessage, ApiError>& answer) {
+  return answer || answer.error().code == kMessageNotFound;
+}
+
 /// The number at the end of a subject; 0 where there is none.
 std::uint64_t number_at_end(std::string_view subject) {
   const std::size_t dot = subject.rfind('.');
@@ -72,6 +77,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       const std::lock_guard lock{mutex_};
       if (connected_ == now) return;
       connected_ = now;
+      unanswered_since_.reset();
       question_due_ = Clock::now();
     }
     changed_.notify_all();
@@ -145,6 +151,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
     {
       const std::lock_guard lock{mutex_};
       const auto now = Clock::now();
+      if (too_long || is_of_messages(stored)) unanswered_since_.reset();
       if (!stored || stored->sequence != sequence) {
         reading_.not_found(sequence, now);
         question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
@@ -154,6 +161,22 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       }
     }
     changed_.notify_all();
+  }
+
+  /// A message was asked for, or one is about to be. Any thread.
+  void asks() {
+    const std::lock_guard lock{mutex_};
+    if (!unanswered_since_) unanswered_since_ = Clock::now();
+  }
+  /// The leader gave a message, or said that it has none of the number. Any thread.
+  void answers() {
+    const std::lock_guard lock{mutex_};
+    unanswered_since_.reset();
+  }
+  /// Whether a message was asked for, and nothing was said of any since then for as long as answers take.
+  [[nodiscard]] bool is_unanswered() const {
+    const std::lock_guard lock{mutex_};
+    return unanswered_since_ && Clock::now() - *unanswered_since_ >= kPatience;
   }
 
   /// What the leader says; `after`: how far the stream had been read when it was asked.
@@ -343,6 +366,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       asked_at_ = now;
       question_due_ = now + kBetweenQuestions;
     }
+    if (!messages.empty() && !unanswered_since_) unanswered_since_ = now;
     if (messages.empty() && !question) return false;
     const std::uint64_t after = reading_.after();
     lock.unlock();
@@ -377,6 +401,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
   std::uint64_t first_ = 0;
   TimePoint question_due_{};
   TimePoint asked_at_{};
+  std::optional<TimePoint> unanswered_since_;  // of questions for messages
   std::uint64_t false_messages_ = 0;
 };
 
@@ -476,6 +501,13 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   auto stream = ask_leader();
+  if (stream && inbox_->is_unanswered()) {
+    if (const auto message = ask_for(std::max<std::uint64_t>(stream->last, 1)); !message) {
+      stream = tl::unexpected{StreamFailure{
+          Kind::unavailable,
+          fmt::format("messages of {} cannot be read: {}", settings_.names.stream, message.error().reason)}};
+    }
+  }
   leader_answers(stream || stream.error().kind != Kind::unavailable);
   return stream;
 }
@@ -520,14 +552,24 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   return info->state;
 }
 
-tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t sequence) {
+tl::expected<std::optional<StoredMessage>, StreamFailure> JetStreamLog::ask_for(std::uint64_t sequence) {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
+  inbox_->asks();
   const auto reply =
       (*connection)->request(settings_.names.message_get(), StreamNames::by_number(sequence), kPatience);
   if (!reply) return tl::unexpected{reply.error()};
-  const auto message = parse_stored_message(Arrived{reply->get()}.text());
-  if (message && message->sequence == sequence) return message->time_ns / 1'000'000;
+  auto message = parse_stored_message(Arrived{reply->get()}.text());
+  if (!is_of_messages(message)) return tl::unexpected{failure_of(message.error(), settings_.names.stream)};
+  inbox_->answers();
+  if (!message || message->sequence != sequence) return std::optional<StoredMessage>{};
+  return *std::move(message);
+}
+
+tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t sequence) {
+  const auto message = ask_for(sequence);
+  if (!message) return tl::unexpected{message.error()};
+  if (*message) return (*message)->time_ns / 1'000'000;
   // An old leader has answered, unless nobody has it any more.
   const auto state = this->state();
   if (!state) return tl::unexpected{state.error()};

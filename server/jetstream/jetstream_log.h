@@ -16,6 +16,7 @@
 #include "config/server_urls.h"
 #include "jetstream/connection.h"
 #include "jetstream/credentials.h"
+#include "jetstream/stored_message.h"
 #include "jetstream/stream_names.h"
 #include "log/logger.h"
 
@@ -49,6 +50,8 @@ class JetStreamLog final : public LogStream {
   /// Without a connection it fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;
+  /// Fails too where the leader says nothing of messages that were asked for, as without the permission for
+  /// that: the tail alone is no promise. Waits half a second more then.
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
   [[nodiscard]] tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) override;
   [[nodiscard]] StreamFigures figures() const override;
@@ -63,6 +66,8 @@ class JetStreamLog final : public LogStream {
   /// The connection there is. One that was closed for good is made anew, each second at most.
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
   [[nodiscard]] tl::expected<StreamState, StreamFailure> ask_leader();
+  /// Asks the leader for a message; nothing where it has none of the number.
+  [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
   /// Where it does not for long, though a NATS server is connected, another is tried.
   void leader_answers(bool does);
 

@@ -86,18 +86,25 @@ class InputFile {
 struct MaterialMap {
   std::map<MaterialId, MaterialId> to;
   std::map<std::string, MaterialId> all;
+  /// Placed in the file, while the store's world generates one of that name. It is an override only where the
+  /// ground is another, which takes the world to tell.
+  std::map<MaterialId, std::string> generated_now;
 };
 
 /// Both are of one world: what that generates has one id in both, whatever its name was then.
 tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string, MaterialId>& from,
                                                      const std::map<std::string, MaterialId>& into) {
-  MaterialMap map{{}, into};
+  MaterialMap map{{}, into, {}};
   std::set<MaterialId> taken;
   for (const auto& [name, id] : into) taken.insert(id);
   FreeIds free{taken};
   for (const auto& [name, id] : from) {
     const auto held = into.find(name);
     const bool generated = to_integer(id) < kFirstBound;
+    if (!generated && held != into.end() && to_integer(held->second) < kFirstBound) {
+      map.generated_now.emplace(id, name);
+      continue;
+    }
     MaterialId mapped = id;
     if (!generated && held != into.end()) mapped = held->second;
     if (!generated && held == into.end() && taken.contains(id)) {
@@ -224,6 +231,14 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
     if (!next) return {};
     for (Override& voxel : next->voxels) {
       const auto at = materials.to.find(voxel.material);
+      if (const auto now = materials.generated_now.find(voxel.material);
+          now != materials.generated_now.end()) {
+        return of_file(
+            file, fmt::format("\"{0}\" is placed in it, and the store's world generates a material of that "
+                              "name; import it into an empty directory, rebase that to the store's world, "
+                              "and import what is exported from there",
+                              escaped(now->second)));
+      }
       if (at == materials.to.end()) {
         return of_file(file,
                        fmt::format("chunk {} has material {}, which the file does not name; export it again",

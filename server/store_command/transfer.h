@@ -36,7 +36,8 @@ struct Rebuilt {
 };
 
 /// Adds the file's edits to those of the store in `directory`, or makes one there, of the file's world.
-/// `winner` has the voxels that both have. Materials are those of the same names.
+/// `winner` has the voxels that both have. Materials are those of the same names: a
+/// file with voxels of a placed one whose name is that of a generated one in the store is refused.
 [[nodiscard]] tl::expected<Rebuilt, std::string> import_edits(const std::filesystem::path& file,
                                                               const DataDirectory& directory, Winner winner);
 

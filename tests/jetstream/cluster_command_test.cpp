@@ -451,8 +451,13 @@ TEST_CASE("a NATS server's greeting is read, and nothing else is taken for one")
   CHECK(at_least("2.10.1", 2, 10));
   CHECK(at_least("3.0", 2, 10));
   CHECK_FALSE(at_least("x", 2, 9));
-  for (const auto* line : {"", "HTTP/1.1 200 OK", "INFO", "INFO []", "INFO {"})
-    CHECK_FALSE(parse_greeting(line));
+  for (const auto* line : {"", "HTTP/1.1 200 OK", "INFO", "INFO []", "INFO {", R"(INFO {"max_payload":1})",
+                           R"(INFO {"version":"2.9.10","max_payload":"1"})"}) {
+    const auto refused = parse_greeting(line);
+    REQUIRE_FALSE(refused);
+    // What it says, and what is to be done.
+    CHECK_THAT(refused.error(), Catch::Contains("no NATS server: it says \"") && Catch::Contains("4222"));
+  }
 }
 
 TEST_CASE("check says what answers in place of NATS") {

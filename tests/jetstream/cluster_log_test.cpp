@@ -30,15 +30,15 @@ const jetstream::StreamNames kNames = jetstream::StreamNames::of(kClusterIdentit
 
 class Servers {
  public:
-  explicit Servers(std::size_t servers) {
-    nats_test::make_stream(nats_, kNames, 3);
-    const auto log = nats_test::open_log(nats_.url_list(), kNames);
+  explicit Servers(std::size_t servers, nats_test::NatsSettings nats = {}) : nats_{std::move(nats)} {
+    nats_test::make_stream(nats_, kNames, nats_.count());
+    const auto log = open_log();
     const auto genesis = empty_genesis();
     while (!log->publish(genesis)) {
     }
     for (std::size_t i = 0; i < servers; ++i) {
       nodes_.push_back(std::make_unique<ClusterNode>(
-          scratch_ / std::to_string(i), [this] { return nats_test::open_log(nats_.url_list(), kNames); }, i));
+          scratch_ / std::to_string(i), [this] { return open_log(); }, i));
       nodes_.back()->settings = {};
       REQUIRE(nodes_.back()->open() == "");
     }
@@ -64,6 +64,10 @@ class Servers {
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
  private:
+  [[nodiscard]] std::unique_ptr<LogStream> open_log() const {
+    return nats_test::open_log(nats_.url_list(), kNames, nats_test::as_talusd());
+  }
+
   ScratchDirectory scratch_;
   nats_test::NatsServers nats_;
   std::vector<std::unique_ptr<ClusterNode>> nodes_;
@@ -259,6 +263,55 @@ TEST_CASE("servers that start beside a replica of other messages go on, and agre
   CHECK(editors.fault() == "");
   cluster.until_equal();
   CHECK(cluster.node(0).log().status().head.revision == editors.done());
+}
+
+TEST_CASE("a server that may not read the log's messages any more is cut off, until it may again") {
+  Servers cluster{1, {.servers = 1, .more = nats_test::talusd_permissions(true)}};
+  ClusterNode& node = cluster.node(0);
+  std::mutex mutex;
+  int answers = 0;
+  const auto has_answers = [&](int wanted) {
+    const std::lock_guard lock{mutex};
+    return answers == wanted;
+  };
+  const auto append = [&](LogEntry entry) {
+    return node.log().append(std::move(entry), [&](const auto& applied) {
+      const std::lock_guard lock{mutex};
+      CHECK((applied && (*applied)->kind != Kind::expired));
+      ++answers;
+    });
+  };
+  const auto write = [](std::uint64_t sequence) {
+    edits::EditEntry entry{{1, 1}, 1, sequence, {}, {}};
+    entry.edit.writes.push_back({{static_cast<std::int64_t>(sequence), 0, 0}, MaterialId{77}});
+    entry.base = base_of(entry.edit);
+    return entry;
+  };
+  REQUIRE(append(edits::AttachEntry{{1, 1}, 1, ""}));
+  Servers::until([&] { return has_answers(1); });
+
+  cluster.nats().reconfigure(nats_test::talusd_permissions(false));
+  // The tail brings an edit, and of one with such a time the stream is asked.
+  node.clock.ahead = 10min;
+  REQUIRE(append(write(1)));
+  Servers::until([&] { return !node.log().takes_entries(); });
+  const auto status = node.log().status();
+  CHECK_FALSE(status.quorum);
+  CHECK(status.connected);
+  CHECK(status.ready);
+  REQUIRE(status.read_only);
+  CHECK_THAT(*status.read_only, Catch::Contains("cannot be reached or read") && Catch::Contains("MSG.GET"));
+  const auto refused = append(write(2));
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().kind == LogFailure::Kind::cut_off);
+  CHECK(has_answers(1));
+
+  cluster.nats().reconfigure(nats_test::talusd_permissions(true));
+  Servers::until([&] { return has_answers(2) && node.log().takes_entries(); });
+  CHECK(node.log().status().ready);
+  REQUIRE(append(write(2)));
+  Servers::until([&] { return has_answers(3); });
+  CHECK(node.log().status().head.revision == 2);
 }
 
 TEST_CASE("how long edits take over a log of three hosts", "[.figures]") {

@@ -436,6 +436,34 @@ TEST_CASE("a missing permission is named") {
   CHECK(read_failure(*log, 0).kind == Kind::refused);
 }
 
+TEST_CASE("without the permission to read messages the log cannot be reached, until it is back") {
+  OneServer one{talusd_permissions(true)};
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names, as_talusd());
+  publish(*log, "a");
+  CHECK(read(*log, 0) == "a");
+  REQUIRE(log->state());
+  one.servers.reconfigure(talusd_permissions(false));
+  const auto failure = [&] {
+    const auto until = from_now(kPatience);
+    for (;;) {
+      (void)log->next(1, from_now(100ms));
+      const auto state = log->state();
+      if (!state) return state.error();
+      REQUIRE(std::chrono::steady_clock::now() < until);
+    }
+  }();
+  CHECK(failure.kind == Kind::unavailable);
+  CHECK_THAT(failure.reason, Catch::Contains("messages of " + one.names.stream + " cannot be read") &&
+                                 Catch::Contains("ermissions") && Catch::Contains("MSG.GET"));
+  CHECK_FALSE(log->time_of(1));
+  one.servers.reconfigure(talusd_permissions(true));
+  const auto until = from_now(kPatience);
+  while (!log->state()) REQUIRE(std::chrono::steady_clock::now() < until);
+  CHECK(log->time_of(1));
+  CHECK(log->state());
+}
+
 TEST_CASE("user and password, token and NKey all open the door") {
   const std::string seed = "SUACSSL3UAHUDXKFSNVUZRF5UHPMWZ6BFDTJ7M6USDXIEDNPPQYYYCU3VY";
   const std::string key = *public_nkey(seed);

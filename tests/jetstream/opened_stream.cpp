@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "jetstream/stream_admin.h"
@@ -43,6 +44,21 @@ std::shared_ptr<Connection> connected_to(const std::string& urls, Credentials cr
     if (connection) return *std::move(connection);
     if (std::chrono::steady_clock::now() > patience_ends) throw std::runtime_error{connection.error().reason};
   }
+}
+
+std::string talusd_permissions(bool may_read) {
+  return fmt::format(
+      "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "
+      "p, permissions: {{ publish: [\"talus.*.log\", \"$JS.API.STREAM.INFO.*\"{}], subscribe: "
+      "[\"talus.*.tail\", \"_INBOX.>\"] }} }} ] }}",
+      may_read ? ", \"$JS.API.STREAM.MSG.GET.*\"" : "");
+}
+
+Credentials as_talusd() {
+  Credentials who;
+  who.user = "talus";
+  who.password.emplace("p");
+  return who;
 }
 
 void make_stream(const NatsServers& servers, const StreamNames& names, std::uint64_t replicas) {

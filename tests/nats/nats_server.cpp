@@ -219,6 +219,24 @@ void NatsServers::end(std::size_t server) {
   ::waitpid(std::exchange(servers_[server].pid, -1), nullptr, 0);
 }
 
+void NatsServers::reconfigure(std::string more) {
+  settings_.more = std::move(more);
+  write_configurations();
+  const auto reloads = [this](std::size_t server) {
+    constexpr std::string_view kDone = "Reloaded server configuration";
+    const std::string text = log(server);
+    std::size_t count = 0;
+    for (std::size_t at = text.find(kDone); at != std::string::npos; at = text.find(kDone, at + 1)) ++count;
+    return count;
+  };
+  for (std::size_t server = 0; server < count(); ++server) {
+    if (!runs(server)) continue;
+    const std::size_t before = reloads(server);
+    ::kill(servers_[server].pid, SIGHUP);
+    await("a configuration that is read again", kPatience, [&] { return reloads(server) > before; });
+  }
+}
+
 void NatsServers::freeze(std::size_t server) {
   ::kill(servers_[server].pid, SIGSTOP);
   // Returns when it stands still.

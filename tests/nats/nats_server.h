@@ -52,6 +52,8 @@ class NatsServers {
   /// Runs a server again that has ended, on its ports, with its files. Returns when it answers, though it may
   /// know nobody yet; throws with what it says where it ends instead.
   void start(std::size_t server);
+  /// Other lines in each server's configuration (NatsSettings::more); returns when all that run go by them.
+  void reconfigure(std::string more);
   /// SIGSTOP: its connections stay and nothing answers. go_on(): SIGCONT.
   void freeze(std::size_t server);
   void go_on(std::size_t server);

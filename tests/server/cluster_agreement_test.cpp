@@ -57,6 +57,21 @@ TEST_CASE("a server that hears nothing of the leader stays ready, and one that n
   CHECK(end.is_ready());
 }
 
+TEST_CASE("the time in which the leader says nothing is no time that a server is behind") {
+  LogEnd end;
+  const LogEnd::TimePoint start{};
+  end.applied(7);
+  end.heard(7, start);
+  end.heard(8, start + 1s);
+  end.heard(8, start + 2s);
+  end.was_silent(start + 62s);
+  end.heard(9, start + 62s);
+  CHECK(end.behind() == 1s);
+  CHECK(end.is_ready());
+  end.heard(9, start + 72s);
+  CHECK_FALSE(end.is_ready());
+}
+
 TEST_CASE("a server that is far behind for hours remembers few looks") {
   LogEnd end;
   for (int i = 0; i < 10'000; ++i)

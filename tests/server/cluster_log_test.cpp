@@ -96,7 +96,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
   until([&] { return cluster.log(0).status().ready; });
   const auto status = cluster.log(0).status();
   REQUIRE(status.read_only.has_value());
-  CHECK_THAT(*status.read_only, Catch::Contains("cannot be reached, or has no quorum: no answer"));
+  CHECK_THAT(*status.read_only, Catch::Contains("cannot be reached or read, or has no quorum: no answer"));
   CHECK_FALSE(status.quorum);
   const auto refused = answers.send(cluster.log(0), write_at(1, 5));
   REQUIRE_FALSE(refused.has_value());

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <set>
 
+#include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 
 #include <talus/toml/toml_bounds.h>
@@ -13,6 +14,7 @@
 #include "config/command_line.h"
 #include "config/fields.h"
 #include "config/load.h"
+#include "config/parse_flags.h"
 #include "scratch_directory.h"
 
 using namespace talus::server;
@@ -79,6 +81,26 @@ TEST_CASE("talusd.toml says the defaults") {
   REQUIRE(apply_toml(settings, shipped_file(), "talusd.toml").has_value());
   CHECK(settings.config == defaults);
   CHECK(settings.warnings.empty());
+}
+
+TEST_CASE("what is wrong with the flags of a command is told under its name") {
+  const auto told = [](std::vector<const char*> flags) {
+    CLI::App app{"", "talusd store"};
+    app.require_subcommand(1);
+    CLI::App* const history = app.add_subcommand("history", "");
+    history->add_option_group("of what")->require_option(1)->add_option("--at");
+    history->add_flag("--json");
+    flags.insert(flags.begin(), "talusd store");
+    const auto exit = parse_flags(app, static_cast<int>(flags.size()), flags.data());
+    REQUIRE(exit.has_value());
+    CHECK(exit->status == kWrongUse);
+    return exit->text;
+  };
+  CHECK(told({"history"}) ==
+        "talusd store history: Exactly 1 option from [--at] is required; see talusd store history --help\n");
+  CHECK(told({"history", "--at", "1", "--jso"}) ==
+        "talusd store history: not expected: --jso; did you mean --json? See talusd store history --help\n");
+  CHECK(told({}).starts_with("talusd store: A subcommand is required: history; see talusd store --help"));
 }
 
 TEST_CASE("mistyped words of the command line are told with what was meant") {

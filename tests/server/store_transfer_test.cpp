@@ -229,6 +229,27 @@ TEST_CASE("an imported file's materials are those of the same names") {
                                                                    {"rock", MaterialId{2}}});
 }
 
+TEST_CASE("a file of what is placed there and generated here is refused, unless nothing is built of it") {
+  const ScratchDirectory scratch;
+  const std::map<std::string, MaterialId> renamed{{"planks", MaterialId{2}}, {"glass", MaterialId{256}}};
+  make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{256}}, {{{0, 0, 0}, 2}, MaterialId{257}}});
+  REQUIRE(export_to(scratch / "a", scratch / "file") == "");
+  make_store(scratch / "b", {{{{0, 0, 0}, 5}, MaterialId{256}}}, kWorld, renamed);
+  const auto refused = import_from(scratch / "file", scratch / "b", Winner::file);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("\"planks\" is placed in it") && Catch::Contains("rebase"));
+  CHECK(voxels_of(scratch / "b") == Voxels{{{{0, 0, 0}, 5}, MaterialId{256}}});
+
+  make_store(scratch / "c", {{{{0, 0, 0}, 2}, MaterialId{257}}});
+  REQUIRE(export_to(scratch / "c", scratch / "of glass") == "");
+  REQUIRE(import_from(scratch / "of glass", scratch / "b", Winner::file).has_value());
+  CHECK(voxels_of(scratch / "b") ==
+        Voxels{{{{0, 0, 0}, 2}, MaterialId{256}}, {{{0, 0, 0}, 5}, MaterialId{256}}});
+  CHECK((*ReadOnlyStore::open(scratch / "b"))->materials() ==
+        std::map<std::string, MaterialId>{
+            {"air", MaterialId{0}}, {"glass", MaterialId{256}}, {"planks", MaterialId{2}}});
+}
+
 TEST_CASE("a file of another world is refused, and so is a material without a name") {
   const ScratchDirectory scratch;
   make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{2}}}, {5, 6});
