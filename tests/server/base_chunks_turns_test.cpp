@@ -1,0 +1,239 @@
+// Heights, and what is dear: patches and heights that give way to others midway.
+#include "generation/base_chunks.h"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <new>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base_chunks_bench.h"
+#include "fake_generator.h"
+
+namespace talus::server::base_chunks_test {
+
+TEST_CASE("heights come by their ticket, failed ones too") {
+  FakeService fake;
+  WaitingClient client;
+  fake.service.submit_heights(client.mailbox(), 6, HeightsQuery{.columns = {{1, 2}, {3, 4}}});
+  client.await(1);
+  CHECK(client.heights()[0].first == 6);
+  CHECK(client.heights()[0].second.value().heights_fx.size() == 2);
+  fake.work->out_of_memory = true;
+  fake.service.submit_heights(client.mailbox(), 7, HeightsQuery{.columns = {{1, 2}}});
+  client.await(2);
+  CHECK(client.heights()[1].first == 7);
+  CHECK_FALSE(client.heights()[1].second.has_value());
+}
+
+TEST_CASE("a body of heights is written by the thread that makes them, once and of all") {
+  FakeService fake;
+  WaitingClient client;
+  std::thread::id writer;
+  int written = 0;
+  HeightsQuery query{.columns = {{1, 2}, {300, 400}}};
+  query.body = [&](const HeightsFound& found) {
+    writer = std::this_thread::get_id();
+    ++written;
+    return std::to_string(found.heights_fx.size());
+  };
+  fake.service.submit_heights(client.mailbox(), 1, query);
+  client.await(1);
+  const HeightsFound& found = client.heights()[0].second.value();
+  CHECK(found.body == "2");
+  CHECK(found.heights_fx.empty());
+  CHECK(written == 1);
+  CHECK(writer != std::this_thread::get_id());
+
+  query.body = [](const HeightsFound&) -> std::string { throw std::bad_alloc{}; };
+  fake.service.submit_heights(client.mailbox(), 2, query);
+  client.await(2);
+  CHECK_FALSE(client.heights()[1].second.has_value());
+}
+
+TEST_CASE("dear heights are made a piece at a time, and others have their turns between") {
+  FakeService fake;
+  fake.work->close_gate();
+  std::atomic<int> pieces{0};
+  std::atomic<int> pieces_at_patch{-1};
+  fake.work->in_heights = [&] {
+    ++pieces;
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  fake.work->in_patch = [&] {
+    if (fake.work->patches == 1) pieces_at_patch = pieces.load();
+  };
+  std::vector<terrain::BaseColumn> scattered;
+  for (std::int64_t tile = 0; tile < 50; ++tile) scattered.push_back({tile * kChunkSize, 0});
+  WaitingClient holder;
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, holder, at(1000)));
+  fake.work->await_somebody_at_gate();  // until all have asked
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = scattered});
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  dear.await(1);
+  CHECK(pieces == 50);
+  CHECK(pieces_at_patch <= 3);
+  CHECK(dear.heights()[0].second.value().heights_fx.size() == scattered.size());
+}
+
+TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->patch_steps = 100;
+  const PatchKey dear_patch{100, 0, Lod{}};
+  std::atomic<int> steps_of_dear{0};
+  std::atomic<int> steps_of_others{0};
+  std::atomic<int> steps_before_player{-1};
+  fake.work->in_step = [&](const PatchKey& patch) {
+    ++(patch == dear_patch ? steps_of_dear : steps_of_others);
+    if (steps_of_others == 200 && steps_before_player < 0) steps_before_player = steps_of_dear.load();
+    const std::chrono::microseconds step{patch == dear_patch ? 10'000 : 10};
+    fake.clock.advance(step);
+    fake.clock.spend_cpu(step);
+  };
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, dear, at(400)));
+  fake.work->await_somebody_at_gate();
+  REQUIRE(queued(fake.service, player, at(0)));
+  REQUIRE(queued(fake.service, player, at(4)));
+  fake.work->open_gate();
+  player.await(2);
+  // Who comes while it waits gets its chunks by it, too.
+  WaitingClient late;
+  REQUIRE(queued(fake.service, late, at(401)));
+  late.await(1);
+  dear.await(1);
+  CHECK(steps_before_player < 50);
+  CHECK(steps_of_dear == 100);
+  CHECK(steps_of_others == 200);
+  CHECK(fake.work->patches == 3);
+  CHECK(fake.service.status().jobs == 0);
+}
+
+TEST_CASE("a patch that waits halfway goes with the last who wants it") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->patch_steps = 100;
+  const PatchKey dear_patch{100, 0, Lod{}};
+  WaitingClient dear;
+  WaitingClient player;
+  std::atomic<int> steps_of_dear{0};
+  fake.work->in_step = [&](const PatchKey& patch) {
+    const std::chrono::milliseconds step{10};
+    fake.clock.advance(step);
+    fake.clock.spend_cpu(step);
+    if (patch == dear_patch) {
+      ++steps_of_dear;
+    } else if (steps_of_dear > 0) {
+      cancel(fake.service, dear, at(400));
+    }
+  };
+  REQUIRE(queued(fake.service, dear, at(400)));
+  fake.work->await_somebody_at_gate();
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  CHECK(steps_of_dear < 10);
+  CHECK(fake.work->patches == 1);
+  CHECK(fake.service.status().jobs == 0);
+  CHECK(fake.service.status().clients == 0);
+  fake.work->in_step = nullptr;
+  REQUIRE(queued(fake.service, dear, at(400)));
+  dear.await(1);
+  CHECK(fake.work->patches == 2);
+}
+
+TEST_CASE("heights of one tile that are dear give way midway, too") {
+  FakeService fake;
+  fake.work->close_gate();
+  fake.work->heights_steps = 100;
+  std::atomic<int> steps{0};
+  std::atomic<int> steps_at_patch{-1};
+  fake.work->in_heights = [&] {
+    ++steps;
+    fake.clock.advance(std::chrono::milliseconds{10});
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  fake.work->in_patch = [&] {
+    if (fake.work->patches == 1) steps_at_patch = steps.load();
+  };
+  WaitingClient holder;
+  WaitingClient dear;
+  WaitingClient player;
+  REQUIRE(queued(fake.service, holder, at(1000)));
+  fake.work->await_somebody_at_gate();
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = {{5, 5}, {6, 6}}});
+  REQUIRE(queued(fake.service, player, at(0)));
+  fake.work->open_gate();
+  player.await(1);
+  dear.await(1);
+  CHECK(steps == 100);
+  CHECK(steps_at_patch <= 10);
+  CHECK(dear.heights()[0].second.value().heights_fx.size() == 2);
+}
+
+TEST_CASE("heights that are cancelled while they are made end with their piece") {
+  FakeService fake;
+  WaitingClient dear;
+  std::atomic<int> pieces{0};
+  fake.work->in_heights = [&] {
+    if (++pieces == 4) fake.service.cancel_heights(dear.id(), 1);
+    fake.clock.spend_cpu(std::chrono::milliseconds{10});
+  };
+  std::vector<terrain::BaseColumn> scattered;
+  for (std::int64_t tile = 0; tile < 50; ++tile) scattered.push_back({tile * kChunkSize, 0});
+  fake.service.submit_heights(dear.mailbox(), 1, HeightsQuery{.columns = scattered});
+  fake.service.submit_heights(dear.mailbox(), 2, HeightsQuery{.columns = {{1, 2}}});
+  dear.await(1);
+  CHECK(dear.heights()[0].first == 2);
+  CHECK(pieces <= 8);
+}
+
+TEST_CASE("a patch that nobody wants any more is given up, and made when somebody asks again") {
+  FakeService fake;
+  fake.work->close_gate();
+  WaitingClient client;
+  std::atomic<bool> leaves{true};
+  fake.work->in_patch = [&] {
+    if (!leaves.exchange(false)) return;
+    cancel(fake.service, client, at(1));
+    cancel(fake.service, client, at(2));
+    fake.clock.advance(std::chrono::seconds{1});
+  };
+  REQUIRE(queued(fake.service, client, at(1)));
+  REQUIRE(queued(fake.service, client, at(2)));
+  WaitingClient other;
+  REQUIRE(queued(fake.service, other, at(100)));
+  fake.work->open_gate();
+  other.await(1);
+  CHECK(fake.work->patches == 1);
+  CHECK(fake.service.status().jobs == 0);
+  REQUIRE(queued(fake.service, client, at(1)));
+  client.await(1);
+  CHECK(client.answers()[0].second.has_value());
+  CHECK(fake.work->patches == 2);
+}
+
+TEST_CASE("a patch that somebody still wants is made, whoever else left") {
+  FakeService fake;
+  fake.work->close_gate();
+  WaitingClient client;
+  WaitingClient other;
+  fake.work->in_patch = [&] {
+    cancel(fake.service, client, at(1));
+    fake.clock.advance(std::chrono::seconds{1});
+  };
+  REQUIRE(queued(fake.service, client, at(1)));
+  REQUIRE(queued(fake.service, other, at(1)));
+  fake.work->open_gate();
+  other.await(1);
+  CHECK(fake.work->patches == 1);
+}
+
+}  // namespace talus::server::base_chunks_test
