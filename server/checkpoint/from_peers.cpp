@@ -29,7 +29,7 @@ tl::expected<StoreMeta, PeerRefusal> take_from_peer(const std::string& peer, con
   if (!download) return tl::unexpected{std::move(download.error())};
   const std::uint64_t total = (*download)->size();
   log->info("joining: {} sends its store, {:.1f} MiB", peer, static_cast<double>(total) / kMebibytes);
-  ProgressBar bar{"joining", "bytes"};
+  ProgressBar bar{"joining", "bytes", ProgressBar::only_terminal()};
   bar.expect(total);
   std::uint64_t before = 0;
   auto next_line = begun + kBetweenLines;

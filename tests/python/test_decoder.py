@@ -1,5 +1,6 @@
 """The decoder against core/voxel/vectors, FORMAT.md and hostile bytes."""
 
+import importlib.util
 import os
 import random
 import re
@@ -10,7 +11,7 @@ import numpy as np
 from paths import ROOT
 
 import talus
-from talus.decoder import layers, model
+from talus import decoder
 
 
 def vectors():
@@ -64,10 +65,20 @@ class Vectors(unittest.TestCase):
 
     def test_trained_numbers_are_those_of_format_md(self):
         text = (ROOT / "core/voxel/FORMAT.md").read_text()
-        for name, block in model.BLOCKS.items():
+        for name, block in decoder.BLOCKS.items():
             expected = re.findall(rf"```{name}\n(.*?)```", text, re.DOTALL)
             self.assertEqual([b.split() for b in ([block] if isinstance(block, str) else block)],
                              [b.split() for b in expected], name)
+
+
+class Alone(unittest.TestCase):
+    def test_the_file_decodes_without_the_rest_of_the_package(self):
+        spec = importlib.util.spec_from_file_location("copied", ROOT / "client_sample/python/talus/decoder.py")
+        copied = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(copied)
+        for kind, name, _, payload in vectors():
+            if kind == "chunk":
+                np.testing.assert_array_equal(copied.decode(payload), talus.decode(payload), name)
 
 
 class Hostile(unittest.TestCase):
@@ -101,7 +112,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(raised.exception.reason, "bad_number")
 
     def test_scores_that_are_kept_are_bounded(self):
-        columns = layers.Columns("level", "odd")
+        columns = decoder.Columns("level", "odd")
         columns.MOST = 100
         for key in range(1000):
             self.assertEqual(columns[key], columns[key])

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::chrono::seconds kFirstDraw{1};
 constexpr std::chrono::milliseconds kBetweenDraws{100};
+constexpr std::chrono::seconds kBetweenLines{10};
 
 std::string duration(double seconds) {
   const auto whole = std::llround(seconds);
@@ -32,6 +33,14 @@ std::string rate(double per_second) {
 
 }  // namespace
 
+std::string progress_words(double part, std::uint64_t count, double seconds, const std::string& unit) {
+  part = std::clamp(part, 0.0, 1.0);
+  std::string words = std::to_string(static_cast<int>(part * 100)) + " %";
+  if (seconds > 0) words += ", " + rate(static_cast<double>(count) / seconds) + unit + "/s";
+  if (part > 0) words += ", " + duration(seconds * (1 - part) / part) + " left";
+  return words;
+}
+
 std::string progress_line(double part, std::uint64_t count, double seconds, const std::string& unit) {
   constexpr std::size_t kCells = 24;
   part = std::clamp(part, 0.0, 1.0);
@@ -45,18 +54,27 @@ std::string progress_line(double part, std::uint64_t count, double seconds, cons
   return line;
 }
 
-ProgressBar::ProgressBar(std::string label, std::string unit)
-    : label_{std::move(label)},
-      unit_{std::move(unit)},
-      terminal_{::isatty(STDERR_FILENO) == 1},
-      next_draw_{started_ + kFirstDraw} {}
+ProgressBar::Place ProgressBar::standard_error() {
+  return {stderr, ::isatty(STDERR_FILENO) == 1, true, &Clock::now};
+}
+
+ProgressBar::Place ProgressBar::only_terminal() {
+  Place place = standard_error();
+  place.lines = false;
+  return place;
+}
+
+ProgressBar::ProgressBar(std::string label, std::string unit, Place place)
+    : label_{std::move(label)}, unit_{std::move(unit)}, place_{std::move(place)}, started_{place_.now()} {
+  next_draw_ = started_ + (place_.terminal ? kFirstDraw : kBetweenLines);
+}
 
 ProgressBar::~ProgressBar() {
   clear();
 }
 
 void ProgressBar::clear() {
-  if (std::exchange(drawn_, false)) std::fputs("\r\x1b[K", stderr);
+  if (std::exchange(drawn_, false)) std::fputs("\r\x1b[K", place_.file);
 }
 
 void ProgressBar::advance(std::uint64_t amount) {
@@ -65,15 +83,22 @@ void ProgressBar::advance(std::uint64_t amount) {
 }
 
 void ProgressBar::show(double part, std::uint64_t count, const std::string& remark) {
-  if (!terminal_) return;
-  const auto now = Clock::now();
+  if (!place_.terminal && !place_.lines) return;
+  const auto now = place_.now();
   if (now < next_draw_) return;
+  const double seconds = std::chrono::duration<double>(now - started_).count();
+  const std::string end = remark.empty() ? "" : (place_.terminal ? "  " : ", ") + remark;
+  if (!place_.terminal) {
+    next_draw_ = now + kBetweenLines;
+    const std::string line = label_ + ": " + progress_words(part, count, seconds, unit_) + end + "\n";
+    std::fputs(line.c_str(), place_.file);
+    std::fflush(place_.file);
+    return;
+  }
   next_draw_ = now + kBetweenDraws;
   drawn_ = true;
-  const double seconds = std::chrono::duration<double>(now - started_).count();
-  const std::string line = "\r" + label_ + " " + progress_line(part, count, seconds, unit_) +
-                           (remark.empty() ? "" : "  " + remark) + "\x1b[K";
-  std::fputs(line.c_str(), stderr);
+  const std::string line = "\r" + label_ + " " + progress_line(part, count, seconds, unit_) + end + "\x1b[K";
+  std::fputs(line.c_str(), place_.file);
 }
 
 }  // namespace talus

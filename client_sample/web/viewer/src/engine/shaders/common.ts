@@ -79,6 +79,9 @@ vec3 waterColour(vec3 direction) {
   return waterFog.rgb * (mix(0.45, 1.7, up * up) + 0.5 * pow(toSun, 3.0) + 0.9 * pow(toSun, 24.0));
 }
 
+/** Chunks reach past the horizon, the coarser the farther. There all has the sky's colour, but would hide its clouds, sun and stars. */
+bool isBeyondHorizon(vec3 ray) { return length(ray.xz) > horizonBlocks; }
+
 /** What the air does to light on its way. */
 vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   float distance = length(ray);

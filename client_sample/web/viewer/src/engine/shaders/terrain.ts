@@ -72,6 +72,7 @@ void main() {
     // A staircase of faces stands out beyond the plane by up to a voxel.
     if (dot(ray.xz, slice.xy) > slice.z + 0.75 * scale) discard;
   }
+  if (isBeyondHorizon(ray)) discard;
   vec3 p = ray + eye;
   float distance = length(ray);
   vec3 toEye = -ray / max(distance, 0.001);

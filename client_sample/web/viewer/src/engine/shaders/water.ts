@@ -51,6 +51,7 @@ vec2 slopeOf(vec2 p, float distance) {
 
 void main() {
   if (slice.w > 0.5 && dot(ray.xz, slice.xy) > slice.z + 0.5 * scale) discard;
+  if (isBeyondHorizon(ray)) discard;
   vec3 p = ray + eye;
   float distance = length(ray);
   vec3 toEye = -ray / max(distance, 0.001);

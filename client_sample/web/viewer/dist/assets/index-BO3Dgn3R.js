@@ -4305,6 +4305,9 @@ vec3 waterColour(vec3 direction) {
   return waterFog.rgb * (mix(0.45, 1.7, up * up) + 0.5 * pow(toSun, 3.0) + 0.9 * pow(toSun, 24.0));
 }
 
+/** Chunks reach past the horizon, the coarser the farther. There all has the sky's colour, but would hide its clouds, sun and stars. */
+bool isBeyondHorizon(vec3 ray) { return length(ray.xz) > horizonBlocks; }
+
 /** What the air does to light on its way. */
 vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   float distance = length(ray);
@@ -4573,6 +4576,7 @@ void main() {
     // A staircase of faces stands out beyond the plane by up to a voxel.
     if (dot(ray.xz, slice.xy) > slice.z + 0.75 * scale) discard;
   }
+  if (isBeyondHorizon(ray)) discard;
   vec3 p = ray + eye;
   float distance = length(ray);
   vec3 toEye = -ray / max(distance, 0.001);
@@ -4824,6 +4828,7 @@ vec2 slopeOf(vec2 p, float distance) {
 
 void main() {
   if (slice.w > 0.5 && dot(ray.xz, slice.xy) > slice.z + 0.5 * scale) discard;
+  if (isBeyondHorizon(ray)) discard;
   vec3 p = ray + eye;
   float distance = length(ray);
   vec3 toEye = -ray / max(distance, 0.001);
