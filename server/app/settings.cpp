@@ -167,6 +167,9 @@ EditStateSettings edit_state_settings(const Config& config) {
   if (limit == 0) return settings;
   settings.recent_bytes = std::min<std::size_t>(settings.recent_bytes, limit / 64);
   settings.cache_bytes = std::min<std::size_t>(settings.cache_bytes, limit / 8);
+  // At four times that edits wait for the disk.
+  settings.dirty_bytes = std::min<std::size_t>(settings.dirty_bytes, limit / 64);
+  settings.editor_bytes = std::min<std::size_t>(settings.editor_bytes, limit / 12);
   const std::uint64_t room = room_for_edits(config);
   const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
   // Sessions that are there when it is full need some of the rest before others may come.

@@ -169,12 +169,28 @@ TEST_CASE(
     budget.set(MemoryUse::store, store_memory(config).most());
     budget.set(MemoryUse::sessions, 1);
     CHECK(budget.takes_connections());
+    // Editors stay for a day, and what is not flushed for seconds.
+    budget.set(MemoryUse::edits,
+               edits.index_bytes + edits.recent_bytes + edits.editor_bytes + edits.dirty_bytes);
+    budget.set(MemoryUse::sessions, 0);
+    CHECK(budget.takes_connections());
+    CHECK(4 * edits.dirty_bytes <= config.limits.memory_bytes / 16);
+    CHECK(edits.editor_bytes <= config.limits.memory_bytes / 12);
     CHECK(edits.index_bytes > kMebibyte);
     CHECK(edits.cache_bytes <= config.limits.memory_bytes / 8);
   }
   config.limits.memory_bytes = 0;
   CHECK(edit_state_settings(config) == EditStateSettings{});
   CHECK(store_memory(config).most() == StoreMemory{}.most());
+}
+
+TEST_CASE(
+    "with the default budget as many may edit as a world can have, and edits are flushed as without one") {
+  const Config config;
+  const EditStateSettings edits = edit_state_settings(config);
+  CHECK(edits.editor_bytes >= (edits::kMaxEditors + edits::kOperatorEditors) * EditState::kUsedEditorBytes);
+  CHECK(edits.dirty_bytes == EditStateSettings{}.dirty_bytes);
+  CHECK(EditStateSettings{}.editor_bytes >= edits.editor_bytes);
 }
 
 TEST_CASE(
