@@ -75,9 +75,15 @@ RateLimits rate_limits(const Config& all) {
     return of_voxels;
   };
   constexpr std::uint64_t kSavedUp = std::uint64_t{8} * 3'600;
-  const Rate editors{config.address_editors, config.address_editors * kSavedUp};
-  // An address that has saved up all fills the index in a day at least, however little that may have.
+  // An address that has saved up all fills the index in a day at least, and then has a quarter of the
+  // editors, however little those may have.
   constexpr std::uint64_t kHoursToFill = 32;
+  constexpr std::uint64_t kShareOfEditors = 4;
+  constexpr std::uint64_t kFewEditors = 16;  // 0 would be no limit
+  const std::uint64_t editors_that_fit = edit_state_settings(all).editor_bytes / EditState::kUsedEditorBytes;
+  const std::uint64_t editors_an_hour = std::min(
+      config.address_editors, std::max(editors_that_fit / kShareOfEditors / kHoursToFill, kFewEditors));
+  const Rate editors{editors_an_hour, editors_an_hour * kSavedUp};
   constexpr std::uint64_t kFewNewChunks = 16;  // 0 would be no limit
   const std::uint64_t fitting =
       edit_state_settings(all).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
@@ -167,6 +173,9 @@ EditStateSettings edit_state_settings(const Config& config) {
   if (limit == 0) return settings;
   settings.recent_bytes = std::min<std::size_t>(settings.recent_bytes, limit / 64);
   settings.cache_bytes = std::min<std::size_t>(settings.cache_bytes, limit / 8);
+  // At four times that edits wait for the disk.
+  settings.dirty_bytes = std::min<std::size_t>(settings.dirty_bytes, limit / 64);
+  settings.editor_bytes = std::min<std::size_t>(settings.editor_bytes, limit / 12);
   const std::uint64_t room = room_for_edits(config);
   const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
   // Sessions that are there when it is full need some of the rest before others may come.

@@ -64,7 +64,8 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
                                                            std::uint64_t site_bytes = 0);
 
 /// What edits may take of limits.memory_bytes. With the program and the largest share of the generators they
-/// stay below the half at which connections are taken again.
+/// stay below the half at which connections are taken again; but for editors, who come and go within a day,
+/// and what is not flushed, with whom they stay below the 5/8 at which a server without sessions takes them.
 [[nodiscard]] EditStateSettings edit_state_settings(const Config& config);
 /// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
 /// below that half, too.

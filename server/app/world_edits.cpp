@@ -63,6 +63,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   auto state = EditState::open(**database, state_settings);
   if (!state) return tl::unexpected{std::move(state.error())};
   std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), clock, log}};
+  edits->writer_settings_.flush_bytes = state_settings.dirty_bytes;
   if (const auto named = edits->name_placeables(world, std::move(shared)); !named) {
     return tl::unexpected{named.error()};
   }
@@ -109,6 +110,7 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
   stream_ = std::move(shared.stream);
   joins_ = shared.joins;
   cluster::ClusterLog::Settings settings;
+  settings.store = writer_settings_;
   settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
   cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};
   parts.on_takes = [this] {
@@ -131,7 +133,8 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Me
   const SignalsBlocked blocked;  // for the log's
   chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
   if (shared_ == nullptr) {
-    local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{}, tell_feed());
+    local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{writer_settings_, {}},
+                                        tell_feed());
     log_ = local_.get();
   }
   EditIntake::Parts parts{base, *log_, [this](edits::EditorId id) { return state_->editor(id); }, clock_,

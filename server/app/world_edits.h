@@ -128,6 +128,7 @@ class WorldEdits final : public EditedLand {
   const std::unique_ptr<EditDatabase> database_;
   const ContentHash store_id_;  // a log that is shared changes what else the database says of itself
   const std::unique_ptr<EditState> state_;
+  StoreWriterSettings writer_settings_;
   MergedChunks merged_;
   ChangeFeed feed_;
   std::unique_ptr<EditedChunks> chunks_;

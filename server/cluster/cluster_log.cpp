@@ -6,6 +6,7 @@
 
 #include "cluster/log_reasons.h"
 #include "cluster/server_number.h"
+#include "edits/editor_room.h"
 #include "edits/index_room.h"
 
 namespace talus::server::cluster {
@@ -85,6 +86,7 @@ bool ClusterLog::takes_entries() const {
 tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
   using Kind = LogFailure::Kind;
   if (auto fits = keep_to_index(parts_.state, entry); !fits) return fits;
+  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) return fits;
   if (auto read_only = writer_.status().read_only) {
     return tl::unexpected{LogFailure{Kind::unwritable, *std::move(read_only)}};
   }
@@ -223,26 +225,10 @@ void ClusterLog::tell_whether_it_takes() {
   {
     // What was seen is kept before another thread looks: the last to look keeps the newest.
     const std::lock_guard lock{telling_};
-    const Status now = status();
-    const bool takes = !now.read_only;
+    const bool takes = takes_entries();
     if (std::exchange(was_taking_, takes) == takes) return;
-    tell(now);
   }
   parts_.on_takes();
-}
-
-void ClusterLog::tell(const Status& now) {
-  {
-    const std::lock_guard lock{mutex_};
-    // What ends it for good has a line of its own; before there is a place nothing was taken.
-    if (!places_known_ || stopping_ || !fault_.empty()) return;
-  }
-  if (now.read_only) {
-    parts_.log->warn("cluster: no edits are taken: {}", *now.read_only);
-    told_none_taken_ = true;
-  } else if (std::exchange(told_none_taken_, false)) {
-    parts_.log->info("cluster: edits are taken again");
-  }
 }
 
 void ClusterLog::trouble(std::string reason) {

@@ -151,8 +151,6 @@ class ClusterLog final : public EditLog {
   void lose(Lost how, const std::string& reason);
   void trouble(std::string reason);
   void tell_whether_it_takes();
-  /// In the log. Under telling_.
-  void tell(const Status& now);
   [[nodiscard]] bool stopping() const;
   /// Nobody goes on behind the message where this server is stuck, as far as is known: another would be no
   /// better, so that players may look on here. Under the mutex.
@@ -178,9 +176,8 @@ class ClusterLog final : public EditLog {
   TimePoint skip_told_{};            // in the log
   TimePoint clock_told_{};
 
-  std::mutex telling_;            // locked before mutex_
-  bool was_taking_ = true;        // as on_takes was told; under that
-  bool told_none_taken_ = false;  // in the log; under that
+  std::mutex telling_;      // locked before mutex_
+  bool was_taking_ = true;  // as on_takes was told; under that
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;

@@ -20,12 +20,13 @@ using LogEntry = std::variant<edits::AttachEntry, edits::EditEntry, edits::BindE
 
 struct LogFailure {
   enum class Kind : std::uint8_t {
-    busy,        // as many entries wait as may, or the log stops
-    unwritable,  // the store cannot be written now
-    index_full,  // the edit is of a chunk that was never edited, and of such there is place for no more
-    unreadable,  // what people changed in a chunk that the edit is of cannot be read
-    cut_off,     // the log that servers share cannot be reached now, and the entry was not given to it
-    too_large,   // no message of that log has room for the entry
+    busy,          // as many entries wait as may, or the log stops
+    unwritable,    // the store cannot be written now
+    index_full,    // the edit is of a chunk that was never edited, and of such there is place for no more
+    unreadable,    // what people changed in a chunk that the edit is of cannot be read
+    cut_off,       // the log that servers share cannot be reached now, and the entry was not given to it
+    editors_full,  // it is of a new editor, and of such there is place for no more
+    too_large,     // no message of that log has room for the entry
   };
   Kind kind = Kind::busy;
   std::string reason;  // one line

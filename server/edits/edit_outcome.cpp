@@ -30,6 +30,8 @@ EditRefused why_of(LogFailure::Kind kind) {
       return EditRefused::unreadable;
     case LogFailure::Kind::cut_off:
       return EditRefused::cut_off;
+    case LogFailure::Kind::editors_full:
+      return EditRefused::editors_full;
     case LogFailure::Kind::too_large:
       return EditRefused::out_of_range;
   }

@@ -139,6 +139,17 @@ std::size_t EditState::editor_count() const {
   return editors_.size();
 }
 
+std::size_t EditState::editor_bytes() const {
+  const std::shared_lock lock{editors_mutex_};
+  const std::size_t fresh = editors_.never_used().size();
+  return fresh * kNewEditorBytes + (editors_.size() - fresh) * kUsedEditorBytes;
+}
+
+bool EditState::any_editor_idle_at(std::int64_t time_ms) const {
+  const std::shared_lock lock{editors_mutex_};
+  return editors_.any_idle_at(time_ms);
+}
+
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   std::vector<ChunkChange> changed;
   changed.reserve(batch.chunks().size());

@@ -32,11 +32,18 @@ struct EditStateSettings {
   std::size_t cache_bytes = std::size_t{64} << 20U;   // of overrides that are stored too
   std::size_t recent_bytes = std::size_t{8} << 20U;   // of changes remembered voxel by voxel
   std::size_t index_bytes = std::size_t{512} << 20U;  // beyond it no further chunk may be edited
+  std::size_t dirty_bytes = std::size_t{32} << 20U;   // of overrides that are not stored: they are flushed
+  /// Beyond it nobody new may edit. All that a world may have need less.
+  std::size_t editor_bytes = std::size_t{192} << 20U;
   bool operator==(const EditStateSettings&) const = default;
 };
 
 class EditState final : public AppliedEdits {
  public:
+  /// Of an editor that has never edited, and of one that has: with its subject and its place in three orders.
+  static constexpr std::size_t kNewEditorBytes = 512;
+  static constexpr std::size_t kUsedEditorBytes = 2'560;
+
   /// What `database` holds, which is newly opened and outlives this. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditState>, std::string> open(
       EditDatabase& database, const EditStateSettings& settings);
@@ -51,12 +58,23 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
   [[nodiscard]] std::optional<edits::Editor> editor(edits::EditorId id) const;
   [[nodiscard]] std::size_t editor_count() const;
+  /// Memory that editors may come to take: those that have edited with all the results that are kept of them.
+  [[nodiscard]] std::size_t editor_bytes() const;
+  /// Whether there is no place for further editors.
+  [[nodiscard]] bool has_all_editors() const { return editor_bytes() >= settings_.editor_bytes; }
+  /// Whether the next Attach that is applied at that time, since 1970, forgets one of them.
+  [[nodiscard]] bool any_editor_idle_at(std::int64_t time_ms) const;
+  [[nodiscard]] std::size_t editor_limit() const { return settings_.editor_bytes; }
   /// Whether the index has no place for further chunks.
   [[nodiscard]] bool is_full() const { return index_.bytes() >= settings_.index_bytes; }
   [[nodiscard]] std::size_t index_limit() const { return settings_.index_bytes; }
   [[nodiscard]] const ChunkIndex& index() const { return index_; }
-  /// Memory held, roughly, but for the cache, and for what is not written yet.
-  [[nodiscard]] std::size_t bytes() const { return index_.bytes() + settings_.recent_bytes; }
+  /// Memory held, roughly, but for the cache.
+  [[nodiscard]] std::size_t bytes() const {
+    return index_.bytes() + settings_.recent_bytes + dirty_bytes() + editor_bytes();
+  }
+  /// Of overrides that differ from the database's.
+  [[nodiscard]] std::size_t dirty_bytes() const { return dirty_bytes_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::size_t cache_bytes() const { return cache_.bytes(); }
   /// The most that the cache may have.
   [[nodiscard]] std::size_t cache_limit() const { return settings_.cache_bytes; }
@@ -77,7 +95,6 @@ class EditState final : public AppliedEdits {
   std::vector<ChunkChange> commit(edits::Batch&& batch);
 
   // What differs from the database's chunks and editors.
-  [[nodiscard]] std::size_t dirty_bytes() const { return dirty_bytes_; }
   [[nodiscard]] std::vector<ChunkKey> dirty_chunks() const;
   [[nodiscard]] std::vector<edits::EditorId> take_dirty_editors();
   void put_dirty_editors(std::span<const edits::EditorId> ids) {
@@ -113,8 +130,8 @@ class EditState final : public AppliedEdits {
   RecentChanges recent_;
   mutable ShardedCache<ChunkKey, EditedChunk> cache_;
   mutable std::shared_mutex dirty_mutex_;
-  mutable FlatMap<ChunkKey, Dirty> dirty_;  // the log's thread reads it without the lock
-  std::size_t dirty_bytes_ = 0;
+  mutable FlatMap<ChunkKey, Dirty> dirty_;   // the log's thread reads it without the lock
+  std::atomic<std::size_t> dirty_bytes_{0};  // the log's thread changes it
   edits::Head head_;
   std::atomic<std::uint64_t> revision_{0};  // the head's
   mutable std::shared_mutex editors_mutex_;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "edits/editor_room.h"
 #include "edits/index_room.h"
 
 namespace talus::server {
@@ -47,6 +48,7 @@ void LocalLog::stop() {
 
 tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
   if (auto fits = keep_to_index(state_, entry); !fits) return fits;
+  if (auto fits = keep_to_editors(state_, entry, clock_); !fits) return fits;
   if (writer_.is_read_only()) {
     if (auto read_only = writer_.status().read_only) {
       return log_failure(LogFailure::Kind::unwritable, *std::move(read_only));

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "../failing_renames.h"
+#include "cluster/message.h"
 #include "edits_of_tests.h"
 #include "join/enter_cluster.h"
 #include "scratch_directory.h"
@@ -12,6 +13,7 @@
 #include "store/whole_store.h"
 #include "store_command/cluster_moves.h"
 #include "store_command/opened_store.h"
+#include "store_command/rename.h"
 #include "store_command/transfer.h"
 
 namespace talus::server {
@@ -35,6 +37,10 @@ struct Member {
     editor.attach(store);
     std::mt19937_64 random{7};
     for (int i = 0; i < 50; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
+    REQUIRE(store.database().bind({{"planks", kPlanks}}).has_value());
+    edits::Edit planks;
+    planks.writes.push_back({{3'000, 1, 1}, kPlanks});
+    REQUIRE(editor.edit(store, planks).has_value());
     head = store.log().status().head;
     store.close();
     REQUIRE(enter_stream(path, kPlace).has_value());
@@ -62,6 +68,7 @@ struct Member {
   }
 
   static constexpr StreamPlace kPlace{5, 1};
+  static constexpr MaterialId kPlanks{300};
   ScratchDirectory scratch{ScratchDirectory::memory()};
   fs::path path = scratch / "data";
   terrain::World world = terrain::default_world();
@@ -121,6 +128,44 @@ TEST_CASE("a store that leaves its cluster, or is forked, is the old or the new 
     CHECK_FALSE(is_old);
     break;
   }
+}
+
+TEST_CASE("a cluster's store gets a material another name by a new stream, and keeps all else") {
+  Member member;
+  {
+    const auto refused = check_is_alone(member.path, "rename a material of");
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_THAT(refused.error(), Catch::Contains("leave-cluster") && Catch::Contains("join-cluster"));
+  }
+  REQUIRE(member.leave(member.path) == "");
+  {
+    const auto directory = DataDirectory::open_store(member.path);
+    REQUIRE(directory.has_value());
+    const auto renamed = rename_material(*directory, "planks", "boards");
+    REQUIRE(renamed.has_value());
+    CHECK(*renamed == 1);
+  }
+  REQUIRE(member.join(member.path) == "");
+  const auto store = ReadOnlyStore::open(member.path);
+  REQUIRE(store.has_value());
+  const StoreMeta& meta = (*store)->meta();
+  CHECK(meta.store_id != member.id);
+  CHECK(meta.head == member.head);
+  CHECK(meta.stream.sequence == 1);
+  CHECK_FALSE((*store)->materials().contains("planks"));
+  CHECK((*store)->materials().at("boards") == Member::kPlanks);
+  std::size_t editors = 0;
+  REQUIRE((*store)->reader().for_each_editor([&](auto, auto&&) { ++editors; }).has_value());
+  CHECK(editors == 1);
+  // What the servers begin with that take a peer's store.
+  StreamEnd end{*member.streams.at(meta.store_id), 2};
+  const auto first = end.next(0, std::chrono::steady_clock::now() + std::chrono::minutes{1});
+  REQUIRE((first && *first));
+  const auto genesis = cluster::decode_genesis((*first)->bytes);
+  REQUIRE(genesis.has_value());
+  CHECK(genesis->head == member.head);
+  CHECK(genesis->materials.at("boards") == Member::kPlanks);
+  CHECK_FALSE(genesis->materials.contains("planks"));
 }
 
 TEST_CASE("a database and a store.toml of different stores are noticed, and no stream is made or named") {

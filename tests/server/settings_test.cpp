@@ -169,12 +169,45 @@ TEST_CASE(
     budget.set(MemoryUse::store, store_memory(config).most());
     budget.set(MemoryUse::sessions, 1);
     CHECK(budget.takes_connections());
+    // Editors stay for a day, and what is not flushed for seconds.
+    budget.set(MemoryUse::edits,
+               edits.index_bytes + edits.recent_bytes + edits.editor_bytes + edits.dirty_bytes);
+    budget.set(MemoryUse::sessions, 0);
+    CHECK(budget.takes_connections());
+    CHECK(4 * edits.dirty_bytes <= config.limits.memory_bytes / 16);
+    CHECK(edits.editor_bytes <= config.limits.memory_bytes / 12);
     CHECK(edits.index_bytes > kMebibyte);
     CHECK(edits.cache_bytes <= config.limits.memory_bytes / 8);
   }
   config.limits.memory_bytes = 0;
   CHECK(edit_state_settings(config) == EditStateSettings{});
   CHECK(store_memory(config).most() == StoreMemory{}.most());
+}
+
+TEST_CASE("one address takes a quarter of the editors in a day at most, whatever the budget") {
+  Config config;
+  CHECK(rate_limits(config).address.editors.per_second == 512);
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  for (const std::uint64_t mebibytes : {0U, 72U, 128U, 256U, 1'024U, 2'048U, 65'536U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes * kMebibyte;
+    const Rate editors = rate_limits(config).address.editors;
+    REQUIRE(editors.limited());
+    const std::uint64_t in_a_day = (editors.burst + 86'400 * editors.per_second) / 3'600;
+    CHECK(in_a_day * EditState::kUsedEditorBytes * 4 <= edit_state_settings(config).editor_bytes);
+    CHECK(editors.burst / 3'600 >= 128);
+  }
+  config.rates.address_editors = 0;
+  CHECK_FALSE(rate_limits(config).address.editors.limited());
+}
+
+TEST_CASE(
+    "with the default budget as many may edit as a world can have, and edits are flushed as without one") {
+  const Config config;
+  const EditStateSettings edits = edit_state_settings(config);
+  CHECK(edits.editor_bytes >= (edits::kMaxEditors + edits::kOperatorEditors) * EditState::kUsedEditorBytes);
+  CHECK(edits.dirty_bytes == EditStateSettings{}.dirty_bytes);
+  CHECK(EditStateSettings{}.editor_bytes >= edits.editor_bytes);
 }
 
 TEST_CASE(

@@ -65,4 +65,8 @@ std::vector<EditorId> Editors::idle_at(std::int64_t time_ms) const {
   return idle;
 }
 
+bool Editors::any_idle_at(std::int64_t time_ms) const {
+  return !by_use_.empty() && by_use_.begin()->first <= time_ms - kEditorIdleMs;
+}
+
 }  // namespace talus::edits

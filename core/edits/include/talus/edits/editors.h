@@ -81,6 +81,8 @@ class Editors {
 
   /// Those that at `time_ms` were idle for too long, the least recent first.
   [[nodiscard]] std::vector<EditorId> idle_at(std::int64_t time_ms) const;
+  /// Whether there is one of those.
+  [[nodiscard]] bool any_idle_at(std::int64_t time_ms) const;
   /// Those that attached and never edited: where there are too many editors, these go first.
   [[nodiscard]] const ByUse& never_used() const { return never_used_; }
 

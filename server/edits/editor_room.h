@@ -1,0 +1,19 @@
+// The bound of the memory that editors take, as a log keeps it before it takes an Attach: applying never
+// asks, as all servers must come to the same editors.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "clock/clock.h"
+#include "edits/edit_log.h"
+#include "edits/edit_state.h"
+
+namespace talus::server {
+
+/// Where editors have all the memory that they may: that the entry is no Attach of a new one. Who undoes what
+/// others did comes in nevertheless, and so does anybody where some editor was idle for so long by `clock`
+/// that applying an Attach forgets it. Any thread.
+[[nodiscard]] tl::expected<void, LogFailure> keep_to_editors(const EditState& state, const LogEntry& entry,
+                                                             const Clock& clock);
+
+}  // namespace talus::server
