@@ -22,6 +22,23 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 using Ints = hn::RebindToSigned<Floats>;
 
+void place_columns(std::int32_t inside, std::int32_t apart, std::size_t count, float reciprocal, float* t,
+                   float* faded) {
+  const Floats f;
+  const Ints ints;
+  const auto distance = hn::Set(ints, apart);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(f)) {
+    const auto from_first = hn::Mul(hn::Iota(ints, static_cast<std::int32_t>(i)), distance);
+    const auto parts =
+        hn::Mul(hn::ConvertTo(f, hn::Add(hn::Set(ints, inside), from_first)), hn::Set(f, reciprocal));
+    // As fade() of lattice_place.h.
+    const auto high = hn::Sub(hn::Mul(parts, hn::Set(f, 6.0F)), hn::Set(f, 15.0F));
+    const auto curve = hn::Add(hn::Mul(parts, high), hn::Set(f, 10.0F));
+    hn::StoreU(parts, f, t + i);
+    hn::StoreU(hn::Mul(hn::Mul(hn::Mul(parts, parts), parts), curve), f, faded + i);
+  }
+}
+
 void draw_gradients(const std::uint32_t* hashes, std::size_t count, std::uint32_t z_hash, float* xs,
                     float* zs) {
   const Floats f;
@@ -87,7 +104,7 @@ void shape(const float* noise, std::size_t width, float gain, int exponent, floa
 
 }  // namespace
 
-constexpr NoiseKernels kNoise{draw_line, blend, shape};
+constexpr NoiseKernels kNoise{place_columns, draw_line, blend, shape};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

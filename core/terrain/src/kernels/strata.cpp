@@ -19,6 +19,7 @@ namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
 using talus::HWY_NAMESPACE::round_to_even;
 
 using Floats = hn::ScalableTag<float>;
@@ -120,6 +121,14 @@ HWY_INLINE std::size_t over_open(std::size_t width, std::size_t count, std::uint
   return most;
 }
 
+void find_rises(const float* noise, std::size_t row, std::size_t count, float* rise) {
+  const std::size_t last = (count - 1) * row;
+  over_row(Floats{}, last, [=](auto f, std::size_t i) HWY_ATTR {
+    hn::StoreU(hn::Sub(hn::LoadU(f, noise + row + i), hn::LoadU(f, noise + i)), f, rise + i);
+  });
+  std::fill_n(rise + last, row, 0.0F);
+}
+
 bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
            const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
   // By value, as the compiler cannot tell that what is stored is not of the shape.
@@ -209,7 +218,7 @@ std::int32_t stack_inside(const LinedLayer* layers, std::size_t count, const Row
 
 }  // namespace
 
-constexpr StrataKernels kStrata{stack, stack_between, stack_inside};
+constexpr StrataKernels kStrata{find_rises, stack, stack_between, stack_inside};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -43,6 +43,9 @@ struct RowBetween {
 };
 
 struct StrataKernels {
+  /// LinedLayer's rise, of its noise at `count` lines of `row` numbers each: 0 at the last, past which no row
+  /// lies. REQUIRES count > 0.
+  void (*find_rises)(const float* noise, std::size_t row, std::size_t count, float* rise);
   /// Puts a layer on the segments of a row that are open: top = min(below + thickness, limit), in
   /// subvoxels. `open` has a byte for each segment, 1 or 0; where it is 0 `below` is the limit already, and
   /// `top` becomes it. Those which are full with this layer are open no more; a last one of fewer columns may

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -251,13 +250,8 @@ void StrataBuilder::draw_lines(std::size_t layer, LinesOfLayer& lines) {
   lines.noise.resize(lines_.size() * row);
   lines.rise.resize(lines_.size() * row);
   lines.drawn = true;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    std::copy_n(noise_.row(lines_[i]), xs_.size(), lines.noise.data() + i * row);
-  }
-  const float* const noise = lines.noise.data();
-  const std::size_t last = (lines_.size() - 1) * row;
-  std::transform(noise + row, noise + row + last, noise, lines.rise.data(), std::minus<>{});
-  std::fill_n(lines.rise.data() + last, row, 0.0F);
+  for (std::size_t i = 0; i < lines_.size(); ++i) noise_.row_into(lines_[i], lines.noise.data() + i * row);
+  kernels_.find_rises(lines.noise.data(), row, lines_.size(), lines.rise.data());
 }
 
 LinedLayer StrataBuilder::lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const {
