@@ -16,6 +16,8 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
 
 // Columns of a run from which on it is filled at once.
 constexpr std::int64_t kLeastRun = 4;
+// And from which on that is done in vectors.
+constexpr std::size_t kLongRun = 32;
 
 /// The distance between neighbours, where it is the same everywhere; else 0.
 std::int64_t even_distance(std::span<const std::int64_t> xs) {
@@ -103,19 +105,22 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
     const std::size_t end =
         close ? std::min(xs.size(), i + static_cast<std::size_t>((fbm_.period - 1 - inside) / step) + 1)
               : i + 1;
-    if (close) {
+    const auto first = static_cast<std::int32_t>(inside);
+    const auto apart = static_cast<std::int32_t>(close ? step : 0);
+    float* const t = columns.t.data() + i;
+    if (end - i >= kLongRun) {
       // What it sets past the run is set again by the next.
-      kernels_->place_columns(static_cast<std::int32_t>(inside), static_cast<std::int32_t>(step), end - i,
-                              reciprocal, columns.t.data() + i, columns.faded.data() + i);
+      kernels_->place_columns(first, apart, end - i, reciprocal, t);
     } else {
-      columns.t[i] = static_cast<float>(inside) * reciprocal;
-      columns.faded[i] = fade(columns.t[i]);
+      const auto count = static_cast<std::int32_t>(end - i);
+      for (std::int32_t j = 0; j < count; ++j) t[j] = static_cast<float>(first + j * apart) * reciprocal;
     }
     std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(i),
               columns.run.begin() + static_cast<std::ptrdiff_t>(end),
               static_cast<std::int32_t>(columns.runs - 1));
     i = end;
   }
+  kernels_->fade_columns(columns.t.data(), xs.size(), columns.faded.data());
   // Lanes past the end belong to the last run, so that they stay within a vector of it.
   std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(xs.size()), columns.run.end(),
             static_cast<std::int32_t>(columns.runs) - 1);
