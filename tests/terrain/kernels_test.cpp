@@ -469,4 +469,55 @@ TEST_CASE("Layers between lines are laid by every instruction set one upon the o
   }));
 }
 
+TEST_CASE("Layers that end under the limit are laid by every instruction set one upon the other") {
+  CHECK(rc::check([] {
+    const auto width = static_cast<std::size_t>(*rc::gen::inRange(1, 200));
+    const auto columns = static_cast<int>(width);
+    const Field below = any_field(columns, 1, 1 << 18);
+    Field limit = any_field(columns, 1, 1 << 18);
+    const auto count = static_cast<std::size_t>(*rc::gen::inRange(0, 6));
+    const RowBetween row{0, static_cast<float>(*rc::gen::inRange(0, 8)) / 8, 0};
+    std::vector<std::vector<float>> noises(count);
+    std::vector<std::vector<float>> rises(count);
+    std::vector<std::vector<std::int32_t>> expected(count, std::vector<std::int32_t>(width));
+    std::vector<LayerShape> shapes;
+    std::int32_t most_fx = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      shapes.push_back({static_cast<float>(*rc::gen::inRange(1, 1 << 16)),
+                        0.25F * static_cast<float>(*rc::gen::inRange(0, 3)), 1048576.0F});
+      RC_ASSERT(shapes[i].is_bounded());
+      most_fx += shapes[i].most_fx();
+      for (std::size_t x = 0; x < width; ++x) {
+        noises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 101)) / 100);
+        rises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 101)) / 100 - noises[i][x]);
+        const float noise = noises[i][x] + row.share * rises[i][x];
+        expected[i][x] = stacked(noise, shapes[i], i == 0 ? below.values[x] : expected[i - 1][x], 1 << 24);
+      }
+    }
+    std::int32_t room = 1 << 24;
+    for (std::size_t x = 0; x < width; ++x) {
+      limit.values[x] += below.values[x] + most_fx;
+      const std::int32_t reached = count == 0 ? below.values[x] : expected[count - 1][x];
+      RC_ASSERT(reached <= below.values[x] + most_fx);
+      room = std::min(room, limit.values[x] - reached);
+    }
+    auto sets = vector_sets();
+    sets.push_back(InstructionSet::scalar);
+    for (const InstructionSet set : sets) {
+      std::vector<std::vector<std::int32_t>> tops(count, std::vector<std::int32_t>(width + 1, -1));
+      std::vector<LinedLayer> layers;
+      for (std::size_t i = 0; i < count; ++i) {
+        layers.push_back({shapes[i], noises[i].data(), rises[i].data(), tops[i].data()});
+      }
+      RC_ASSERT(strata_kernels(set).stack_inside(layers.data(), count, row, width, limit.values.data(),
+                                                 below.values.data()) == room);
+      for (std::size_t i = 0; i < count; ++i) {
+        RC_ASSERT(tops[i].back() == -1);
+        tops[i].pop_back();
+        RC_ASSERT(tops[i] == expected[i]);
+      }
+    }
+  }));
+}
+
 }  // namespace talus::terrain

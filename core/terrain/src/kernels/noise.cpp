@@ -22,6 +22,27 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 using Ints = hn::RebindToSigned<Floats>;
 
+void place_columns(std::int32_t inside, std::int32_t apart, std::size_t count, float reciprocal, float* t) {
+  const Floats f;
+  const Ints ints;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(f)) {
+    const auto from_first = hn::Mul(hn::Iota(ints, static_cast<std::int32_t>(i)), hn::Set(ints, apart));
+    const auto parts = hn::ConvertTo(f, hn::Add(hn::Set(ints, inside), from_first));
+    hn::StoreU(hn::Mul(parts, hn::Set(f, reciprocal)), f, t + i);
+  }
+}
+
+// As fade() of lattice_place.h.
+void fade_columns(const float* t, std::size_t width, float* faded) {
+  const Floats f;
+  for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
+    const auto at = hn::LoadU(f, t + i);
+    const auto high = hn::Sub(hn::Mul(at, hn::Set(f, 6.0F)), hn::Set(f, 15.0F));
+    const auto curve = hn::Add(hn::Mul(at, high), hn::Set(f, 10.0F));
+    hn::StoreU(hn::Mul(hn::Mul(hn::Mul(at, at), at), curve), f, faded + i);
+  }
+}
+
 void draw_gradients(const std::uint32_t* hashes, std::size_t count, std::uint32_t z_hash, float* xs,
                     float* zs) {
   const Floats f;
@@ -87,7 +108,7 @@ void shape(const float* noise, std::size_t width, float gain, int exponent, floa
 
 }  // namespace
 
-constexpr NoiseKernels kNoise{draw_line, blend, shape};
+constexpr NoiseKernels kNoise{place_columns, fade_columns, draw_line, blend, shape};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -46,6 +46,12 @@ struct OctaveRow {
 };
 
 struct NoiseKernels {
+  /// LatticeColumns' t: of columns of a cell, the first `inside` base columns from its west side and each
+  /// `apart` from the one before. May write up to kPadding further, and so may the next.
+  void (*place_columns)(std::int32_t inside, std::int32_t apart, std::size_t count, float reciprocal,
+                        float* t);
+  /// And its faded.
+  void (*fade_columns)(const float* t, std::size_t width, float* faded);
   /// `gradients` is scratch: 4 * padded(runs) floats.
   void (*draw_line)(const LatticeColumns& columns, std::uint32_t z_hash, float weight, float* gradients,
                     LatticeLine& line);

@@ -1,6 +1,7 @@
 #include "strata.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <talus/vectors/tables.h>
 
@@ -18,6 +19,7 @@ namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using talus::HWY_NAMESPACE::over_row;
 using talus::HWY_NAMESPACE::round_to_even;
 
 using Floats = hn::ScalableTag<float>;
@@ -39,20 +41,34 @@ struct Stacked {
     }
   }
 
-  /// To those of vector v.
+  /// A layer to those of vector v.
   template <bool kBounded>
-  HWY_INLINE void add(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
+  HWY_INLINE void add_uncut(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
     const Tag f;
     auto swell = hn::Add(hn::Set(f, 1.0F), hn::Mul(hn::Set(f, shape.swing), noise));
     if constexpr (!kBounded) swell = hn::Max(hn::Zero(f), swell);
     auto thickness = hn::Mul(hn::Set(f, shape.mean_fx), swell);
     if constexpr (!kBounded) thickness = hn::Min(thickness, hn::Set(f, shape.max_fx));
-    reached[v] = hn::Min(hn::Add(reached[v], round_to_even(f, thickness)), most[v]);
+    reached[v] = hn::Add(reached[v], round_to_even(f, thickness));
+  }
+  /// The same, cut at the limit.
+  template <bool kBounded>
+  HWY_INLINE void add(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
+    add_uncut<kBounded>(v, shape, noise);
+    reached[v] = hn::Min(reached[v], most[v]);
   }
 
   HWY_INLINE void store(std::int32_t* top) const {
     const Ints d;
     for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(reached[v], d, top + v * hn::Lanes(d));
+  }
+
+  /// From what is reached to the limit, where that is least.
+  [[nodiscard]] HWY_INLINE std::int32_t room() const {
+    const Ints d;
+    auto least = hn::Sub(most[0], reached[0]);
+    for (std::size_t v = 1; v < kVectors; ++v) least = hn::Min(least, hn::Sub(most[v], reached[v]));
+    return hn::GetLane(hn::MinOfLanes(d, least));
   }
 
   /// Whether a row of tops is at the limit.
@@ -66,13 +82,28 @@ struct Stacked {
   }
 };
 
+/// Columns [x, end) of a row: `stack_at<kVectors>(f, x)` is for so many vectors of them, each of Tag `f`.
+template <class StackAt>
+HWY_INLINE void over_columns(std::size_t x, std::size_t end, std::size_t width, const StackAt& stack_at) {
+  const Floats f;
+  const std::size_t lanes = hn::Lanes(f);
+  for (; x + kMostVectors * lanes <= end; x += kMostVectors * lanes) {
+    stack_at.template operator()<kMostVectors>(f, x);
+  }
+  for (; x + lanes <= end; x += lanes) stack_at.template operator()<1>(f, x);
+  if (x < end && width >= lanes) {
+    // The last vector overlaps columns that are done already, and gives them the same.
+    stack_at.template operator()<1>(f, width - lanes);
+  } else {
+    for (; x < end; ++x) stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, x);
+  }
+}
+
 /// Over the open segments of a row: `stack_at<kVectors>(f, x)` says how many layers its columns take, and
 /// `fill(first, last)` is for those of closed ones. The most that any takes; 0 where none is open.
 template <class StackAt, class Fill>
 HWY_INLINE std::size_t over_open(std::size_t width, std::size_t count, std::uint8_t* open,
                                  const StackAt& stack_at, const Fill& fill) {
-  const Floats f;
-  const std::size_t lanes = hn::Lanes(f);
   std::size_t most = 0;
   for (std::size_t x = 0; x < width; x += kSegment, ++open) {
     const std::size_t end = std::min(x + kSegment, width);
@@ -81,23 +112,21 @@ HWY_INLINE std::size_t over_open(std::size_t width, std::size_t count, std::uint
       continue;
     }
     std::size_t taken = 0;
-    std::size_t at = x;
-    for (; at + kMostVectors * lanes <= end; at += kMostVectors * lanes) {
-      taken = std::max(taken, stack_at.template operator()<kMostVectors>(f, at));
-    }
-    for (; at + lanes <= end; at += lanes) taken = std::max(taken, stack_at.template operator()<1>(f, at));
-    if (at < end && width >= lanes) {
-      // The last vector overlaps columns that are done already, and gives them the same.
-      taken = std::max(taken, stack_at.template operator()<1>(f, width - lanes));
-    } else {
-      for (; at < end; ++at) {
-        taken = std::max(taken, stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, at));
-      }
-    }
+    over_columns(x, end, width, [&]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
+      taken = std::max(taken, stack_at.template operator()<kVectors>(f, at));
+    });
     *open = taken > count ? 1 : 0;
     most = std::max(most, taken);
   }
   return most;
+}
+
+void find_rises(const float* noise, std::size_t row, std::size_t count, float* rise) {
+  const std::size_t last = (count - 1) * row;
+  over_row(Floats{}, last, [=](auto f, std::size_t i) HWY_ATTR {
+    hn::StoreU(hn::Sub(hn::LoadU(f, noise + row + i), hn::LoadU(f, noise + i)), f, rise + i);
+  });
+  std::fill_n(rise + last, row, 0.0F);
 }
 
 bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
@@ -117,6 +146,19 @@ bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape,
   return over_open(width, 1, open, stack_at, fill) > 1;
 }
 
+/// Of columns `at` on of a row, so many vectors of them.
+template <std::size_t kVectors, class Tag, class Use>
+HWY_INLINE void with_lined_noise(Tag f, const LinedLayer& layer, const RowBetween& row, std::size_t at,
+                                 const Use& use) {
+  const auto share = hn::Set(f, row.share);
+  const float* const line = layer.noise + row.line + at;
+  const float* const rise = layer.rise + row.line + at;
+  for (std::size_t v = 0; v < kVectors; ++v) {
+    const std::size_t x = v * hn::Lanes(f);
+    use(v, hn::Add(hn::LoadU(f, line + x), hn::Mul(share, hn::LoadU(f, rise + x))));
+  }
+}
+
 template <bool kBounded>
 HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, const RowBetween& row,
                                    std::size_t width, const std::int32_t* limit, const std::int32_t* below,
@@ -124,16 +166,11 @@ HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, 
   const LinedLayer* const end = layers + count;
   const auto stack_at = [=, own = row]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
     Stacked<Tag, kVectors> columns{limit + at, below + at};
-    const auto share = hn::Set(f, own.share);
     for (const LinedLayer* layer = layers; layer != end; ++layer) {
       const LayerShape shape = layer->shape;
-      const float* const line = layer->noise + own.line + at;
-      const float* const rise = layer->rise + own.line + at;
-      for (std::size_t v = 0; v < kVectors; ++v) {
-        const std::size_t x = v * hn::Lanes(f);
-        const auto noise = hn::Add(hn::LoadU(f, line + x), hn::Mul(share, hn::LoadU(f, rise + x)));
+      with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {
         columns.template add<kBounded>(v, shape, noise);
-      }
+      });
       columns.store(layer->top + own.top + at);
     }
     // Columns that are full stay so with what comes on top. Few are.
@@ -159,9 +196,29 @@ std::size_t stack_between(const LinedLayer* layers, std::size_t count, const Row
                  : stack_lined<false>(layers, count, row, width, limit, below, open);
 }
 
+std::int32_t stack_inside(const LinedLayer* layers, std::size_t count, const RowBetween& row,
+                          std::size_t width, const std::int32_t* limit, const std::int32_t* below) {
+  const LinedLayer* const end = layers + count;
+  std::int32_t room = std::numeric_limits<std::int32_t>::max();
+  const auto stack_at = [=, &room, own = row]<std::size_t kVectors, class Tag>(Tag f,
+                                                                               std::size_t at) HWY_ATTR {
+    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    for (const LinedLayer* layer = layers; layer != end; ++layer) {
+      const LayerShape shape = layer->shape;
+      with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {
+        columns.template add_uncut<true>(v, shape, noise);
+      });
+      columns.store(layer->top + own.top + at);
+    }
+    room = std::min(room, columns.room());
+  };
+  over_columns(0, width, width, stack_at);
+  return room;
+}
+
 }  // namespace
 
-constexpr StrataKernels kStrata{stack, stack_between};
+constexpr StrataKernels kStrata{find_rises, stack, stack_between, stack_inside};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -16,6 +16,8 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
 
 // Columns of a run from which on it is filled at once.
 constexpr std::int64_t kLeastRun = 4;
+// And from which on that is done in vectors.
+constexpr std::size_t kLongRun = 32;
 
 /// The distance between neighbours, where it is the same everywhere; else 0.
 std::int64_t even_distance(std::span<const std::int64_t> xs) {
@@ -37,8 +39,7 @@ void grow(AlignedVector<T>& buffer, std::size_t size) {
 
 void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights) {
   fbm_ = fbm;
-  width_ = xs.size();
-  step_ = even_distance(xs);
+  set_columns(xs);
   count_ = 0;
   while (static_cast<int>(count_) < fbm.octaves && fbm.has_octave(static_cast<int>(count_))) ++count_;
   if (octaves_.size() < count_) octaves_.resize(count_);
@@ -57,6 +58,14 @@ void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights we
     octave.drawn = false;
     locate_columns(octave, k, xs);
   }
+}
+
+// One noise after another is of the same columns.
+void FbmRows::set_columns(std::span<const std::int64_t> xs) {
+  width_ = xs.size();
+  if (std::ranges::equal(xs_, xs)) return;
+  xs_.assign(xs.begin(), xs.end());
+  step_ = even_distance(xs);
 }
 
 void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t> xs) const {
@@ -99,14 +108,19 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
     const auto first = static_cast<std::int32_t>(inside);
     const auto apart = static_cast<std::int32_t>(close ? step : 0);
     float* const t = columns.t.data() + i;
-    const auto count = static_cast<std::int32_t>(end - i);
-    for (std::int32_t j = 0; j < count; ++j) t[j] = static_cast<float>(first + j * apart) * reciprocal;
+    if (end - i >= kLongRun) {
+      // What it sets past the run is set again by the next.
+      kernels_->place_columns(first, apart, end - i, reciprocal, t);
+    } else {
+      const auto count = static_cast<std::int32_t>(end - i);
+      for (std::int32_t j = 0; j < count; ++j) t[j] = static_cast<float>(first + j * apart) * reciprocal;
+    }
     std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(i),
               columns.run.begin() + static_cast<std::ptrdiff_t>(end),
               static_cast<std::int32_t>(columns.runs - 1));
     i = end;
   }
-  for (std::size_t i = 0; i < xs.size(); ++i) columns.faded[i] = fade(columns.t[i]);
+  kernels_->fade_columns(columns.t.data(), xs.size(), columns.faded.data());
   // Lanes past the end belong to the last run, so that they stay within a vector of it.
   std::fill(columns.run.begin() + static_cast<std::ptrdiff_t>(xs.size()), columns.run.end(),
             static_cast<std::int32_t>(columns.runs) - 1);
@@ -153,6 +167,10 @@ std::span<const OctaveRow> FbmRows::octaves(std::int64_t z) {
 const float* FbmRows::row(std::int64_t z, std::size_t first, std::size_t last) {
   kernels_->blend(octaves(z).data(), count_, first, last, noise_.data());
   return noise_.data();
+}
+
+void FbmRows::row_into(std::int64_t z, float* noise) {
+  kernels_->blend(octaves(z).data(), count_, 0, width_, noise);
 }
 
 }  // namespace talus::terrain

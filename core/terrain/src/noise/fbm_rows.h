@@ -28,6 +28,8 @@ class FbmRows {
   [[nodiscard]] const float* row(std::int64_t z) { return row(z, 0, width_); }
   /// The same for `first` <= i < `last` alone, at those indices.
   [[nodiscard]] const float* row(std::int64_t z, std::size_t first, std::size_t last);
+  /// The whole row into padded memory.
+  void row_into(std::int64_t z, float* noise);
 
   /// What row() sums: the octaves that are not left out, each padded. Valid until the next call.
   [[nodiscard]] std::span<const OctaveRow> octaves(std::int64_t z);
@@ -45,6 +47,7 @@ class FbmRows {
     bool drawn = false;       // whether `lines` are those of `cell`
   };
 
+  void set_columns(std::span<const std::int64_t> xs);
   void locate_columns(Octave& octave, int k, std::span<const std::int64_t> xs) const;
   void move_to(Octave& octave, int k, std::int64_t z);
   void draw(const Octave& octave, std::int64_t lattice_z, LatticeLine& line);
@@ -52,8 +55,9 @@ class FbmRows {
   const NoiseKernels* kernels_;
   Fbm fbm_;
   std::size_t width_ = 0;
-  std::int64_t step_ = 0;  // from column to column, where it is the same everywhere
-  std::size_t count_ = 0;  // octaves in use; more may be kept for their memory
+  std::vector<std::int64_t> xs_;  // the columns of the last start(), of which step_ is
+  std::int64_t step_ = 0;         // from column to column, where it is the same everywhere
+  std::size_t count_ = 0;         // octaves in use; more may be kept for their memory
   std::vector<Octave> octaves_;
   std::vector<OctaveRow> shares_;
   AlignedVector<float> gradients_;

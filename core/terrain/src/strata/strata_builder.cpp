@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <limits>
 #include <utility>
 
 #include <talus/terrain/strata.h>
@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kBandDepth = 16;
 // And so many layers are stacked at once on a row, which is read and written once for all of them.
 constexpr std::size_t kLayersAtOnce = 4;
+// Of layers that surely end under the limit at most so many, and not so few that others do them as well.
+constexpr std::size_t kMostInside = 16;
+constexpr std::size_t kLeastInside = 3;
 // Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight
 // times as long.
 constexpr std::int64_t kRowStep = 16;
@@ -126,12 +129,13 @@ void StrataBuilder::start_band(std::size_t first) {
   band_end_ = std::min(zs_.size(), first + band_depth_);
   layer_ = 0;
   full_ = false;
+  near_limit_ = false;
 }
 
 void StrataBuilder::step_band() {
   do {
     if (keeps_lines_ && !full_ && layer_ + 1 < layers_.size()) {
-      add_layers();
+      if (near_limit_ || !add_inside()) add_layers();
     } else {
       add_layer();
       ++layer_;
@@ -181,18 +185,51 @@ void StrataBuilder::add_layer() {
   }
 }
 
+/// Slow layers to the rows of the band, from `layer_` on, as many as surely end under the limit everywhere.
+/// False where those are few, and so are all that come after them.
+bool StrataBuilder::add_inside() {
+  if (layer_ == 0) room_fx_ = stack_inside({});
+  std::size_t count = 0;
+  for (std::int32_t room_fx = room_fx_; count < std::min(kMostInside, layers_.size() - 1 - layer_); ++count) {
+    const LayerShape& shape = layers_[layer_ + count].shape;
+    if (!shape.is_bounded() || shape.most_fx() >= room_fx) break;
+    room_fx -= shape.most_fx();
+  }
+  near_limit_ = count < kLeastInside;
+  if (near_limit_) return false;
+  std::array<LinedLayer, kMostInside> layers;
+  room_fx_ = stack_inside(lined_layers(layers.data(), count));
+  layer_ += count;
+  return true;
+}
+
+std::int32_t StrataBuilder::stack_inside(std::span<const LinedLayer> layers) {
+  const std::size_t width = xs_.size();
+  std::int32_t room_fx = std::numeric_limits<std::int32_t>::max();
+  for (std::size_t z = band_; z < band_end_; ++z) {
+    room_fx = std::min(room_fx, kernels_.stack_inside(layers.data(), layers.size(), row_between(z), width,
+                                                      limit_fx_->values.data() + z * width, under(z)));
+  }
+  return room_fx;
+}
+
+/// The next `count`, in `memory`.
+std::span<const LinedLayer> StrataBuilder::lined_layers(LinedLayer* memory, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    LinesOfLayer& lines = kept_[layer_ + i];
+    if (!lines.drawn) draw_lines(layer_ + i, lines);
+    memory[i] = lined_layer(layer_ + i, lines, plane_of(layer_ + i));
+  }
+  return {memory, count};
+}
+
 /// Slow layers to the rows of the band, from `layer_` on: kLayersAtOnce, or as many as fill the band.
 void StrataBuilder::add_layers() {
   const std::size_t width = xs_.size();
   const std::int32_t* const limit = limit_fx_->values.data();
   const std::size_t count = std::min(kLayersAtOnce, layers_.size() - 1 - layer_);
-  std::array<LinedLayer, kLayersAtOnce> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    LinesOfLayer& lines = kept_[layer_ + i];
-    if (!lines.drawn) draw_lines(layer_ + i, lines);
-    all[i] = lined_layer(layer_ + i, lines, plane_of(layer_ + i));
-  }
-  const std::span<const LinedLayer> layers{all.data(), count};
+  std::array<LinedLayer, kLayersAtOnce> memory;
+  const std::span<const LinedLayer> layers = lined_layers(memory.data(), count);
   std::size_t taken = 1;
   for (std::size_t z = band_; z < band_end_; ++z) {
     if (open_rows_[z] == 0) {
@@ -213,13 +250,8 @@ void StrataBuilder::draw_lines(std::size_t layer, LinesOfLayer& lines) {
   lines.noise.resize(lines_.size() * row);
   lines.rise.resize(lines_.size() * row);
   lines.drawn = true;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    std::copy_n(noise_.row(lines_[i]), xs_.size(), lines.noise.data() + i * row);
-  }
-  const float* const noise = lines.noise.data();
-  const std::size_t last = (lines_.size() - 1) * row;
-  std::transform(noise + row, noise + row + last, noise, lines.rise.data(), std::minus<>{});
-  std::fill_n(lines.rise.data() + last, row, 0.0F);
+  for (std::size_t i = 0; i < lines_.size(); ++i) noise_.row_into(lines_[i], lines.noise.data() + i * row);
+  kernels_.find_rises(lines.noise.data(), row, lines_.size(), lines.rise.data());
 }
 
 LinedLayer StrataBuilder::lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const {
@@ -250,10 +282,13 @@ bool StrataBuilder::stack_row(std::size_t z, std::int32_t* top) {
 
 std::size_t StrataBuilder::stack_between(std::size_t z, std::span<const LinedLayer> layers) {
   const std::size_t width = xs_.size();
-  const BetweenLines& at = rows_[z];
-  const RowBetween row{at.north * padded(width), at.share, z * width};
-  return kernels_.stack_between(layers.data(), layers.size(), row, width,
+  return kernels_.stack_between(layers.data(), layers.size(), row_between(z), width,
                                 limit_fx_->values.data() + z * width, under(z), open_of(z));
+}
+
+RowBetween StrataBuilder::row_between(std::size_t z) const {
+  const std::size_t width = xs_.size();
+  return {rows_[z].north * padded(width), rows_[z].share, z * width};
 }
 
 /// Those that no band has filled: layers are stacked several at once.

@@ -69,6 +69,8 @@ class StrataBuilder {
   void step_band();
   void add_layer();
   void add_layers();
+  bool add_inside();
+  [[nodiscard]] std::span<const LinedLayer> lined_layers(LinedLayer* memory, std::size_t count);
   [[nodiscard]] std::int32_t* plane_of(std::size_t layer);
   void draw_lines(std::size_t layer, LinesOfLayer& lines);
   [[nodiscard]] LinedLayer lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const;
@@ -78,6 +80,9 @@ class StrataBuilder {
   bool stack_row(std::size_t z, std::int32_t* top);
   /// The same of slow layers, as StrataKernels::stack_between does.
   std::size_t stack_between(std::size_t z, std::span<const LinedLayer> layers);
+  /// To all rows of the band, as StrataKernels::stack_inside does.
+  std::int32_t stack_inside(std::span<const LinedLayer> layers);
+  [[nodiscard]] RowBetween row_between(std::size_t z) const;
   void drop_planes();
   void fill_plane(std::size_t plane);
   void lift();
@@ -95,7 +100,9 @@ class StrataBuilder {
   std::size_t band_end_ = 0;
   std::size_t band_depth_ = 0;
   std::size_t layer_ = 0;
-  bool full_ = false;                         // every column of the band has reached the limit
+  bool near_limit_ = false;   // the next layers may be cut there
+  std::int32_t room_fx_ = 0;  // from what is stacked to the limit, where it is least; while not near
+  bool full_ = false;         // every column of the band has reached the limit
   std::vector<std::size_t> planes_of_bands_;  // how many each has filled
   std::size_t filled_ = 0;                    // planes that have all their rows
   Field lift_;                                // of the strata by all deformations
