@@ -51,9 +51,10 @@ export class Hud {
     const how = body.waiting
       ? 'waiting for the land'
       : body.mode === 'fly'
-        ? `flying ${windOf(place.yaw)}, ${count(body.flySpeed)} blocks/s`
+        ? `flying ${windOf(place.yaw)}`
         : `${body.swimming ? 'swimming' : 'walking'} ${windOf(place.yaw)}`;
-    say(find('where-how'), how);
+    say(find('where-way'), how);
+    say(find('where-speed'), body.mode === 'fly' && !body.waiting ? `, ${count(body.flySpeed)} blocks/s` : '');
     say(this.#toMode, body.mode === 'fly' ? 'walk' : 'fly');
   }
 }
