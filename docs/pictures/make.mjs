@@ -155,6 +155,7 @@ const inBrowser = (where, width, height, ready, smaller = 1) => async (path) => 
   await shown.waitForFunction(ready);
   await shown.evaluate(async () => {
     document.getElementById('hint-close')?.click();
+    window.talus?.engine?.frame(performance.now());
     for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
   });
   await shown.screenshot({ path });
@@ -244,7 +245,7 @@ const pictures = {
   'views-archipelago.png': views('archipelago', [['', undefined, 40], ['-2480,-680', 200, 40], ['400,-1040', 10, 40]]),
   'views-mesas.png': views('mesas', [['', undefined, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
   'views-alpine.png': views('alpine', [['', undefined, 40], ['-800,-680', 285, 45], ['-2500,-600', 115, 50]]),
-  'viewer.png': inBrowser('#at=-2743,190,-2198&look=262,-5&time=8.5&mode=fly&radius=8&horizon=2048', 1280, 640, viewFilled, 5),
+  'viewer.png': inBrowser('#at=-2743,190,-2198&look=262,-5&time=8.5&mode=fly&radius=8&horizon=2048&frameRate=0.1', 1280, 640, viewFilled, 5),
   'viewer-map.png': inBrowser('map.html', 1280, 720, () => window.talusMap?.missing === 0),
 };
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <talus/terrain/boundary_row.h>
@@ -27,6 +28,22 @@ constexpr int kShore = 4;
 constexpr std::int32_t kHighestView_fx = 220 * kSubvoxels;
 constexpr std::int32_t kShoreWorth_fx = 60 * kSubvoxels;
 constexpr std::int32_t kStepWorth_fx = 2 * kSubvoxels;
+// A slope close by hides what lies behind it.
+constexpr std::int32_t kLevel_fx = 10 * kSubvoxels;  // rise or fall to the next place of the grid
+constexpr std::int32_t kSlopeWorth = -5;             // for each block more
+// Of the best views the greenest: trees in sight, and none so close that one sees nothing else. Views that
+// lie side by side see the same trees.
+constexpr std::size_t kViewsLookedAt = 32;
+constexpr std::int64_t kViewsApart = 3 * kViewStep;
+constexpr std::int64_t kPaces = 16;  // columns
+constexpr Lod kTreesLod = Lod::of(2);
+constexpr std::int64_t kTreesReach = 96;  // columns
+constexpr std::int64_t kTooClose = 20;
+constexpr int kEnoughTrees = 24;
+constexpr std::int32_t kTreeWorth_fx = 6 * kSubvoxels;
+constexpr std::int32_t kCloseTreeWorth_fx = -24 * kSubvoxels;
+constexpr std::array<std::string_view, 4> kTreeModels{"broadleaf", "conifer", "jungle_tree", "acacia"};
+
 constexpr std::int64_t kFreeOfObjects = 5;  // columns to the next one's foot
 constexpr int kMaxOvergrown = 64;           // places that are looked at before one is taken all the same
 
@@ -45,6 +62,9 @@ class SpawnSearch {
         dry_fx_{sea_fx_ < 0 ? 0 : sea_fx_ + 2 * kSubvoxels} {
     surface_.places.reset();
     for (const LooseSpec& loose : world.loose()) loose_fx_ += loose.t_fx;
+    for (const ObjectKindName& kind : world.object_kinds()) {
+      is_tree_.push_back(std::find(kTreeModels.begin(), kTreeModels.end(), kind.model) != kTreeModels.end());
+    }
   }
 
   [[nodiscard]] VoxelPos find() const {
@@ -94,40 +114,94 @@ class SpawnSearch {
     return first_good(dry, steepest_fx);
   }
 
-  /// Gentle ground below summits and beside water, not too far away.
+  struct View {
+    Candidate place;
+    std::int32_t worth_fx;
+  };
+  static void best_first(std::vector<View>& views) {
+    std::stable_sort(views.begin(), views.end(),
+                     [](const View& a, const View& b) { return a.worth_fx > b.worth_fx; });
+  }
+
+  /// Gentle ground below summits, beside water and among trees, not too far away.
   [[nodiscard]] std::optional<VoxelPos> with_a_view() const {
     const Grid around = grid(kViewReach + kSeen, kViewStep);
-    struct View {
-      Candidate place;
-      std::int32_t worth_fx;
-    };
     std::vector<View> views;
     for (int z = kSeen; z <= kSeen + 2 * kViewReach; ++z) {
       for (int x = kSeen; x <= kSeen + 2 * kViewReach; ++x) {
         const std::int32_t height_fx = around.at(x, z);
         if (height_fx < dry_fx_) continue;
         std::int32_t highest_fx = 0;
+        std::int32_t rise_fx = 0;
         bool shore = false;
         for (int j = -kSeen; j <= kSeen; ++j) {
           for (int i = -kSeen; i <= kSeen; ++i) {
             const std::int32_t seen_fx = around.at(x + i, z + j);
             highest_fx = std::max(highest_fx, seen_fx);
+            if (std::max(std::abs(i), std::abs(j)) == 1)
+              rise_fx = std::max(rise_fx, std::abs(seen_fx - height_fx));
             shore = shore || (std::max(std::abs(i), std::abs(j)) <= kShore && seen_fx < sea_fx_);
           }
         }
         const int away = std::max(std::abs(x - kSeen - kViewReach), std::abs(z - kSeen - kViewReach));
         const std::int32_t worth_fx = std::min(highest_fx - height_fx, kHighestView_fx) +
-                                      (shore ? kShoreWorth_fx : 0) - away * kStepWorth_fx;
+                                      (shore ? kShoreWorth_fx : 0) - away * kStepWorth_fx +
+                                      std::max(rise_fx - kLevel_fx, 0) * kSlopeWorth;
         views.push_back(
             {{around.line[static_cast<std::size_t>(x)], around.line[static_cast<std::size_t>(z)], height_fx},
              worth_fx});
       }
     }
-    std::stable_sort(views.begin(), views.end(),
-                     [](const View& a, const View& b) { return a.worth_fx > b.worth_fx; });
+    best_first(views);
+    std::vector<View> green = some_apart(views);
+    for (View& view : green) view.worth_fx += worth_of_trees(view.place);
+    best_first(green);
     std::vector<Candidate> best;
+    for (const View& view : green) add_around(best, view.place);
     for (const View& view : views) best.push_back(view.place);
     return first_good(best, kGentle_fx);
+  }
+
+  /// The place and those a few paces away: one of them may be gentle and free where the place itself is not.
+  void add_around(std::vector<Candidate>& places, const Candidate& middle) const {
+    places.push_back(middle);
+    const std::array xs{middle.x - kPaces, middle.x, middle.x + kPaces};
+    const std::array zs{middle.z - kPaces, middle.z, middle.z + kPaces};
+    std::array<std::int32_t, 9> heights{};
+    sample_surface(surface_, xs, zs, heights);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      if (heights[i] >= dry_fx_) places.push_back({xs[i % 3], zs[i / 3], heights[i]});
+    }
+  }
+
+  /// The first of the views that are not near one before.
+  [[nodiscard]] static std::vector<View> some_apart(std::span<const View> views) {
+    std::vector<View> taken;
+    for (const View& view : views) {
+      if (taken.size() == kViewsLookedAt) break;
+      const bool near = std::any_of(taken.begin(), taken.end(), [&](const View& other) {
+        return std::max(std::abs(view.place.x - other.place.x), std::abs(view.place.z - other.place.z)) <
+               kViewsApart;
+      });
+      if (!near) taken.push_back(view);
+    }
+    return taken;
+  }
+
+  [[nodiscard]] std::int32_t worth_of_trees(const Candidate& place) const {
+    if (!world_.has_objects()) return 0;
+    const int side = static_cast<int>(2 * kTreesReach >> kTreesLod.value());
+    const auto first = [](std::int64_t middle) { return (middle - kTreesReach) >> kTreesLod.value(); };
+    const Stacks around = generate_stacks(world_, {first(place.x), first(place.z), side, side, kTreesLod});
+    int trees = 0;
+    int close = 0;
+    for (const PlacedObject& object : around.objects) {
+      if (!is_tree_[object.kind]) continue;
+      const std::int64_t away = std::max(std::abs(object.x - place.x), std::abs(object.z - place.z));
+      trees += away <= kTreesReach ? 1 : 0;
+      close += away <= kTooClose ? 1 : 0;
+    }
+    return std::min(trees, kEnoughTrees) * kTreeWorth_fx + close * kCloseTreeWorth_fx;
   }
 
   /// In a world full of objects the first good place, though one stands there.
@@ -174,6 +248,7 @@ class SpawnSearch {
   std::int32_t sea_fx_;
   std::int32_t dry_fx_;  // feet stay dry beside the shore
   std::int32_t loose_fx_ = 0;
+  std::vector<bool> is_tree_;  // by PlacedObject::kind
 };
 
 }  // namespace

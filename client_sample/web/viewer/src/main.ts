@@ -18,7 +18,9 @@ import { readCoordinate, readLink, wrapHours, clock, type Mode, type Place } fro
 import { defaults, fromLink, load, mend, save, type Settings } from './place/settings';
 import { Traveller } from './place/traveller';
 import { find, say, showFocusToTabs } from './ui/dom';
+import { Hint } from './ui/hint';
 import { Hud, share } from './ui/hud';
+import { tellsMore } from './ui/more';
 import { Notices } from './ui/notices';
 import { Panels } from './ui/panels';
 import { SettingsPanel } from './ui/settings_panel';
@@ -126,7 +128,8 @@ bordersField.addEventListener('change', () => change({ chunkBorders: bordersFiel
 
 const toStage = () => stage.focus({ preventScroll: true });
 const panels = new Panels(toStage);
-const hud = new Hud(toStage);
+const hud = new Hud();
+const hint = new Hint(toStage);
 const traffic = new TrafficPanel();
 const voxel = new VoxelCard();
 const slice = new SlicePanel(
@@ -139,6 +142,7 @@ const tokenDialog = new TokenDialog(tokens, () => session.again());
 find('token-change').addEventListener('click', () => tokenDialog.ask('The next connection uses it.'));
 
 const help = find<HTMLDialogElement>('help');
+for (const box of document.querySelectorAll<HTMLElement>('.panel, #help, #notice')) tellsMore(box);
 const openHelp = () => {
   document.exitPointerLock?.();
   help.showModal();
@@ -363,11 +367,9 @@ function tell(now: number): void {
   hud.where(place(), body);
   if (stats.hasPicture || stats.state === 'complete') hud.opened();
   else hud.opening('The land is on its way', share(stats));
-  hud.hint(isHinting && !player.hasMoved);
+  hint.tick(now, stats.state === 'complete', player.hasMoved);
   traffic.update(stats, now, loop.framesPerSecond, panels.isOpen('traffic'));
 }
-let isHinting = true;
-find('hint-close').addEventListener('click', () => (isHinting = false));
 
 setTime(hours);
 applyMotion();

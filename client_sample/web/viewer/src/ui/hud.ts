@@ -13,15 +13,7 @@ export function share(stats: Stats): number | null {
 
 export class Hud {
   readonly #opening = find('opening');
-  readonly #hint = find('hint');
-  readonly #toMode = this.#hint.querySelector('.to-mode')!;
-
-  constructor(onHintClosed: () => void) {
-    find('hint-close').addEventListener('click', () => {
-      this.#hint.hidden = true;
-      onHintClosed();
-    });
-  }
+  readonly #toMode = find('hint').querySelector('.to-mode')!;
 
   opening(text: string, progress: number | null): void {
     say(find('opening-text'), text);
@@ -34,10 +26,6 @@ export class Hud {
   opened(): void {
     this.#opening.classList.add('gone');
     this.#opening.removeAttribute('role');
-  }
-
-  hint(shows: boolean): void {
-    if (this.#hint.hidden === shows) this.#hint.hidden = !shows;
   }
 
   status(text: string, state: 'busy' | 'good' | 'bad'): void {
@@ -57,14 +45,16 @@ export class Hud {
   }
 
   where(place: Place, body: Body): void {
-    const [x, y, z] = [place.x, place.y ?? 0, place.z].map((n) => count(Math.floor(n)));
+    const [x, y, z] = [place.x, place.y ?? 0, place.z].map(Math.floor);
+    // As one types them where one goes to a coordinate: without commas between thousands.
     say(find('where-at'), `${x}, ${y}, ${z}`);
     const how = body.waiting
       ? 'waiting for the land'
       : body.mode === 'fly'
-        ? `flying ${windOf(place.yaw)}, ${count(body.flySpeed)} blocks/s`
+        ? `flying ${windOf(place.yaw)}`
         : `${body.swimming ? 'swimming' : 'walking'} ${windOf(place.yaw)}`;
-    say(find('where-how'), how);
+    say(find('where-way'), how);
+    say(find('where-speed'), body.mode === 'fly' && !body.waiting ? `, ${count(body.flySpeed)} blocks/s` : '');
     say(this.#toMode, body.mode === 'fly' ? 'walk' : 'fly');
   }
 }

@@ -125,7 +125,7 @@ test('touch alone suffices', async (t) => {
     session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y, id = 0]) => ({ x, y, id })) });
 
   await t.test('a tap picks', async () => {
-    await page.locator('#hint-close').tap();
+    await page.locator('#hint-close').dispatchEvent('click');
     await page.evaluate(() => {
       window.talus.player.body.pitch = -70;
     });

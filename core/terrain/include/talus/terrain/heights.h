@@ -46,8 +46,9 @@ class HeightsWork {
   std::unique_ptr<Pieces> pieces_;
 };
 
-/// A dry, level place near the origin: the voxel in which feet stand, the first free one above the ground.
-/// Where no ground is dry within reach, on the water.
+/// A dry, level place near the origin: the voxel in which feet stand, the first free one above the ground. In
+/// a world of regions the one, some kilometres around, from which there is most to see: summits, water,
+/// trees. Where no ground is dry within reach, on the water. The same world has the same spawn everywhere.
 [[nodiscard]] VoxelPos find_spawn(const World& world);
 
 }  // namespace talus::terrain

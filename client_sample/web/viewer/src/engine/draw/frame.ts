@@ -351,7 +351,7 @@ export class Frame {
     this.set('sunDisc', light.sun.y > -0.05 ? 1 : 0);
     this.set('mist', light.mist);
     const water = this.uniforms.waterFog!.value as Vector4;
-    const bright = 0.42 * (light.sunLight.y * 0.3 + light.skyLight.y);
+    const bright = 0.52 * (light.sunLight.y * 0.3 + light.skyLight.y);
     water.set(0.05 * bright, 0.42 * bright, 0.5 * bright, underWater ? 1 : 0);
   }
 

@@ -88,7 +88,7 @@ vec3 throughAir(vec3 colour, vec3 ray, vec3 eye) {
   vec3 direction = ray / max(distance, 0.001);
   if (waterFog.w > 0.5) return mix(waterColour(direction), colour * vec3(0.42, 0.76, 0.82), exp(-distance * vec3(0.075, 0.045, 0.04)));
   float far = distance / horizonBlocks;
-  float thick = far * far * 3.4 * fogDensity;
+  float thick = far * far * 2.8 * fogDensity;
   // Mist lies low: the integral of exp(-height / 40) along the ray.
   float from = max(eye.y - seaLevel, 0.0) / 40.0;
   float to = max(eye.y + ray.y - seaLevel, 0.0) / 40.0;

@@ -60,12 +60,13 @@ void main() {
   float clear = 1.0;                    // of clouds
   // Clouds on a plane high above: thick where noise is high, lit from the sun's side, lost in the distance.
   if (d.y > 0.015 && eye.y < CLOUD_HEIGHT) {
-    float reach = (CLOUD_HEIGHT - eye.y) / d.y;
+    // As of a dome, not a plane: or clouds far off would be drawn out to streaks.
+    float reach = (CLOUD_HEIGHT - eye.y) / (d.y + 0.09);
     vec2 at = eye.xz + d.xz * reach;
-    float fine = noise(at * 4.0 + cloudShift * 4.0, 8) * 0.07 + noise(at * 8.0 + cloudShift * 9.0, 8) * 0.045;
+    float fine = noise(at * 4.0 + cloudShift * 4.0, 8) * 0.09 + noise(at * 10.0 + cloudShift * 9.0, 8) * 0.06;
     float base = cloudNoise(at) + fine;
     float threshold = 0.58 - cloudCover * 0.25;
-    float density = smoothstep(threshold, threshold + 0.2, base);
+    float density = smoothstep(threshold, threshold + 0.16, base);
     float toward = cloudNoise(at + glowDirection.xz * 90.0 * sign(sunDirection.y)) + fine;
     float lit = clamp(0.75 + (base - toward) * 3.2 - (base - threshold) * 0.9, 0.0, 1.3);
     vec3 shade = horizon * 0.32 + zenith * 0.3 + skyLight * 0.18;

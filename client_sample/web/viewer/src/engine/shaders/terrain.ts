@@ -198,6 +198,8 @@ void main() {
   float open = openness(p, normal, level, slope);
   if (cut) open = 1.0;
   if (kind == LEAVES) open = mix(open, 1.0, 0.4);
+  // A trunk stands under its own crown, which heights take for a roof.
+  if (kind == WOOD) open = mix(open, 1.0, 0.5);
   float corner = mix(0.42, 1.0, occlusion * (0.35 + 0.65 * occlusion));
   corner = mix(1.0, corner, cut ? 0.0 : 1.0 / (1.0 + max(scale - 1.0, 0.0) * 0.35));
   // Faces of voxels stand in for a rough surface: far away its lean shows, not its steps.
