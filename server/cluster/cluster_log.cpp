@@ -187,11 +187,16 @@ void ClusterLog::look_at_end() {
       if (!silent_since_) silent_since_ = asked;
       began_silent_ = began_silent_ || !heard_;
       shorter_since_.reset();  // it may be another leader that speaks next
-      if (!known || trouble_.empty()) trouble_ = stream.error().reason;
+      if (!known || trouble_.empty() || trouble_is_silence_) {
+        trouble_ = stream.error().reason;
+        trouble_is_silence_ = true;
+      }
     } else {
-      if (std::exchange(silent_since_, std::nullopt)) {
-        end_.was_silent(asked);
-        if (known) trouble_.clear();  // was the silence's
+      if (const auto since = std::exchange(silent_since_, std::nullopt)) {
+        // A look that failed now and then is no silence: it would hide that a server falls behind.
+        if (asked - *since > kSilent) end_.was_silent(asked - *since);
+        if (known && trouble_is_silence_) trouble_.clear();
+        trouble_is_silence_ = false;
       }
       if (known) heard_ = true;
       if (!is_of_stream || stream->created_ns != created_ns) {
@@ -234,6 +239,7 @@ void ClusterLog::tell_whether_it_takes() {
 void ClusterLog::trouble(std::string reason) {
   const std::lock_guard lock{mutex_};
   trouble_ = std::move(reason);
+  trouble_is_silence_ = false;
 }
 
 bool ClusterLog::stop_applying(std::string reason) {

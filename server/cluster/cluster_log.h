@@ -190,10 +190,11 @@ class ClusterLog final : public EditLog {
   bool heard_ = false;                      // it ever did, of where this server has its place
   bool began_silent_ = false;               // it did not when it was asked before that
   bool places_known_ = false;
-  std::string fault_;       // why nothing is applied any more
-  std::string trouble_;     // why nothing is applied just now
-  std::string undecided_;   // as many say this as say that
-  std::string unreadable_;  // what the next message changes, and the disk does not give
+  std::string fault_;                // why nothing is applied any more
+  std::string trouble_;              // why nothing is applied just now
+  bool trouble_is_silence_ = false;  // of the leader, when it is asked for the end
+  std::string undecided_;            // as many say this as say that
+  std::string unreadable_;           // what the next message changes, and the disk does not give
   bool differs_ = false;
   std::uint64_t skipped_ = 0;
   std::uint64_t bounded_ = 0;

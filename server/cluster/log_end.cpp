@@ -21,9 +21,9 @@ void LogEnd::heard(std::uint64_t last, TimePoint asked) {
   judge();
 }
 
-void LogEnd::was_silent(TimePoint now) {
-  for (Look& look : ahead_) look.asked += now - heard_;
-  heard_ = now;
+void LogEnd::was_silent(std::chrono::steady_clock::duration silence) {
+  for (Look& look : ahead_) look.asked += silence;
+  heard_ += silence;
 }
 
 void LogEnd::applied(std::uint64_t sequence) {

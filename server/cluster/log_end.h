@@ -19,8 +19,8 @@ class LogEnd {
 
   /// The leader, asked at `asked`, said that `last` is the last message.
   void heard(std::uint64_t last, TimePoint asked);
-  /// It said nothing since heard() until `now`, which is no time that this server is behind.
-  void was_silent(TimePoint now);
+  /// It said nothing for so long since heard(), which is no time that this server is behind.
+  void was_silent(std::chrono::steady_clock::duration silence);
   /// All up to this message is applied.
   void applied(std::uint64_t sequence);
 

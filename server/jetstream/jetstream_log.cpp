@@ -77,8 +77,7 @@ class JetStreamLog::Inbox final : public ConnectionEvents {
       const std::lock_guard lock{mutex_};
       if (connected_ == now) return;
       connected_ = now;
-      unanswered_since_.reset();
-      question_due_ = Clock::now();
+      question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
     }
     changed_.notify_all();
     if (now) {
