@@ -138,8 +138,9 @@ class SpawnSearch {
           for (int i = -kSeen; i <= kSeen; ++i) {
             const std::int32_t seen_fx = around.at(x + i, z + j);
             highest_fx = std::max(highest_fx, seen_fx);
-            if (std::max(std::abs(i), std::abs(j)) == 1)
+            if (std::max(std::abs(i), std::abs(j)) == 1) {
               rise_fx = std::max(rise_fx, std::abs(seen_fx - height_fx));
+            }
             shore = shore || (std::max(std::abs(i), std::abs(j)) <= kShore && seen_fx < sea_fx_);
           }
         }
@@ -170,7 +171,8 @@ class SpawnSearch {
     std::array<std::int32_t, 9> heights{};
     sample_surface(surface_, xs, zs, heights);
     for (std::size_t i = 0; i < heights.size(); ++i) {
-      if (heights[i] >= dry_fx_) places.push_back({xs[i % 3], zs[i / 3], heights[i]});
+      const bool is_middle = i == heights.size() / 2;
+      if (!is_middle && heights[i] >= dry_fx_) places.push_back({xs[i % 3], zs[i / 3], heights[i]});
     }
   }
 

@@ -186,7 +186,8 @@ void StrataBuilder::add_layer() {
 }
 
 /// Slow layers to the rows of the band, from `layer_` on, as many as surely end under the limit everywhere.
-/// False where those are few, and so are all that come after them.
+/// False where those are few: the rest of the band is then built layer by layer, also what would end there
+/// again.
 bool StrataBuilder::add_inside() {
   if (layer_ == 0) room_fx_ = stack_inside({});
   std::size_t count = 0;
