@@ -5,8 +5,10 @@
 namespace talus::server::cluster {
 
 void LogEnd::heard(std::uint64_t last, TimePoint asked) {
-  last_ = std::max(last_, last);
+  last_ = last;
   heard_ = asked;
+  // Who said more was wrong, as a leader may be that was cut off: it would be waited for without end.
+  while (!ahead_.empty() && ahead_.back().last > last) ahead_.pop_back();
   if (last <= applied_) {
     reached_ = true;
   } else {

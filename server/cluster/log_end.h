@@ -17,7 +17,7 @@ class LogEnd {
   static constexpr std::chrono::seconds kNear{1};
   static constexpr std::chrono::seconds kFar{10};
 
-  /// The leader, asked at `asked`, said that `last` is the last message.
+  /// The leader, asked at `asked`, said that `last` is the last message. What it says last counts.
   void heard(std::uint64_t last, TimePoint asked);
   /// It said nothing for so long since heard(), which is no time that this server is behind.
   void was_silent(std::chrono::steady_clock::duration silence);

@@ -111,6 +111,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   [[nodiscard]] bool too_much_queued() const {
     const std::size_t queued = session_.queued_bytes();
     return queued > context_.limits.queued_bytes ||
+           session_.edit_bytes() > context_.limits.queued_bytes / 4 ||
            (queued > kQueuedBytesAnyway && !context_.session.memory.takes_work());
   }
   [[nodiscard]] bool too_many_views() const { return session_.views_pile_up(); }

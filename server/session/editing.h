@@ -55,6 +55,8 @@ class Editing {
   /// Forgets everything; what is logged already happens all the same.
   void abandon();
 
+  /// Memory of the edits that are not answered.
+  [[nodiscard]] std::size_t unanswered_bytes() const { return bytes_; }
   /// One edit at a time is prepared: the dearest counts.
   [[nodiscard]] std::size_t bytes() const {
     return bytes_ + (prepared_bytes_.empty() ? 0 : *prepared_bytes_.rbegin()) + unanswered_.bytes();

@@ -122,6 +122,9 @@ class Session {
   [[nodiscard]] std::size_t queued_bytes() const {
     return outbox_.control_bytes() + delivery_.requests().heights_bytes();
   }
+  /// Bytes of edits that wait for their answer: for their ground, and their turn. Above a quarter of
+  /// limits.queued_bytes the caller reads no more, so that few sessions do not take everybody's memory.
+  [[nodiscard]] std::size_t edit_bytes() const { return editing_.unanswered_bytes(); }
 
   // ---- what it is
   /// Whom its work counts as, and to which it adds what it refuses; the caller adds what it writes.

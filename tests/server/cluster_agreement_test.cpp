@@ -72,6 +72,23 @@ TEST_CASE("the time in which the leader says nothing is no time that a server is
   CHECK_FALSE(end.is_ready());
 }
 
+TEST_CASE("an end that the leader takes back is not waited for") {
+  LogEnd end;
+  const LogEnd::TimePoint start{};
+  end.applied(7);
+  end.heard(7, start);
+  end.heard(5'000'000, start + 1s);
+  end.heard(8, start + 2s);
+  end.heard(8, start + 20s);
+  CHECK_FALSE(end.is_ready());
+  CHECK(end.lag() == 1);
+  CHECK(end.behind() == 18s);
+  end.applied(8);
+  end.heard(8, start + 21s);
+  CHECK(end.is_ready());
+  CHECK(end.lag() == 0);
+}
+
 TEST_CASE("a server that is far behind for hours remembers few looks") {
   LogEnd end;
   for (int i = 0; i < 10'000; ++i)

@@ -25,10 +25,10 @@ using namespace std::chrono_literals;
 
 using Runner = SessionRunner<LoopbackStream>;
 
-inline protocol::Frame hello() {
-  return protocol::make_frame([](auto& builder) {
+inline protocol::Frame hello(std::uint16_t version = 1) {
+  return protocol::make_frame([&](auto& builder) {
     const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
-    return wire::CreateHello(builder, 1, 1, codecs);
+    return wire::CreateHello(builder, version, version, codecs);
   });
 }
 inline protocol::Frame ping() {
@@ -60,7 +60,8 @@ inline RunnerContextPtr kept(const RunnerContext& context) {
 
 /// What sessions share, and an io_context that the test runs.
 struct Bench {
-  explicit Bench(std::uint64_t memory_bytes = 0) : memory{memory_bytes} {}
+  explicit Bench(std::uint64_t memory_bytes = 0, const Access& who_may = {}, EditTaker* taker = nullptr)
+      : memory{memory_bytes}, access{who_may, *load_keys(who_may)}, edits{taker} {}
 
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
   ScriptedSource source;
@@ -70,10 +71,11 @@ struct Bench {
   WorldInfo world;
   CurrentRates rates;
   FlowUses flows;
-  AccessControl access{Access{}, *load_keys(Access{})};
+  AccessControl access;
+  EditTaker* edits;
   Admission admission{{10, 10}, clock};
   Registry registry;
-  RunnerContext context{{limits, world, source, memory, metrics, access, rates, flows, clock},
+  RunnerContext context{{limits, world, source, memory, metrics, access, rates, flows, clock, edits},
                         {65'536, 1U << 20, {10s, 60s, 15s}},
                         registry,
                         std::make_shared<spdlog::logger>("silent")};

@@ -264,4 +264,63 @@ TEST_CASE("however much one client takes, another's Pong waits for two of its ba
   CHECK(longest <= 2 * (WriteBatchSize::kMax + 20'000 + 1000));
 }
 
+namespace {
+
+/// Keeps what it is asked, and answers when the test says so.
+struct WaitingTaker final : EditTaker {
+  MailboxPtr mailbox;
+  std::vector<EditRequest> edits;
+
+  void attach(const MailboxPtr& of, AttachRequest) override { mailbox = of; }
+  void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
+  void forget(ClientId) override {}
+  [[nodiscard]] bool settles() const override { return false; }
+  [[nodiscard]] bool knows(edits::EditorId, const std::string&) const override { return false; }
+};
+
+/// One voxel, under so many guards.
+protocol::Frame guarded_edit(std::uint32_t id, std::size_t guards) {
+  return protocol::make_frame([&](auto& builder) {
+    const std::vector<wire::VoxelWrite> guarded(guards, wire::VoxelWrite{{1, 2, 3}, 1});
+    const std::vector<wire::VoxelWrite> writes{{{1, 2, 3}, 1}};
+    const auto list = builder.CreateVectorOfStructs(writes);
+    return wire::CreateEdit(builder, id, list, id, builder.CreateVectorOfStructs(guarded));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("of a client whose edits wait no more is read once they take a quarter of what may be queued") {
+  WaitingTaker taker;
+  Access who_may;
+  who_may.without_token = "read,edit";
+  Bench bench{0, who_may, &taker};
+  const auto client = bench.connect();
+  bench.send(*client, hello(protocol::kEditsProtocol));
+  bench.send(*client, protocol::make_frame([](auto& builder) { return wire::CreateAttach(builder); }));
+  REQUIRE(taker.mailbox);
+  const auto answer = [&](Mail mail) {
+    taker.mailbox->put(std::move(mail));
+    taker.mailbox->wake();
+    bench.io.poll();
+  };
+  answer(AttachAnswer{EditorSession{{1, 2}, 3, 0, false, 9}});
+  constexpr std::uint32_t kEdits = 32;
+  for (std::uint32_t id = 1; id <= kEdits; ++id) bench.send(*client, guarded_edit(id, 1500));
+  const std::size_t taken = taker.edits.size();
+  const std::size_t quarter = bench.context.limits.queued_bytes / 4;
+  CHECK(taken >= 2);
+  CHECK(taken < kEdits / 2);
+  bench.send(*client, ping());
+  for (const wire::Body kind : bench.kinds(*client)) CHECK(kind != wire::Body::Pong);
+  CHECK(bench.memory.used(MemoryUse::sessions) < 2 * quarter);
+  for (std::uint32_t id = 1; id <= kEdits; ++id) {
+    REQUIRE(taker.edits.size() >= id);
+    answer(EditAnswer{id, edits::EditResult{id, 1, 1, {}}});
+  }
+  const auto said = bench.kinds(*client);
+  CHECK(std::count(said.begin(), said.end(), wire::Body::EditResult) == kEdits);
+  CHECK(std::count(said.begin(), said.end(), wire::Body::Pong) == 1);
+}
+
 }  // namespace talus::server::session_runner_test
