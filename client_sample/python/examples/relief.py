@@ -1,4 +1,6 @@
-"""Draws the land around a world's spawn from above: python3 relief.py [HOST:PORT] [FILE.png] [CHUNKS TO EACH SIDE]"""
+"""Draws the land around a world's spawn from above: python3 relief.py [HOST:PORT] [FILE.png] [CHUNKS TO EACH SIDE]
+
+From a copy of the repository: PYTHONPATH=client_sample/python python3 client_sample/python/examples/relief.py"""
 
 import struct
 import sys
