@@ -65,6 +65,22 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
           .edits = edit_rules(config, spawn)};
 }
 
+namespace {
+
+/// By the hour. Who sets another rate than the default has it, whatever the budget: many players may stand
+/// behind one address.
+std::uint64_t editors_of_address(const Config& config, std::uint64_t hours) {
+  constexpr std::uint64_t kDefault = Rates{}.address_editors;
+  if (config.rates.address_editors != kDefault) return config.rates.address_editors;
+  constexpr std::uint64_t kShare = 4;
+  constexpr std::uint64_t kFew = 16;  // 0 would be no limit
+  const std::uint64_t have_room = std::min<std::uint64_t>(
+      edit_state_settings(config).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
+  return std::min(kDefault, std::max(have_room / kShare / hours, kFew));
+}
+
+}  // namespace
+
 RateLimits rate_limits(const Config& all) {
   const Rates& config = all.rates;
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
@@ -75,14 +91,10 @@ RateLimits rate_limits(const Config& all) {
     return of_voxels;
   };
   constexpr std::uint64_t kSavedUp = std::uint64_t{8} * 3'600;
-  // An address that has saved up all fills the index in a day at least, and then has a quarter of the
-  // editors, however little those may have.
+  // An address that has saved up all fills the index in a day at least, and by default then has a quarter of
+  // the editors, however little those may have.
   constexpr std::uint64_t kHoursToFill = 32;
-  constexpr std::uint64_t kShareOfEditors = 4;
-  constexpr std::uint64_t kFewEditors = 16;  // 0 would be no limit
-  const std::uint64_t editors_that_fit = edit_state_settings(all).editor_bytes / EditState::kUsedEditorBytes;
-  const std::uint64_t editors_an_hour = std::min(
-      config.address_editors, std::max(editors_that_fit / kShareOfEditors / kHoursToFill, kFewEditors));
+  const std::uint64_t editors_an_hour = editors_of_address(all, kHoursToFill);
   const Rate editors{editors_an_hour, editors_an_hour * kSavedUp};
   constexpr std::uint64_t kFewNewChunks = 16;  // 0 would be no limit
   const std::uint64_t fitting =
@@ -165,6 +177,15 @@ std::uint64_t room_for_edits(const Config& config) {
   return limit / 2 - std::min(limit / 2, others);
 }
 
+/// Of what the newest changes leave of that room. The index may have three quarters of it.
+StoreMemory store_memory_of(std::uint64_t left) {
+  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // of each
+  StoreMemory memory;
+  memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
+  memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
+  return memory;
+}
+
 }  // namespace
 
 EditStateSettings edit_state_settings(const Config& config) {
@@ -173,26 +194,25 @@ EditStateSettings edit_state_settings(const Config& config) {
   if (limit == 0) return settings;
   settings.recent_bytes = std::min<std::size_t>(settings.recent_bytes, limit / 64);
   settings.cache_bytes = std::min<std::size_t>(settings.cache_bytes, limit / 8);
-  // At four times that edits wait for the disk.
-  settings.dirty_bytes = std::min<std::size_t>(settings.dirty_bytes, limit / 64);
   settings.editor_bytes = std::min<std::size_t>(settings.editor_bytes, limit / 12);
   const std::uint64_t room = room_for_edits(config);
   const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
   // Sessions that are there when it is full need some of the rest before others may come.
   settings.index_bytes = std::min<std::size_t>({settings.index_bytes, limit / 4, for_index / 4 * 3});
+  // At four times that edits wait for the disk, and a batch of them comes on top.
+  constexpr std::uint64_t kTimes = 5;
+  const std::uint64_t others = limit / 2 - room + settings.recent_bytes + settings.index_bytes +
+                               store_memory_of(for_index).most() + settings.editor_bytes;
+  const std::uint64_t most = limit / 8 * 5;
+  settings.dirty_bytes =
+      std::min<std::size_t>({settings.dirty_bytes, limit / 64, (most - std::min(most, others)) / kTimes});
   return settings;
 }
 
 StoreMemory store_memory(const Config& config) {
-  StoreMemory memory;
-  if (config.limits.memory_bytes == 0) return memory;
-  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // of each
+  if (config.limits.memory_bytes == 0) return {};
   const std::uint64_t room = room_for_edits(config);
-  // The index may have three quarters of it.
-  const std::uint64_t left = room - std::min<std::uint64_t>(room, edit_state_settings(config).recent_bytes);
-  memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
-  memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
-  return memory;
+  return store_memory_of(room - std::min<std::uint64_t>(room, edit_state_settings(config).recent_bytes));
 }
 
 tl::expected<void, std::string> check_index_memory(const Config& config, std::uint64_t index_bytes) {

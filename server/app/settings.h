@@ -65,7 +65,8 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 
 /// What edits may take of limits.memory_bytes. With the program and the largest share of the generators they
 /// stay below the half at which connections are taken again; but for editors, who come and go within a day,
-/// and what is not flushed, with whom they stay below the 5/8 at which a server without sessions takes them.
+/// and what is not flushed, four times `dirty_bytes` and a batch, with which, and with RocksDB's, they stay
+/// below the 5/8 at which a server without sessions takes them.
 [[nodiscard]] EditStateSettings edit_state_settings(const Config& config);
 /// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
 /// below that half, too.

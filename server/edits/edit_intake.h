@@ -56,6 +56,8 @@ class EditIntake final : public EditTaker {
     std::function<std::optional<edits::Editor>(edits::EditorId)> editor;
     const Clock& clock;
     Metrics& metrics;
+    /// Whether the applied state has room for another editor, on any thread; null: it always has.
+    std::function<tl::expected<void, LogFailure>()> room_for_editor{};
   };
   /// What a world lets edits write.
   struct Rules {
@@ -93,6 +95,8 @@ class EditIntake final : public EditTaker {
   void edit(const MailboxPtr& mailbox, EditRequest request) override;
   void forget(ClientId client) override;
   [[nodiscard]] bool knows(edits::EditorId id, const std::string& subject) const override;
+  /// Counts it.
+  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const override;
   [[nodiscard]] bool settles() const override { return rules_.settles != nullptr; }
 
   /// Edits and Attaches that wait here. Any thread.

@@ -72,6 +72,15 @@ void EditIntake::log_attach(Lane& lane) {
   }
 }
 
+std::optional<EditRefusal> EditIntake::refuses_editors() const {
+  if (!parts_.room_for_editor) return std::nullopt;
+  auto room = parts_.room_for_editor();
+  if (room) return std::nullopt;
+  const EditRefused why = why_of(room.error().kind);
+  parts_.metrics.edits_refused[why].add();
+  return refusal_of(why, std::move(room.error().reason));
+}
+
 std::optional<edits::Editor> EditIntake::editor_of(edits::EditorId id, const std::string& subject) const {
   auto editor = id == edits::EditorId{} ? std::nullopt : parts_.editor(id);
   return editor && editor->subject == subject ? editor : std::nullopt;

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kComeAgain{1000};
 constexpr std::chrono::milliseconds kComeAgainCutOff{2000};
+/// Editors are forgotten after a day, one after the other.
+constexpr std::chrono::milliseconds kComeAgainEditorsFull = std::chrono::minutes{2};
 
 }  // namespace
 
@@ -56,6 +58,8 @@ EditRefusal refusal_of(EditRefused why, std::string text) {
       return {ErrorCode::internal, std::move(text), {}};
     case EditRefused::cut_off:
       return {ErrorCode::overloaded, std::move(text), kComeAgainCutOff};
+    case EditRefused::editors_full:
+      return {ErrorCode::overloaded, std::move(text), kComeAgainEditorsFull};
     default:
       return {ErrorCode::overloaded, std::move(text), kComeAgain};
   }

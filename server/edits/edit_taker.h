@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <talus/edits/edit.h>
 #include <talus/edits/editors.h>
 
+#include "chunks/edit_answers.h"
 #include "chunks/mailbox.h"
 
 namespace talus::server {
@@ -39,6 +41,8 @@ class EditTaker {
   virtual void forget(ClientId client) = 0;
   /// Whether who attaches as `editor` with a token of that subject goes on as it, or is another from then on.
   [[nodiscard]] virtual bool knows(edits::EditorId editor, const std::string& subject) const = 0;
+  /// Why nobody new may edit now, and when to come again; nothing: they may. It may change until the Attach.
+  [[nodiscard]] virtual std::optional<EditRefusal> refuses_editors() const { return std::nullopt; }
   /// Whether edits may change more voxels than they name, as loose material slides.
   [[nodiscard]] virtual bool settles() const = 0;
 };

@@ -16,4 +16,7 @@ namespace talus::server {
 [[nodiscard]] tl::expected<void, LogFailure> keep_to_editors(const EditState& state, const LogEntry& entry,
                                                              const Clock& clock);
 
+/// The same of anybody new who is no operator, before there is an entry.
+[[nodiscard]] tl::expected<void, LogFailure> room_for_editor(const EditState& state, const Clock& clock);
+
 }  // namespace talus::server

@@ -41,6 +41,8 @@ class Editing {
   [[nodiscard]] bool makes_editor(const AttachRequest& request) const {
     return !editor_ && !taker_->knows(request.editor, request.subject);
   }
+  /// Why none may be made now; nothing: one may. REQUIRES: stored().
+  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const { return taker_->refuses_editors(); }
   /// REQUIRES: stored(), not attaching().
   void attach(AttachRequest request, std::uint64_t voxels_per_second);
   /// REQUIRES: attached(), no edit `id` is unanswered.

@@ -391,6 +391,10 @@ void Session::on(const wire::Attach& attach) {
   if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
   if (request.editor == edits::EditorId{}) request.editor = request.own;
   if (editing_.makes_editor(request)) {
+    // First: who cannot come in takes nothing of what others at the address may.
+    if (const auto full = editing_.refuses_editors()) {
+      return replies_.error(subject, full->code, full->text, full->retry_after);
+    }
     if (const auto refusal = rates_.refuse_editor(received_at_)) return say_refusal(subject, *refusal);
   }
   editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);

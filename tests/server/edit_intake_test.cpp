@@ -59,12 +59,17 @@ struct Bench {
   std::map<edits::EditorId, edits::Editor> editors;
   ManualClock clock;
   Metrics metrics;
+  bool full = false;  // of editors
   EditIntake intake{{source, log,
                      [this](edits::EditorId id) {
                        const auto at = editors.find(id);
                        return at == editors.end() ? std::nullopt : std::optional{at->second};
                      },
-                     clock, metrics},
+                     clock, metrics,
+                     [this]() -> tl::expected<void, LogFailure> {
+                       if (!full) return {};
+                       return tl::unexpected{LogFailure{LogFailure::Kind::editors_full, "full"}};
+                     }},
                     {{0, 100}, {kAir, kStone, kGlass}},
                     make_logger("off", "text")};
   MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
@@ -92,6 +97,18 @@ struct Bench {
 };
 
 }  // namespace
+
+TEST_CASE("that there is room for no editor is told before one attaches, and counts as a refusal") {
+  Bench bench;
+  CHECK_FALSE(bench.intake.refuses_editors());
+  bench.full = true;
+  const auto refused = bench.intake.refuses_editors();
+  REQUIRE(refused);
+  CHECK(refused->code == wire::ErrorCode::overloaded);
+  CHECK(refused->text == "full");
+  CHECK(refused->retry_after >= std::chrono::minutes{1});
+  CHECK(bench.metrics.edits_refused[EditRefused::editors_full].total() == 1);
+}
 
 TEST_CASE("an edit is logged with the base of what it touches, looked up in the session's turns") {
   Bench bench;

@@ -6,8 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "edits/edit_outcome.h"
-#include "edits/editor_room.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 
@@ -207,41 +205,6 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
   REQUIRE(taken.has_value());
   CHECK(changed.get_future().get() == 1);
   CHECK(store.state().index().chunks() == 1);
-}
-
-TEST_CASE("where editors have all their memory nobody new edits, until the oldest have been idle for a day") {
-  const ScratchDirectory scratch{ScratchDirectory::memory()};
-  EditStore store{scratch / "edits"};
-  store.state_settings.editor_bytes = EditState::kUsedEditorBytes + EditState::kNewEditorBytes;
-  REQUIRE(store.open() == "");
-  const auto attach = [](std::uint64_t id, std::uint64_t epoch, std::string_view subject = "s") {
-    return edits::AttachEntry{{id, 1}, epoch, std::string{subject}};
-  };
-  REQUIRE(store.apply(attach(1, 1))->kind == Kind::attached);
-  CHECK(store.state().editor_bytes() == EditState::kNewEditorBytes);
-  REQUIRE(store.apply(edits::EditEntry{{1, 1}, 1, 1, {}, {}})->kind == Kind::done);
-  CHECK(store.state().editor_bytes() == EditState::kUsedEditorBytes);
-  REQUIRE(store.apply(attach(2, 1))->kind == Kind::attached);
-  const auto refused = store.log().append(attach(3, 1), [](const auto&) {});
-  REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::editors_full);
-  CHECK(why_of(refused.error().kind) == EditRefused::editors_full);
-  CHECK(store.apply(attach(2, 2))->kind == Kind::attached);  // who is known
-  CHECK(store.apply(edits::EditEntry{{2, 1}, 2, 1, {}, {}})->kind == Kind::done);
-  CHECK(store.apply(attach(4, 1, edits::kOperatorSubject))->kind == Kind::attached);
-  CHECK(store.state().bytes() >= 2 * EditState::kUsedEditorBytes + EditState::kNewEditorBytes);
-
-  // Else nobody would ever come in: applying an Attach is what forgets them.
-  struct Tomorrow final : Clock {
-    SystemClock now_clock;
-    [[nodiscard]] time_point now() const override { return now_clock.now(); }
-    [[nodiscard]] std::chrono::sys_seconds wall() const override {
-      return now_clock.wall() + std::chrono::hours{25};
-    }
-    [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return now_clock.thread_cpu(); }
-  };
-  CHECK(keep_to_editors(store.state(), attach(5, 1), Tomorrow{}).has_value());
-  CHECK_FALSE(keep_to_editors(store.state(), attach(5, 1), SystemClock{}).has_value());
 }
 
 TEST_CASE("what is not flushed counts as memory of edits, and is bounded where all is small") {

@@ -33,7 +33,9 @@ struct ScriptedTaker final : EditTaker {
   [[nodiscard]] bool knows(edits::EditorId editor, const std::string& subject) const override {
     return editor == known && subject.empty();
   }
+  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const override { return full; }
   edits::EditorId known{7, 7};
+  std::optional<EditRefusal> full;
 };
 
 Access editors() {
@@ -311,6 +313,31 @@ TEST_CASE("an address makes so many editors an hour, and whoever is one already 
   CHECK(attach({1, 2}) == "over rates.address_editors");
   CHECK(attach({7, 7}) == "made");  // known, so none is
   CHECK(shared.bench.metrics.throttled(RateKind::address_editors).total() == 2);
+}
+
+TEST_CASE("where the world has room for no editor an Attach takes nothing of what the address may make") {
+  RateLimits limits;
+  limits.address.editors = {1, kEditorTokens};  // one saved up, and one an hour
+  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  shared.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
+  for (int tries = 0; tries < 3; ++tries) {
+    shared.bench.attach();
+    const auto said = shared.bench.output();
+    REQUIRE(kinds(said) == Kinds{Body::Error});
+    CHECK(said[0].about == wire::ErrorAbout::attach);
+    CHECK(said[0].text == "full");
+    CHECK(said[0].retry_after_ms == 120'000);
+  }
+  CHECK(shared.taker.attaches.empty());
+  shared.taker.full.reset();
+  shared.bench.attach();
+  CHECK(shared.bench.output().empty());
+  CHECK(shared.taker.attaches.size() == 1);
+
+  Bench known{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  known.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
+  known.bench.attach({7, 7});
+  CHECK(known.taker.attaches.size() == 1);
 }
 
 TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {
