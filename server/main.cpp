@@ -46,6 +46,7 @@
 #include "threads/signals.h"
 #include "web/site.h"
 
+#include <talus/files/standard_descriptors.h>
 #include <talus/vectors/instruction_set.h>
 
 namespace {
@@ -260,6 +261,7 @@ void keep_freed_memory() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  talus::files::open_closed_standard_descriptors();
   end_at_once_on_signals();
   // A log whose reader went away must not end the server.
   std::signal(SIGPIPE, SIG_IGN);

@@ -1,6 +1,9 @@
 // talus-client: one chunk, what there is at a column, a flight, or a map, from a running server.
+#include <talus/files/standard_descriptors.h>
+
 #include "program.h"
 
 int main(int argc, char** argv) {
+  talus::files::open_closed_standard_descriptors();
   return talus::cli::run_program(argc, argv);
 }

@@ -9,6 +9,7 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
+#include <talus/files/standard_descriptors.h>
 
 #include "command_line.h"
 #include "compare.h"
@@ -145,6 +146,7 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  talus::files::open_closed_standard_descriptors();
   // OpenSSL writes to sockets that the server may have closed.
   std::signal(SIGPIPE, SIG_IGN);
   const auto options = read_command_line(argc, argv);

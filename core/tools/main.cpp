@@ -1,5 +1,8 @@
+#include <talus/files/standard_descriptors.h>
+
 #include "command_line.h"
 
 int main(int argc, char** argv) {
+  talus::files::open_closed_standard_descriptors();
   return talus::tools::run_command_line(argc, argv, TALUS_VERSION);
 }

@@ -313,7 +313,8 @@ Answer import_file(const Flags& flags, const Outside&) {
   if (const auto alone = check_is_alone(flags.data, "import into"); !alone) {
     return tl::unexpected{alone.error()};
   }
-  const auto imported = import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file);
+  const auto imported =
+      import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file, now_ms());
   if (!imported) return tl::unexpected{imported.error()};
   std::string text = rebuilt_lines(flags.data, *imported);
   if (imported->both > 0) {

@@ -14,6 +14,7 @@
 #include <talus/progress/progress_bar.h>
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
+#include <talus/voxel/material_name.h>
 
 #include "log/escape.h"
 #include "store/edit_database.h"
@@ -82,6 +83,19 @@ class InputFile {
   std::uint64_t bytes_ = 0;
 };
 
+/// Refuses names that no world gives: the log has no room for long ones, and the others are printed as they
+/// are.
+tl::expected<void, std::string> check_names_of_file(const std::map<std::string, MaterialId>& materials) {
+  for (const auto& [name, id] : materials) {
+    if ((name == "air" && id == kAir) || (name == "water" && id == kWater)) continue;
+    if (const auto fault = material_name_fault(name)) {
+      return tl::unexpected{
+          fmt::format("its material {} is called \"{}\": {}", to_integer(id), escaped(name), *fault)};
+    }
+  }
+  return {};
+}
+
 /// What the file's materials are in the store, and the store's table with what is new in it.
 struct MaterialMap {
   std::map<MaterialId, MaterialId> to;
@@ -89,20 +103,27 @@ struct MaterialMap {
   /// Placed in the file, while the store's world generates one of that name. It is an override only where the
   /// ground is another, which takes the world to tell.
   std::map<MaterialId, std::string> generated_now;
+  /// Generated in the file, while the store has the names of what its world generates, and not that.
+  std::map<MaterialId, std::string> not_generated;
 };
 
 /// Both are of one world: what that generates has one id in both, whatever its name was then.
 tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string, MaterialId>& from,
                                                      const std::map<std::string, MaterialId>& into) {
-  MaterialMap map{{}, into, {}};
+  MaterialMap map{{}, into, {}, {}};
   std::set<MaterialId> taken;
   for (const auto& [name, id] : into) taken.insert(id);
+  const bool knows_generated = !taken.empty() && to_integer(*taken.begin()) < kFirstBound;
   FreeIds free{taken};
   for (const auto& [name, id] : from) {
     const auto held = into.find(name);
     const bool generated = to_integer(id) < kFirstBound;
     if (!generated && held != into.end() && to_integer(held->second) < kFirstBound) {
       map.generated_now.emplace(id, name);
+      continue;
+    }
+    if (generated && knows_generated && id != kAir && !taken.contains(id)) {
+      map.not_generated.emplace(id, name);
       continue;
     }
     MaterialId mapped = id;
@@ -165,7 +186,9 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
     for (const Override& voxel : stored.voxels) {
       if (named.contains(voxel.material)) continue;
       added = tl::unexpected{fmt::format(
-          "material {} has no name in the store; start talusd once with the store's world, which names it",
+          "material {} has no name in the store; start talusd once with the store's world, which names what "
+          "it "
+          "generates; voxels of what that does not generate are lost by talusd store rebase --drop-unknown",
           to_integer(voxel.material))};
       return false;
     }
@@ -180,7 +203,7 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
 }
 
 tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const DataDirectory& directory,
-                                                Winner winner) {
+                                                Winner winner, std::int64_t now_ms) {
   std::error_code code;
   const std::uint64_t file_bytes = fs::file_size(file, code);
   InputFile input{file};
@@ -188,6 +211,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   if (!opened) return of_file(file, opened.error());
   PortableReader& reader = *opened;
   const PortableHeader& header = reader.header();
+  if (const auto named = check_names_of_file(header.materials); !named) return of_file(file, named.error());
   std::unique_ptr<ReadOnlyStore> store;
   if (directory.has_store()) {
     auto there = open_whole(directory);
@@ -239,6 +263,14 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
                               "and import what is exported from there",
                               escaped(now->second)));
       }
+      if (const auto none = materials.not_generated.find(voxel.material);
+          none != materials.not_generated.end()) {
+        return of_file(
+            file,
+            fmt::format("chunk {} has material {}, \"{}\", which the store's world does not generate; if "
+                        "its file has that by now, start talusd once with it",
+                        to_string(next->chunk), to_integer(voxel.material), escaped(none->second)));
+      }
       if (at == materials.to.end()) {
         return of_file(file,
                        fmt::format("chunk {} has material {}, which the file does not name; export it again",
@@ -275,7 +307,10 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   for (const auto& [name, id] : materials.all) {
     if (done) done = builder.add(name, id);
   }
-  if (done) done = builder.finish(revision, std::max(before.head.time_ms, header.head.time_ms));
+  // Nothing in the file needs a time to come, and a store that begins there would date all its edits by it.
+  if (done) {
+    done = builder.finish(revision, std::max(before.head.time_ms, std::min(header.head.time_ms, now_ms)));
+  }
   if (!done) return tl::unexpected{done.error()};
   store.reset();
   auto replaced = swap_in(directory.path());

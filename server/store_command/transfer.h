@@ -37,9 +37,13 @@ struct Rebuilt {
 
 /// Adds the file's edits to those of the store in `directory`, or makes one there, of the file's world.
 /// `winner` has the voxels that both have. Materials are those of the same names: a
-/// file with voxels of a placed one whose name is that of a generated one in the store is refused.
+/// file with voxels of a placed one whose name is that of a generated one in the store is refused, and so is
+/// one with voxels of what the store's world does not generate, where the store has the names of what it
+/// does, and one with names that no world may give. The new store's time is the file's where the store's is
+/// earlier, but at most `now_ms`, since 1970.
 [[nodiscard]] tl::expected<Rebuilt, std::string> import_edits(const std::filesystem::path& file,
-                                                              const DataDirectory& directory, Winner winner);
+                                                              const DataDirectory& directory, Winner winner,
+                                                              std::int64_t now_ms);
 
 /// The store's edits over another world: overrides that are as that generates go, materials are those of the
 /// same names. Where the world lacks some, nothing happens, unless those voxels may go. A store of that world

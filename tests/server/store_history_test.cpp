@@ -70,7 +70,7 @@ TEST_CASE("a store that was just imported has no records, and history says so") 
   {
     const auto directory = DataDirectory::open_any(to);
     REQUIRE(directory.has_value());
-    REQUIRE(import_edits(scratch / "file", *directory, Winner::file).has_value());
+    REQUIRE(import_edits(scratch / "file", *directory, Winner::file, 1'800'000'000'000).has_value());
   }
   for (const std::string& text :
        {printed(to, VoxelPos{0, 0, 0}, false), printed(to, SubjectQuery{"somebody"}, false)}) {

@@ -74,7 +74,7 @@ class Killed {
   [[nodiscard]] std::string import() const {
     const auto directory = DataDirectory::open_any(path());
     REQUIRE(directory.has_value());
-    const auto done = import_edits(file(), *directory, Winner::file);
+    const auto done = import_edits(file(), *directory, Winner::file, 1'800'000'000'000);
     return done ? "" : done.error();
   }
   [[nodiscard]] std::string rebase() const {

@@ -216,7 +216,7 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
   REQUIRE(export_edits(**store, griefed.scratch / "file").has_value());
   const auto directory = DataDirectory::open_any(griefed.scratch / "new");
   REQUIRE(directory.has_value());
-  const auto imported = import_edits(griefed.scratch / "file", *directory, Winner::file);
+  const auto imported = import_edits(griefed.scratch / "file", *directory, Winner::file, 1'800'000'000'000);
   REQUIRE(imported.has_value());
   CHECK_FALSE(imported->store_id == (*store)->meta().store_id);
   const auto after = chunks_of(griefed.scratch / "new");

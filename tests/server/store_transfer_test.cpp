@@ -103,7 +103,7 @@ std::string export_to(const fs::path& data, const fs::path& file) {
 tl::expected<Rebuilt, std::string> import_from(const fs::path& file, const fs::path& data, Winner winner) {
   const auto directory = DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
-  return import_edits(file, *directory, winner);
+  return import_edits(file, *directory, winner, 1'800'000'000'000);
 }
 
 PortableReader::Source from(const std::string& bytes) {
