@@ -275,7 +275,7 @@ export class Builder {
         if (engine !== this.#engine) return;
         failed(error.kind, sentence(error.message.replace(/^the server says: /, '')));
         // Not here, or not at all: only then the tools go.
-        if (error.kind === 'refused') engine.editLimits().catch(() => engine === this.#engine && this.isOn && this.#off());
+        if (error.kind === 'refused') void this.ask().then((wrong) => wrong !== null && engine === this.#engine && this.isOn && this.#off());
       })
       .finally(() => {
         if (engine === this.#engine) --this.waiting;
