@@ -74,10 +74,12 @@ async function row(files, width, height, path, scaled = true) {
   await sheet.close();
 }
 
-/** A talusd of a world: { game, http, stop }. */
-async function serve(name) {
-  const args = ['--world', world(name), '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web', join(viewer, 'dist')];
-  const child = spawn(program('server/talusd'), args, { stdio: ['ignore', 'pipe', 'pipe'] });
+/** A talusd of a world, in which `builds`: anybody may build: { game, http, stop }. */
+async function serve(name, builds = false) {
+  const store = builds ? ['--data', mkdtempSync(join(scratch, 'store-'))] : [];
+  const env = builds ? { ...process.env, TALUS_ACCESS_WITHOUT_TOKEN: 'read,edit' } : process.env;
+  const args = [...store, '--world', world(name), '--listen', '127.0.0.1:0', '--http', '127.0.0.1:0', '--web', join(viewer, 'dist')];
+  const child = spawn(program('server/talusd'), args, { env, stdio: ['ignore', 'pipe', 'pipe'] });
   const found = await new Promise((done, fail) => {
     let said = '';
     const read = (bytes) => {
@@ -146,7 +148,7 @@ const sheet = (name) => async (path) => {
 
 /** The viewer, when all that it asked for is there. Until then it is so many times smaller: frames would take the time that chunks need. */
 const inBrowser = (where, width, height, ready, smaller = 1) => async (path) => {
-  const server = await serve('default');
+  const server = await serve('default', true);
   const shown = await page(width / smaller, height / smaller);
   shown.setDefaultTimeout(1_200_000);
   await shown.goto(`http://${server.http}/${where}`);
@@ -232,7 +234,7 @@ const pictures = {
   'worlds-objects.png': (path) =>
     viewsOf(['default', '-4100,-860', 90, 25], [changed('tower', tower), '-2354,-2040', 35, 22])(path),
   'far.png': map('default', '0,0', '1024,1024', 64),
-  'default.png': map('default', '0,0', '480,480', 16),
+  'default.png': map('default', '-2960,-2384', '480,480', 16),
   'archipelago.png': map('archipelago', '0,0', '480,480', 16),
   'mesas.png': map('mesas', '0,0', '480,480', 16),
   'alpine.png': map('alpine', '0,0', '480,480', 16),
@@ -243,7 +245,7 @@ const pictures = {
   'view.png': (path) => lookIn('default', ['-2743,-2198', 250, 45], path),
   'views-default.png': views('default', [['', 0, 40], ['-2743,-2198', 300, 40], ['-2400,-3880', 110, 40]]),
   'views-archipelago.png': views('archipelago', [['', undefined, 40], ['-2480,-680', 200, 40], ['400,-1040', 10, 40]]),
-  'views-mesas.png': views('mesas', [['', undefined, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
+  'views-mesas.png': views('mesas', [['1460,-2330', 200, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
   'views-alpine.png': views('alpine', [['', undefined, 40], ['-800,-680', 285, 45], ['-2500,-600', 115, 50]]),
   'viewer.png': inBrowser('#at=-2743,190,-2198&look=262,-5&time=8.5&mode=fly&radius=8&horizon=2048&frameRate=0.1', 1280, 640, viewFilled, 5),
   'viewer-map.png': inBrowser('map.html', 1280, 720, () => window.talusMap?.missing === 0),

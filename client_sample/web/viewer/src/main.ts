@@ -138,7 +138,10 @@ const slice = new SlicePanel(
 );
 new SettingsPanel(settings, change, isPhone, cap);
 new SharePanel(() => engine?.screenshot() ?? null, place, () => address.write(place()));
-const tokenDialog = new TokenDialog(tokens, () => session.again());
+const tokenDialog = new TokenDialog(tokens, () => {
+  session.again();
+  void builder.ask();
+});
 find('token-change').addEventListener('click', () => tokenDialog.ask('The next connection uses it.'));
 
 const help = find<HTMLDialogElement>('help');
@@ -329,6 +332,7 @@ const loop = new Loop({
     if (traveller.isPlaced) player.step(seconds);
     if (engine !== null && traveller.isPlaced) {
       traveller.surface(engine);
+      traveller.turnFromWhatIsNear(engine);
       player.look(engine);
       builder.look(eye(), gaze.ahead());
       if (now - looked > 100) {
@@ -367,7 +371,7 @@ function tell(now: number): void {
   hud.where(place(), body);
   if (stats.hasPicture || stats.state === 'complete') hud.opened();
   else hud.opening('The land is on its way', share(stats));
-  hint.tick(now, stats.state === 'complete', player.hasMoved);
+  hint.tick(now, stats.state === 'complete' && !panels.isAnyOpen, player.hasMoved);
   traffic.update(stats, now, loop.framesPerSecond, panels.isOpen('traffic'));
 }
 

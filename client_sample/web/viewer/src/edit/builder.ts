@@ -23,6 +23,9 @@ export interface Listener {
 const place = ({ x, y, z }: Vector) => `${x}, ${y}, ${z}`;
 const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
 
+const refusal = (reason: string) =>
+  /no right to edit/.test(reason) ? 'This server lets only invited players build.' : sentence(`You may look, but not dig and build here: ${reason}`);
+
 export class Builder {
   isOn = false;
   tool: Tool = 'dig';
@@ -32,6 +35,8 @@ export class Builder {
   waiting = 0;
   #engine: Engine | null = null;
   #limits: EditLimits | null = null;
+  /** Why this player may not edit, as the server said; null: it did not. */
+  #forbidden: string | null = null;
   #corner: Vector | null = null;
   #said = '';
   readonly #history = new History();
@@ -55,28 +60,45 @@ export class Builder {
     if (!this.palette.some(({ id }) => id === this.material) || this.material === AIR) {
       this.material = this.palette[1]?.id ?? AIR;
     }
-    this.listener.changed();
+    void this.ask();
   }
 
   /** Why there are no tools; null: there may be. */
   get whyNot(): string | null {
+    return this.#impossible ?? this.#forbidden;
+  }
+
+  /** What no right helps against. */
+  get #impossible(): string | null {
     return this.#engine === null ? 'The world is not here yet.' : this.#engine.whyNoEdits;
+  }
+
+  /** Asks the server whether this player may edit; gives why not. */
+  async ask(): Promise<string | null> {
+    const engine = this.#engine;
+    this.#forbidden = null;
+    let wrong = this.#impossible;
+    if (engine !== null && wrong === null) {
+      try {
+        const limits = await engine.editLimits();
+        if (engine === this.#engine) this.#limits = limits;
+      } catch (error) {
+        const { kind, message } = error as TalusError;
+        wrong = kind === 'refused' ? refusal(message.replace(/^the server says: /, '')) : sentence(message);
+        if (engine === this.#engine && kind === 'refused') this.#forbidden = wrong;
+      }
+    }
+    if (engine === this.#engine) this.listener.changed();
+    return wrong;
   }
 
   async toggle(): Promise<void> {
     if (this.isOn) return this.#off();
     const engine = this.#engine;
-    const { whyNot } = this;
-    if (engine === null || whyNot !== null) return this.#say(whyNot ?? '', true);
-    try {
-      this.#limits = await engine.editLimits();
-    } catch (error) {
-      if (engine !== this.#engine) return;
-      const { kind, message } = error as TalusError;
-      const words = kind === 'refused' ? `You may look, but not dig and build here: ${message.replace(/^the server says: /, '')}` : message;
-      return this.#say(sentence(words), true);
-    }
+    // Anew, as a right may have been given since.
+    const wrong = await this.ask();
     if (engine !== this.#engine || this.isOn) return;
+    if (wrong !== null) return this.#say(wrong, true);
     this.isOn = true;
     this.listener.changed();
   }
@@ -253,7 +275,7 @@ export class Builder {
         if (engine !== this.#engine) return;
         failed(error.kind, sentence(error.message.replace(/^the server says: /, '')));
         // Not here, or not at all: only then the tools go.
-        if (error.kind === 'refused') engine.editLimits().catch(() => engine === this.#engine && this.isOn && this.#off());
+        if (error.kind === 'refused') void this.ask().then((wrong) => wrong !== null && engine === this.#engine && this.isOn && this.#off());
       })
       .finally(() => {
         if (engine === this.#engine) --this.waiting;

@@ -34,3 +34,36 @@ export function bestHeading(heights: ArrayLike<number>): number {
   }
   return best;
 }
+
+/** Blocks ahead of the eye that are to be open, and degrees between headings tried. */
+const NEAR = 64;
+const TURN = 15;
+
+/**
+ * The heading next to this one whose middle ray meets nothing near; this one where all meet something. Degrees.
+ * Undefined: voxels that it takes to know are not here yet.
+ */
+export function clearHeading(
+  eye: readonly [number, number, number],
+  yaw: number,
+  pitch: number,
+  voxelAt: (x: number, y: number, z: number) => number | undefined,
+  stops: (material: number) => boolean,
+): number | undefined {
+  const slope = (pitch * Math.PI) / 180;
+  for (let turn = 0; turn <= 180; turn += TURN) {
+    for (const heading of [yaw + turn, yaw - turn]) {
+      const angle = (heading * Math.PI) / 180;
+      const along = [Math.sin(angle) * Math.cos(slope), Math.sin(slope), -Math.cos(angle) * Math.cos(slope)] as const;
+      let isClear = true;
+      for (let distance = 0; isClear && distance <= NEAR; distance += 0.5) {
+        const [x, y, z] = along.map((part, i) => Math.floor(eye[i]! + part * distance)) as [number, number, number];
+        const material = voxelAt(x, y, z);
+        if (material === undefined) return undefined;
+        isClear = !stops(material);
+      }
+      if (isClear) return ((heading % 360) + 360) % 360;
+    }
+  }
+  return yaw;
+}

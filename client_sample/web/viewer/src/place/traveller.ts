@@ -2,6 +2,7 @@
 import type { Server } from '../connection/server';
 import type { Body } from '../controls/body';
 import type { Engine } from '../engine/engine';
+import { clearHeading } from './outlook';
 import type { Place } from './place';
 
 const SPAWN_RISE = 14;
@@ -11,6 +12,8 @@ export class Traveller {
   isPlaced = false;
   /** Whether one is to be lifted out of water, once it is known whether there is any. */
   #surfaces = false;
+  /** Where one who has just arrived stands and looks, until it is known whether something near hides the view. */
+  #arrival: Place | null = null;
 
   constructor(
     private readonly body: Body,
@@ -42,19 +45,40 @@ export class Traveller {
     const { x, y, z } = engine.world.spawn;
     this.body.place(x + 0.5, y + this.#rise, z + 0.5);
     this.#surfaces = false;
+    this.#arrival = null;
     this.isPlaced = true;
   }
 
   /** Turns one who has just arrived, and has not looked around yet, toward the best view. */
   async lookOut(): Promise<void> {
-    const [x, , z] = this.body.position;
-    const { yaw } = this.body;
+    const start = this.place(0);
+    let best = start.yaw;
     try {
-      const best = await this.server.outlook(x, z);
-      if (this.body.yaw === yaw) this.body.yaw = best;
+      best = await this.server.outlook(start.x, start.z);
     } catch {
       // A server that gives no heights: north is as good.
     }
+    if (!this.#isStillAt(start)) return;
+    this.body.yaw = best;
+    this.#arrival = this.place(0);
+  }
+
+  /** For each step. The outlook is by heights, which know no trees. */
+  turnFromWhatIsNear(engine: Engine): void {
+    const arrival = this.#arrival;
+    if (arrival === null) return;
+    if (this.#isStillAt(arrival)) {
+      const at = (x: number, y: number, z: number) => engine.voxelAt(x, y, z);
+      const heading = clearHeading(this.body.eye, arrival.yaw, arrival.pitch, at, (material) => engine.isSolid(material));
+      if (heading === undefined) return;
+      this.body.yaw = heading;
+    }
+    this.#arrival = null;
+  }
+
+  #isStillAt(then: Place): boolean {
+    const now = this.place(0);
+    return (['x', 'y', 'z', 'yaw', 'pitch'] as const).every((key) => now[key] === then[key]);
   }
 
   /** For each step. Heights are those of the ground: water may stand on it. */

@@ -17,7 +17,7 @@ export class Hint {
     });
   }
 
-  /** `isSettled`: all of the land is here, so that one has the time to read. */
+  /** `isSettled`: all of the land is here and no panel hides the hint, so that one has the time to read. */
   tick(now: number, isSettled: boolean, hasMoved: boolean): void {
     if (this.#isDone) return;
     // Who points at it, or came to its button by keyboard, is not done with it.

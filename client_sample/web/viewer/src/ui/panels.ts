@@ -21,6 +21,10 @@ export class Panels {
     return this.#open === name;
   }
 
+  get isAnyOpen(): boolean {
+    return this.#open !== null;
+  }
+
   /** `focus`: by keyboard one goes on in the panel; by mouse one stays in the world. */
   toggle(name: string, focus = true): void {
     const opens = this.#open !== name;

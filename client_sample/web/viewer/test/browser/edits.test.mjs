@@ -239,12 +239,14 @@ test('where the server protects the land, who digs is told so, and what was dug 
 });
 
 for (const [name, args, words] of [
-  ['a player without the right', (t) => withRights(t, 'read', '--data', scratch(t)), 'not dig and build'],
+  ['a player without the right', (t) => withRights(t, 'read', '--data', scratch(t)), 'only invited players build'],
   ['a server that stores nothing', (t) => withRights(t, 'read,edit'), 'keeps no edits'],
 ])
   test(`${name} gets no tools, and is told why`, async (t) => {
     const site = await startSite(t, args(t));
     const page = await open(t, site);
+    await page.waitForFunction((words) => document.getElementById('edit-open').title.includes(words), words);
+    assert.equal(await page.locator('#edit-open').getAttribute('aria-disabled'), 'true');
     await page.focus('#stage');
     await page.keyboard.press('KeyV');
     await said(page, words);

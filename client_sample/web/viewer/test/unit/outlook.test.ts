@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { bestHeading, outlookRequest } from '../../src/place/outlook';
+import { bestHeading, clearHeading, outlookRequest } from '../../src/place/outlook';
 
 const SIDE = 19;
 
@@ -20,4 +20,18 @@ test('one looks over open ground to high land, not at a wall', () => {
 test('the request is a square around the column, in whole blocks', () => {
   expect(outlookRequest(10.7, -3.2)).toBe('v1/heights?x=-890&z=-904&w=19&h=19&step=100');
   expect(heights(() => 0)).toHaveLength(SIDE * SIDE);
+});
+
+test('one turns from what stands near in the middle of the view', () => {
+  const crown = (x: number, z: number) => Math.hypot(x, z + 20) < 3;
+  const look = (yaw: number, at: (x: number, y: number, z: number) => number | undefined) =>
+    clearHeading([0.5, 10.5, 0.5], yaw, -8, at, (material) => material === 1);
+  expect(look(0, () => 0)).toBe(0);
+  expect(look(0, (x, _, z) => (crown(x, z) ? 1 : 0))).toBe(15);
+  expect(look(10, (x, _, z) => (x > 2 || crown(x, z) ? 1 : 0))).toBe(340);
+  // Beyond the near, and below the ray.
+  expect(look(0, (_x, y, z) => (z < -66 || y < 1 ? 1 : 0))).toBe(0);
+  expect(look(0, (_x, _y, z) => (z < -30 ? undefined : 0))).toBeUndefined();
+  // Walls all around.
+  expect(look(30, (x, _, z) => (Math.hypot(x, z) > 10 ? 1 : 0))).toBe(30);
 });

@@ -201,10 +201,11 @@ void main() {
   // A trunk stands under its own crown, which heights take for a roof.
   if (kind == WOOD) open = mix(open, 1.0, 0.5);
   float corner = mix(0.42, 1.0, occlusion * (0.35 + 0.65 * occlusion));
-  corner = mix(1.0, corner, cut ? 0.0 : 1.0 / (1.0 + max(scale - 1.0, 0.0) * 0.35));
+  if (cut) corner = 1.0;
   // Faces of voxels stand in for a rough surface: far away its lean shows, not its steps.
+  // By distance alone, as the corners too: by the size of voxels shade would jump where a coarser level begins.
   vec3 lean = slope.y > 1e5 ? normal : normalize(vec3(-slope.x, 1.0, -slope.y));
-  float rough = smoothstep(24.0, 190.0, distance / scale * 1.0) * 0.85;
+  float rough = smoothstep(24.0, 190.0, distance) * 0.85;
   vec3 shading = normalize(mix(normal, lean, rough));
   // A cut is a plane, although it is made of steps.
   if (cut) shading = normalize(vec3(slice.x, 0.55, slice.y));

@@ -168,4 +168,16 @@ describe('building', () => {
     await builder.toggle();
     expect([builder.isOn, said.at(-1)]).toEqual([false, 'You may look, but not dig and build here: the token lacks the right edit.']);
   });
+  it('knows from the start that one has no right, and asks again when one tries', async () => {
+    limits = () => Promise.reject({ kind: 'refused', message: 'the server says: this session has no right to edit: nothing gives it' });
+    builder.enter(engine);
+    expect(builder.whyNot).toBeNull();
+    await flush();
+    expect(builder.whyNot).toBe('This server lets only invited players build.');
+    await builder.toggle();
+    expect([builder.isOn, said.at(-1)]).toEqual([false, 'This server lets only invited players build.']);
+    limits = async () => ({ voxels: 1 });
+    await builder.toggle();
+    expect([builder.isOn, builder.whyNot]).toEqual([true, null]);
+  });
 });
