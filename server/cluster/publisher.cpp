@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "cluster/entry_codec.h"
-#include "cluster/message_pace.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -137,10 +136,9 @@ std::int64_t Publisher::time_ms() const {
 
 void Publisher::run() {
   constexpr std::chrono::hours kLong{1};
-  SentMessage last;
   for (;;) {
     // So short that nobody who calls meanwhile need be heard.
-    std::this_thread::sleep_until(next_message_at(last, queue_.size()));
+    std::this_thread::sleep_until(pace_.next_at(queue_.size()));
     const std::size_t room = kBatchBytes - batch_overhead(parts_.settles);
     auto taken = queue_.take(kMaxEntries, room, std::chrono::steady_clock::now() + kLong);
     std::optional<Stand> stand;
@@ -160,7 +158,7 @@ void Publisher::run() {
       continue;
     }
     if (taken.empty() && !stand) continue;
-    last = {std::chrono::steady_clock::now(), taken.size()};
+    pace_.sent(std::chrono::steady_clock::now(), taken.size());
     if (!stand) stand = parts_.stand();
     const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<Bytes> entries;
@@ -200,7 +198,9 @@ void Publisher::publish(std::uint64_t number, std::span<const std::byte> message
     }
     if (wait_for_retry(number)) break;
   }
-  latency_.add(std::chrono::steady_clock::now() - began);
+  const auto took = std::chrono::steady_clock::now() - began;
+  pace_.acknowledged(took);
+  latency_.add(took);
   {
     const std::lock_guard lock{mutex_};
     if (stopping_ || gave_up_) return;

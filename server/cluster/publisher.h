@@ -20,6 +20,7 @@
 #include "clock/clock.h"
 #include "cluster/log_stream.h"
 #include "cluster/message.h"
+#include "cluster/message_pace.h"
 #include "edits/edit_log.h"
 #include "edits/entry_queue.h"
 #include "metrics/instruments.h"
@@ -133,7 +134,9 @@ class Publisher {
   bool stopping_ = false;
   bool gave_up_ = false;
 
-  std::uint64_t number_ = 0;  // of the last batch; of the thread
+  // Of the thread.
+  std::uint64_t number_ = 0;  // of the last batch
+  MessagePace pace_;
   std::thread thread_;
 };
 

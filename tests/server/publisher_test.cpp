@@ -67,11 +67,32 @@ class SlowStream final : public LogStream {
 };
 
 TEST_CASE("a message is not sent at once after another where they have many entries, and is where few") {
+  constexpr std::size_t kFew = MessagePace::kFewEntries;
   const TimePoint now{5s};
-  CHECK(next_message_at({now, kFewEntries}, 1) == now + kMessagePace);
-  CHECK(next_message_at({now, 1}, kFewEntries) == now + kMessagePace);
-  CHECK(next_message_at({now, kFewEntries - 1}, 1) == now);
-  CHECK(next_message_at({now, kFewEntries}, 0) == now);
+  const auto next_at = [&](std::size_t sent, std::size_t waiting) {
+    MessagePace pace;
+    pace.sent(now, sent);
+    return pace.next_at(waiting);
+  };
+  CHECK(next_at(kFew, 1) == now + MessagePace::kLongest);
+  CHECK(next_at(1, kFew) == now + MessagePace::kLongest);
+  CHECK(next_at(kFew - 1, 1) == now);
+  CHECK(next_at(kFew, 0) == now);
+}
+
+TEST_CASE("messages are apart by some times what acknowledgements take, and never by more than the longest") {
+  MessagePace pace;
+  const auto after = [&](std::chrono::steady_clock::duration took) {
+    for (int i = 0; i < 200; ++i) pace.acknowledged(took);
+    return pace.now();
+  };
+  const auto is_about = [](auto a, auto b) { return a < b + 1us && a > b - 1us; };
+  CHECK(is_about(after(250us), MessagePace::kAcknowledgements * 250us));
+  CHECK(is_about(after(10s), std::chrono::steady_clock::duration{MessagePace::kLongest}));
+  // One that was stuck is forgotten after a few that were not.
+  CHECK(is_about(after(250us), MessagePace::kAcknowledgements * 250us));
+  pace.acknowledged(10s);
+  CHECK(pace.now() < 1500us);
 }
 
 TEST_CASE("what comes while a message is in flight is in the next, when the pace allows it") {
@@ -93,7 +114,8 @@ TEST_CASE("what comes while a message is in flight is in the next, when the pace
   publisher.stop();
   CHECK(first.entries == 1);
   CHECK(second.entries == 10);
-  CHECK(second.at - began >= kMessagePace);
+  CHECK(second.at - began >=
+        MessagePace::kLongest * 7 / 8);  // one acknowledgement, however quick, is an eighth
 }
 
 }  // namespace
