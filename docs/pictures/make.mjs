@@ -185,10 +185,10 @@ const magic = ['[surface]\n', '[[field]]\nname = "magic"\nwavelength = 3000\noct
 const heath = [
   '[[look]]\nname = "snow field"',
   `[[look]]
-name = "violet heath"
+name = "heather"
 of = "soil"
 above = { magic = 0.8, moisture = 0, height = 2 }
-colour = "#8a5fb0"
+colour = "#8d6c94"
 
 [[look]]
 name = "snow field"`,

@@ -22,7 +22,7 @@ inline constexpr int kWidth = kInside + 2 * kMargin;
 
 inline constexpr terrain::Colour kPaper{246, 243, 236};
 inline constexpr terrain::Colour kInk{38, 42, 50};
-inline constexpr terrain::Colour kPale{122, 122, 120};
+inline constexpr terrain::Colour kPale{88, 90, 94};
 inline constexpr terrain::Colour kRule{214, 208, 196};
 inline constexpr terrain::Colour kWhite{255, 255, 255};
 inline constexpr terrain::Colour kNight{20, 24, 30};
