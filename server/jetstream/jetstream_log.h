@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include "config/server_urls.h"
 #include "jetstream/connection.h"
 #include "jetstream/credentials.h"
+#include "jetstream/inbox.h"
 #include "jetstream/stored_message.h"
 #include "jetstream/stream_names.h"
 #include "log/logger.h"
@@ -59,8 +59,6 @@ class JetStreamLog final : public LogStream {
   void stop() override;
 
  private:
-  class Inbox;  // what comes in, on libnats' threads
-
   JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
   /// The connection there is. One that was closed for good is made anew, each second at most.
@@ -74,7 +72,6 @@ class JetStreamLog final : public LogStream {
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;
   Logger log_;
-  std::string reply_;  // subject of answers, without what each is to
   std::shared_ptr<Inbox> inbox_;
   std::atomic<bool> has_settings_{false};  // as it should
   std::mutex connection_mutex_;
