@@ -174,7 +174,7 @@ std::string Server::metrics_text() {
       const cluster::ClusterLog::Status at = shared->status();
       gauges.cluster = {at.connected,    at.quorum,      at.differs, at.lag,
                         at.sequence,     at.republished, at.gaps,    &shared->publish_latency(),
-                        edits_->joins(), at.skipped,     at.bounded, at.stuck};
+                        edits_->joins(), at.skipped,     at.bounded, at.stuck, at.late.empty()};
     }
     const LocalLog::Status log = edits_->status();
     const EditState& state = edits_->state();

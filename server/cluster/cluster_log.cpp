@@ -99,7 +99,7 @@ tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
 ClusterLog::Status ClusterLog::status() const {
   Status status;
   StoreWriter::Status store = writer_.status();
-  const StreamFigures figures = parts_.stream.figures();
+  StreamFigures figures = parts_.stream.figures();
   const std::string publishing = publisher_.trouble();
   const bool takes = publisher_.takes();
   status.head = store.head;
@@ -109,6 +109,7 @@ ClusterLog::Status ClusterLog::status() const {
   const std::lock_guard lock{mutex_};
   const bool silent = silent_since_ && SteadyClock::now() - *silent_since_ > kSilent;
   status.connected = figures.connected;
+  status.late = std::move(figures.late);
   status.quorum = heard_ && !silent && takes;
   status.differs = differs_;
   status.lag = end_.lag();

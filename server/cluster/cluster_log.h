@@ -88,6 +88,7 @@ class ClusterLog final : public EditLog {
     bool ready = false;                    // players may come here
     std::string not_ready;                 // why not, in one line
     bool connected = false;
+    std::string late;     // why others' edits come late, up to a second; empty: they do not
     bool quorum = false;  // the stream has a leader that answers
     bool differs = false;
     std::uint64_t lag = 0;  // messages

@@ -48,6 +48,7 @@ struct StreamFigures {
   bool connected = false;
   std::uint64_t gaps = 0;            // where messages had to be asked for
   std::uint64_t false_messages = 0;  // that somebody else sent as if they were the stream's
+  std::string late;                  // why messages do not come by themselves, and are asked for; else empty
 };
 
 /// Two threads use it: one calls publish(), the other next(); the others are for any. After `other` or

@@ -71,11 +71,49 @@ tl::expected<void, StreamFailure> Inbox::listen(Connection& connection) {
   return connection.subscribe(reply_ + ".*.*", come, kPendingMessages, kPendingAnswerBytes);
 }
 
+bool Inbox::renew(Connection& connection) {
+  using Due = RefusedSubscription::Due;
+  Due tail = Due::nothing;
+  Due answers = Due::nothing;
+  {
+    const std::lock_guard lock{mutex_};
+    if (!connected_) return false;
+    const auto now = Clock::now();
+    tail = refused_tail_.due(now);
+    answers = refused_answers_.due(now);
+  }
+  if (tail == Due::restored) log_->info("NATS: {} may be subscribed to again", names_.tail);
+  if (tail == Due::try_again) {
+    if (auto again = connection.open_source(names_.tail, kPendingMessages, kPendingBytes); again && *again) {
+      const std::lock_guard lock{mutex_};
+      tail_ = *std::move(again);
+    }
+  }
+  if (answers == Due::try_again) {
+    if (auto probe = connection.open_source(reply_ + ".probe", 1, 1)) probe_ = *std::move(probe);
+  }
+  if (answers != Due::restored) return false;
+  probe_.reset();
+  return true;
+}
+
+RefusedSubscription* Inbox::subscription_of(std::string_view denial) {
+  if (denial.find("for Subscription to") == std::string_view::npos) return nullptr;
+  return denial.find(names_.tail) == std::string_view::npos ? &refused_answers_ : &refused_tail_;
+}
+
+std::string Inbox::without_answers() const {
+  const std::lock_guard lock{mutex_};
+  return refused_answers_.why();
+}
+
 void Inbox::connected(bool now) {
   {
     const std::lock_guard lock{mutex_};
     if (connected_ == now) return;
     connected_ = now;
+    refused_tail_.disconnected();
+    refused_answers_.disconnected();
     question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
   }
   changed_.notify_all();
@@ -98,24 +136,29 @@ void Inbox::closed(const StreamFailure& why) {
   if (!wanted) log_->error("{}; trying again", why.reason);
 }
 
-void Inbox::leaves() {
+void Inbox::leaves(std::string_view why) {
   {
     const std::lock_guard lock{mutex_};
     leaves_ = true;
   }
-  log_->warn("NATS: no leader of the log answers by this server; trying any of cluster.nats");
+  log_->warn("NATS: {}; trying any of cluster.nats", why);
 }
 
 void Inbox::denied(std::string_view what) {
   bool is_news = false;
   {
     const std::lock_guard lock{mutex_};
-    trouble_ = StreamFailure{Kind::refused, fmt::format("NATS: {}", what)};
     const auto now = Clock::now();
-    is_news = denial_told_ != trouble_->reason || now > denial_told_at_ + kBetweenDenials;
-    if (is_news) {
-      denial_told_ = trouble_->reason;
-      denial_told_at_ = now;
+    std::string reason = fmt::format("NATS: {}", what);
+    if (auto* const subscription = subscription_of(what)) {
+      is_news = subscription->refused(std::move(reason), now);
+    } else {
+      is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
+      if (is_news) {
+        denial_told_ = reason;
+        denial_told_at_ = now;
+      }
+      trouble_ = StreamFailure{Kind::refused, std::move(reason)};
     }
   }
   changed_.notify_all();
@@ -294,7 +337,7 @@ bool Inbox::stopped() const {
 
 StreamFigures Inbox::figures() const {
   const std::lock_guard lock{mutex_};
-  return {connected_, reading_.gaps(), false_messages_ + reading_.false_messages()};
+  return {connected_, reading_.gaps(), false_messages_ + reading_.false_messages(), refused_tail_.why()};
 }
 
 void Inbox::count_false() {

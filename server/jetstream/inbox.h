@@ -17,6 +17,7 @@
 #include "cluster/log_stream.h"
 #include "jetstream/connection.h"
 #include "jetstream/reading.h"
+#include "jetstream/refused_subscription.h"
 #include "jetstream/stored_message.h"
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_names.h"
@@ -48,6 +49,9 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
 
   /// Has all come here that the connection brings. Of who makes it.
   [[nodiscard]] tl::expected<void, StreamFailure> listen(Connection& connection);
+  /// Subscribes again to what NATS has refused, now and then. Whether the connection is to be made anew: then
+  /// answers are allowed again, which come to several subscriptions, of libnats too. Of who made it.
+  [[nodiscard]] bool renew(Connection& connection);
 
   // Of the connection.
   void connected(bool now) override;
@@ -55,8 +59,10 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void denied(std::string_view what) override;
 
   // Any thread.
-  /// The connection is closed next, to make it anew.
-  void leaves();
+  /// The connection is closed next, to make it anew; the log says why.
+  void leaves(std::string_view why);
+  /// Why NATS gives this server no answers; empty: it does.
+  [[nodiscard]] std::string without_answers() const;
   /// A message was asked for, or one is about to be.
   void asks();
   /// The leader gave a message, or said that it has none of the number.
@@ -88,6 +94,8 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void message(const Arrived& arrived);
   void info(std::uint64_t after, std::string_view text);
   void count_false();
+  /// Which it says is refused; null: none.
+  [[nodiscard]] RefusedSubscription* subscription_of(std::string_view denial);
   tl::expected<void, StreamFailure> judge(const StreamState& state, std::uint64_t after);
   [[nodiscard]] std::optional<StreamFailure> check_kept() const;
   [[nodiscard]] bool waits_for_answers() const { return created_ns_ == 0 || reading_.asks(); }
@@ -107,6 +115,9 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   std::condition_variable changed_;
   Reading reading_;
   std::shared_ptr<Connection::Source> tail_;
+  std::shared_ptr<Connection::Source> probe_;  // whether answers are allowed
+  RefusedSubscription refused_tail_;
+  RefusedSubscription refused_answers_;
   bool connected_ = false;
   bool woken_ = false;
   bool stopped_ = false;

@@ -59,7 +59,13 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connectio
   if (inbox_->stopped()) return stream_failure(Kind::unavailable, "stopped");
   const std::lock_guard lock{connection_mutex_};
   const auto closed = inbox_->why_closed();
-  if (!closed) return connection_;
+  if (!closed) {
+    if (inbox_->renew(*connection_)) {
+      inbox_->leaves("answers may be subscribed to again");
+      connection_->close();
+    }
+    return connection_;
+  }
   const auto now = Clock::now();
   if (now - connected_at_ < kBetweenConnections) return tl::unexpected{*closed};
   connected_at_ = now;
@@ -73,6 +79,14 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connectio
   return connection_;
 }
 
+StreamFailure JetStreamLog::explained(StreamFailure failure) const {
+  if (failure.kind != Kind::unavailable) return failure;
+  if (const std::string why = inbox_->without_answers(); !why.empty()) {
+    failure.reason = fmt::format("{}: no answer reaches this server", why);
+  }
+  return failure;
+}
+
 tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const std::byte> message) {
   if (auto fault = inbox_->fault()) return tl::unexpected{*std::move(fault)};
   if (message.size() > kStreamMessageBytes) {
@@ -84,7 +98,7 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
   if (!connection) return tl::unexpected{connection.error()};
   const std::uint64_t read_before = inbox_->after();
   const auto ack = (*connection)->publish(settings_.names.log, message, kAnswerPatience);
-  if (!ack) return tl::unexpected{ack.error()};
+  if (!ack) return tl::unexpected{explained(ack.error())};
   if (ack->stream != settings_.names.stream) {
     return stream_failure(Kind::refused,
                           fmt::format("{} is a subject of the stream {}, not of {}; delete that stream",
@@ -131,7 +145,7 @@ void JetStreamLog::leader_answers(bool does) {
   if (now - *silent_since_ < patience_) return;
   silent_since_.reset();
   patience_ = std::min<Clock::duration>(2 * patience_, kLongestNoLeader);
-  inbox_->leaves();
+  inbox_->leaves("no leader of the log answers by this server");
   connection_->close();  // connection() makes another
 }
 
@@ -140,7 +154,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   if (!connection) return tl::unexpected{connection.error()};
   const std::uint64_t read_before = inbox_->after();
   const auto reply = (*connection)->request(settings_.names.info(), "", kAnswerPatience);
-  if (!reply) return tl::unexpected{reply.error()};
+  if (!reply) return tl::unexpected{explained(reply.error())};
   const auto info = parse_stream_info(Arrived{reply->get()}.text());
   if (!info) return tl::unexpected{failure_of(info.error(), settings_.names.stream)};
   if (settings_.replicas != 0 && !has_settings_) {
@@ -165,7 +179,7 @@ tl::expected<std::optional<StoredMessage>, StreamFailure> JetStreamLog::ask_for(
   const auto reply =
       (*connection)
           ->request(settings_.names.message_get(), StreamNames::by_number(sequence), kAnswerPatience);
-  if (!reply) return tl::unexpected{reply.error()};
+  if (!reply) return tl::unexpected{explained(reply.error())};
   auto message = parse_stored_message(Arrived{reply->get()}.text());
   if (!is_of_messages(message)) return tl::unexpected{failure_of(message.error(), settings_.names.stream)};
   inbox_->answers();

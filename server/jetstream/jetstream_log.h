@@ -61,9 +61,12 @@ class JetStreamLog final : public LogStream {
  private:
   JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
-  /// The connection there is. One that was closed for good is made anew, each second at most.
+  /// The connection there is, with the subscriptions that NATS had refused and allows again. One that was
+  /// closed for good is made anew, each second at most.
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
   [[nodiscard]] tl::expected<StreamState, StreamFailure> ask_leader();
+  /// With why there are no answers, where it is that.
+  [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
   /// Asks the leader for a message; nothing where it has none of the number.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
   /// Where it does not for long, though a NATS server is connected, another is tried.

@@ -28,8 +28,13 @@ namespace talus::nats_test {
     const std::string& urls, server::jetstream::Credentials credentials = {});
 
 /// Lines of a server's configuration: whoever says no name may do all, and the user "talus" what a talusd
-/// must be allowed, with or without reading single messages.
-[[nodiscard]] std::string talusd_permissions(bool may_read);
+/// must be allowed, but for what is false.
+struct Allowed {
+  bool messages = true;  // single ones
+  bool tail = true;
+  bool answers = true;
+};
+[[nodiscard]] std::string talusd_permissions(Allowed allowed = {});
 [[nodiscard]] server::jetstream::Credentials as_talusd();
 
 /// Makes the stream and waits until all replicas are there.

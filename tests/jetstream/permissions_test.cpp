@@ -50,13 +50,13 @@ TEST_CASE("a missing permission is named") {
 }
 
 TEST_CASE("without the permission to read messages the log cannot be reached, until it is back") {
-  OneServer one{talusd_permissions(true)};
+  OneServer one{talusd_permissions()};
   make_stream(one.servers, one.names, 1);
   const auto log = open_log(one.servers.url_list(), one.names, as_talusd());
   publish(*log, "a");
   CHECK(read(*log, 0) == "a");
   REQUIRE(log->state());
-  one.servers.reconfigure(talusd_permissions(false));
+  one.servers.reconfigure(talusd_permissions({.messages = false}));
   const auto unreadable = [&](const StreamFailure& failure) {
     return failure.kind == Kind::unavailable &&
            failure.reason.find("messages of " + one.names.stream + " cannot be read") != std::string::npos &&
@@ -83,11 +83,74 @@ TEST_CASE("without the permission to read messages the log cannot be reached, un
   one.servers.start(0);
   while (!fails_as(true)) {
   }
-  one.servers.reconfigure(talusd_permissions(true));
+  one.servers.reconfigure(talusd_permissions());
   const auto until = from_now(kPatience);
   while (!log->state()) REQUIRE(std::chrono::steady_clock::now() < until);
   CHECK(log->time_of(1));
   CHECK(log->state());
+}
+
+TEST_CASE("without the permission to subscribe to the tail messages are asked for, until it is back") {
+  OneServer one{talusd_permissions()};
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names, as_talusd());
+  const auto other = open_log(one.servers.url_list(), one.names);
+  publish(*other, "a");
+  CHECK(read(*log, 0) == "a");
+  CHECK(log->figures().late.empty());
+  std::uint64_t last = 1;
+  const auto until_late = [&](bool wanted) {
+    const auto until = from_now(kPatience);
+    while (log->figures().late.empty() == wanted) {
+      REQUIRE(log->next(last, from_now(10ms)));
+      REQUIRE(std::chrono::steady_clock::now() < until);
+    }
+  };
+  one.servers.reconfigure(talusd_permissions({.tail = false}));
+  until_late(true);
+  CHECK_THAT(log->figures().late, Catch::Contains("Subscription") && Catch::Contains(one.names.tail));
+  publish(*other, "b");
+  CHECK(read(*log, last++) == "b");
+  CHECK(log->state());
+
+  one.servers.reconfigure(talusd_permissions());
+  until_late(false);
+  // By the tail alone.
+  one.servers.reconfigure(talusd_permissions({.messages = false}));
+  publish(*other, "c");
+  const auto until = from_now(kPatience);
+  for (bool came = false; !came;) {
+    const auto message = log->next(last, from_now(100ms));
+    came = message && *message;
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+}
+
+TEST_CASE("without the permission to subscribe to answers the log cannot be reached, until it is back") {
+  OneServer one{talusd_permissions()};
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names, as_talusd());
+  publish(*log, "a");
+  REQUIRE(log->state());
+  one.servers.reconfigure(talusd_permissions({.answers = false}));
+  const auto says_why = [](const StreamFailure& failure) {
+    return failure.kind == Kind::unavailable && failure.reason.find("ermissions") != std::string::npos &&
+           failure.reason.find("Subscription") != std::string::npos &&
+           failure.reason.find("_INBOX") != std::string::npos;
+  };
+  const auto until = from_now(kPatience);
+  for (auto state = log->state(); state || !says_why(state.error()); state = log->state()) {
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+  const auto published = log->publish(bytes_of("b"));
+  REQUIRE_FALSE(published);
+  CHECK(says_why(published.error()));
+
+  one.servers.reconfigure(talusd_permissions());
+  while (!log->state()) REQUIRE(std::chrono::steady_clock::now() < until);
+  publish(*log, "c");
+  CHECK(log->time_of(1));
+  CHECK(read(*log, 0) == "a");
 }
 
 TEST_CASE("user and password, token and NKey all open the door") {
