@@ -106,6 +106,7 @@ ClusterLog::Status ClusterLog::status() const {
   status.waiting = publisher_.open();
   status.republished = publisher_.republished();
   status.gaps = figures.gaps;
+  status.false_messages = figures.false_messages;
   const std::lock_guard lock{mutex_};
   const bool silent = silent_since_ && SteadyClock::now() - *silent_since_ > kSilent;
   status.connected = figures.connected;

@@ -95,9 +95,10 @@ class ClusterLog final : public EditLog {
     std::uint64_t sequence = 0;
     std::uint64_t gaps = 0;
     std::uint64_t republished = 0;
-    std::uint64_t skipped = 0;  // messages that no talusd can apply
-    std::uint64_t bounded = 0;  // batches whose time did not count as they said
-    bool stuck = false;         // the next message is for a newer talusd
+    std::uint64_t skipped = 0;         // messages that no talusd can apply
+    std::uint64_t false_messages = 0;  // came altered, or of somebody else: the leader has others
+    std::uint64_t bounded = 0;         // batches whose time did not count as they said
+    bool stuck = false;                // the next message is for a newer talusd
   };
   /// Any thread.
   [[nodiscard]] Status status() const;
@@ -126,6 +127,9 @@ class ClusterLog final : public EditLog {
     std::int64_t looked_ms = 0;
   };
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
+  /// Whether the message, which is none, came so by itself: then the leader is asked for it. It is not held
+  /// any more.
+  bool came_damaged(const StreamMessage& message, const std::string& reason);
   /// The message is one that all servers pass over.
   void skip(const StreamMessage& message, const std::string& reason);
   /// This talusd does not know it: passes over it, unless the stream may have such from there on.
@@ -175,6 +179,7 @@ class ClusterLog final : public EditLog {
   StateComparison comparison_;
   std::uint64_t none_newer_to_ = 0;  // up to this message the stream has none for a newer talusd
   TimePoint skip_told_{};            // in the log
+  TimePoint damage_told_{};
   TimePoint clock_told_{};
 
   std::mutex telling_;      // locked before mutex_

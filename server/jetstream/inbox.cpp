@@ -280,6 +280,11 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
   }
 }
 
+void Inbox::ask_again() {
+  const std::lock_guard lock{mutex_};
+  reading_.ask_again(Clock::now());
+}
+
 StreamFailure Inbox::failed_for_good(std::string reason) {
   StreamFailure failure{Kind::other, std::move(reason)};
   {

@@ -84,7 +84,8 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   [[nodiscard]] bool stopped() const;
   [[nodiscard]] StreamFigures figures() const;
 
-  /// LogStream::next(). Of the reader.
+  /// LogStream's. Of the reader.
+  void ask_again();
   tl::expected<std::optional<StreamMessage>, StreamFailure> next(const Connect& connect, std::uint64_t after,
                                                                  TimePoint until);
 

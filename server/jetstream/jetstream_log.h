@@ -29,7 +29,8 @@ namespace talus::server::jetstream {
 ///
 /// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
 /// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
-/// the same number: next() then fails with `false_message`.
+/// the same number: next() then fails with `false_message`. What can be no message, as it is damaged, does no
+/// harm: ask_again() reads it from the leader.
 class JetStreamLog final : public LogStream {
  public:
   struct Settings {
@@ -50,6 +51,7 @@ class JetStreamLog final : public LogStream {
   /// Without a connection it fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;
+  void ask_again() override { inbox_->ask_again(); }
   /// Fails too where the leader says nothing of messages that were asked for, as without the permission for
   /// that: the tail alone is no promise. Waits half a second more then.
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;

@@ -66,6 +66,17 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
     while (text == "b");  // twice, where its first acknowledgement did not come
     CHECK(text == "c");
   }
+  SECTION("in place of the next one, and it can be no message") {
+    forge(one.names.stream, 2, "false");
+    CHECK(read(*log, 1) == "false");
+    log->ask_again();
+    forge(one.names.stream, 2, "false again");
+    publish(*log, "b");
+    CHECK(read(*log, 1) == "b");
+    CHECK(log->figures().false_messages == 1);
+    publish(*log, "c");
+    CHECK(read(*log, 2) == "c");
+  }
   SECTION("in place of the next one") {
     forge(one.names.stream, 2, "false");
     CHECK(read(*log, 1) == "false");

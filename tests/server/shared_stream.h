@@ -172,6 +172,10 @@ class StreamEnd final : public LogStream {
     if (reading_() % 256 < faults_.holes) return std::nullopt;
     auto message = stream_.wait_for(after + 1, until, woken_);
     woken_ = stopped_.load();
+    if (message && *message && alters_ == (*message)->sequence) {
+      (*message)->of_leader = false;
+      (*message)->bytes.back() ^= std::byte{1};
+    }
     return message;
   }
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
@@ -196,6 +200,10 @@ class StreamEnd final : public LogStream {
     wake();
   }
 
+  void ask_again() override { alters_ = 0; }
+
+  /// The message comes altered, until it is asked for.
+  void alter(std::uint64_t sequence) { alters_ = sequence; }
   void connect(bool connected) { connected_ = connected; }
 
  private:
@@ -215,6 +223,7 @@ class StreamEnd final : public LogStream {
   std::atomic<bool> stopped_{false};
   std::atomic<bool> woken_{false};
   std::atomic<bool> connected_{true};
+  std::atomic<std::uint64_t> alters_{0};
 };
 
 /// Opens one end after another.
