@@ -86,7 +86,9 @@ bool ClusterLog::takes_entries() const {
 tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
   using Kind = LogFailure::Kind;
   if (auto fits = keep_to_index(parts_.state, entry); !fits) return fits;
-  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) return fits;
+  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) {
+    return tl::unexpected{unless_behind(std::move(fits.error()))};
+  }
   if (auto read_only = writer_.status().read_only) {
     return tl::unexpected{LogFailure{Kind::unwritable, *std::move(read_only)}};
   }
@@ -94,6 +96,21 @@ tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
     return tl::unexpected{LogFailure{Kind::cut_off, *std::move(refuses)}};
   }
   return publisher_.append(std::move(entry), std::move(done));
+}
+
+tl::expected<void, LogFailure> ClusterLog::room_for_editor() const {
+  auto room = server::room_for_editor(parts_.state, parts_.clock);
+  if (!room) return tl::unexpected{unless_behind(std::move(room.error()))};
+  return room;
+}
+
+LogFailure ClusterLog::unless_behind(LogFailure failure) const {
+  const Status now = status();
+  if (now.ready && !now.read_only && now.lag == 0) return failure;
+  return {LogFailure::Kind::cut_off,
+          fmt::format("this server is not at the end of the log that this world's servers share ({} messages "
+                      "behind), and may not know all who edit; come back in 2 s",
+                      now.lag)};
 }
 
 ClusterLog::Status ClusterLog::status() const {

@@ -80,6 +80,10 @@ class ClusterLog final : public EditLog {
 
   [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
   [[nodiscard]] bool takes_entries() const override;
+  /// Whether one more may come to edit, before there is an entry; append() asks that too. Where this server
+  /// is not at the log's end it does not know all who edit: then the failure is cut_off in place of
+  /// editors_full, and soon over. Any thread.
+  [[nodiscard]] tl::expected<void, LogFailure> room_for_editor() const;
 
   struct Status {
     edits::Head head;
@@ -151,6 +155,8 @@ class ClusterLog final : public EditLog {
   void look_at_end();
 
   // Any thread.
+  /// What it is while this server is not at the log's end.
+  [[nodiscard]] LogFailure unless_behind(LogFailure failure) const;
   /// Whether nothing had stopped it before.
   bool stop_applying(std::string reason);
   void lose(Lost how, const std::string& reason);

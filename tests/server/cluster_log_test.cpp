@@ -269,6 +269,35 @@ TEST_CASE("a full disk stops a server where it is, and it goes on when there is 
   CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
 }
 
+TEST_CASE("a server that is behind tells who is new to come again soon, not that all editors are there") {
+  Cluster cluster{1};
+  cluster.nodes[0]->state_settings.editor_bytes = EditState::kNewEditorBytes;
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach(7)).has_value());
+  const auto is_at_end = [&] {
+    const auto status = cluster.log(0).status();
+    return status.ready && status.lag == 0 && status.sequence == cluster.stream.state().last;
+  };
+  const auto refused_as = [&](LogFailure::Kind kind) {
+    const auto taken = answers.send(cluster.log(0), attach(8));
+    const auto room = cluster.log(0).room_for_editor();
+    return !taken && taken.error().kind == kind && !room && room.error().kind == kind;
+  };
+  until(is_at_end);
+  CHECK(refused_as(LogFailure::Kind::editors_full));
+  cluster.stream.fail_next_as(StreamFailure::Kind::unavailable);
+  const std::vector<Bytes> elsewhere{bytes_of_entry(attach(8))};
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, elsewhere));
+  until([&] { return cluster.log(0).status().lag > 0; });
+  CHECK(refused_as(LogFailure::Kind::cut_off));
+  cluster.stream.fail_next_as(std::nullopt);
+  until(is_at_end);
+  auto again = attach(8);
+  again.epoch = 2;
+  CHECK(answers.apply(cluster.log(0), again)->kind == Kind::attached);
+}
+
 TEST_CASE("an edit that no message has room for is refused before it is in the log") {
   Cluster cluster{1};
   cluster.open();
