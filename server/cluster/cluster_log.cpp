@@ -18,8 +18,6 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kLastWait{2};
 /// A leader that was deposed may say less than there is, until it knows.
 constexpr std::chrono::seconds kSureOfShorter{15};
-/// Without a word of the leader for so long no edits are taken.
-constexpr std::chrono::seconds kSilent{3};
 
 }  // namespace
 
@@ -125,7 +123,8 @@ ClusterLog::Status ClusterLog::status() const {
   status.gaps = figures.gaps;
   status.false_messages = figures.false_messages;
   const std::lock_guard lock{mutex_};
-  const bool silent = silent_since_ && SteadyClock::now() - *silent_since_ > kSilent;
+  // Then no edits are taken.
+  const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
   status.connected = figures.connected;
   status.late = std::move(figures.late);
   status.quorum = heard_ && !silent && takes;
@@ -203,7 +202,7 @@ void ClusterLog::look_at_end() {
   {
     const std::lock_guard lock{mutex_};
     if (!stream) {
-      if (!silent_since_) silent_since_ = asked;
+      end_.unanswered(asked);
       began_silent_ = began_silent_ || !heard_;
       shorter_since_.reset();  // it may be another leader that speaks next
       if (!known || trouble_.empty() || trouble_is_silence_) {
@@ -211,12 +210,9 @@ void ClusterLog::look_at_end() {
         trouble_is_silence_ = true;
       }
     } else {
-      if (const auto since = std::exchange(silent_since_, std::nullopt)) {
-        // A look that failed now and then is no silence: it would hide that a server falls behind.
-        if (asked - *since > kSilent) end_.was_silent(asked - *since);
-        if (known && trouble_is_silence_) trouble_.clear();
-        trouble_is_silence_ = false;
-      }
+      end_.answered(asked);
+      if (known && trouble_is_silence_) trouble_.clear();
+      trouble_is_silence_ = false;
       if (known) heard_ = true;
       if (!is_of_stream || stream->created_ns != created_ns) {
         shorter_since_.reset();

@@ -198,7 +198,6 @@ class ClusterLog final : public EditLog {
   std::int64_t created_ns_ = 0;
   bool shorter_ = false;                    // the stream seems to have less than was applied
   std::optional<TimePoint> shorter_since_;  // since when the leader has said so, without a silence
-  std::optional<TimePoint> silent_since_;   // the leader does not answer
   bool heard_ = false;                      // it ever did, of where this server has its place
   bool began_silent_ = false;               // it did not when it was asked before that
   bool places_known_ = false;

@@ -46,16 +46,6 @@ std::shared_ptr<Connection> connected_to(const std::string& urls, Credentials cr
   }
 }
 
-std::string talusd_permissions(Allowed allowed) {
-  // An empty list would allow all.
-  return fmt::format(
-      "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "
-      "p, permissions: {{ publish: [\"talus.*.log\", \"$JS.API.STREAM.INFO.*\"{}], subscribe: "
-      "[\"nothing\"{}{}] }} }} ] }}",
-      allowed.messages ? ", \"$JS.API.STREAM.MSG.GET.*\"" : "", allowed.tail ? ", \"talus.*.tail\"" : "",
-      allowed.answers ? ", \"_INBOX.>\"" : "");
-}
-
 Credentials as_talusd() {
   Credentials who;
   who.user = "talus";
