@@ -2,8 +2,8 @@
 // the stream, of whichever server, it applies in the stream's order. An entry is answered where it was taken,
 // once it is applied there.
 //
-// Three threads: one publishes, one applies and writes the store, one asks the stream's leader where its end
-// is.
+// Four threads: one publishes, one applies and writes the store, one syncs that, one asks the stream's leader
+// where its end is.
 #pragma once
 
 #include <atomic>
