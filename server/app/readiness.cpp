@@ -17,6 +17,10 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log, co
   if (log != nullptr && log->read_only) {
     return {true, fmt::format("ready; no edits are taken: {}", *log->read_only)};
   }
+  if (log != nullptr && !log->late.empty()) {
+    return {true,
+            fmt::format("ready; what is edited at other servers comes up to a second late: {}", log->late)};
+  }
   return {};
 }
 

@@ -172,9 +172,10 @@ std::string Server::metrics_text() {
   if (edits_ != nullptr) {
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
       const cluster::ClusterLog::Status at = shared->status();
-      gauges.cluster = {at.connected,    at.quorum,      at.differs, at.lag,
-                        at.sequence,     at.republished, at.gaps,    &shared->publish_latency(),
-                        edits_->joins(), at.skipped,     at.bounded, at.stuck};
+      gauges.cluster = {at.connected,    at.quorum,        at.differs, at.lag,
+                        at.sequence,     at.republished,   at.gaps,    &shared->publish_latency(),
+                        edits_->joins(), at.skipped,       at.bounded, at.stuck,
+                        at.late.empty(), at.false_messages};
     }
     const LocalLog::Status log = edits_->status();
     const EditState& state = edits_->state();

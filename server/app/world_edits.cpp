@@ -138,8 +138,13 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Me
                                         tell_feed());
     log_ = local_.get();
   }
-  EditIntake::Parts parts{base,   *log_,   [this](edits::EditorId id) { return state_->editor(id); },
-                          clock_, metrics, [this] { return room_for_editor(*state_, clock_); }};
+  EditIntake::Parts parts{
+      base,
+      *log_,
+      [this](edits::EditorId id) { return state_->editor(id); },
+      clock_,
+      metrics,
+      [this] { return shared_ != nullptr ? shared_->room_for_editor() : room_for_editor(*state_, clock_); }};
   intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
   waits_for_log_ = intake_.get();
   return *chunks_;

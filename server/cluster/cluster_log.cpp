@@ -18,8 +18,6 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kLastWait{2};
 /// A leader that was deposed may say less than there is, until it knows.
 constexpr std::chrono::seconds kSureOfShorter{15};
-/// Without a word of the leader for so long no edits are taken.
-constexpr std::chrono::seconds kSilent{3};
 
 }  // namespace
 
@@ -86,7 +84,9 @@ bool ClusterLog::takes_entries() const {
 tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
   using Kind = LogFailure::Kind;
   if (auto fits = keep_to_index(parts_.state, entry); !fits) return fits;
-  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) return fits;
+  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) {
+    return tl::unexpected{unless_behind(std::move(fits.error()))};
+  }
   if (auto read_only = writer_.status().read_only) {
     return tl::unexpected{LogFailure{Kind::unwritable, *std::move(read_only)}};
   }
@@ -96,19 +96,37 @@ tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
   return publisher_.append(std::move(entry), std::move(done));
 }
 
+tl::expected<void, LogFailure> ClusterLog::room_for_editor() const {
+  auto room = server::room_for_editor(parts_.state, parts_.clock);
+  if (!room) return tl::unexpected{unless_behind(std::move(room.error()))};
+  return room;
+}
+
+LogFailure ClusterLog::unless_behind(LogFailure failure) const {
+  const Status now = status();
+  if (now.ready && !now.read_only && now.lag == 0) return failure;
+  return {LogFailure::Kind::cut_off,
+          fmt::format("this server is not at the end of the log that this world's servers share ({} messages "
+                      "behind), and may not know all who edit; come back in 2 s",
+                      now.lag)};
+}
+
 ClusterLog::Status ClusterLog::status() const {
   Status status;
   StoreWriter::Status store = writer_.status();
-  const StreamFigures figures = parts_.stream.figures();
+  StreamFigures figures = parts_.stream.figures();
   const std::string publishing = publisher_.trouble();
   const bool takes = publisher_.takes();
   status.head = store.head;
   status.waiting = publisher_.open();
   status.republished = publisher_.republished();
   status.gaps = figures.gaps;
+  status.false_messages = figures.false_messages;
   const std::lock_guard lock{mutex_};
-  const bool silent = silent_since_ && SteadyClock::now() - *silent_since_ > kSilent;
+  // Then no edits are taken.
+  const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
   status.connected = figures.connected;
+  status.late = std::move(figures.late);
   status.quorum = heard_ && !silent && takes;
   status.differs = differs_;
   status.lag = end_.lag();
@@ -184,7 +202,7 @@ void ClusterLog::look_at_end() {
   {
     const std::lock_guard lock{mutex_};
     if (!stream) {
-      if (!silent_since_) silent_since_ = asked;
+      end_.unanswered(asked);
       began_silent_ = began_silent_ || !heard_;
       shorter_since_.reset();  // it may be another leader that speaks next
       if (!known || trouble_.empty() || trouble_is_silence_) {
@@ -192,12 +210,9 @@ void ClusterLog::look_at_end() {
         trouble_is_silence_ = true;
       }
     } else {
-      if (const auto since = std::exchange(silent_since_, std::nullopt)) {
-        // A look that failed now and then is no silence: it would hide that a server falls behind.
-        if (asked - *since > kSilent) end_.was_silent(asked - *since);
-        if (known && trouble_is_silence_) trouble_.clear();
-        trouble_is_silence_ = false;
-      }
+      end_.answered(asked);
+      if (known && trouble_is_silence_) trouble_.clear();
+      trouble_is_silence_ = false;
       if (known) heard_ = true;
       if (!is_of_stream || stream->created_ns != created_ns) {
         shorter_since_.reset();

@@ -2,8 +2,8 @@
 // the stream, of whichever server, it applies in the stream's order. An entry is answered where it was taken,
 // once it is applied there.
 //
-// Three threads: one publishes, one applies and writes the store, one asks the stream's leader where its end
-// is.
+// Four threads: one publishes, one applies and writes the store, one syncs that, one asks the stream's leader
+// where its end is.
 #pragma once
 
 #include <atomic>
@@ -80,6 +80,10 @@ class ClusterLog final : public EditLog {
 
   [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
   [[nodiscard]] bool takes_entries() const override;
+  /// Whether one more may come to edit, before there is an entry; append() asks that too. Where this server
+  /// is not at the log's end it does not know all who edit: then the failure is cut_off in place of
+  /// editors_full, and soon over. Any thread.
+  [[nodiscard]] tl::expected<void, LogFailure> room_for_editor() const;
 
   struct Status {
     edits::Head head;
@@ -88,15 +92,17 @@ class ClusterLog final : public EditLog {
     bool ready = false;                    // players may come here
     std::string not_ready;                 // why not, in one line
     bool connected = false;
+    std::string late;     // why others' edits come late, up to a second; empty: they do not
     bool quorum = false;  // the stream has a leader that answers
     bool differs = false;
     std::uint64_t lag = 0;  // messages
     std::uint64_t sequence = 0;
     std::uint64_t gaps = 0;
     std::uint64_t republished = 0;
-    std::uint64_t skipped = 0;  // messages that no talusd can apply
-    std::uint64_t bounded = 0;  // batches whose time did not count as they said
-    bool stuck = false;         // the next message is for a newer talusd
+    std::uint64_t skipped = 0;         // messages that no talusd can apply
+    std::uint64_t false_messages = 0;  // came altered, or of somebody else: the leader has others
+    std::uint64_t bounded = 0;         // batches whose time did not count as they said
+    bool stuck = false;                // the next message is for a newer talusd
   };
   /// Any thread.
   [[nodiscard]] Status status() const;
@@ -125,6 +131,9 @@ class ClusterLog final : public EditLog {
     std::int64_t looked_ms = 0;
   };
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
+  /// Whether the message, which is none, came so by itself: then the leader is asked for it. It is not held
+  /// any more.
+  bool came_damaged(const StreamMessage& message, const std::string& reason);
   /// The message is one that all servers pass over.
   void skip(const StreamMessage& message, const std::string& reason);
   /// This talusd does not know it: passes over it, unless the stream may have such from there on.
@@ -146,6 +155,8 @@ class ClusterLog final : public EditLog {
   void look_at_end();
 
   // Any thread.
+  /// What it is while this server is not at the log's end.
+  [[nodiscard]] LogFailure unless_behind(LogFailure failure) const;
   /// Whether nothing had stopped it before.
   bool stop_applying(std::string reason);
   void lose(Lost how, const std::string& reason);
@@ -174,6 +185,7 @@ class ClusterLog final : public EditLog {
   StateComparison comparison_;
   std::uint64_t none_newer_to_ = 0;  // up to this message the stream has none for a newer talusd
   TimePoint skip_told_{};            // in the log
+  TimePoint damage_told_{};
   TimePoint clock_told_{};
 
   std::mutex telling_;      // locked before mutex_
@@ -186,7 +198,6 @@ class ClusterLog final : public EditLog {
   std::int64_t created_ns_ = 0;
   bool shorter_ = false;                    // the stream seems to have less than was applied
   std::optional<TimePoint> shorter_since_;  // since when the leader has said so, without a silence
-  std::optional<TimePoint> silent_since_;   // the leader does not answer
   bool heard_ = false;                      // it ever did, of where this server has its place
   bool began_silent_ = false;               // it did not when it was asked before that
   bool places_known_ = false;

@@ -101,6 +101,7 @@ void ClusterLog::cannot_get(const StreamFailure& failure) {
 void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
   if (!decoded) {
+    if (came_damaged(message, decoded.error().reason)) return;
     const bool is_newer = decoded.error().kind == MessageFault::Kind::newer;
     return is_newer ? meet_unknown(message, decoded.error()) : skip(message, decoded.error().reason);
   }
@@ -112,6 +113,7 @@ void ClusterLog::apply(const StreamMessage& message) {
     if (!entry) {
       writer_.drop();
       const auto fault = fault_of_entries(*decoded, i);
+      if (came_damaged(message, fault.reason)) return;
       return fault.kind == MessageFault::Kind::newer ? meet_unknown(message, fault)
                                                      : skip(message, fault.reason);
     }
@@ -130,6 +132,21 @@ void ClusterLog::apply(const StreamMessage& message) {
          {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms,
           hash_of_message(message.bytes)},
          &said);
+}
+
+bool ClusterLog::came_damaged(const StreamMessage& message, const std::string& reason) {
+  if (message.of_leader) return false;
+  if (const auto now = SteadyClock::now(); now - damage_told_ > kBetweenWarnings) {
+    damage_told_ = now;
+    parts_.log->error(
+        "cluster: message {} of the log came damaged, or somebody else sent it: {}; the log's leader is "
+        "asked "
+        "for it",
+        message.sequence, reason);
+  }
+  parts_.stream.ask_again();
+  held_.reset();
+  return true;
 }
 
 void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {

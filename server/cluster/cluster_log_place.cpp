@@ -96,6 +96,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   const auto genesis = decode_genesis((*first)->bytes);
   if (!genesis) {
     const MessageFault& fault = genesis.error();
+    if (came_damaged(**first, fault.reason)) return false;
     stop_applying(not_applied(1, fmt::format("{}{}", fault.reason, remedy_of(fault))));
     return false;
   }

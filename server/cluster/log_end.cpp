@@ -1,6 +1,7 @@
 #include "cluster/log_end.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace talus::server::cluster {
 
@@ -23,7 +24,14 @@ void LogEnd::heard(std::uint64_t last, TimePoint asked) {
   judge();
 }
 
-void LogEnd::was_silent(std::chrono::steady_clock::duration silence) {
+void LogEnd::unanswered(TimePoint asked) {
+  if (!silent_since_) silent_since_ = asked;
+}
+
+void LogEnd::answered(TimePoint asked) {
+  const auto since = std::exchange(silent_since_, std::nullopt);
+  if (!since || asked - *since <= kSilent) return;
+  const auto silence = asked - *since;
   for (Look& look : ahead_) look.asked += silence;
   heard_ += silence;
 }

@@ -19,6 +19,7 @@ namespace talus::server {
 struct StreamMessage {
   std::uint64_t sequence = 0;
   std::vector<std::byte> bytes;
+  bool of_leader = true;  // else it came by itself, and ask_again() says what the leader has
 };
 
 /// What the stream's leader says. `enabled` is not older than `last`: whoever enables another format waits
@@ -48,6 +49,7 @@ struct StreamFigures {
   bool connected = false;
   std::uint64_t gaps = 0;            // where messages had to be asked for
   std::uint64_t false_messages = 0;  // that somebody else sent as if they were the stream's
+  std::string late{};                // why messages do not come by themselves, and are asked for; else empty
 };
 
 /// Two threads use it: one calls publish(), the other next(); the others are for any. After `other` or
@@ -67,6 +69,10 @@ class LogStream {
   /// called. `after` is 0 at first, or what the call before returned.
   [[nodiscard]] virtual tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                        TimePoint until) = 0;
+
+  /// The message that next() gave last cannot be the stream's: where it is not of the leader next() gives
+  /// that place again, as the leader has it. Of the thread that calls next().
+  virtual void ask_again() {}
 
   /// Asks the leader. `unavailable` also where its messages cannot be read. Waits about a second at most.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;

@@ -5,12 +5,19 @@
 
 namespace talus::server {
 
+Flusher::Flusher(EditState& state, EditDatabase& database)
+    : Flusher{state, database, [&database]() -> tl::expected<bool, std::string> {
+                if (auto synced = database.sync(); !synced) return tl::unexpected{std::move(synced.error())};
+                return true;
+              }} {}
+
 void Flusher::start() {
   position_ = state_.head().position;
   chunks_ = state_.dirty_chunks();
   editors_ = state_.take_dirty_editors();
   editors_left_ = editors_.size();
   written_.clear();
+  put_ = false;
   flushed_ = false;
   // Keys in order cost the database less.
   std::ranges::sort(chunks_, std::greater{});
@@ -22,6 +29,7 @@ EditDatabase::Done Flusher::step() {
     clean_some();
     return {};
   }
+  if (put_) return mark();
   EditDatabase::Slice slice;
   const auto has_place = [&] { return slice.count() < kSliceValues && slice.bytes() < kSliceBytes; };
   const std::size_t written_before = written_.size();
@@ -52,6 +60,14 @@ EditDatabase::Done Flusher::step() {
   chunks_.resize(chunks_left);
   editors_left_ = editors_left;
   if (chunks_left > 0 || editors_left > 0) return {};
+  put_ = true;
+  return mark();
+}
+
+EditDatabase::Done Flusher::mark() {
+  const auto synced = synced_();
+  if (!synced) return tl::unexpected{synced.error()};
+  if (!*synced) return {};
   if (auto marked = database_.mark_flushed(position_); !marked) return marked;
   flushed_ = true;
   clean_some();

@@ -6,6 +6,12 @@
 #include <fmt/format.h>
 
 namespace talus::server {
+namespace {
+
+/// Who waits for a sync that ends a flush looks so often, and goes on with edits meanwhile.
+constexpr std::chrono::milliseconds kBetweenSyncLooks{2};
+
+}  // namespace
 
 StoreWriter::StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
                          OnChanged on_changed)
@@ -13,7 +19,8 @@ StoreWriter::StoreWriter(EditDatabase& database, EditState& state, const StoreWr
       state_{state},
       settings_{settings},
       on_changed_{std::move(on_changed)},
-      flusher_{state, database} {
+      flusher_{state, database, [this] { return is_put_synced(); }} {
+  if (database_.has_log_elsewhere()) syncer_.emplace(database_);
   const TimePoint now = std::chrono::steady_clock::now();
   next_flush_ = now + settings_.flush_interval;
   next_check_ = now + settings_.retry_interval;
@@ -56,24 +63,64 @@ bool StoreWriter::write() {
 
 StoreWriter::TimePoint StoreWriter::next_look() const {
   if (broken_) return next_check_;
-  return flusher_.is_running() ? TimePoint::min() : std::min(next_flush_, next_check_);
+  if (!flusher_.is_running()) return std::min(next_flush_, next_check_);
+  return flush_sync_ == 0 ? TimePoint::min() : std::chrono::steady_clock::now() + kBetweenSyncLooks;
 }
 
 void StoreWriter::look() {
+  hear_sync();
   const TimePoint now = std::chrono::steady_clock::now();
   if (now >= next_check_) {
     next_check_ = now + settings_.retry_interval;
     if (broken_) {
       retry();
     } else if (database_.has_unsynced()) {
-      if (auto synced = database_.sync(); !synced) refuse(std::move(synced.error()));
+      sync();
     }
     check_disk();
     publish();
   }
   if (!broken_) flush_some();
   // Small edits of chunks with many may dirty more than a slice each time.
-  while (!broken_ && state_.dirty_bytes() > 4 * settings_.flush_bytes) flush_some();
+  while (!broken_ && state_.dirty_bytes() > 4 * settings_.flush_bytes) {
+    wait_for_sync();
+    if (!broken_) flush_some();
+  }
+}
+
+void StoreWriter::sync() {
+  if (syncer_) {
+    (void)syncer_->begin();
+  } else if (auto synced = database_.sync(); !synced) {
+    refuse(std::move(synced.error()));
+  }
+}
+
+void StoreWriter::hear_sync() {
+  if (!syncer_) return;
+  const auto ended = syncer_->take_ended();
+  if (!ended) return;
+  if (!ended->done) return refuse(ended->done.error());
+  synced_to_ = ended->number;
+  database_.end_sync(ended->written);
+}
+
+tl::expected<bool, std::string> StoreWriter::is_put_synced() {
+  if (!syncer_) {
+    if (auto synced = database_.sync(); !synced) return tl::unexpected{std::move(synced.error())};
+    return true;
+  }
+  if (flush_sync_ == 0) flush_sync_ = syncer_->begin();
+  if (synced_to_ < flush_sync_) return false;
+  flush_sync_ = 0;
+  return true;
+}
+
+void StoreWriter::wait_for_sync() {
+  while (!broken_ && synced_to_ < flush_sync_) {
+    syncer_->wait();
+    hear_sync();
+  }
 }
 
 void StoreWriter::flush_some() {
@@ -91,6 +138,8 @@ void StoreWriter::flush_all() {
   if (broken_) return;
   while (flusher_.is_running() || state_.head().position != database_.meta().flushed) {
     if (!flusher_.is_running()) flusher_.start();
+    wait_for_sync();
+    if (broken_) return;
     // What cannot be written is in the log's records, and read by the next start.
     if (!flusher_.step()) return;
   }
@@ -123,6 +172,7 @@ void StoreWriter::retry() {
   }
   broken_ = false;
   // What was put and not synced may have gone with the fault.
+  flush_sync_ = 0;
   if (flusher_.is_running()) flusher_.abandon();
   if (pending_) (void)write();
 }

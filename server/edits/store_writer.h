@@ -15,6 +15,7 @@
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
 #include "edits/flusher.h"
+#include "edits/log_syncer.h"
 #include "store/edit_database.h"
 
 namespace talus::server {
@@ -86,6 +87,14 @@ class StoreWriter {
 
   bool write();
   void flush_some();
+  /// Begins a sync of what was written.
+  void sync();
+  /// Of a log that is elsewhere: what became of the last sync.
+  void hear_sync();
+  /// Whether what the flusher has put is synced.
+  [[nodiscard]] tl::expected<bool, std::string> is_put_synced();
+  /// Waits, where the flusher waits for a sync.
+  void wait_for_sync();
   void check_disk();
   void refuse(std::string reason);
   void retry();
@@ -95,6 +104,9 @@ class StoreWriter {
   EditState& state_;
   const StoreWriterSettings settings_;
   const OnChanged on_changed_;
+  std::optional<LogSyncer> syncer_;  // where the log is elsewhere: else each batch is synced, which waits
+  std::uint64_t synced_to_ = 0;      // the sync that ended well last
+  std::uint64_t flush_sync_ = 0;     // that the flusher waits for; 0: none
   Flusher flusher_;
   std::optional<Pending> pending_;
   bool broken_ = false;  // a write failed

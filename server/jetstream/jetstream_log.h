@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include "config/server_urls.h"
 #include "jetstream/connection.h"
 #include "jetstream/credentials.h"
+#include "jetstream/inbox.h"
 #include "jetstream/stored_message.h"
 #include "jetstream/stream_names.h"
 #include "log/logger.h"
@@ -29,7 +29,8 @@ namespace talus::server::jetstream {
 ///
 /// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
 /// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
-/// the same number: next() then fails with `false_message`.
+/// the same number: next() then fails with `false_message`. What can be no message, as it is damaged, does no
+/// harm: ask_again() reads it from the leader.
 class JetStreamLog final : public LogStream {
  public:
   struct Settings {
@@ -50,6 +51,7 @@ class JetStreamLog final : public LogStream {
   /// Without a connection it fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;
+  void ask_again() override { inbox_->ask_again(); }
   /// Fails too where the leader says nothing of messages that were asked for, as without the permission for
   /// that: the tail alone is no promise. Waits half a second more then.
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
@@ -59,13 +61,14 @@ class JetStreamLog final : public LogStream {
   void stop() override;
 
  private:
-  class Inbox;  // what comes in, on libnats' threads
-
   JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
-  /// The connection there is. One that was closed for good is made anew, each second at most.
+  /// The connection there is, with the subscriptions that NATS had refused and allows again. One that was
+  /// closed for good is made anew, each second at most.
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
   [[nodiscard]] tl::expected<StreamState, StreamFailure> ask_leader();
+  /// With why there are no answers, where it is that.
+  [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
   /// Asks the leader for a message; nothing where it has none of the number.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
   /// Where it does not for long, though a NATS server is connected, another is tried.
@@ -74,7 +77,6 @@ class JetStreamLog final : public LogStream {
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;
   Logger log_;
-  std::string reply_;  // subject of answers, without what each is to
   std::shared_ptr<Inbox> inbox_;
   std::atomic<bool> has_settings_{false};  // as it should
   std::mutex connection_mutex_;

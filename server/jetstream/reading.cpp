@@ -34,6 +34,7 @@ void Reading::move_to(std::uint64_t after, TimePoint now) {
   }
   after_ = after;
   known_ = std::max(known_, after);
+  if (altered_ && altered_->sequence <= after_) altered_.reset();
   while (!held_.empty() && held_.begin()->first <= after_) drop(held_.begin());
   asked_.clear();
   progressed(now);
@@ -60,6 +61,7 @@ void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, boo
 
 void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
   if (sequence == 0 || doubted_.contains(sequence)) return;
+  if (altered_ && altered_->sequence == sequence) return;
   const auto doubt = [&] {
     if (doubted_.size() < kMostDoubts) doubted_.insert(sequence);
   };
@@ -101,6 +103,10 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
   asked_.erase(sequence);
   const bool doubted = doubted_.erase(sequence) > 0;
   if (doubted) ++false_messages_;
+  if (altered_ && altered_->sequence == sequence) {
+    if (altered_->digest != digest(bytes)) ++false_messages_;
+    altered_.reset();
+  }
   if (sequence <= after_) {
     const Given* const given = remembered(sequence);
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
@@ -132,6 +138,10 @@ void Reading::ends_at(std::uint64_t last) {
   // What came after the leader was asked is more than it said; that is there when it is asked for.
   if (known_ <= last || pause_ < kSureOfNone) return;
   known_ = std::max(last, after_);
+  if (altered_ && altered_->sequence > known_) {
+    ++false_messages_;
+    altered_.reset();
+  }
   doubted_.erase(doubted_.upper_bound(known_), doubted_.end());
 }
 
@@ -144,12 +154,22 @@ std::optional<StreamMessage> Reading::take() {
   if (next == held_.end()) return std::nullopt;
   StreamMessage message{next->first, std::move(next->second.bytes)};
   held_bytes_ -= message.bytes.size();
-  given_.push_back({message.sequence, digest(message.bytes), next->second.answered});
+  message.of_leader = next->second.answered;
+  given_.push_back({message.sequence, digest(message.bytes), message.of_leader});
   if (given_.size() > kRemembered) given_.pop_front();
   held_.erase(next);
   after_ = message.sequence;
   known_ = std::max(known_, after_);
   return message;
+}
+
+void Reading::ask_again(TimePoint now) {
+  if (given_.empty() || given_.back().sequence != after_ || given_.back().answered) return;
+  altered_ = given_.back();
+  given_.pop_back();
+  --after_;
+  progressed(now);
+  ask_from_ = now;
 }
 
 std::vector<std::uint64_t> Reading::wanted(TimePoint now) {

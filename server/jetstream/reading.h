@@ -58,6 +58,10 @@ class Reading {
   /// The next message, if it came.
   [[nodiscard]] std::optional<StreamMessage> take();
 
+  /// What take() gave out last is no message: what comes by the tail for that place is not believed, and
+  /// take() gives it again once the leader has answered. Nothing where the leader gave it.
+  void ask_again(TimePoint now);
+
   /// Sequences to ask for now; they count as asked for.
   [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
   /// Whether an answer is on its way, as far as is known.
@@ -112,6 +116,7 @@ class Reading {
   TimePoint ask_from_{};  // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;
+  std::optional<Given> altered_;  // of the tail, and no message
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;
   std::uint64_t false_messages_ = 0;

@@ -168,6 +168,8 @@ const std::array kRows{
     MetricRow{"talus_cluster_messages_skipped_total", "Messages of the shared log that no talusd wrote, or not as they are: all servers pass over them.", counter, {}, of_cluster<&ClusterGauges::skipped>},
     MetricRow{"talus_cluster_times_bounded_total", "Batches of the shared log whose server had a clock over a minute ahead of the log's; they are dated by the log's.", counter, {}, of_cluster<&ClusterGauges::bounded>},
     MetricRow{"talus_cluster_stuck", "1 while the next message of the shared log is one for a newer talusd, else 0.", gauge, {}, of_cluster<&ClusterGauges::stuck>},
+    MetricRow{"talus_cluster_tail", "1 while messages of the shared log come as they are published, 0 while NATS does not let this server subscribe to them: then it asks for them, up to a second late.", gauge, {}, of_cluster<&ClusterGauges::tail>},
+    MetricRow{"talus_cluster_false_messages_total", "Messages that came altered, or that somebody else published as if they were the shared log's; what its leader has counts.", counter, {}, of_cluster<&ClusterGauges::false_messages>},
     MetricRow{"talus_cluster_joins_total", "Checkpoints of other servers' stores that were taken at this start.", counter, {}, of_cluster<&ClusterGauges::joins>},
     MetricRow{"talus_draining", "1 from the signal that ends the server until it ends, else 0.", gauge, {}, draining},
 

@@ -53,6 +53,8 @@ struct RuntimeGauges {
     std::uint64_t skipped = 0;  // messages that no talusd can apply
     std::uint64_t bounded = 0;  // batches whose time did not count as they said
     bool stuck = false;         // the next message is for a newer talusd
+    bool tail = false;          // messages come by themselves
+    std::uint64_t false_messages = 0;
   };
   std::optional<Cluster> cluster{};  // none: this server is alone
   struct Columns {

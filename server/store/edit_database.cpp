@@ -290,11 +290,26 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const Strea
 }
 
 EditDatabase::Done EditDatabase::sync() {
+  const Written written = begin_sync();
+  if (auto synced = sync_log(); !synced) return synced;
+  end_sync(written);
+  return {};
+}
+
+EditDatabase::Written EditDatabase::begin_sync() {
+  unsynced_ = false;
+  return {meta_.head.position, meta_.link};
+}
+
+EditDatabase::Done EditDatabase::sync_log() const {
+  const std::shared_lock lock{copying_};
   if (!db_) return failure("the store is closed after an error of the disk");
   if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
-  acknowledged_->write({meta_.head.position, meta_.link});
-  unsynced_ = false;
   return {};
+}
+
+void EditDatabase::end_sync(const Written& written) {
+  acknowledged_->write({written.position, written.link});
 }
 
 EditDatabase::Done EditDatabase::enter(const StreamPlace& place) {
@@ -357,9 +372,6 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
     flushed.time_ms = left->time_ms;
   }
   if (left == unflushed_.begin()) return {};
-  // RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the
-  // one before. So nothing may say that chunks were put before they are on the disk.
-  if (auto synced = sync(); !synced) return synced;
   StoreMeta meta = meta_;
   meta.flushed = flushed.position;
   meta.flushed_link = flushed.link;
@@ -405,7 +417,10 @@ EditDatabase::Done EditDatabase::recover() {
   const auto status = db_->Get({}, meta_key(), &value);
   const auto meta = decode_meta(std::as_bytes(std::span{value}));
   // The batch whose write failed may be there, or not.
-  if (status.ok() && meta && meta->head.position >= meta_.head.position) return {};
+  if (status.ok() && meta && meta->head.position >= meta_.head.position) {
+    unsynced_ = settings_.log_elsewhere;  // what a sync that failed was to bring there
+    return {};
+  }
   db_.reset();
   const std::string what =
       fmt::format("after an error of the disk entry {} of its log is lost", meta_.head.position);

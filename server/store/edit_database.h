@@ -125,6 +125,17 @@ class EditDatabase {
   /// Of a log elsewhere: all that was appended is on the disk when it returns, and counts as acknowledged.
   [[nodiscard]] Done sync();
   [[nodiscard]] bool has_unsynced() const { return unsynced_; }
+  [[nodiscard]] bool has_log_elsewhere() const { return settings_.log_elsewhere; }
+  /// The same in three steps, so that another thread waits for the disk: what was written before begin_sync()
+  /// is there once sync_log(), called after it, has returned, and end_sync() then counts it as acknowledged.
+  struct Written {
+    std::uint64_t position = 0;
+    std::uint64_t link = 0;
+  };
+  [[nodiscard]] Written begin_sync();
+  /// Any thread. recover() fails meanwhile.
+  [[nodiscard]] Done sync_log() const;
+  void end_sync(const Written& written);
   /// Nothing is applied, and the store stands there now, synced.
   [[nodiscard]] Done enter(const StreamPlace& place);
 
@@ -132,7 +143,9 @@ class EditDatabase {
   /// records have them too.
   class Slice;
   [[nodiscard]] Done put(const Slice& slice);
-  /// All chunks and editors as of `position`, that of a batch's last record, were put. What history need not
+  /// All chunks and editors as of `position`, that of a batch's last record, were put, and synced since:
+  /// RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the
+  /// one before, so nothing may say that chunks were put before they are on the disk. What history need not
   /// keep goes.
   [[nodiscard]] Done mark_flushed(std::uint64_t position);
   /// Where what was put is not in the log's records any more: on the disk when it returns. Makes the next

@@ -41,10 +41,13 @@ MaterialId solid(const client::WorldInfo& world) {
   return kAir;
 }
 
-/// Three hosts of the log, with its stream, and as many talusd as are wanted.
+/// Three hosts of the log, with its stream, and as many talusd as are wanted, all by themselves or as a user
+/// of talusd_permissions().
 class World {
  public:
-  explicit World(std::size_t servers) {
+  enum class As : std::uint8_t { nobody, user };
+  explicit World(std::size_t servers, As as = As::nobody)
+      : nats_{{.more = as == As::user ? nats_test::talusd_permissions() : std::string{}}} {
     // A store of one machine, which becomes that of the cluster.
     Settings alone = settings(0);
     alone.erase("TALUS_CLUSTER_NATS");
@@ -57,16 +60,22 @@ class World {
     const Ended made = run_talusd({"store", "join-cluster"}, settings(0));
     INFO(made.err);
     REQUIRE(made.status == 0);
+    if (as == As::user) password_ = scratch_.write("password", "p");
     for (std::size_t i = 0; i < servers; ++i) servers_.push_back(start_server(settings(i)));
     for (const auto& server : servers_) ports_.push_back(server->port());
   }
 
   [[nodiscard]] Settings settings(std::size_t directory) const {
-    return {kClassicWorld,
-            {"TALUS_DATA", (scratch_ / ("data" + std::to_string(directory))).string()},
-            {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"},
-            {"TALUS_CLUSTER_NATS", nats_.url_list()},
-            {"TALUS_CLUSTER_STORE", store_}};
+    Settings settings{kClassicWorld,
+                      {"TALUS_DATA", (scratch_ / ("data" + std::to_string(directory))).string()},
+                      {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"},
+                      {"TALUS_CLUSTER_NATS", nats_.url_list()},
+                      {"TALUS_CLUSTER_STORE", store_}};
+    if (!password_.empty()) {
+      settings["TALUS_CLUSTER_USER"] = "talus";
+      settings["TALUS_CLUSTER_PASSWORD_FILE"] = password_;
+    }
+    return settings;
   }
   [[nodiscard]] std::uint16_t port(std::size_t server) const { return ports_[server]; }
   [[nodiscard]] ServerProcess& server(std::size_t server) { return *servers_[server]; }
@@ -93,6 +102,7 @@ class World {
 
   ScratchDirectory scratch_;
   std::string store_;
+  std::string password_;  // its file
   nats_test::NatsServers nats_;
   std::vector<std::unique_ptr<ServerProcess>> servers_;
   std::vector<std::uint16_t> ports_;
@@ -207,6 +217,48 @@ TEST_CASE("what one player builds at one server another sees at another, and all
     CHECK(metrics.find("\ntalus_cluster_quorum 1\n") != std::string::npos);
     CHECK(metrics.find("\ntalus_cluster_state_differs 0\n") != std::string::npos);
   }
+}
+
+TEST_CASE("a server that may not read the log's messages says so at each NATS server that it tries") {
+  World world{1, World::As::user};
+  Player player{patient()};
+  const auto info = player.connect(world.port(0));
+  REQUIRE(info.has_value());
+  const VoxelPos at{info->spawn.x, info->max_y + 8, info->spawn.z};
+  REQUIRE(player.put(at, solid(*info)).has_value());
+  const std::uint16_t admin = world.server(0).admin_port();
+  const auto ready = [&] { return HttpClient{admin}.get("/-/ready"); };
+  const auto says_why = [&] {
+    const auto says = ready();
+    return says.status == 200 && says.body.find("no edits are taken") != std::string::npos &&
+           says.body.find("MSG.GET") != std::string::npos;
+  };
+  /// Its host and number there; empty: there is none.
+  const auto connection = [&] {
+    for (std::size_t i = 0; i < world.nats().count(); ++i) {
+      const std::string page = world.nats().page(i, "/connz");
+      const std::size_t name = page.find("\"name\": \"talusd\"");
+      if (name == std::string::npos) continue;
+      const std::size_t number = page.rfind("\"cid\": ", name);
+      return std::to_string(i) + page.substr(number, page.find(',', number) - number);
+    }
+    return std::string{};
+  };
+  player.until([&] { return ready().body == "ready\n"; });
+  const std::string first = connection();
+  REQUIRE_FALSE(first.empty());
+  world.nats().reconfigure(nats_test::talusd_permissions({.messages = false}));
+  player.until(says_why);
+  CHECK(HttpClient{admin}.get("/metrics").body.find("\ntalus_cluster_quorum 0\n") != std::string::npos);
+  // It may be this one alone that does not let it: after ten seconds it tries the others.
+  player.until([&] {
+    const std::string now = connection();
+    return !now.empty() && now != first;
+  });
+  player.until(says_why);
+  world.nats().reconfigure(nats_test::talusd_permissions());
+  player.until([&] { return ready().body == "ready\n"; });
+  CHECK(player.put({at.x + 1, at.y, at.z}, solid(*info))->revision == 2);
 }
 
 TEST_CASE("what an operator rolls back at one server is undone at all") {

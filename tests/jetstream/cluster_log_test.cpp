@@ -266,7 +266,7 @@ TEST_CASE("servers that start beside a replica of other messages go on, and agre
 }
 
 TEST_CASE("a server that may not read the log's messages any more is cut off, until it may again") {
-  Servers cluster{1, {.servers = 1, .more = nats_test::talusd_permissions(true)}};
+  Servers cluster{1, {.servers = 1, .more = nats_test::talusd_permissions()}};
   ClusterNode& node = cluster.node(0);
   std::mutex mutex;
   int answers = 0;
@@ -290,7 +290,7 @@ TEST_CASE("a server that may not read the log's messages any more is cut off, un
   REQUIRE(append(edits::AttachEntry{{1, 1}, 1, ""}));
   Servers::until([&] { return has_answers(1); });
 
-  cluster.nats().reconfigure(nats_test::talusd_permissions(false));
+  cluster.nats().reconfigure(nats_test::talusd_permissions({.messages = false}));
   // The tail brings an edit, and of one with such a time the stream is asked.
   node.clock.ahead = 10min;
   REQUIRE(append(write(1)));
@@ -306,7 +306,7 @@ TEST_CASE("a server that may not read the log's messages any more is cut off, un
   CHECK(refused.error().kind == LogFailure::Kind::cut_off);
   CHECK(has_answers(1));
 
-  cluster.nats().reconfigure(nats_test::talusd_permissions(true));
+  cluster.nats().reconfigure(nats_test::talusd_permissions());
   Servers::until([&] { return has_answers(2) && node.log().takes_entries(); });
   CHECK(node.log().status().ready);
   REQUIRE(append(write(2)));

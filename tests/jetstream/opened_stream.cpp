@@ -46,14 +46,6 @@ std::shared_ptr<Connection> connected_to(const std::string& urls, Credentials cr
   }
 }
 
-std::string talusd_permissions(bool may_read) {
-  return fmt::format(
-      "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "
-      "p, permissions: {{ publish: [\"talus.*.log\", \"$JS.API.STREAM.INFO.*\"{}], subscribe: "
-      "[\"talus.*.tail\", \"_INBOX.>\"] }} }} ] }}",
-      may_read ? ", \"$JS.API.STREAM.MSG.GET.*\"" : "");
-}
-
 Credentials as_talusd() {
   Credentials who;
   who.user = "talus";

@@ -27,9 +27,7 @@ namespace talus::nats_test {
 [[nodiscard]] std::shared_ptr<server::jetstream::Connection> connected_to(
     const std::string& urls, server::jetstream::Credentials credentials = {});
 
-/// Lines of a server's configuration: whoever says no name may do all, and the user "talus" what a talusd
-/// must be allowed, with or without reading single messages.
-[[nodiscard]] std::string talusd_permissions(bool may_read);
+/// Of talusd_permissions().
 [[nodiscard]] server::jetstream::Credentials as_talusd();
 
 /// Makes the stream and waits until all replicas are there.

@@ -201,6 +201,51 @@ TEST_CASE("two messages of one number are held against the stream") {
   }
 }
 
+TEST_CASE("what is no message is given again as the leader has it") {
+  Reading reading{kStart, 7};
+  reading.heard(1, bytes_of("damaged"), kStart);
+  auto message = reading.take();
+  REQUIRE(message);
+  CHECK_FALSE(message->of_leader);
+  reading.ask_again(kStart);
+  CHECK(reading.after() == 0);
+  reading.heard(1, bytes_of("damaged too"), kStart);
+  CHECK_FALSE(reading.take());
+  CHECK(reading.next_look() <= kStart);
+  CHECK(reading.wanted(kStart) == Sequences{1});
+  SECTION("which has another") {
+    answer(reading, 1, kStart);
+    CHECK(reading.false_messages() == 1);
+    message = reading.take();
+    REQUIRE(message);
+    CHECK(message->of_leader);
+    CHECK(text_of(message->bytes) == true_text(1));
+    // That is what it is, whatever comes or is thought of it.
+    reading.ask_again(kStart);
+    CHECK(reading.after() == 1);
+    hear(reading, 2, kStart);
+    CHECK(taken(reading) == 2);
+    CHECK_FALSE(reading.forged());
+  }
+  SECTION("which has the same") {
+    reading.answered(1, bytes_of("damaged"), kStart);
+    message = reading.take();
+    REQUIRE(message);
+    CHECK(message->of_leader);
+    CHECK(reading.false_messages() == 0);
+  }
+  SECTION("which has none yet") {
+    for (int i = 0; i < 8; ++i) {
+      reading.not_found(1, kStart + i * 1s);
+      CHECK(reading.wanted(kStart + i * 1s + 500ms) == Sequences{1});
+    }
+    reading.ends_at(0);
+    CHECK(reading.false_messages() == 1);
+    hear(reading, 1, kStart + 9s);
+    CHECK(taken(reading) == 1);
+  }
+}
+
 TEST_CASE("which of two messages was the stream's is not asked once it keeps neither") {
   Reading reading{kStart, 7};
   hear(reading, 1, kStart);

@@ -114,6 +114,16 @@ nlohmann::json stream_of(const nlohmann::json& page, const std::string& stream) 
 
 }  // namespace
 
+std::string talusd_permissions(Allowed allowed) {
+  // An empty list would allow all.
+  return fmt::format(
+      "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "
+      "p, permissions: {{ publish: [\"talus.*.log\", \"$JS.API.STREAM.INFO.*\"{}], subscribe: "
+      "[\"nothing\"{}{}] }} }} ] }}",
+      allowed.messages ? ", \"$JS.API.STREAM.MSG.GET.*\"" : "", allowed.tail ? ", \"talus.*.tail\"" : "",
+      allowed.answers ? ", \"_INBOX.>\"" : "");
+}
+
 NatsServers::NatsServers(NatsSettings settings)
     : settings_{std::move(settings)}, directory_{scratch_directory()} {
   servers_.resize(settings_.servers);

@@ -64,12 +64,31 @@ TEST_CASE("the time in which the leader says nothing is no time that a server is
   end.heard(7, start);
   end.heard(8, start + 1s);
   end.heard(8, start + 2s);
-  end.was_silent(60s);
+  end.unanswered(start + 2s);
+  end.unanswered(start + 32s);
+  end.answered(start + 62s);
   end.heard(9, start + 62s);
   CHECK(end.behind() == 1s);
   CHECK(end.is_ready());
   end.heard(9, start + 72s);
   CHECK_FALSE(end.is_ready());
+}
+
+TEST_CASE("a leader that says nothing each second time hides no lag") {
+  LogEnd end;
+  const LogEnd::TimePoint start{};
+  end.applied(7);
+  end.heard(7, start);
+  for (int i = 1; i <= 12; ++i) {
+    const auto asked = start + i * 1s;
+    end.unanswered(asked - 500ms);
+    CHECK(end.silent_since() == asked - 500ms);
+    end.answered(asked);
+    CHECK_FALSE(end.silent_since());
+    end.heard(8, asked);
+    CHECK(end.behind() == (i - 1) * 1s);
+    CHECK(end.is_ready() == (i <= 11));
+  }
 }
 
 TEST_CASE("an end that the leader takes back is not waited for") {

@@ -5,6 +5,7 @@
 #include "cluster/batch_time.h"
 #include "cluster/entry_codec.h"
 #include "cluster_in_memory.h"
+#include "store/acknowledged_file.h"
 
 namespace talus::server {
 namespace {
@@ -267,6 +268,65 @@ TEST_CASE("a full disk stops a server where it is, and it goes on when there is 
   cluster.nodes[1]->disk().empty();
   cluster.until_applied();
   CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
+}
+
+TEST_CASE(
+    "edits are applied and answered while the disk syncs, and are there after a power cut once it has") {
+  Cluster cluster{1};
+  cluster.open();
+  ClusterNode& node = *cluster.nodes[0];
+  Answers answers;
+  REQUIRE(answers.apply(node.log(), attach()).has_value());
+  struct Held {
+    UnsafeDisk& disk;
+    explicit Held(UnsafeDisk& of) : disk{of} { disk.hold_syncs(true); }
+    ~Held() { disk.hold_syncs(false); }
+  };
+  {
+    const Held held{node.disk()};
+    REQUIRE(answers.apply(node.log(), write_at(1, 5)).has_value());
+    node.disk().await_held_sync();
+    for (std::uint64_t sequence = 2; sequence < 20; ++sequence) {
+      REQUIRE(answers.apply(node.log(), write_at(sequence, 5)).has_value());
+    }
+  }
+  const std::uint64_t last = node.log().status().head.position;
+  until([&] {
+    const auto file = AcknowledgedFile::read(node.env(), (node.path() / "acknowledged").string());
+    return file && *file && (*file)->position == last;
+  });
+  node.cut_power();
+  REQUIRE(node.open_store() == "");
+  CHECK(node.database().meta().head.position == last);
+}
+
+TEST_CASE("a server that is behind tells who is new to come again soon, not that all editors are there") {
+  Cluster cluster{1};
+  cluster.nodes[0]->state_settings.editor_bytes = EditState::kNewEditorBytes;
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach(7)).has_value());
+  const auto is_at_end = [&] {
+    const auto status = cluster.log(0).status();
+    return status.ready && status.lag == 0 && status.sequence == cluster.stream.state().last;
+  };
+  const auto refused_as = [&](LogFailure::Kind kind) {
+    const auto taken = answers.send(cluster.log(0), attach(8));
+    const auto room = cluster.log(0).room_for_editor();
+    return !taken && taken.error().kind == kind && !room && room.error().kind == kind;
+  };
+  until(is_at_end);
+  CHECK(refused_as(LogFailure::Kind::editors_full));
+  cluster.stream.fail_next_as(StreamFailure::Kind::unavailable);
+  const std::vector<Bytes> elsewhere{bytes_of_entry(attach(8))};
+  cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, elsewhere));
+  until([&] { return cluster.log(0).status().lag > 0; });
+  CHECK(refused_as(LogFailure::Kind::cut_off));
+  cluster.stream.fail_next_as(std::nullopt);
+  until(is_at_end);
+  auto again = attach(8);
+  again.epoch = 2;
+  CHECK(answers.apply(cluster.log(0), again)->kind == Kind::attached);
 }
 
 TEST_CASE("an edit that no message has room for is refused before it is in the log") {

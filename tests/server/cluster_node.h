@@ -54,6 +54,7 @@ class ClusterNode {
   };
   WrongClock clock;
   cluster::ClusterLog::Settings settings;
+  EditStateSettings state_settings;
   /// On the log's thread, after each batch that changed something.
   std::function<void(const edits::Head&)> on_changed = [](const edits::Head&) {};
   std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
@@ -90,7 +91,7 @@ class ClusterNode {
     auto database = EditDatabase::open(store);
     if (!database) return database.error();
     database_ = *std::move(database);
-    auto state = EditState::open(*database_, {});
+    auto state = EditState::open(*database_, state_settings);
     if (!state) return state.error();
     state_ = *std::move(state);
     return {};

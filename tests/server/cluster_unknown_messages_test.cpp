@@ -251,6 +251,34 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
   CHECK(cluster.log(0).status().skipped == 0);
 }
 
+TEST_CASE("a message that comes altered is asked of the log's leader, and applied as others have it") {
+  Cluster cluster{1};
+  std::uint64_t altered = 0;
+  SECTION("a batch") {
+    altered = 3;
+  }
+  SECTION("the genesis") {
+    altered = 1;
+  }
+  cluster.nodes.push_back(std::make_unique<ClusterNode>(
+      cluster.scratch / "altered",
+      [&] {
+        auto end = std::make_unique<StreamEnd>(cluster.stream, 77);
+        end->alter(altered);
+        return end;
+      },
+      900));
+  cluster.open();
+  for (std::uint64_t editor = 8; editor < 11; ++editor) {
+    const std::vector<Bytes> entries{bytes_of_entry(attach(editor))};
+    cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
+  }
+  cluster.until_applied();
+  CHECK(cluster.log(1).status().skipped == 0);
+  CHECK(cluster.log(1).status().head.position == 3);
+  CHECK(cluster.log(1).status().head.hash == cluster.log(0).status().head.hash);
+}
+
 TEST_CASE("players may look on while no server can read the next message, and not where others can") {
   Cluster cluster{2};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});

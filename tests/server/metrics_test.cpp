@@ -244,7 +244,7 @@ TEST_CASE("the log that servers share is shown where it is") {
   LatencyHistogram publishing;
   publishing.add(3ms);
   RuntimeGauges gauges;
-  gauges.cluster = {true, false, true, 5, 6, 7, 8, &publishing, 9};
+  gauges.cluster = {true, false, true, 5, 6, 7, 8, &publishing, 9, 0, 0, false, true, 10};
   const std::string text = text_of(metrics, gauges);
   CHECK(value_of(text, "talus_cluster_connected") == "1");
   CHECK(value_of(text, "talus_cluster_quorum") == "0");
@@ -255,6 +255,8 @@ TEST_CASE("the log that servers share is shown where it is") {
   CHECK(value_of(text, "talus_cluster_gaps_total") == "8");
   CHECK(value_of(text, "talus_cluster_publish_seconds_count") == "1");
   CHECK(value_of(text, "talus_cluster_joins_total") == "9");
+  CHECK(value_of(text, "talus_cluster_tail") == "1");
+  CHECK(value_of(text, "talus_cluster_false_messages_total") == "10");
   CHECK(text_of(metrics, {}).find("talus_cluster") == std::string::npos);
 }
 

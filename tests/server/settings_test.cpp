@@ -317,6 +317,18 @@ TEST_CASE("a server that refuses new connections for want of memory is not ready
   CHECK(readiness_of(true, &log, memory).text == "draining");
 }
 
+TEST_CASE("a server to which the log's messages do not come by themselves is ready, and says why") {
+  const MemoryBudget memory{std::uint64_t{800} << 20U};
+  cluster::ClusterLog::Status log;
+  log.ready = true;
+  CHECK(readiness_of(false, &log, memory).text == "ready");
+  log.late = "not allowed";
+  CHECK(readiness_of(false, &log, memory).ready);
+  CHECK_THAT(readiness_of(false, &log, memory).text, Catch::Contains("late: not allowed"));
+  log.read_only = "no quorum";
+  CHECK_THAT(readiness_of(false, &log, memory).text, Catch::Contains("no quorum"));
+}
+
 TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") {
   const Config plain;
   Config both;

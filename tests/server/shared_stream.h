@@ -76,7 +76,7 @@ class SharedStream {
   }
   /// What every publish() and next() says from now on.
   void fail_publish_as(StreamFailure::Kind kind) { fails_publish_ = kind; }
-  void fail_next_as(StreamFailure::Kind kind) { fails_next_ = kind; }
+  void fail_next_as(std::optional<StreamFailure::Kind> kind) { fails_next_ = kind; }
   [[nodiscard]] std::optional<StreamFailure::Kind> fails_publish() const { return fails_publish_; }
   [[nodiscard]] std::optional<StreamFailure::Kind> fails_next() const { return fails_next_; }
   /// The leader says that so many messages at its end are not there.
@@ -172,6 +172,11 @@ class StreamEnd final : public LogStream {
     if (reading_() % 256 < faults_.holes) return std::nullopt;
     auto message = stream_.wait_for(after + 1, until, woken_);
     woken_ = stopped_.load();
+    if (const auto kind = stream_.fails_next()) return tl::unexpected{StreamFailure{*kind, "it is another"}};
+    if (message && *message && alters_ == (*message)->sequence) {
+      (*message)->of_leader = false;
+      (*message)->bytes.back() ^= std::byte{1};
+    }
     return message;
   }
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override {
@@ -196,6 +201,10 @@ class StreamEnd final : public LogStream {
     wake();
   }
 
+  void ask_again() override { alters_ = 0; }
+
+  /// The message comes altered, until it is asked for.
+  void alter(std::uint64_t sequence) { alters_ = sequence; }
   void connect(bool connected) { connected_ = connected; }
 
  private:
@@ -215,6 +224,7 @@ class StreamEnd final : public LogStream {
   std::atomic<bool> stopped_{false};
   std::atomic<bool> woken_{false};
   std::atomic<bool> connected_{true};
+  std::atomic<std::uint64_t> alters_{0};
 };
 
 /// Opens one end after another.

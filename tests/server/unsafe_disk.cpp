@@ -41,9 +41,10 @@ class AppendedFile final : public rocksdb::FSWritableFileOwnerWrapper {
     return Append(data, options, debug);
   }
   IOStatus Sync(const IOOptions&, IODebugContext*) override {
+    const std::uint64_t written = disk_.written(path_);
     IOStatus status = disk_.sync_call();
     // The test's disk is in memory: what it calls synced stays.
-    if (status.ok()) disk_.synced(path_);
+    if (status.ok()) disk_.synced(path_, written);
     return status;
   }
   IOStatus Fsync(const IOOptions& options, IODebugContext* debug) override { return Sync(options, debug); }
@@ -119,6 +120,13 @@ IOStatus UnsafeDisk::call() {
 }
 
 IOStatus UnsafeDisk::sync_call() {
+  {
+    std::unique_lock lock{mutex_};
+    ++waiting_;
+    held_changed_.notify_all();
+    held_changed_.wait(lock, [&] { return !holds_; });
+    --waiting_;
+  }
   if (auto on = call(); !on.ok()) return on;
   return syncs_left_.fetch_sub(1) <= 0 ? IOStatus::IOError("the test's disk does not sync") : IOStatus::OK();
 }
@@ -133,10 +141,28 @@ void UnsafeDisk::wrote(const std::string& path, std::size_t bytes) {
   files_[path].written += bytes;
 }
 
-void UnsafeDisk::synced(const std::string& path) {
+std::uint64_t UnsafeDisk::written(const std::string& path) {
   const std::lock_guard lock{mutex_};
-  File& file = files_[path];
-  file.synced = file.written;
+  return files_[path].written;
+}
+
+void UnsafeDisk::synced(const std::string& path, std::uint64_t bytes) {
+  const std::lock_guard lock{mutex_};
+  std::uint64_t& synced = files_[path].synced;
+  synced = std::max(synced, bytes);
+}
+
+void UnsafeDisk::hold_syncs(bool held) {
+  {
+    const std::lock_guard lock{mutex_};
+    holds_ = held;
+  }
+  held_changed_.notify_all();
+}
+
+void UnsafeDisk::await_held_sync() {
+  std::unique_lock lock{mutex_};
+  held_changed_.wait(lock, [&] { return waiting_ > 0; });
 }
 
 void UnsafeDisk::synced_directory(const std::string& directory) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -69,7 +70,13 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   /// How many of so many bytes fit.
   [[nodiscard]] std::size_t room(std::size_t bytes);
   void wrote(const std::string& path, std::size_t bytes);
-  void synced(const std::string& path);
+  /// Up to so many bytes, which were written when the sync began.
+  void synced(const std::string& path, std::uint64_t bytes);
+  [[nodiscard]] std::uint64_t written(const std::string& path);
+  /// Syncs wait until they are let go.
+  void hold_syncs(bool held);
+  /// Waits until one does.
+  void await_held_sync();
   void synced_directory(const std::string& directory);
 
  private:
@@ -96,6 +103,9 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   std::atomic<std::int64_t> free_{-1};
   std::atomic<bool> off_{false};
   std::mutex mutex_;
+  std::condition_variable held_changed_;
+  bool holds_ = false;
+  int waiting_ = 0;  // for being let go
   std::mt19937_64 random_;
   std::map<std::string, File> files_;
   std::vector<Rename> renames_;

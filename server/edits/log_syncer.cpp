@@ -1,0 +1,62 @@
+#include "edits/log_syncer.h"
+
+#include <utility>
+
+#include "threads/signals.h"
+
+namespace talus::server {
+
+LogSyncer::LogSyncer(EditDatabase& database) : database_{database} {
+  thread_ = std::thread{[this] {
+    block_signals();
+    run();
+  }};
+}
+
+LogSyncer::~LogSyncer() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+std::uint64_t LogSyncer::begin() {
+  std::uint64_t number = 0;
+  {
+    const std::lock_guard lock{mutex_};
+    number = ++begun_;
+    written_ = database_.begin_sync();
+  }
+  changed_.notify_all();
+  return number;
+}
+
+std::optional<LogSyncer::Ended> LogSyncer::take_ended() {
+  const std::lock_guard lock{mutex_};
+  return std::exchange(ended_, std::nullopt);
+}
+
+void LogSyncer::wait() {
+  std::unique_lock lock{mutex_};
+  changed_.wait(lock, [&] { return ended_.has_value(); });
+}
+
+void LogSyncer::run() {
+  std::unique_lock lock{mutex_};
+  for (;;) {
+    changed_.wait(lock, [&] { return stopping_ || run_ < begun_; });
+    if (stopping_) return;
+    run_ = begun_;
+    Ended ended{run_, written_, {}};
+    lock.unlock();
+    ended.done = database_.sync_log();
+    lock.lock();
+    // An error counts, whatever came before or comes after it: the database is opened again then.
+    if (!ended_ || ended_->done) ended_ = std::move(ended);
+    changed_.notify_all();
+  }
+}
+
+}  // namespace talus::server

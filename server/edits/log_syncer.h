@@ -1,0 +1,51 @@
+// Syncs a store's log on a thread of its own: who writes it does not wait for the disk.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "store/edit_database.h"
+
+namespace talus::server {
+
+/// Of the thread that writes the database.
+class LogSyncer {
+ public:
+  /// `database`, whose log is elsewhere, outlives this.
+  explicit LogSyncer(EditDatabase& database);
+  /// Waits for the sync that is under way.
+  ~LogSyncer();
+  LogSyncer(const LogSyncer&) = delete;
+  LogSyncer& operator=(const LogSyncer&) = delete;
+
+  /// All that was written so far is on the disk once a sync of this number, or of a greater one, has ended
+  /// well. Where one is under way another follows it.
+  std::uint64_t begin();
+  struct Ended {
+    std::uint64_t number = 0;
+    EditDatabase::Written written;
+    EditDatabase::Done done;
+  };
+  /// The sync that ended last, once.
+  [[nodiscard]] std::optional<Ended> take_ended();
+  /// Waits until one has ended that take_ended() did not give. REQUIRES: one was begun that it did not give.
+  void wait();
+
+ private:
+  void run();
+
+  EditDatabase& database_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::uint64_t begun_ = 0;  // the newest
+  EditDatabase::Written written_;
+  std::uint64_t run_ = 0;  // the newest that is under way, or was
+  std::optional<Ended> ended_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace talus::server
