@@ -23,10 +23,12 @@ using State = Session::State;
 struct ScriptedTaker final : EditTaker {
   std::vector<AttachRequest> attaches;
   std::vector<EditRequest> edits;
+  std::vector<ClientId> ended_input;
   std::vector<ClientId> forgotten;
 
   void attach(const MailboxPtr&, AttachRequest request) override { attaches.push_back(std::move(request)); }
   void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
+  void input_ended(ClientId client) override { ended_input.push_back(client); }
   void forget(ClientId client) override { forgotten.push_back(client); }
   [[nodiscard]] bool settles() const override { return slides; }
   bool slides = false;
@@ -185,6 +187,7 @@ TEST_CASE("a session that leaves or finishes waits for the answers of its edits"
     }
     (void)shared.bench.output();
     CHECK(shared.bench.session.state() != State::closed);
+    CHECK(shared.taker.ended_input.size() == (leaves ? 0 : 1));
     CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
     CHECK(shared.bench.session.state() == State::closed);
   }
