@@ -246,9 +246,9 @@ const std::array kFields{
           number<&Config::rates, &Rates::address_editors>(0, 65'536)},
     Field{
         "rates.address_new_chunks", "chunks per hour",
-        "chunks that nobody edited before and edits of all sessions of one address may write, each of which "
-        "stays in the index of edited chunks; an address saves up eight hours of them; no more count than "
-        "fill the index in 32 hours; 0: no limit",
+        "chunks that nobody edited before and edits of all sessions of one address may write, or have guards "
+        "in, each of which is generated, and stays in the index of edited chunks where it is written; an "
+        "address saves up eight hours of them; no more count than fill the index in 32 hours; 0: no limit",
         number<&Config::rates, &Rates::address_new_chunks>(0, 16'777'216)},
     Field{"rates.gateway_requests", "requests per second",
           "requests accepted from one session with the right gateway, in place of session_requests and "

@@ -262,6 +262,30 @@ TEST_CASE("chunks that nobody edited before cost their address, each once") {
   CHECK(edit(5) == "over rates.address_new_chunks");
 }
 
+TEST_CASE("guards pay for the ground that they need as writes do, whatever becomes of the edit") {
+  RateLimits limits;
+  limits.address.new_chunks = {1, 3 * kNewChunkTokens};
+  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  shared.attached();
+  const auto guard = [&](std::uint32_t id, const std::vector<std::int64_t>& chunks) {
+    shared.bench.receive([&](auto& builder) {
+      std::vector<wire::VoxelWrite> guards;
+      for (const std::int64_t chunk : chunks) guards.push_back({{chunk * 32, 0, 0}, 1});
+      const auto list = builder.CreateVectorOfStructs(guards);
+      return wire::CreateEdit(builder, id, 0, id, list);
+    });
+  };
+  guard(1, {1, 2, 3});
+  REQUIRE(shared.taker.edits.size() == 1);
+  CHECK(shared.answered({1, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}}).code ==
+        ErrorCode::conflict);
+  guard(2, {1, 2, 3});
+  CHECK(shared.taker.edits.size() == 2);
+  guard(3, {4});
+  CHECK(shared.taker.edits.size() == 2);
+  CHECK(shared.bench.output().at(0).text == "over rates.address_new_chunks");
+}
+
 TEST_CASE("an edit pays for the new chunks that loose material may slide into") {
   RateLimits limits;
   limits.address.new_chunks = {1, 12 * kNewChunkTokens};
