@@ -67,16 +67,15 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
 
 namespace {
 
-/// By the hour. Who sets another rate than the default has it, whatever the budget: many players may stand
-/// behind one address.
+/// By the hour. Who sets a rate has it, whatever the budget: many players may stand behind one address.
 std::uint64_t editors_of_address(const Config& config, std::uint64_t hours) {
-  constexpr std::uint64_t kDefault = Rates{}.address_editors;
-  if (config.rates.address_editors != kDefault) return config.rates.address_editors;
+  if (config.rates.address_editors) return *config.rates.address_editors;
+  constexpr std::uint64_t kMost = 512;
   constexpr std::uint64_t kShare = 4;
   constexpr std::uint64_t kFew = 16;  // 0 would be no limit
   const std::uint64_t have_room = std::min<std::uint64_t>(
       edit_state_settings(config).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
-  return std::min(kDefault, std::max(have_room / kShare / hours, kFew));
+  return std::min(kMost, std::max(have_room / kShare / hours, kFew));
 }
 
 }  // namespace

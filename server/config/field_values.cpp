@@ -37,6 +37,14 @@ tl::expected<void, std::string> assign_number(const Field& field, const Target& 
   return {};
 }
 
+tl::expected<void, std::string> assign_optional(const Field& field, const OptionalNumberTarget& target,
+                                                Config& config, std::optional<std::uint64_t> value,
+                                                std::string_view shown) {
+  if (!value || *value < target.min || *value > target.max) return refused(field, shown);
+  target.at(config) = value;
+  return {};
+}
+
 tl::expected<void, std::string> assign_power_of_two(const Field& field, const PowerOfTwoTarget& target,
                                                     Config& config, std::optional<std::uint64_t> value,
                                                     std::string_view shown) {
@@ -48,6 +56,8 @@ tl::expected<void, std::string> assign_power_of_two(const Field& field, const Po
   target.at(config) = *value;
   return {};
 }
+
+constexpr std::string_view kAuto = "auto";
 
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t value = 0;
@@ -68,6 +78,13 @@ struct AssignText {
 
   tl::expected<void, std::string> operator()(const NumberTarget& target) const {
     return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
+  }
+  tl::expected<void, std::string> operator()(const OptionalNumberTarget& target) const {
+    if (text == kAuto) {
+      target.at(config).reset();
+      return {};
+    }
+    return assign_optional(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
   }
   tl::expected<void, std::string> operator()(const PowerOfTwoTarget& target) const {
     return assign_power_of_two(field, target, config, whole_number(text),
@@ -146,6 +163,10 @@ struct ShowText {
   Config& config;
 
   std::string operator()(const NumberTarget& target) const { return fmt::to_string(target.at(config)); }
+  std::string operator()(const OptionalNumberTarget& target) const {
+    const auto& number = target.at(config);
+    return number ? fmt::to_string(*number) : std::string{kAuto};
+  }
   std::string operator()(const PowerOfTwoTarget& target) const { return fmt::to_string(target.at(config)); }
   std::string operator()(const DurationTarget& target) const {
     return fmt::to_string(target.at(config).count());
@@ -171,6 +192,9 @@ struct Describe {
 
   std::string operator()(const NumberTarget& target) const {
     return fmt::format("a whole number from {} to {} ({})", target.min, target.max, unit);
+  }
+  std::string operator()(const OptionalNumberTarget& target) const {
+    return fmt::format("a whole number from {} to {} ({}), or \"{}\"", target.min, target.max, unit, kAuto);
   }
   std::string operator()(const PowerOfTwoTarget& target) const {
     std::string powers = "0, ";
@@ -216,6 +240,9 @@ tl::expected<void, std::string> set_from_number(const Field& field, Config& conf
   const auto value = static_cast<std::uint64_t>(number);
   if (const auto* target = std::get_if<NumberTarget>(&field.target)) {
     return assign_number(field, *target, config, value, shown);
+  }
+  if (const auto* target = std::get_if<OptionalNumberTarget>(&field.target)) {
+    return assign_optional(field, *target, config, value, shown);
   }
   if (const auto* target = std::get_if<PowerOfTwoTarget>(&field.target)) {
     return assign_power_of_two(field, *target, config, value, shown);

@@ -234,8 +234,9 @@ const std::array kFields{
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
     Field{"rates.address_editors", "editors per hour",
           "editors that sessions of one address make, each of which is known for a day; an address saves up "
-          "eight hours of them; the default counts for less where limits.memory_bytes is small; 0: no limit",
-          number<&Config::rates, &Rates::address_editors>(0, 65'536)},
+          "eight hours of them; auto: 512, or fewer where limits.memory_bytes has room for few; 0: no limit",
+          OptionalNumberTarget{
+              [](Config& c) -> std::optional<std::uint64_t>& { return c.rates.address_editors; }, 0, 65'536}},
     Field{
         "rates.address_new_chunks", "chunks per hour",
         "chunks that nobody edited before and edits of all sessions of one address may write, or have guards "

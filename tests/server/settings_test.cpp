@@ -206,11 +206,11 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("an address that is given another rate of editors than the default has it, whatever the budget") {
+TEST_CASE("an address that is given a rate of editors has it, whatever the budget") {
   Config config;
   for (const std::uint64_t bytes : {std::uint64_t{0}, min_memory_bytes(config), std::uint64_t{2} << 30U}) {
     config.limits.memory_bytes = bytes;
-    for (const std::uint64_t an_hour : {1U, 511U, 513U, 4'096U, 65'536U}) {
+    for (const std::uint64_t an_hour : {1U, 511U, 512U, 513U, 4'096U, 65'536U}) {
       CAPTURE(bytes, an_hour);
       config.rates.address_editors = an_hour;
       CHECK(rate_limits(config).address.editors == Rate{an_hour, an_hour * 8 * 3'600});
