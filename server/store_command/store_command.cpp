@@ -306,20 +306,27 @@ Answer export_file(const Flags& flags, const Outside&) {
                      counted(exported->chunks, "chunk"));
 }
 
-Answer import_file(const Flags& flags, const Outside&) {
+Answer import_file(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
+  const auto world = outside.load_world(flags.world);
+  if (!world) return tl::unexpected{world.error()};
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "import into"); !alone) {
     return tl::unexpected{alone.error()};
   }
   const auto imported =
-      import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file, now_ms());
+      import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file, now_ms(), world->get());
   if (!imported) return tl::unexpected{imported.error()};
   std::string text = rebuilt_lines(flags.data, *imported);
   if (imported->both > 0) {
     text += fmt::format("{} voxels were in both; they are the {}'s\n", imported->both,
                         flags.keep ? "store" : "file");
+  }
+  if (!imported->compared) {
+    text +=
+        "--world is another world than the file's: whether that generates the file's materials shows when "
+        "talusd starts with it, or at a rebase\n";
   }
   return text;
 }
@@ -439,6 +446,13 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   const auto add_json = [&](CLI::App* command) {
     command->add_flag("--json", flags.json, "as JSON, for programs");
   };
+  const auto add_world = [&](CLI::App* command) {
+    command
+        ->add_option(
+            "--world", flags.world,
+            "the store's world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
+        ->type_name("FILE");
+  };
   add_json(add("stat", "what the store holds, by reading all of it", show_stat));
   add("verify",
       "reads everything: checksums, the chain of the log, the hash of all edits, coarse levels against fine "
@@ -470,6 +484,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   importing->add_option("FILE", flags.path, "the file")->required();
   importing->add_flag("--keep", flags.keep,
                       "voxels that both have stay as in the store; without it the file's win");
+  add_world(importing);
   CLI::App* const rebasing = add(
       "rebase",
       "carries the edits over to another world, or to this one after its file has changed or lost a "
@@ -493,13 +508,6 @@ int store_command(int argc, const char* const* argv, const Environment& environm
           rename);
   renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
   renaming->add_option("TO", flags.to, "the new one, which no material has")->required();
-  const auto add_world = [&](CLI::App* command) {
-    command
-        ->add_option(
-            "--world", flags.world,
-            "the store's world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
-        ->type_name("FILE");
-  };
   const auto add_yes = [&](CLI::App* command) {
     command->add_flag("--yes", flags.yes, "do it; without it the command says what it would do, and fails");
   };
