@@ -274,7 +274,7 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
           .queue_chunks = config.generation.queue_chunks,
           .chunk_cache_bytes = config.cache.chunk_bytes,
           .patch_cache_bytes = config.cache.patch_bytes,
-          .piece_bytes = std::max(patch.bytes_in_the_making(), map_bytes),
+          .piece_bytes = std::max(patch.bytes_at_work(), map_bytes),
           .ground_bytes = ground_bytes(config, world),
           .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0,
           .merged_cache_bytes = config.data.empty() ? 0 : config.cache.chunk_bytes / kMergedShare};
@@ -286,7 +286,11 @@ PatchSize measured_patch_size(const Config& config, const terrain::World& world,
   PatchSize size = tiles == 0 ? choose_patch_size(tile.terrain, world.halo())
                               : patch_size(tiles, tile.terrain, world.halo());
   size.chunk_time = tile.chunk;
-  return size;
+  size.tile_bytes = tile.bytes;
+  const std::uint64_t limit = config.limits.memory_bytes;
+  if (tiles != 0 || limit == 0) return size;
+  const std::uint64_t share = limit / GeneratorMemory::kLargestShare - ground_bytes(config, world);
+  return reduced_to(share / generator_threads(config), size);
 }
 
 std::string describe(const PatchSize& size) {
@@ -294,6 +298,7 @@ std::string describe(const PatchSize& size) {
       "terrain takes {} ns a column here, {:.1f} ms a patch of {} x {} tiles, {} us a chunk",
       size.ns_a_column(), std::chrono::duration<double, std::milli>{size.patch_time}.count(), size.tiles,
       size.tiles, std::chrono::duration_cast<std::chrono::microseconds>(size.chunk_time).count());
+  if (size.reduced) text += ", as limits.memory_bytes has no room for generators that make larger ones";
   if (!size.expensive && !size.chunks_expensive()) return text;
   text += ": this world is expensive, and players wait for it; ";
   if (size.expensive) text += "fewer erosion_steps make it cheaper, ";

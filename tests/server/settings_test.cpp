@@ -79,6 +79,19 @@ TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has non
   } clock;
   Config config;
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == kMaxChosenTiles);
+  // With little memory patches are smaller, unless they are set.
+  config.threads.generator = 2;
+  for (const std::uint64_t mebibytes : {72U, 128U, 256U, 2'048U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes << 20U;
+    const PatchSize size = measured_patch_size(config, terrain::default_world(), clock);
+    CHECK(2 * size.bytes_at_work() + ground_bytes(config, terrain::default_world()) <=
+          config.limits.memory_bytes / GeneratorMemory::kLargestShare);
+    CHECK(size.reduced == (mebibytes < 256));
+    CHECK((describe(size).find("limits.memory_bytes") != std::string::npos) == size.reduced);
+    CHECK(generation_settings(config, terrain::default_world(), size).piece_bytes == size.bytes_at_work());
+  }
+  config.limits.memory_bytes = std::uint64_t{72} << 20U;
   config.generation.patch_tiles = 8;
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
 }
