@@ -109,6 +109,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     site = *std::move(read);
     if (const auto enough = check_memory(config, site->bytes()); !enough) return fail(enough.error());
   }
+  const std::uint64_t site_bytes = site == nullptr ? 0 : site->bytes();
   if (command.check_only) {
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
       fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
@@ -153,11 +154,12 @@ int serve(const Command& command, const ReadSettings& read_settings) {
       const talus::server::HistoryLimits history{config.edits.history_bytes,
                                                  std::chrono::days{config.edits.history_days}};
       return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
-                              edit_state_settings(config), history, store_memory(config), std::move(shared));
+                              edit_state_settings(config, site_bytes), history,
+                              store_memory(config, site_bytes), std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
-    const auto fits = check_index_memory(config, edits->state().index().bytes());
+    const auto fits = check_index_memory(config, edits->state().index().bytes(), site_bytes);
     if (!fits) return fail(fits.error());
   }
   std::unique_ptr<ColumnCache> columns;

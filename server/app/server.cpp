@@ -75,10 +75,11 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       world_{describe_world(*terrain_, store_id, edits.get())},
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
-      rates_{rate_limits(config)},
       site_{std::move(site)},
+      site_bytes_{site_ == nullptr ? 0 : site_->bytes()},
+      rates_{rate_limits(config, site_bytes_)},
       memory_{config.limits.memory_bytes, io_threads(config) + generator_threads(config)},
-      admission_{admission_limits(config), clock},
+      admission_{admission_limits(config, site_bytes_), clock},
       tls_{std::move(tls)},
       certificate_expires_{tls_ ? tls_->expires : 0},
       handshaker_{handshake_settings(config),
@@ -125,7 +126,7 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       operators_{std::move(listeners.operators)} {
   if (edits_ != nullptr)
     log_->info("edits: store {} at revision {}", to_string(store_id), edits_->state().revision());
-  if (site_ != nullptr) memory_.add(MemoryUse::program, static_cast<std::int64_t>(site_->bytes()));
+  memory_.add(MemoryUse::program, static_cast<std::int64_t>(site_bytes_));
 }
 
 RunnerContextPtr Server::make_context(const Config& config) {
@@ -378,9 +379,9 @@ void Server::change_settings(Config changed) {
   auto web_context = make_web_context(changed, context);
   handshaker_.change(handshake_settings(changed));
   web_handshaker_.change(web_handshake_settings(changed));
-  rates_.set(rate_limits(changed));
+  rates_.set(rate_limits(changed, site_bytes_));
   if (checkpoints_ != nullptr) checkpoints_->set_rate(changed.rates.checkpoint_bytes);
-  admission_.change(admission_limits(changed));
+  admission_.change(admission_limits(changed, site_bytes_));
   registry_.rates_changed();
   config_ = std::move(changed);
   {

@@ -125,10 +125,11 @@ class Server {
   const WorldInfo world_;
   const std::uint64_t generator_version_;
   const PatchSize patch_size_;
+  const std::shared_ptr<const web::Site> site_;
+  const std::uint64_t site_bytes_;
   CurrentRates rates_;
   FlowUses flows_;
   Metrics metrics_;
-  const std::shared_ptr<const web::Site> site_;
   MemoryBudget memory_;  // connections give back to it
   Admission admission_;
   Registry registry_;

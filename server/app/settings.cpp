@@ -67,21 +67,20 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
 
 namespace {
 
-/// By the hour. Who sets another rate than the default has it, whatever the budget: many players may stand
-/// behind one address.
-std::uint64_t editors_of_address(const Config& config, std::uint64_t hours) {
-  constexpr std::uint64_t kDefault = Rates{}.address_editors;
-  if (config.rates.address_editors != kDefault) return config.rates.address_editors;
+/// By the hour. Who sets a rate has it, whatever the budget: many players may stand behind one address.
+std::uint64_t editors_of_address(const Config& config, std::uint64_t site_bytes, std::uint64_t hours) {
+  if (config.rates.address_editors) return *config.rates.address_editors;
+  constexpr std::uint64_t kMost = 512;
   constexpr std::uint64_t kShare = 4;
   constexpr std::uint64_t kFew = 16;  // 0 would be no limit
   const std::uint64_t have_room = std::min<std::uint64_t>(
-      edit_state_settings(config).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
-  return std::min(kDefault, std::max(have_room / kShare / hours, kFew));
+      edit_state_settings(config, site_bytes).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
+  return std::min(kMost, std::max(have_room / kShare / hours, kFew));
 }
 
 }  // namespace
 
-RateLimits rate_limits(const Config& all) {
+RateLimits rate_limits(const Config& all, std::uint64_t site_bytes) {
   const Rates& config = all.rates;
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
   // However short the pause, one edit may be as large as any.
@@ -94,11 +93,11 @@ RateLimits rate_limits(const Config& all) {
   // An address that has saved up all fills the index in a day at least, and by default then has a quarter of
   // the editors, however little those may have.
   constexpr std::uint64_t kHoursToFill = 32;
-  const std::uint64_t editors_an_hour = editors_of_address(all, kHoursToFill);
+  const std::uint64_t editors_an_hour = editors_of_address(all, site_bytes, kHoursToFill);
   const Rate editors{editors_an_hour, editors_an_hour * kSavedUp};
   constexpr std::uint64_t kFewNewChunks = 16;  // 0 would be no limit
   const std::uint64_t fitting =
-      edit_state_settings(all).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
+      edit_state_settings(all, site_bytes).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
   const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));
   Rate new_chunks{an_hour, an_hour * kSavedUp};
   // However few, one edit may be as large as any, with those beside it into which loose material slides.
@@ -146,9 +145,9 @@ http::Service web_service(const Config& config, const Clock& clock, Logger log) 
   return {clock, std::move(log), {}, limits.idle_timeout, limits.handshake_timeout, limits.write_timeout};
 }
 
-Admission::Limits admission_limits(const Config& config) {
+Admission::Limits admission_limits(const Config& config, std::uint64_t site_bytes) {
   return {config.limits.connections, config.limits.connections_per_address, config.rates.burst,
-          rate_limits(config).address};
+          rate_limits(config, site_bytes).address};
 }
 
 std::uint64_t min_memory_bytes(const Config& config) {
@@ -170,10 +169,10 @@ namespace {
 constexpr std::uint64_t kMostRecentBytes = EditStateSettings{}.recent_bytes;
 
 /// What edits may take for good where there is a budget.
-std::uint64_t room_for_edits(const Config& config) {
+std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
   const std::uint64_t limit = config.limits.memory_bytes;
   const std::uint64_t others = MemoryBudget::program_bytes(io_threads(config) + generator_threads(config)) +
-                               limit / GeneratorMemory::kLargestShare;
+                               site_bytes + limit / GeneratorMemory::kLargestShare;
   return limit / 2 - std::min(limit / 2, others);
 }
 
@@ -188,14 +187,14 @@ StoreMemory store_memory_of(std::uint64_t left) {
 
 }  // namespace
 
-EditStateSettings edit_state_settings(const Config& config) {
+EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_bytes) {
   EditStateSettings settings;
   const std::uint64_t limit = config.limits.memory_bytes;
   if (limit == 0) return settings;
   settings.recent_bytes = std::min<std::size_t>(settings.recent_bytes, limit / 64);
   settings.cache_bytes = std::min<std::size_t>(settings.cache_bytes, limit / 8);
   settings.editor_bytes = std::min<std::size_t>(settings.editor_bytes, limit / 12);
-  const std::uint64_t room = room_for_edits(config);
+  const std::uint64_t room = room_for_edits(config, site_bytes);
   const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
   // Sessions that are there when it is full need some of the rest before others may come.
   settings.index_bytes = std::min<std::size_t>({settings.index_bytes, limit / 4, for_index / 4 * 3});
@@ -209,22 +208,27 @@ EditStateSettings edit_state_settings(const Config& config) {
   return settings;
 }
 
-StoreMemory store_memory(const Config& config) {
+StoreMemory store_memory(const Config& config, std::uint64_t site_bytes) {
   if (config.limits.memory_bytes == 0) return {};
-  const std::uint64_t room = room_for_edits(config);
-  return store_memory_of(room - std::min<std::uint64_t>(room, edit_state_settings(config).recent_bytes));
+  const std::uint64_t room = room_for_edits(config, site_bytes);
+  return store_memory_of(room -
+                         std::min<std::uint64_t>(room, edit_state_settings(config, site_bytes).recent_bytes));
 }
 
-tl::expected<void, std::string> check_index_memory(const Config& config, std::uint64_t index_bytes) {
+tl::expected<void, std::string> check_index_memory(const Config& config, std::uint64_t index_bytes,
+                                                   std::uint64_t site_bytes) {
   constexpr std::uint64_t kMebibyte = 1U << 20U;
   const std::uint64_t limit = config.limits.memory_bytes;
-  const EditStateSettings settings = edit_state_settings(config);
+  const EditStateSettings settings = edit_state_settings(config, site_bytes);
   if (limit == 0 || index_bytes <= settings.index_bytes) return {};
-  if (index_bytes + settings.recent_bytes + store_memory(config).most() < room_for_edits(config)) return {};
+  if (index_bytes + settings.recent_bytes + store_memory(config, site_bytes).most() <
+      room_for_edits(config, site_bytes))
+    return {};
   // Three eighths of the budget less the program, of which the index may have three quarters.
   Config enough = config;
   enough.limits.memory_bytes = (limit / kMebibyte + 1) * kMebibyte;
-  while (index_bytes + kMostRecentBytes + store_memory(enough).most() >= room_for_edits(enough)) {
+  while (index_bytes + kMostRecentBytes + store_memory(enough, site_bytes).most() >=
+         room_for_edits(enough, site_bytes)) {
     enough.limits.memory_bytes += kMebibyte;
   }
   return tl::make_unexpected(fmt::format(
@@ -270,7 +274,7 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
           .queue_chunks = config.generation.queue_chunks,
           .chunk_cache_bytes = config.cache.chunk_bytes,
           .patch_cache_bytes = config.cache.patch_bytes,
-          .piece_bytes = std::max(patch.bytes_in_the_making(), map_bytes),
+          .piece_bytes = std::max(patch.bytes_at_work(), map_bytes),
           .ground_bytes = ground_bytes(config, world),
           .map_cache_bytes = maps ? config.cache.chunk_bytes / kMapsShare : 0,
           .merged_cache_bytes = config.data.empty() ? 0 : config.cache.chunk_bytes / kMergedShare};
@@ -282,7 +286,11 @@ PatchSize measured_patch_size(const Config& config, const terrain::World& world,
   PatchSize size = tiles == 0 ? choose_patch_size(tile.terrain, world.halo())
                               : patch_size(tiles, tile.terrain, world.halo());
   size.chunk_time = tile.chunk;
-  return size;
+  size.tile_bytes = tile.bytes;
+  const std::uint64_t limit = config.limits.memory_bytes;
+  if (tiles != 0 || limit == 0) return size;
+  const std::uint64_t share = limit / GeneratorMemory::kLargestShare - ground_bytes(config, world);
+  return reduced_to(share / generator_threads(config), size);
 }
 
 std::string describe(const PatchSize& size) {
@@ -290,6 +298,7 @@ std::string describe(const PatchSize& size) {
       "terrain takes {} ns a column here, {:.1f} ms a patch of {} x {} tiles, {} us a chunk",
       size.ns_a_column(), std::chrono::duration<double, std::milli>{size.patch_time}.count(), size.tiles,
       size.tiles, std::chrono::duration_cast<std::chrono::microseconds>(size.chunk_time).count());
+  if (size.reduced) text += ", as limits.memory_bytes has no room for generators that make larger ones";
   if (!size.expensive && !size.chunks_expensive()) return text;
   text += ": this world is expensive, and players wait for it; ";
   if (size.expensive) text += "fewer erosion_steps make it cheaper, ";

@@ -41,7 +41,8 @@ namespace talus::server {
 [[nodiscard]] EditRules edit_rules(const Config& config, VoxelPos spawn);
 [[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                                            std::chrono::nanoseconds tile_time);
-[[nodiscard]] RateLimits rate_limits(const Config& config);
+/// `site_bytes`, here and below: files that the server keeps in memory to serve them.
+[[nodiscard]] RateLimits rate_limits(const Config& config, std::uint64_t site_bytes = 0);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
 /// The same for the HTTP port.
@@ -50,7 +51,7 @@ namespace talus::server {
 [[nodiscard]] web::WebSettings web_settings(const Config& config);
 /// Times of HTTP connections.
 [[nodiscard]] http::Service web_service(const Config& config, const Clock& clock, Logger log);
-[[nodiscard]] Admission::Limits admission_limits(const Config& config);
+[[nodiscard]] Admission::Limits admission_limits(const Config& config, std::uint64_t site_bytes = 0);
 /// The least limits.memory_bytes but 0, with few threads. The program and the largest share of the generators
 /// stay below the half at which connections are taken again: whatever a load took, the server opens again.
 inline constexpr std::uint64_t kMinMemoryBytes = MemoryBudget::kProgramBytes * 3;
@@ -59,22 +60,22 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 /// With the threads that are configured.
 [[nodiscard]] std::uint64_t min_memory_bytes(const Config& config);
 /// An error, one line, where limits.memory_bytes is less.
-/// `site_bytes`: files that the server keeps in memory to serve them.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
                                                            std::uint64_t site_bytes = 0);
 
-/// What edits may take of limits.memory_bytes. With the program and the largest share of the generators they
-/// stay below the half at which connections are taken again; but for editors, who come and go within a day,
-/// and what is not flushed, four times `dirty_bytes` and a batch, with which, and with RocksDB's, they stay
-/// below the 5/8 at which a server without sessions takes them.
-[[nodiscard]] EditStateSettings edit_state_settings(const Config& config);
+/// What edits may take of limits.memory_bytes. With the program, the site and the largest share of the
+/// generators they stay below the half at which connections are taken again; but for editors, who come and go
+/// within a day, and what is not flushed, four times `dirty_bytes` and a batch, with which, and with
+/// RocksDB's, they stay below the 5/8 at which a server without sessions takes them.
+[[nodiscard]] EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_bytes = 0);
 /// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
 /// below that half, too.
-[[nodiscard]] StoreMemory store_memory(const Config& config);
+[[nodiscard]] StoreMemory store_memory(const Config& config, std::uint64_t site_bytes = 0);
 /// An error, one line, where an index of so many bytes, as a store has it, takes more than that, so that the
 /// server might refuse every client for good. Below that it is served, and refuses to grow.
 [[nodiscard]] tl::expected<void, std::string> check_index_memory(const Config& config,
-                                                                 std::uint64_t index_bytes);
+                                                                 std::uint64_t index_bytes,
+                                                                 std::uint64_t site_bytes = 0);
 
 /// Where and how much is kept of columns that were dear to generate; none where nothing is.
 [[nodiscard]] std::optional<ColumnCacheSettings> column_cache_settings(const Config& config,

@@ -60,9 +60,9 @@ struct Rates {
   std::uint64_t address_requests = 16'384;
   std::uint64_t session_voxels = 65'536;
   std::uint64_t address_voxels = 524'288;
-  std::uint64_t address_editors = 512;       // an hour
-  std::uint64_t address_new_chunks = 7'200;  // an hour
-  std::uint64_t gateway_requests = 65'536;   // of one session with the right "gateway", in place of the above
+  std::optional<std::uint64_t> address_editors{};  // an hour; none: what the memory budget has room for
+  std::uint64_t address_new_chunks = 7'200;        // an hour
+  std::uint64_t gateway_requests = 65'536;  // of one session with the right "gateway", in place of the above
   std::uint64_t gateway_voxels = 4'194'304;
   std::uint64_t checkpoint_bytes = 64U << 20;  // to all servers that take the store
   milliseconds burst{32'000};

@@ -2,14 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
-#include <optional>
-#include <type_traits>
-
-#include <fmt/format.h>
-
-#include "log/escape.h"
 
 namespace talus::server {
 namespace {
@@ -242,13 +234,14 @@ const std::array kFields{
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
     Field{"rates.address_editors", "editors per hour",
           "editors that sessions of one address make, each of which is known for a day; an address saves up "
-          "eight hours of them; the default counts for less where limits.memory_bytes is small; 0: no limit",
-          number<&Config::rates, &Rates::address_editors>(0, 65'536)},
+          "eight hours of them; auto: 512, or fewer where limits.memory_bytes has room for few; 0: no limit",
+          OptionalNumberTarget{
+              [](Config& c) -> std::optional<std::uint64_t>& { return c.rates.address_editors; }, 0, 65'536}},
     Field{
         "rates.address_new_chunks", "chunks per hour",
-        "chunks that nobody edited before and edits of all sessions of one address may write, each of which "
-        "stays in the index of edited chunks; an address saves up eight hours of them; no more count than "
-        "fill the index in 32 hours; 0: no limit",
+        "chunks that nobody edited before and edits of all sessions of one address may write, or have guards "
+        "in, each of which is generated, and stays in the index of edited chunks where it is written; an "
+        "address saves up eight hours of them; no more count than fill the index in 32 hours; 0: no limit",
         number<&Config::rates, &Rates::address_new_chunks>(0, 16'777'216)},
     Field{"rates.gateway_requests", "requests per second",
           "requests accepted from one session with the right gateway, in place of session_requests and "
@@ -312,197 +305,6 @@ constexpr std::array kRenamedKeys{
     RenamedKey{"limits.handshakes_under_way", "limits.handshakes_in_flight"},
 };
 
-tl::unexpected<std::string> refused(const Field& field, std::string_view value) {
-  return tl::make_unexpected(fmt::format("{} is wrong; give {}", value, expectation(field)));
-}
-
-/// Assigns to a number or a duration.
-template <typename Target>
-tl::expected<void, std::string> assign_number(const Field& field, const Target& target, Config& config,
-                                              std::optional<std::uint64_t> value, std::string_view shown) {
-  using Value = std::remove_reference_t<decltype(target.at(config))>;
-  const auto count = [](const Value& bound) {
-    if constexpr (std::is_same_v<Value, milliseconds>)
-      return static_cast<std::uint64_t>(bound.count());
-    else
-      return bound;
-  };
-  if (!value || *value < count(target.min) || *value > count(target.max)) return refused(field, shown);
-  if constexpr (std::is_same_v<Value, milliseconds>) {
-    target.at(config) = milliseconds{static_cast<milliseconds::rep>(*value)};
-  } else {
-    target.at(config) = *value;
-  }
-  return {};
-}
-
-tl::expected<void, std::string> assign_power_of_two(const Field& field, const PowerOfTwoTarget& target,
-                                                    Config& config, std::optional<std::uint64_t> value,
-                                                    std::string_view shown) {
-  if (!value || *value > target.max) return refused(field, shown);
-  if (*value != 0 && !std::has_single_bit(*value)) {
-    return tl::make_unexpected(fmt::format("{} is wrong; give {} or {}, the nearest powers of two", shown,
-                                           std::bit_floor(*value), std::bit_ceil(*value)));
-  }
-  target.at(config) = *value;
-  return {};
-}
-
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return !text.empty() && error == std::errc{} && stop == end ? std::optional{value} : std::nullopt;
-}
-
-/// Assigns a text to a target.
-struct AssignText {
-  const Field& field;
-  Config& config;
-  std::string_view text;
-
-  [[nodiscard]] tl::unexpected<std::string> refused_endpoint(const std::string& reason) const {
-    return tl::make_unexpected(fmt::format("\"{}\": {}", escaped(text), reason));
-  }
-
-  tl::expected<void, std::string> operator()(const NumberTarget& target) const {
-    return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
-  }
-  tl::expected<void, std::string> operator()(const PowerOfTwoTarget& target) const {
-    return assign_power_of_two(field, target, config, whole_number(text),
-                               fmt::format("\"{}\"", escaped(text)));
-  }
-  tl::expected<void, std::string> operator()(const DurationTarget& target) const {
-    return assign_number(field, target, config, whole_number(text), fmt::format("\"{}\"", escaped(text)));
-  }
-  tl::expected<void, std::string> operator()(const EndpointTarget& target) const {
-    auto endpoint = protocol::parse_endpoint(text);
-    if (!endpoint) return refused_endpoint(endpoint.error());
-    target.at(config) = *std::move(endpoint);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const OptionalEndpointTarget& target) const {
-    if (text.empty()) {
-      target.at(config).reset();
-      return {};
-    }
-    auto endpoint = protocol::parse_endpoint(text);
-    if (!endpoint) return refused_endpoint(endpoint.error());
-    target.at(config) = *std::move(endpoint);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const PathTarget& target) const {
-    // The system would cut the path there.
-    if (text.find('\0') != std::string_view::npos)
-      return refused(field, fmt::format("\"{}\"", escaped(text)));
-    target.at(config) = std::filesystem::path{text};
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const NetworksTarget& target) const {
-    auto networks = Networks::parse(text);
-    if (!networks) return tl::make_unexpected(networks.error());
-    target.at(config) = *std::move(networks);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const BoxesTarget& target) const {
-    auto boxes = Boxes::parse(text);
-    if (!boxes) return tl::make_unexpected(boxes.error());
-    target.at(config) = *std::move(boxes);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const SwitchTarget& target) const {
-    if (text != "true" && text != "false") return refused(field, fmt::format("\"{}\"", escaped(text)));
-    target.at(config) = text == "true";
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const OriginsTarget& target) const {
-    auto origins = AllowedOrigins::parse(text);
-    if (!origins) return tl::make_unexpected(escaped(origins.error()));
-    target.at(config) = *std::move(origins);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const UrlsTarget& target) const {
-    auto urls = ServerUrls::parse(text, target.schemes);
-    if (!urls) return tl::make_unexpected(fmt::format("{}; give {}", urls.error(), expectation(field)));
-    target.at(config) = *std::move(urls);
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const WordTarget& target) const {
-    if (std::find(target.words.begin(), target.words.end(), text) == target.words.end()) {
-      return refused(field, fmt::format("\"{}\"", escaped(text)));
-    }
-    target.at(config) = std::string{text};
-    return {};
-  }
-  tl::expected<void, std::string> operator()(const TextTarget& target) const {
-    target.at(config) = std::string{text};
-    return {};
-  }
-};
-
-/// Says what a target has.
-struct ShowText {
-  Config& config;
-
-  std::string operator()(const NumberTarget& target) const { return fmt::to_string(target.at(config)); }
-  std::string operator()(const PowerOfTwoTarget& target) const { return fmt::to_string(target.at(config)); }
-  std::string operator()(const DurationTarget& target) const {
-    return fmt::to_string(target.at(config).count());
-  }
-  std::string operator()(const EndpointTarget& target) const { return to_string(target.at(config)); }
-  std::string operator()(const OptionalEndpointTarget& target) const {
-    const auto& endpoint = target.at(config);
-    return endpoint ? to_string(*endpoint) : std::string{};
-  }
-  std::string operator()(const PathTarget& target) const { return target.at(config).string(); }
-  std::string operator()(const NetworksTarget& target) const { return target.at(config).text(); }
-  std::string operator()(const BoxesTarget& target) const { return target.at(config).text(); }
-  std::string operator()(const SwitchTarget& target) const { return target.at(config) ? "true" : "false"; }
-  std::string operator()(const OriginsTarget& target) const { return target.at(config).text(); }
-  std::string operator()(const UrlsTarget& target) const { return target.at(config).text(); }
-  std::string operator()(const WordTarget& target) const { return target.at(config); }
-  std::string operator()(const TextTarget& target) const { return target.at(config); }
-};
-
-/// Says what a target accepts.
-struct Describe {
-  std::string_view unit;
-
-  std::string operator()(const NumberTarget& target) const {
-    return fmt::format("a whole number from {} to {} ({})", target.min, target.max, unit);
-  }
-  std::string operator()(const PowerOfTwoTarget& target) const {
-    std::string powers = "0, ";
-    for (std::uint64_t power = 1; power < target.max; power *= 2) powers += fmt::format("{}, ", power);
-    return fmt::format("{}or {} ({})", powers, target.max, unit);
-  }
-  std::string operator()(const DurationTarget& target) const {
-    return fmt::format("a whole number from {} to {} ({})", target.min.count(), target.max.count(), unit);
-  }
-  std::string operator()(const EndpointTarget&) const { return "\"HOST:PORT\""; }
-  std::string operator()(const OptionalEndpointTarget&) const { return "\"HOST:PORT\" or \"\" for none"; }
-  std::string operator()(const PathTarget&) const { return fmt::format("the path of a {} in quotes", unit); }
-  std::string operator()(const NetworksTarget&) const {
-    return "addresses and networks in one string, separated by commas, or \"\" for none";
-  }
-  std::string operator()(const BoxesTarget&) const {
-    return "boxes such as -16,-16:16,16 in one string, separated by semicolons, or \"\" for none";
-  }
-  std::string operator()(const SwitchTarget&) const { return "true or false"; }
-  std::string operator()(const OriginsTarget&) const {
-    return "origins such as https://play.example in one string, separated by commas, or \"*\", or \"\"";
-  }
-  std::string operator()(const UrlsTarget& target) const {
-    return fmt::format(
-        "a list such as [\"{}://HOST:PORT\"], in a variable separated by commas, or [] for none",
-        target.schemes.front());
-  }
-  std::string operator()(const WordTarget& target) const {
-    return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));
-  }
-  std::string operator()(const TextTarget&) const { return fmt::format("a {} in quotes", unit); }
-};
-
 }  // namespace
 
 std::span<const Field> fields() {
@@ -546,35 +348,6 @@ std::string variable_name(std::string_view key) {
     name += c == '.' ? '_' : lower ? static_cast<char>(c - 'a' + 'A') : c;
   }
   return name;
-}
-
-tl::expected<void, std::string> set_from_text(const Field& field, Config& config, std::string_view text) {
-  return std::visit(AssignText{field, config, text}, field.target);
-}
-
-tl::expected<void, std::string> set_from_number(const Field& field, Config& config, std::int64_t number) {
-  const std::string shown = fmt::to_string(number);
-  if (number < 0) return refused(field, shown);
-  const auto value = static_cast<std::uint64_t>(number);
-  if (const auto* target = std::get_if<NumberTarget>(&field.target)) {
-    return assign_number(field, *target, config, value, shown);
-  }
-  if (const auto* target = std::get_if<PowerOfTwoTarget>(&field.target)) {
-    return assign_power_of_two(field, *target, config, value, shown);
-  }
-  if (const auto* target = std::get_if<DurationTarget>(&field.target)) {
-    return assign_number(field, *target, config, value, shown);
-  }
-  return refused(field, shown);
-}
-
-std::string text_of(const Field& field, const Config& config) {
-  Config copy = config;
-  return std::visit(ShowText{copy}, field.target);
-}
-
-std::string expectation(const Field& field) {
-  return std::visit(Describe{field.unit}, field.target);
 }
 
 }  // namespace talus::server

@@ -23,6 +23,12 @@ struct NumberTarget {
   std::uint64_t min;
   std::uint64_t max;
 };
+/// As NumberTarget; none, which is "auto", means that the server chooses.
+struct OptionalNumberTarget {
+  std::optional<std::uint64_t>& (*at)(Config&);
+  std::uint64_t min;
+  std::uint64_t max;
+};
 /// 0, or a power of two up to `max`, which is one.
 struct PowerOfTwoTarget {
   std::uint64_t& (*at)(Config&);
@@ -83,9 +89,9 @@ struct Field {
   std::string_view key;   // "limits.connections"
   std::string_view unit;  // "" where the value has none
   std::string_view help;
-  std::variant<NumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget, OptionalEndpointTarget,
-               PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget, UrlsTarget, WordTarget,
-               TextTarget>
+  std::variant<NumberTarget, OptionalNumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget,
+               OptionalEndpointTarget, PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget,
+               UrlsTarget, WordTarget, TextTarget>
       target;
 };
 

@@ -53,7 +53,9 @@ Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   const bool number = std::holds_alternative<NumberTarget>(field.target) ||
                       std::holds_alternative<PowerOfTwoTarget>(field.target) ||
                       std::holds_alternative<DurationTarget>(field.target);
-  if (number && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
+  const bool optional_number = std::holds_alternative<OptionalNumberTarget>(field.target);
+  if ((number || optional_number) && node.is_integer())
+    return set_from_number(field, config, node.as_integer()->get());
   const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
   if (is_switch && node.is_boolean()) {
     return set_from_text(field, config, node.as_boolean()->get() ? "true" : "false");

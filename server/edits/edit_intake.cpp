@@ -78,6 +78,15 @@ bool EditIntake::knows(edits::EditorId id, const std::string& subject) const {
   return editor && editor->subject == subject;
 }
 
+void EditIntake::input_ended(ClientId client) {
+  {
+    const std::lock_guard lock{mutex_};
+    input_ended_.push_back(client);
+    called_ = true;
+  }
+  comes_.notify_one();
+}
+
 void EditIntake::forget(ClientId client) {
   {
     const std::lock_guard lock{mutex_};
@@ -136,6 +145,7 @@ void EditIntake::do_what_waits() {
 
 bool EditIntake::take_in() {
   decltype(attached_) attached_now;
+  decltype(input_ended_) input_ended;
   decltype(forgotten_) forgotten;
   decltype(looked_up_) looked_up;
   {
@@ -144,6 +154,7 @@ bool EditIntake::take_in() {
     if (!std::exchange(called_, false)) return true;
     taken_in_.swap(came_);
     attached_now.swap(attached_);
+    input_ended.swap(input_ended_);
     forgotten.swap(forgotten_);
     looked_up.swap(looked_up_);
   }
@@ -164,6 +175,9 @@ bool EditIntake::take_in() {
     take_look_ups(*lane);
     if (lane->look_ups->has_lost()) lane->session->lose_mail();
     enter(*lane);
+  }
+  for (const ClientId client : input_ended) {
+    if (Lane* const lane = find_lane(client)) end_input(*lane);
   }
   for (const ClientId client : forgotten) forget_lane(client);
   return true;

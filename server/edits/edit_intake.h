@@ -93,6 +93,7 @@ class EditIntake final : public EditTaker {
 
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
   void edit(const MailboxPtr& mailbox, EditRequest request) override;
+  void input_ended(ClientId client) override;
   void forget(ClientId client) override;
   [[nodiscard]] bool knows(edits::EditorId id, const std::string& subject) const override;
   /// Counts it.
@@ -132,6 +133,7 @@ class EditIntake final : public EditTaker {
     std::optional<Attaching> attaching;  // before all edits
     bool attach_waits = false;           // and is not in the log
     bool entered = false;                // its turn comes
+    bool input_ended = false;
     /// Edits of it that the log has not answered.
     std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
@@ -160,7 +162,9 @@ class EditIntake final : public EditTaker {
   [[nodiscard]] Lane* find_lane(ClientId client);
   /// Its turn comes, where it has anything to do.
   void enter(Lane& lane);
+  void end_input(Lane& lane);
   void forget_lane(ClientId client);
+  void cancel_look_ups(const Lane& lane);
 
   void begin_attach(Lane& lane, AttachRequest request);
   void log_attach(Lane& lane);
@@ -175,7 +179,11 @@ class EditIntake final : public EditTaker {
   void advance(Lane& lane);
   /// None where it was refused.
   [[nodiscard]] std::optional<Prepared> prepare(const Lane& lane, Editing edit);
-  void look_up(const Lane& lane, Prepared& edit);
+  /// False: it needs ground that is not generated for it.
+  [[nodiscard]] bool look_up(const Lane& lane, Prepared& edit);
+  /// Both refuse lane.first, and drop its look-ups.
+  void refuse_half_closed(Lane& lane);
+  void refuse_first(Lane& lane, EditRefused why, std::string text);
   void log_edit(const Lane& lane, Prepared edit);
   void refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text);
   /// Any thread. Where there is no memory for it the session ends, and its client asks again.
@@ -196,6 +204,7 @@ class EditIntake final : public EditTaker {
   bool stopping_ = false;
   std::vector<Came> came_;
   std::vector<Attached> attached_;
+  std::vector<ClientId> input_ended_;
   std::vector<ClientId> forgotten_;
   std::unordered_set<std::uint64_t> looked_up_;  // owners of look-ups with mail
 

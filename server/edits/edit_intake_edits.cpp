@@ -23,10 +23,8 @@ void EditIntake::take_look_ups(Lane& lane) {
       edit.base.emplace(ready->key.coord, voxels_at(*chunk, touched->voxels));
       edit.missing.erase(ready->key.coord);
     } else {
-      --waiting_;
-      refuse(lane.session, edit.edit.request.id, EditRefused::ground,
-             fmt::format("the ground under the edit failed: {}", ready->answer.error().reason));
-      lane.first.reset();
+      refuse_first(lane, EditRefused::ground,
+                   fmt::format("the ground under the edit failed: {}", ready->answer.error().reason));
     }
   }
 }
@@ -42,7 +40,7 @@ void EditIntake::advance(Lane& lane) {
       return;
     }
   }
-  look_up(lane, *lane.first);
+  if (!look_up(lane, *lane.first)) return refuse_half_closed(lane);
   if (!lane.first->missing.empty()) return;
   --waiting_;
   log_edit(lane, *std::exchange(lane.first, std::nullopt));
@@ -64,7 +62,7 @@ std::optional<EditIntake::Prepared> EditIntake::prepare(const Lane& lane, Editin
   return prepared;
 }
 
-void EditIntake::look_up(const Lane& lane, Prepared& edit) {
+bool EditIntake::look_up(const Lane& lane, Prepared& edit) {
   std::vector<ChunkKey> to_ask;
   for (const edits::TouchedChunk& each : edit.touched) {
     if (!edit.missing.contains(each.chunk)) continue;
@@ -80,10 +78,12 @@ void EditIntake::look_up(const Lane& lane, Prepared& edit) {
       to_ask.push_back({each.chunk, Lod{}});
     }
   }
-  if (to_ask.empty()) return;
+  if (lane.input_ended && !edit.missing.empty()) return false;
+  if (to_ask.empty()) return true;
   // The others are asked for when an answer comes, or room does.
   const std::size_t accepted = parts_.base.submit(lane.look_ups, to_ask, Urgency::soon);
   for (std::size_t i = 0; i < accepted; ++i) edit.asked.insert(to_ask[i].coord);
+  return true;
 }
 
 void EditIntake::log_edit(const Lane& lane, Prepared edit) {
@@ -116,6 +116,19 @@ void EditIntake::log_edit(const Lane& lane, Prepared edit) {
     --*lane.in_log;
     refuse(lane.session, id, why_of(taken.error().kind), taken.error().reason);
   }
+}
+
+void EditIntake::refuse_half_closed(Lane& lane) {
+  refuse_first(lane, EditRefused::half_closed,
+               "the client shut its sending side before the ground under the edit was generated; send the "
+               "edit on a connection that stays open");
+}
+
+void EditIntake::refuse_first(Lane& lane, EditRefused why, std::string text) {
+  --waiting_;
+  cancel_look_ups(lane);
+  refuse(lane.session, lane.first->edit.request.id, why, std::move(text));
+  lane.first.reset();
 }
 
 void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text) {

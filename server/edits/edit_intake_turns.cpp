@@ -89,14 +89,24 @@ void EditIntake::enter(Lane& lane) {
   lane.entered = true;
 }
 
+void EditIntake::cancel_look_ups(const Lane& lane) {
+  if (!lane.first) return;
+  std::vector<ChunkKey> keys;
+  for (const ChunkCoord chunk : lane.first->asked) keys.push_back({chunk, Lod{}});
+  parts_.base.cancel(lane.look_ups->owner(), keys);
+}
+
+void EditIntake::end_input(Lane& lane) {
+  lane.input_ended = true;
+  if (!lane.first || lane.first->missing.empty()) return;
+  refuse_half_closed(lane);
+  enter(lane);
+}
+
 void EditIntake::forget_lane(ClientId client) {
   Lane* const lane = find_lane(client);
   if (lane == nullptr) return;
-  if (const auto& first = lane->first) {
-    std::vector<ChunkKey> keys;
-    for (const ChunkCoord chunk : first->asked) keys.push_back({chunk, Lod{}});
-    parts_.base.cancel(lane->look_ups->owner(), keys);
-  }
+  cancel_look_ups(*lane);
   waiting_ -= lane->waiting.size() + (lane->first ? 1 : 0) + (lane->attach_waits ? 1 : 0);
   if (lane->attaching) end_attach(*lane);
   lanes_.erase(client);

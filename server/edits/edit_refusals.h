@@ -10,6 +10,7 @@ namespace talus::server {
 enum class EditRefused : std::uint8_t {
   out_of_range,  // it breaks a bound, or a material is none of the world
   ground,        // the chunk as generated failed
+  half_closed,   // the client sends no more, and the edit needs ground that is not generated yet
   busy,
   unwritable,  // the store cannot be written now
   index_full,  // too many chunks were edited
@@ -27,8 +28,9 @@ enum class EditRefused : std::uint8_t {
 };
 
 /// Their label in metrics.
-inline constexpr std::array<std::string_view, 14> kEditRefusedNames{
-    "out_of_range", "ground",  "busy",    "unwritable", "index_full",   "unreadable", "conflict",
-    "not_applied",  "expired", "invalid", "behind",     "editors_full", "overtaken",  "cut_off"};
+inline constexpr std::array<std::string_view, 15> kEditRefusedNames{
+    "out_of_range", "ground",     "half_closed",  "busy",        "unwritable",
+    "index_full",   "unreadable", "conflict",     "not_applied", "expired",
+    "invalid",      "behind",     "editors_full", "overtaken",   "cut_off"};
 
 }  // namespace talus::server

@@ -37,6 +37,9 @@ class EditTaker {
   virtual ~EditTaker() = default;
   virtual void attach(const MailboxPtr& mailbox, AttachRequest request) = 0;
   virtual void edit(const MailboxPtr& mailbox, EditRequest request) = 0;
+  /// The session's client sends no more, and may be gone: no ground is generated for its edits from here on.
+  /// Those that need some are refused, the others go on.
+  virtual void input_ended(ClientId client) = 0;
   /// The session is gone: what of its edits is not logged yet will not be.
   virtual void forget(ClientId client) = 0;
   /// Whether who attaches as `editor` with a token of that subject goes on as it, or is another from then on.

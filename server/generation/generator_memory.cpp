@@ -11,7 +11,9 @@ GeneratorMemory::GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logg
       threads_{threads},
       piece_bytes_{piece_bytes},
       ground_bytes_{ground_bytes},
-      log_{std::move(log)} {}
+      log_{std::move(log)} {
+  (void)bytes();  // which says whether they have room
+}
 
 void GeneratorMemory::note_patch(std::size_t bytes) {
   std::size_t largest = largest_patch_bytes_.load();
@@ -41,11 +43,13 @@ std::uint64_t GeneratorMemory::bytes() {
   const auto begun = static_cast<std::uint64_t>(std::max<std::ptrdiff_t>(0, begun_.load())) * each_bytes();
   if (budget_.limit_bytes() == 0) return at_work + begun;
   const std::uint64_t share = budget_.limit_bytes() / kLargestShare;
-  if (at_work > share && !warned_.exchange(true)) {
+  if (at_work > share + share / 4 && !warned_.exchange(true)) {
     log_->warn(
-        "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB): raise "
-        "that, or set fewer threads.generator or a smaller generation.patch_tiles",
-        at_work >> 20U, budget_.limit_bytes() >> 20U);
+        "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB), and the "
+        "rest "
+        "is beyond it: raise that to {} MiB, or set fewer threads.generator or a smaller "
+        "generation.patch_tiles",
+        at_work >> 20U, budget_.limit_bytes() >> 20U, (at_work * kLargestShare >> 20U) + 1);
   }
   return std::min(at_work, share) + std::min(begun, share);
 }

@@ -30,7 +30,8 @@ class GeneratorMemory {
   /// So many more are, or fewer.
   void add_begun(std::ptrdiff_t change);
 
-  /// A patch of `bytes` was made. Where the generators need more than their share, the log says so, once.
+  /// A patch of `bytes` was made. Where the generators need a quarter more than their share, which is as much
+  /// as patches differ, the log says so, once.
   void note_patch(std::size_t bytes);
 
  private:

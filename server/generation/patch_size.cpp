@@ -11,6 +11,8 @@
 #include <talus/voxel/codec.h>
 #include <talus/voxel/coords.h>
 
+#include "generation/generator_memory.h"
+
 namespace talus::server {
 namespace {
 
@@ -56,6 +58,7 @@ TileCost measure_tile(const terrain::World& world, const Clock& clock) {
     const auto end = clock.thread_cpu();
     spent += end - start;
     if (i == 1) dearest = {};  // the first alone counts where it took long enough
+    dearest.bytes = std::max(dearest.bytes, stacks.bytes());
     dearest.terrain = std::max(dearest.terrain, made - start);
     dearest.chunk = std::max(dearest.chunk, (end - made) / kChunksMeasured);
   }
@@ -65,6 +68,11 @@ TileCost measure_tile(const terrain::World& world, const Clock& clock) {
 std::size_t PatchSize::bytes_in_the_making() const {
   constexpr std::size_t kBytesAColumn = 64;  // measured: 54 with 64 steps of erosion
   return side_of(tiles, halo) * side_of(tiles, halo) * kBytesAColumn;
+}
+
+std::size_t PatchSize::bytes_at_work() const {
+  const auto each = static_cast<std::size_t>(tiles) * static_cast<std::size_t>(tiles) * tile_bytes;
+  return std::max(bytes_in_the_making(), GeneratorMemory::kPatchesAtWork * each);
 }
 
 std::uint64_t PatchSize::ns_a_column() const {
@@ -85,6 +93,17 @@ PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo) {
   int tiles = kMaxChosenTiles;
   while (tiles > 1 && time_of(tiles, tile_time, halo) > allowed) tiles /= 2;
   return patch_size(tiles, tile_time, halo);
+}
+
+PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size) {
+  PatchSize reduced = size;
+  while (reduced.bytes_at_work() > most_bytes && reduced.tiles > 1) {
+    reduced.tiles /= 2;
+    reduced.patch_time = time_of(reduced.tiles, size.tile_time, size.halo);
+    reduced.reduced = true;
+  }
+  const bool fits = reduced.bytes_at_work() <= most_bytes;
+  return fits && reduced.ns_a_column() <= 2 * size.ns_a_column() ? reduced : size;
 }
 
 }  // namespace talus::server

@@ -15,6 +15,7 @@ namespace talus::server {
 struct TileCost {
   std::chrono::nanoseconds terrain{};  // with its halo
   std::chrono::nanoseconds chunk{};    // each of its highest, where objects stand
+  std::size_t bytes = 0;               // of its stacks
 };
 /// Takes no more than a few tiles' time, and allocates as a generator does.
 [[nodiscard]] TileCost measure_tile(const terrain::World& world, const Clock& clock);
@@ -27,9 +28,13 @@ struct PatchSize {
   bool expensive = false;                 // a patch of kMaxChosenTiles takes longer than kPatchTime
   int halo = 0;                           // columns
   std::chrono::nanoseconds chunk_time{};  // to cut one out of a patch and encode it
+  std::size_t tile_bytes = 0;             // of a lone tile's stacks; 0: not measured
+  bool reduced = false;                   // it has fewer tiles than time alone would allow
 
   /// Bytes that a patch in the making takes, with its halo; an estimate.
   [[nodiscard]] std::size_t bytes_in_the_making() const;
+  /// Bytes that a generator at work takes, by what a tile was measured to take; an estimate.
+  [[nodiscard]] std::size_t bytes_at_work() const;
   /// Thread time for each column of a patch, its halo's included.
   [[nodiscard]] std::uint64_t ns_a_column() const;
   [[nodiscard]] bool chunks_expensive() const;
@@ -49,5 +54,9 @@ inline constexpr int kMaxChosenTiles = 4;
 /// most of the work, a patch of more tiles hardly takes longer than a tile, and serves many: twice a tile's
 /// time is always allowed.
 [[nodiscard]] PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo);
+
+/// `size`, or fewer tiles where a generator at work would take more than `most_bytes`: the most that take no
+/// more. `size` where none do, or where halos would make a column take twice the time.
+[[nodiscard]] PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size);
 
 }  // namespace talus::server

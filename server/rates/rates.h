@@ -24,7 +24,7 @@ inline constexpr std::uint64_t kNewChunkTokens = 3'600;
 /// What an edit takes of the rates.
 struct EditCost {
   std::uint64_t voxels = 0;      // that it names
-  std::uint64_t new_chunks = 0;  // that it may write, and nobody edited before: they stay known for ever
+  std::uint64_t new_chunks = 0;  // that it may write or guards, and nobody edited before
 };
 
 /// Requests, and voxels that edits name, count when they arrive, chunks and bytes (of all frames) when they

@@ -5,7 +5,7 @@
 namespace talus::server {
 
 EditCosts::Priced EditCosts::price(const CheckedEdit& edit, bool settles) const {
-  Priced priced{{edit.voxels, 0}, edits::writable_chunks(edit.edit, settles)};
+  Priced priced{{edit.voxels, 0}, edits::touched_chunks(edit.edit, settles)};
   std::erase_if(priced.new_chunks, [&](ChunkCoord chunk) {
     return chunks_.revision({chunk, Lod{}}) != kBaseRevision ||
            std::ranges::find(paid_, chunk) != paid_.end();

@@ -1,5 +1,6 @@
 // What edits of a session cost of the rates: the one place where that is said. Chunks that nobody edited
-// before cost beside voxels, as the server keeps each in its index for ever, however few voxels were written.
+// before cost beside voxels, however few are written or guarded there: the server has to generate each, and
+// keeps those that are written in its index for ever.
 #pragma once
 
 #include <cstddef>

@@ -48,6 +48,10 @@ void Editing::receive(EditAnswer&& mail) {
   }
 }
 
+void Editing::input_ended() {
+  if (unanswered_.size() > 0) taker_->input_ended(mailbox_->owner());
+}
+
 void Editing::abandon() {
   if (std::exchange(is_known_, false)) taker_->forget(mailbox_->owner());
   attaching_ = false;

@@ -54,6 +54,8 @@ class Editing {
   /// Voxels that edits changed beyond those that they named, since the last call.
   [[nodiscard]] std::uint64_t take_slid_voxels() { return std::exchange(slid_voxels_, 0); }
 
+  /// The client sends no more, and may be gone.
+  void input_ended();
   /// Forgets everything; what is logged already happens all the same.
   void abandon();
 

@@ -142,6 +142,7 @@ void Session::take_mail() {
 void Session::input_ended() {
   if (state_ == State::connected) return abandon();
   credit_.lift();
+  editing_.input_ended();
   if (state_ == State::joined) state_ = State::finishing;
   close_if_served();
 }

@@ -103,17 +103,33 @@ struct MaterialMap {
   /// Placed in the file, while the store's world generates one of that name. It is an override only where the
   /// ground is another, which takes the world to tell.
   std::map<MaterialId, std::string> generated_now;
-  /// Generated in the file, while the store has the names of what its world generates, and not that.
+  /// Generated in the file, while it is known what its world generates, and not that.
   std::map<MaterialId, std::string> not_generated;
 };
 
+using GeneratedIds = std::optional<std::set<MaterialId>>;  // none: it is not known
+
+/// What the world with that fingerprint generates, by `world` where it is that one, else by a store of it.
+GeneratedIds generated_by(const terrain::World* world, ContentHash fingerprint,
+                          const std::map<std::string, MaterialId>& stored) {
+  std::set<MaterialId> ids;
+  if (world != nullptr && world->fingerprint() == fingerprint) {
+    for (const terrain::Material& material : world->materials()) ids.insert(material.id);
+    return ids;
+  }
+  for (const auto& [name, id] : stored) {
+    if (to_integer(id) < kFirstBound) ids.insert(id);
+  }
+  return ids.empty() ? GeneratedIds{} : ids;
+}
+
 /// Both are of one world: what that generates has one id in both, whatever its name was then.
 tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string, MaterialId>& from,
-                                                     const std::map<std::string, MaterialId>& into) {
+                                                     const std::map<std::string, MaterialId>& into,
+                                                     const GeneratedIds& by_world) {
   MaterialMap map{{}, into, {}, {}};
   std::set<MaterialId> taken;
   for (const auto& [name, id] : into) taken.insert(id);
-  const bool knows_generated = !taken.empty() && to_integer(*taken.begin()) < kFirstBound;
   FreeIds free{taken};
   for (const auto& [name, id] : from) {
     const auto held = into.find(name);
@@ -122,7 +138,7 @@ tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string,
       map.generated_now.emplace(id, name);
       continue;
     }
-    if (generated && knows_generated && id != kAir && !taken.contains(id)) {
+    if (generated && by_world && id != kAir && !by_world->contains(id)) {
       map.not_generated.emplace(id, name);
       continue;
     }
@@ -203,7 +219,8 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
 }
 
 tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const DataDirectory& directory,
-                                                Winner winner, std::int64_t now_ms) {
+                                                Winner winner, std::int64_t now_ms,
+                                                const terrain::World* world) {
   std::error_code code;
   const std::uint64_t file_bytes = fs::file_size(file, code);
   InputFile input{file};
@@ -225,8 +242,9 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
     }
   }
   const StoreMeta before = store == nullptr ? StoreMeta{} : store->meta();
-  const auto mapped = map_materials(
-      header.materials, store == nullptr ? std::map<std::string, MaterialId>{} : store->materials());
+  const auto names = store == nullptr ? std::map<std::string, MaterialId>{} : store->materials();
+  const GeneratedIds generated = generated_by(world, header.fingerprint, names);
+  const auto mapped = map_materials(header.materials, names, generated);
   if (!mapped) return of_file(file, mapped.error());
   const MaterialMap& materials = *mapped;
   if (const auto enough = check_space(directory.path(), file_bytes + bytes_of_files(directory.path() / "db"));
@@ -237,6 +255,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   if (!staging) return tl::unexpected{staging.error()};
   Rebuilt rebuilt;
   rebuilt.store_id = random_store_id();
+  rebuilt.compared = generated.has_value();
   auto made = StoreBuilder::create(*staging, {rebuilt.store_id, header.fingerprint}, before.head.position,
                                    before.link);
   if (!made) return tl::unexpected{made.error()};
@@ -267,8 +286,9 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
           none != materials.not_generated.end()) {
         return of_file(
             file,
-            fmt::format("chunk {} has material {}, \"{}\", which the store's world does not generate; if "
-                        "its file has that by now, start talusd once with it",
+            fmt::format("chunk {} has material {}, \"{}\", which its world does not generate: where it was "
+                        "exported talusd store rebase --drop-unknown loses those voxels; if the world's file "
+                        "has that by now, give that file as --world",
                         to_string(next->chunk), to_integer(voxel.material), escaped(none->second)));
       }
       if (at == materials.to.end()) {

@@ -29,6 +29,7 @@ struct Rebuilt {
   std::uint64_t chunks = 0;  // that the store has now
   std::uint64_t voxels = 0;
   std::uint64_t both = 0;     // import: voxels that both had
+  bool compared = false;      // import: whether it was known what the world generates
   std::uint64_t as_base = 0;  // rebase: overrides that are as the new world generates
   std::uint64_t unknown = 0;  // rebase: overrides of materials that the new world has not
   ContentHash store_id;
@@ -38,12 +39,14 @@ struct Rebuilt {
 /// Adds the file's edits to those of the store in `directory`, or makes one there, of the file's world.
 /// `winner` has the voxels that both have. Materials are those of the same names: a
 /// file with voxels of a placed one whose name is that of a generated one in the store is refused, and so is
-/// one with voxels of what the store's world does not generate, where the store has the names of what it
-/// does, and one with names that no world may give. The new store's time is the file's where the store's is
+/// one with voxels of what the file's world does not generate, and one with names that no world may give.
+/// What that generates `world` says where it is that one, else the store where it has the names; null: no
+/// world is known. The new store's time is the file's where the store's is
 /// earlier, but at most `now_ms`, since 1970.
 [[nodiscard]] tl::expected<Rebuilt, std::string> import_edits(const std::filesystem::path& file,
                                                               const DataDirectory& directory, Winner winner,
-                                                              std::int64_t now_ms);
+                                                              std::int64_t now_ms,
+                                                              const terrain::World* world = nullptr);
 
 /// The store's edits over another world: overrides that are as that generates go, materials are those of the
 /// same names. Where the world lacks some, nothing happens, unless those voxels may go. A store of that world

@@ -50,7 +50,10 @@ std::string other_than_default(const Field& field) {
     Config defaults;
     return std::to_string(number->at(defaults) == number->max ? number->min : number->max);
   }
-  if (std::holds_alternative<PowerOfTwoTarget>(field.target)) return "1";
+  if (std::holds_alternative<PowerOfTwoTarget>(field.target) ||
+      std::holds_alternative<OptionalNumberTarget>(field.target)) {
+    return "1";
+  }
   if (const auto* duration = std::get_if<DurationTarget>(&field.target)) {
     Config defaults;
     return std::to_string((duration->at(defaults) == duration->max ? duration->min : duration->max).count());
@@ -206,6 +209,22 @@ TEST_CASE("an unknown key names its line and the nearest one") {
       toml_error("# first\n[limits]\nidle_timeout = 5\n"),
       Catch::StartsWith("file.toml:3: limits.idle_timeout:") && Catch::Contains("limits.idle_timeout_ms"));
   CHECK_THAT(toml_error("[limit]\nconnections = 5\n"), Catch::StartsWith("file.toml:1: limit:"));
+}
+
+TEST_CASE("a number that the server chooses by default is auto, and any that is given is told from that") {
+  CHECK_FALSE(Config{}.rates.address_editors);
+  CHECK(settings_of("[rates]\naddress_editors = 512\n").config.rates.address_editors == 512);
+  CHECK_FALSE(settings_of("[rates]\naddress_editors = \"auto\"\n").config.rates.address_editors);
+  const auto by_variable = [](const char* value) {
+    return command({}, {{"TALUS_RATES_ADDRESS_EDITORS", value}})->config.rates.address_editors;
+  };
+  CHECK(by_variable("0") == 0);
+  CHECK_FALSE(by_variable("auto"));
+  for (const std::string wrong : {"-1", "65537", "\"many\"", "1.5"}) {
+    CHECK_THAT(toml_error("[rates]\naddress_editors = " + wrong + "\n"),
+               Catch::StartsWith("file.toml:2: rates.address_editors: ") &&
+                   Catch::Contains("a whole number from 0 to 65536 (editors per hour), or \"auto\""));
+  }
 }
 
 TEST_CASE("a number out of range names the range and the unit") {

@@ -202,6 +202,15 @@ TEST_CASE("a failed look-up fails its edit alone") {
   CHECK(bench.log.entries.size() == 1);
 }
 
+TEST_CASE("an edit of which one look-up failed needs the others no more") {
+  Bench bench;
+  bench.edit(1, {{0, 0, 0}, {33, 0, 0}});
+  bench.source.fail({{0, 0, 0}, Lod{}});
+  bench.source.last_mailbox->wake();
+  bench.intake.do_what_waits();
+  CHECK(bench.source.waiting.empty());
+}
+
 TEST_CASE("of a session that is gone nothing more is looked up or logged") {
   Bench bench;
   bench.edit(1, {{0, 0, 0}});
@@ -210,6 +219,30 @@ TEST_CASE("of a session that is gone nothing more is looked up or logged") {
   bench.intake.do_what_waits();
   CHECK(bench.source.waiting.empty());
   CHECK(bench.log.entries.empty());
+}
+
+TEST_CASE("for a session whose client sends no more no ground is generated, and its other edits go on") {
+  Bench bench;
+  bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
+  bench.edit(1, {{0, 0, 0}, {33, 0, 0}});
+  bench.edit(2, {{160, 0, 0}});  // in memory
+  bench.edit(3, {{65, 0, 0}});
+  CHECK(bench.source.waiting.size() == 2);
+  bench.intake.input_ended(ClientId{1});
+  bench.intake.do_what_waits();
+  CHECK(bench.source.waiting.empty());
+  CHECK(bench.source.submitted == 2);
+  REQUIRE(bench.log.entries.size() == 1);
+  CHECK(bench.log.edit(0).sequence == 2);
+  const auto mail = bench.session->take();
+  REQUIRE(mail.size() == 2);
+  for (std::size_t i = 0; i < mail.size(); ++i) {
+    const auto& answer = std::get<EditAnswer>(mail[i]);
+    CHECK(answer.id == 1 + 2 * i);
+    CHECK(answer.answer.error().code == wire::ErrorCode::overloaded);
+  }
+  CHECK(bench.metrics.edits_refused[EditRefused::half_closed].total() == 2);
+  CHECK(bench.intake.waiting() == 0);
 }
 
 TEST_CASE("what the log says of an edit is what its session is told") {

@@ -79,12 +79,32 @@ TEST_CASE("a configured number of tiles is kept, whatever they cost") {
   CHECK(patch_size(8, 1s, 0).patch_time == 64s);
 }
 
+TEST_CASE("a patch has fewer tiles where generators have no room, unless halos would double its price") {
+  PatchSize size = patch_size(4, 100us, 8);
+  size.tile_bytes = 100'000;
+  size.chunk_time = 7us;
+  CHECK(size.bytes_at_work() == 5 * 16 * 100'000);
+  CHECK(reduced_to(size.bytes_at_work(), size).tiles == 4);
+  CHECK_FALSE(reduced_to(size.bytes_at_work(), size).reduced);
+  const PatchSize half = reduced_to(size.bytes_at_work() - 1, size);
+  CHECK(half.tiles == 2);
+  CHECK(half.reduced);
+  CHECK(half.bytes_at_work() == 5 * 4 * 100'000);
+  CHECK(half.patch_time < size.patch_time);
+  CHECK(half.chunk_time == 7us);
+  CHECK(reduced_to(500'000, size).tiles == 1);
+  CHECK(reduced_to(499'999, size).tiles == 4);  // none fits
+  size = patch_size(4, 300ms, 128);             // of a halo of 128 columns most are the halo's
+  CHECK(reduced_to(patch_size(2, 300ms, 128).bytes_at_work(), size).tiles == 4);
+}
+
 TEST_CASE("the dearest of the places counts, but for the first, whose memory is cold") {
   const ScriptedClock clock{{{9ms, 900us}, {1ms, 30us}, {3ms, 60us}, {2ms, 90us}, {1ms, 30us}}};
   const TileCost cost = measure_tile(terrain::default_world(), clock);
   CHECK(cost.terrain == 3ms);
   CHECK(cost.chunk == 30us);  // of three
   CHECK(clock.measured() == 5);
+  CHECK(cost.bytes > 32 * 32 * 16);
 }
 
 TEST_CASE("measuring ends early where a tile takes long") {

@@ -1,5 +1,5 @@
-// Edits of a session, as far as the session decides: rights, order, bounds, rates, and what each answer
-// becomes.
+// Edits of a session, as far as the session decides: rights, order, bounds, and what each answer becomes.
+// What they cost is session_edit_rates_test.cpp's.
 #include "session/session.h"
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <talus/voxel/codec.h>
 
 #include "access/signed_token.h"
+#include "editing_bench.h"
 #include "scratch_directory.h"
 #include "session/edit_check.h"
 #include "session_bench.h"
@@ -20,70 +21,6 @@ using wire::Body;
 using wire::ErrorCode;
 using State = Session::State;
 
-struct ScriptedTaker final : EditTaker {
-  std::vector<AttachRequest> attaches;
-  std::vector<EditRequest> edits;
-  std::vector<ClientId> forgotten;
-
-  void attach(const MailboxPtr&, AttachRequest request) override { attaches.push_back(std::move(request)); }
-  void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
-  void forget(ClientId client) override { forgotten.push_back(client); }
-  [[nodiscard]] bool settles() const override { return slides; }
-  bool slides = false;
-  [[nodiscard]] bool knows(edits::EditorId editor, const std::string& subject) const override {
-    return editor == known && subject.empty();
-  }
-  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const override { return full; }
-  edits::EditorId known{7, 7};
-  std::optional<EditRefusal> full;
-};
-
-Access editors() {
-  Access access;
-  access.without_token = "read,edit";
-  return access;
-}
-
-Access gateways() {
-  Access access;
-  access.without_token = "read,edit,gateway";  // no setting gives it; Rights::parse does
-  return access;
-}
-
-struct Bench {
-  ScriptedTaker taker;
-  SessionBench bench;
-
-  explicit Bench(const RateLimits& rates = {}, const Access& access = editors(), EditRules rules = {},
-                 AddressBucketsPtr address = {})
-      : bench{{.rates = rates,
-               .address = std::move(address),
-               .access = access,
-               .edits = &taker,
-               .protocol = protocol::kEditsProtocol,
-               .rules = std::move(rules)}} {}
-
-  void attached(std::uint64_t last_sequence = 0) {
-    bench.attach();
-    bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, last_sequence, false, 9}});
-    bench.take_mail();
-    REQUIRE(kinds(bench.output()) == Kinds{Body::Attached});
-  }
-  /// The answer to `id`, as values.
-  Said answered(EditAnswer answer) {
-    bench.mailbox->put(std::move(answer));
-    bench.take_mail();
-    return bench.output().at(0);
-  }
-};
-
-RateLimits voxels(Rate session, Rate address = {}) {
-  RateLimits limits;
-  limits.session.voxels = session;
-  limits.address.voxels = address;
-  return limits;
-}
-
 Rejection refusal(std::vector<wire::Fill> fills) {
   flatbuffers::FlatBufferBuilder builder;
   builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
@@ -95,7 +32,7 @@ Rejection refusal(std::vector<wire::Fill> fills) {
 }  // namespace
 
 TEST_CASE("an Edit before Attached is refused by its id, and the session stays") {
-  Bench shared;
+  EditingBench shared;
   shared.bench.write_voxel(4, 1);
   const auto said = shared.bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Error});
@@ -106,7 +43,7 @@ TEST_CASE("an Edit before Attached is refused by its id, and the session stays")
 }
 
 TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   shared.bench.write_voxel(4, 17, {-1, 2, 3}, 5);
   REQUIRE(shared.taker.edits.size() == 1);
@@ -125,7 +62,7 @@ TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
 }
 
 TEST_CASE("while an edit is not answered the mailbox says that its owner is about to be woken") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   const Mailbox& mailbox = *shared.bench.mailbox;
   CHECK_FALSE(mailbox.expects_answer());
@@ -142,7 +79,7 @@ TEST_CASE("while an edit is not answered the mailbox says that its owner is abou
 }
 
 TEST_CASE("an edit that does not happen is an Error about its request") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   shared.bench.write_voxel(4, 1);
   const Said said = shared.answered({4, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}});
@@ -152,7 +89,7 @@ TEST_CASE("an edit that does not happen is an Error about its request") {
 }
 
 TEST_CASE("an edit's id is taken until it is answered") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   shared.bench.write_voxel(4, 1);
   shared.bench.get_chunk(4, chunk_at(0));
@@ -163,7 +100,7 @@ TEST_CASE("an edit's id is taken until it is answered") {
 }
 
 TEST_CASE("no more edits than there are kept results go unanswered") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   for (std::uint32_t id = 1; id <= edits::kKeptResults + 1; ++id) shared.bench.write_voxel(id, id);
   CHECK(shared.taker.edits.size() == edits::kKeptResults);
@@ -175,7 +112,7 @@ TEST_CASE("no more edits than there are kept results go unanswered") {
 
 TEST_CASE("a session that leaves or finishes waits for the answers of its edits") {
   for (const bool leaves : {true, false}) {
-    Bench shared;
+    EditingBench shared;
     shared.attached();
     shared.bench.write_voxel(4, 1);
     if (leaves) {
@@ -185,6 +122,7 @@ TEST_CASE("a session that leaves or finishes waits for the answers of its edits"
     }
     (void)shared.bench.output();
     CHECK(shared.bench.session.state() != State::closed);
+    CHECK(shared.taker.ended_input.size() == (leaves ? 0 : 1));
     CHECK(shared.answered({4, edits::EditResult{1, 1, 1, {}}}).kind == Body::EditResult);
     CHECK(shared.bench.session.state() == State::closed);
   }
@@ -216,69 +154,14 @@ TEST_CASE("the taker forgets a session whose Attach was refused") {
   CHECK(taker.forgotten == std::vector{ClientId{1}});
 }
 
-TEST_CASE("voxels over the rate are refused with a time, and the edit does not happen") {
-  Bench shared{voxels({10, 20})};
-  shared.attached();
-  for (std::uint32_t id = 1; id <= 21; ++id) shared.bench.write_voxel(id, id);
-  CHECK(shared.taker.edits.size() == 20);
-  const auto said = shared.bench.output();
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].code == ErrorCode::overloaded);
-  CHECK(said[0].id == 21);
-  CHECK(said[0].retry_after_ms == 100);
-  CHECK(shared.bench.metrics.throttled(RateKind::session_voxels).total() == 1);
-  shared.bench.clock.advance(100ms);
-  shared.bench.write_voxel(22, 22);
-  CHECK(shared.taker.edits.size() == 21);
-}
-
-TEST_CASE("chunks that nobody edited before cost their address, each once") {
-  RateLimits limits;
-  limits.address.new_chunks = {1, 3 * kNewChunkTokens};  // three saved up, and one an hour
-  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  shared.attached();
-  std::uint32_t id = 0;
-  const auto edit = [&](std::int64_t chunk) {
-    ++id;
-    shared.bench.write_voxel(id, id, {chunk * 32, 0, 0});
-    const auto said = shared.bench.output();
-    return said.empty() ? std::string{"taken"} : said.at(0).text;
-  };
-  shared.bench.source.revisions[chunk_at(9)] = 4;
-  CHECK(edit(1) == "taken");
-  CHECK(edit(2) == "taken");
-  CHECK(edit(1) == "taken");  // paid, though nothing is applied yet
-  CHECK(edit(3) == "taken");
-  CHECK(edit(4) == "over rates.address_new_chunks");
-  CHECK(edit(9) == "taken");  // edited before
-  CHECK(edit(2) == "taken");
-  CHECK(shared.taker.edits.size() == 6);
-  CHECK(shared.bench.metrics.throttled(RateKind::address_new_chunks).total() == 1);
-  shared.bench.clock.advance(1h);
-  CHECK(edit(4) == "taken");
-  CHECK(edit(5) == "over rates.address_new_chunks");
-}
-
-TEST_CASE("an edit pays for the new chunks that loose material may slide into") {
-  RateLimits limits;
-  limits.address.new_chunks = {1, 12 * kNewChunkTokens};
-  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  shared.taker.slides = true;
-  shared.attached();
-  shared.bench.write_voxel(1, 1, {0, 40, 0});  // at the corner of four columns, and 64 rows
-  CHECK(shared.taker.edits.size() == 1);
-  shared.bench.write_voxel(2, 2, {320, 40, 0});
-  CHECK(shared.taker.edits.size() == 1);
-}
-
 TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and its session stays") {
   RateLimits limits;
   limits.address.voxels = {1, 1};
   limits.address.new_chunks = {1, kNewChunkTokens};
-  Bench shared{limits,
-               editors(),
-               {*Boxes::parse("-16,-16:16,16"), false},
-               std::make_shared<AddressBuckets>(limits.address)};
+  EditingBench shared{limits,
+                      editors(),
+                      {*Boxes::parse("-16,-16:16,16"), false},
+                      std::make_shared<AddressBuckets>(limits.address)};
   shared.attached();
   shared.bench.write_voxel(4, 1, {3, 4, 5});
   shared.bench.write_voxel(5, 2, {17, 4, 5});
@@ -291,57 +174,8 @@ TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and i
   CHECK(shared.taker.edits[0].sequence == 2);
 }
 
-TEST_CASE("an address makes so many editors an hour, and whoever is one already goes on") {
-  RateLimits limits;
-  limits.address.editors = {1, 2 * kEditorTokens};  // two saved up, and one an hour
-  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  const auto attach = [&](edits::EditorId editor) {
-    shared.taker.attaches.clear();
-    shared.bench.attach(editor);
-    const auto said = shared.bench.output();
-    if (shared.taker.attaches.empty()) return said.at(0).text;
-    // Another session comes; this one is as it was.
-    shared.bench.mailbox->put(
-        AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "not now", 1ms}}});
-    shared.bench.take_mail();
-    (void)shared.bench.output();
-    return std::string{"made"};
-  };
-  CHECK(attach({}) == "made");
-  CHECK(attach({1, 2}) == "made");  // unknown, so another is made
-  CHECK(attach({}) == "over rates.address_editors");
-  CHECK(attach({1, 2}) == "over rates.address_editors");
-  CHECK(attach({7, 7}) == "made");  // known, so none is
-  CHECK(shared.bench.metrics.throttled(RateKind::address_editors).total() == 2);
-}
-
-TEST_CASE("where the world has room for no editor an Attach takes nothing of what the address may make") {
-  RateLimits limits;
-  limits.address.editors = {1, kEditorTokens};  // one saved up, and one an hour
-  Bench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  shared.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
-  for (int tries = 0; tries < 3; ++tries) {
-    shared.bench.attach();
-    const auto said = shared.bench.output();
-    REQUIRE(kinds(said) == Kinds{Body::Error});
-    CHECK(said[0].about == wire::ErrorAbout::attach);
-    CHECK(said[0].text == "full");
-    CHECK(said[0].retry_after_ms == 120'000);
-  }
-  CHECK(shared.taker.attaches.empty());
-  shared.taker.full.reset();
-  shared.bench.attach();
-  CHECK(shared.bench.output().empty());
-  CHECK(shared.taker.attaches.size() == 1);
-
-  Bench known{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  known.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
-  known.bench.attach({7, 7});
-  CHECK(known.taker.attaches.size() == 1);
-}
-
 TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {
-  Bench shared{{}, editors(), {{}, true}};
+  EditingBench shared{{}, editors(), {{}, true}};
   shared.bench.attach();
   shared.bench.write_voxel(4, 1);
   const auto said = shared.bench.output();
@@ -354,7 +188,7 @@ TEST_CASE("where a gateway is required, players are told so at Attach and at Edi
 }
 
 TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
-  Bench player;
+  EditingBench player;
   player.attached();
   player.bench.write_voxel(4, 1, {}, 1, "alice");
   const auto said = player.bench.output();
@@ -363,7 +197,7 @@ TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
   CHECK_THAT(said[0].text, Catch::Contains("gateway"));
   CHECK(player.taker.edits.empty());
 
-  Bench gateway{{}, gateways(), {{}, true}};
+  EditingBench gateway{{}, gateways(), {{}, true}};
   gateway.attached();
   gateway.bench.write_voxel(4, 1, {}, 1, "alice");
   gateway.bench.write_voxel(5, 2);
@@ -379,7 +213,7 @@ TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
 
 TEST_CASE("a gateway names players whose names can be printed, and an odd name costs it that edit alone") {
   using namespace std::string_view_literals;
-  Bench gateway{{}, gateways(), {{}, true}};
+  EditingBench gateway{{}, gateways(), {{}, true}};
   gateway.attached();
   std::uint32_t id = 10;
   for (const std::string_view odd : {"\0"sv, "a\0b"sv, "line\nbreak"sv, "\x1b[2J"sv, "\x7f"sv, "\xc2\x9b"sv,
@@ -425,99 +259,6 @@ TEST_CASE("a token whose subject cannot be printed does not let edit") {
   }
 }
 
-TEST_CASE("a gateway has rates of its own, in place of those of a player and of its address") {
-  RateLimits rates = voxels({10, 20}, {10, 20});
-  rates.session.requests = {1, 2};
-  rates.gateway_requests = {100, 40};
-  rates.gateway_voxels = {100, 25};
-  Bench gateway{rates, gateways()};
-  gateway.attached();
-  for (std::uint32_t id = 1; id <= 26; ++id) gateway.bench.write_voxel(id, id);
-  CHECK(gateway.taker.edits.size() == 25);
-  const auto said = gateway.bench.output();
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].code == ErrorCode::overloaded);
-  CHECK_THAT(said[0].text, Catch::Contains("gateway_voxels"));
-  CHECK(gateway.bench.metrics.throttled(RateKind::gateway_voxels).total() == 1);
-  // They stay when rates change for all.
-  gateway.bench.session.rates_changed(nullptr);
-  gateway.bench.clock.advance(100ms);
-  for (std::uint32_t id = 101; id <= 110; ++id) gateway.bench.write_voxel(id, id);
-  CHECK(gateway.taker.edits.size() == 35);
-}
-
-TEST_CASE("who ignores that his edits are over the rate is thrown out, and who waits is not") {
-  const bool waits = GENERATE(true, false);
-  Bench shared{voxels({65'536, 65'536})};
-  shared.attached();
-  const auto fill = [&](std::uint32_t id) {
-    shared.bench.receive([&](auto& builder) {
-      const std::vector<wire::Fill> fills{{{0, 0, 0}, {31, 31, 31}, 1, 0, 1}};
-      return wire::CreateEdit(builder, id, 0, id, 0, builder.CreateVectorOfStructs(fills));
-    });
-  };
-  std::uint32_t id = 0;
-  int refusals = 0;
-  for (int round = 0; round < 400 && shared.bench.session.state() == State::joined; ++round) {
-    for (int i = 0; i < 8; ++i) fill(++id);
-    std::uint32_t wait = 0;
-    for (const Said& each : shared.bench.output()) {
-      if (each.code != ErrorCode::overloaded) continue;
-      ++refusals;
-      wait = std::max(wait, each.retry_after_ms);
-    }
-    for (EditRequest& each : std::exchange(shared.taker.edits, {})) {
-      shared.bench.mailbox->put(EditAnswer{each.id, edits::EditResult{each.sequence, 1, 1, {}}});
-    }
-    shared.bench.take_mail();
-    shared.bench.clock.advance(std::chrono::milliseconds{waits ? wait : 20});
-  }
-  CHECK(refusals > 0);
-  CHECK(shared.bench.session.state() == (waits ? State::joined : State::closed));
-}
-
-TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
-  flatbuffers::FlatBufferBuilder builder;
-  const std::vector<wire::Fill> fills{{{0, 0, 0}, {31, 31, 63}, 1, 0, 1}};
-  builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
-  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
-  REQUIRE(checked);
-  CHECK(checked->voxels == 65'536);
-  CHECK(checked->prepared_bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
-  // Of those that wait behind it only what they say: one is prepared at a time.
-  Bench shared;
-  shared.attached();
-  for (std::uint32_t id = 1; id <= 8; ++id) {
-    shared.bench.receive(
-        [&](auto& wire) { return wire::CreateEdit(wire, id, 0, id, 0, wire.CreateVectorOfStructs(fills)); });
-  }
-  REQUIRE(shared.taker.edits.size() == 8);
-  const std::size_t eight = shared.bench.memory.used(MemoryUse::sessions);
-  CHECK(eight > checked->prepared_bytes);
-  CHECK(eight < 2 * checked->prepared_bytes);
-  for (std::uint32_t id = 1; id <= 8; ++id) {
-    CHECK(shared.answered({id, edits::EditResult{id, 10, 1, {}}}).kind == Body::EditResult);
-  }
-  CHECK(shared.bench.memory.used(MemoryUse::sessions) < eight - checked->prepared_bytes / 2);
-}
-
-TEST_CASE("what slides counts to the rate, and takes memory while the edit waits") {
-  Bench shared{voxels({10, 20})};
-  shared.attached();
-  shared.bench.write_voxel(1, 1);
-  const std::size_t plain = shared.bench.memory.used(MemoryUse::sessions);
-  CHECK(shared.answered({1, edits::EditResult{1, 10, 1, {}}}).kind == Body::EditResult);
-  shared.taker.slides = true;
-  shared.bench.write_voxel(2, 2);
-  CHECK(shared.bench.memory.used(MemoryUse::sessions) > plain + 64 * 256 * 4);
-  CHECK(shared.answered({2, edits::EditResult{2, 11, 31, {}}}).kind == Body::EditResult);
-  shared.bench.write_voxel(3, 3);  // 20 - 2 - 30: it owes 12
-  const auto said = shared.bench.output();
-  REQUIRE(said.size() == 1);
-  CHECK(said[0].code == ErrorCode::overloaded);
-  CHECK(said[0].retry_after_ms == 1'300);
-}
-
 TEST_CASE("Attach needs the right, version 2, a store, and its turn") {
   SECTION("the right") {
     ScriptedTaker taker;
@@ -547,7 +288,7 @@ TEST_CASE("Attach needs the right, version 2, a store, and its turn") {
     CHECK(bench.session.state() == State::joined);
   }
   SECTION("its turn") {
-    Bench shared;
+    EditingBench shared;
     shared.bench.attach();
     shared.bench.attach();
     CHECK(shared.bench.output().at(0).code == ErrorCode::unexpected);
@@ -566,7 +307,7 @@ TEST_CASE("fills are counted before anything is made of them") {
 }
 
 TEST_CASE("a paste is a chunk, or the connection ends") {
-  Bench shared;
+  EditingBench shared;
   shared.attached();
   const auto paste = [&](std::uint32_t id, const std::vector<std::uint8_t>& payload) {
     shared.bench.receive([&](auto& builder) {

@@ -273,6 +273,7 @@ struct WaitingTaker final : EditTaker {
 
   void attach(const MailboxPtr& of, AttachRequest) override { mailbox = of; }
   void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
+  void input_ended(ClientId) override {}
   void forget(ClientId) override {}
   [[nodiscard]] bool settles() const override { return false; }
   [[nodiscard]] bool knows(edits::EditorId, const std::string&) const override { return false; }

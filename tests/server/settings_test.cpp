@@ -79,6 +79,19 @@ TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has non
   } clock;
   Config config;
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == kMaxChosenTiles);
+  // With little memory patches are smaller, unless they are set.
+  config.threads.generator = 2;
+  for (const std::uint64_t mebibytes : {72U, 128U, 256U, 2'048U}) {
+    CAPTURE(mebibytes);
+    config.limits.memory_bytes = mebibytes << 20U;
+    const PatchSize size = measured_patch_size(config, terrain::default_world(), clock);
+    CHECK(2 * size.bytes_at_work() + ground_bytes(config, terrain::default_world()) <=
+          config.limits.memory_bytes / GeneratorMemory::kLargestShare);
+    CHECK(size.reduced == (mebibytes < 256));
+    CHECK((describe(size).find("limits.memory_bytes") != std::string::npos) == size.reduced);
+    CHECK(generation_settings(config, terrain::default_world(), size).piece_bytes == size.bytes_at_work());
+  }
+  config.limits.memory_bytes = std::uint64_t{72} << 20U;
   config.generation.patch_tiles = 8;
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
 }
@@ -206,11 +219,46 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("an address that is given another rate of editors than the default has it, whatever the budget") {
+TEST_CASE("files that are kept in memory to be served leave less to edits") {
+  constexpr std::uint64_t kMebibyte = 1U << 20U;
+  Config config;
+  config.threads = {4, 4};
+  for (const std::uint64_t site_bytes : {8 * kMebibyte, 64 * kMebibyte}) {
+    for (const std::uint64_t mebibytes : {96U, 256U, 320U, 2'048U}) {
+      config.limits.memory_bytes = mebibytes * kMebibyte;
+      if (!check_memory(config, site_bytes)) continue;
+      CAPTURE(site_bytes, mebibytes);
+      const EditStateSettings edits = edit_state_settings(config, site_bytes);
+      MemoryBudget budget{config.limits.memory_bytes, 8};
+      budget.add(MemoryUse::program, static_cast<std::int64_t>(site_bytes));
+      budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
+      budget.set(MemoryUse::store, store_memory(config, site_bytes).most());
+      budget.set(MemoryUse::edits, edits.index_bytes + edits.recent_bytes);
+      budget.set(MemoryUse::sessions, config.limits.memory_bytes);
+      budget.set(MemoryUse::sessions, 1);
+      CHECK(budget.takes_connections());
+      const Rate new_chunks = rate_limits(config, site_bytes).address.new_chunks;
+      CHECK((24 * 3'600 + 8 * 3'600) * new_chunks.per_second / kNewChunkTokens * ChunkIndex::kMostBytesEach <=
+            std::max<std::uint64_t>(edits.index_bytes, kMebibyte));
+      CHECK(check_index_memory(config, edits.index_bytes, site_bytes).has_value());
+    }
+  }
+  // An index that fits without them does not with them.
+  config.data = "/srv/talus";
+  config.limits.memory_bytes = 320 * kMebibyte;
+  const std::uint64_t index_bytes = 70 * kMebibyte;
+  CHECK(check_index_memory(config, index_bytes).has_value());
+  const auto refused = check_index_memory(config, index_bytes, 64 * kMebibyte);
+  REQUIRE_FALSE(refused.has_value());
+  config.limits.memory_bytes = std::stoull(refused.error().substr(refused.error().find("at least ") + 9));
+  CHECK(check_index_memory(config, index_bytes, 64 * kMebibyte).has_value());
+}
+
+TEST_CASE("an address that is given a rate of editors has it, whatever the budget") {
   Config config;
   for (const std::uint64_t bytes : {std::uint64_t{0}, min_memory_bytes(config), std::uint64_t{2} << 30U}) {
     config.limits.memory_bytes = bytes;
-    for (const std::uint64_t an_hour : {1U, 511U, 513U, 4'096U, 65'536U}) {
+    for (const std::uint64_t an_hour : {1U, 511U, 512U, 513U, 4'096U, 65'536U}) {
       CAPTURE(bytes, an_hour);
       config.rates.address_editors = an_hour;
       CHECK(rate_limits(config).address.editors == Rate{an_hour, an_hour * 8 * 3'600});

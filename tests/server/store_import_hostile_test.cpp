@@ -56,11 +56,11 @@ void make_empty_store(const fs::path& path, const Materials& materials, std::int
 }
 
 /// The error, or nothing.
-std::string import_into(const fs::path& data, const fs::path& file) {
+std::string import_into(const fs::path& data, const fs::path& file, const terrain::World* world = nullptr) {
   fs::create_directories(data);
   const auto directory = DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
-  const auto imported = import_edits(file, *directory, Winner::file, kNow);
+  const auto imported = import_edits(file, *directory, Winner::file, kNow, world);
   return imported ? std::string{} : imported.error();
 }
 
@@ -120,12 +120,39 @@ TEST_CASE("a generated material that the store's world has not is refused where 
   make_empty_store(scratch / "data", of_store);
   const auto ghosts = write_edits(scratch / "ghosts", of_file, MaterialId{37});
   CHECK_THAT(import_into(scratch / "data", ghosts),
-             Catch::Contains(R"(material 37, "ghost", which the store's world does not generate)"));
+             Catch::Contains(R"(material 37, "ghost", which its world does not generate)"));
   CHECK(import_into(scratch / "data", write_edits(scratch / "planks", of_file, MaterialId{256})) == "");
   CHECK((*ReadOnlyStore::open(scratch / "data"))->materials() == of_store);
   // By another name of the world's file it is the same.
   const auto rock = write_edits(scratch / "rock", {{"rock", MaterialId{2}}}, MaterialId{2});
   CHECK(import_into(scratch / "data", rock) == "");
+}
+
+TEST_CASE("of an import into an empty directory the file's world says what it generates, where it is given") {
+  const ScratchDirectory scratch;
+  const auto world = terrain::World::parse(
+      read_whole(fs::path{TALUS_SOURCE_DIR} / "core/worlds/classic.toml"), "classic.toml");
+  REQUIRE(world.has_value());
+  const terrain::Material& rock = world->materials().back();
+  const Materials of_file{
+      {"ghost", MaterialId{255}}, {"planks", MaterialId{256}}, {"as it was called", rock.id}};
+  const auto file_of = [&](MaterialId material, ContentHash land) {
+    return write_edits(scratch / "file", of_file, material, kNow, land);
+  };
+  const std::string refused =
+      import_into(scratch / "data", file_of(MaterialId{255}, world->fingerprint()), &*world);
+  CHECK_THAT(refused,
+             Catch::StartsWith((scratch / "file").string() + ": chunk ") &&
+                 Catch::Contains(R"(has material 255, "ghost", which its world does not generate: )") &&
+                 Catch::Contains("rebase --drop-unknown"));
+  CHECK_FALSE(fs::exists(scratch / "data" / "db"));
+  for (const MaterialId known : {rock.id, MaterialId{256}}) {
+    const fs::path data = scratch / ("data of " + std::to_string(to_integer(known)));
+    CHECK(import_into(data, file_of(known, world->fingerprint()), &*world) == "");
+    CHECK_FALSE((*ReadOnlyStore::open(data))->materials().contains("ghost"));
+  }
+  // Of another world it is not known; it may be rebased to one that is.
+  CHECK(import_into(scratch / "data", file_of(MaterialId{255}, kLand), &*world) == "");
 }
 
 TEST_CASE("what a rebase that drops unknown materials leaves can be exported") {

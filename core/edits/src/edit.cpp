@@ -176,7 +176,7 @@ std::size_t named_chunks(const Edit& edit) {
   return chunks;
 }
 
-std::vector<ChunkCoord> writable_chunks(const Edit& edit, bool settles) {
+std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles) {
   std::vector<ChunkCoord> chunks;
   const auto add_box = [&](VoxelPos first, VoxelPos last) {
     if (first.x > last.x || first.y > last.y || first.z > last.z) return false;
@@ -199,7 +199,9 @@ std::vector<ChunkCoord> writable_chunks(const Edit& edit, bool settles) {
     chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
   };
   bool good = true;
-  for (const VoxelWrite& each : edit.writes) good = good && add_box(each.voxel, each.voxel);
+  for (const auto* list : {&edit.guards, &edit.writes}) {
+    for (const VoxelWrite& each : *list) good = good && add_box(each.voxel, each.voxel);
+  }
   for (const Fill& each : edit.fills) good = good && add_box(each.first, each.last);
   if (edit.paste) good = good && add_box(edit.paste->origin, last_of(*edit.paste));
   in_order();
