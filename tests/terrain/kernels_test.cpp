@@ -11,6 +11,7 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/vectors/tables.h>
 
+#include "kernels/chunk_planes.h"
 #include "kernels/columns.h"
 #include "kernels/strata.h"
 #include "loose/settle_grid.h"
@@ -308,6 +309,54 @@ TEST_CASE("Tops are cut into voxel rows by every instruction set as by the defin
                     std::clamp(boundary_row(top.at(first + x, z)) - floor_row, 0, kChunkSize));
         }
       }
+    }
+  }));
+}
+
+TEST_CASE("A chunk's planes are put together by every instruction set as by the definition") {
+  CHECK(rc::check([] {
+    const auto any_plane = [] {
+      const auto rows = *rc::gen::container<std::vector<std::uint8_t>>(
+          64, rc::gen::inRange<std::uint8_t>(0, kChunkSize + 1));
+      ChunkPlane plane;
+      for (std::size_t i = 0; i < kChunkArea; ++i) plane[i] = rows[i * i / 7 % rows.size()];
+      return plane;
+    };
+    const ChunkPlane from = any_plane();
+    const ChunkPlane to = *rc::gen::arbitrary<bool>() ? any_plane() : from;
+    const ChunkPlane bottom = any_plane();
+    const ChunkPlane top = any_plane();
+    constexpr std::size_t kStride = 77;
+    std::vector<std::uint8_t> looks(kStride * kChunkSize);
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i] = top[i % kChunkArea] % 3;
+    ChunkPlane lower, higher, low, high, raised{bottom};
+    std::size_t inside = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < kChunkArea; ++i) {
+      const bool here = from[i] < to[i];
+      lower[i] = std::min(from[i], bottom[i]);
+      higher[i] = std::max(from[i], bottom[i]);
+      inside += here && bottom[i] <= from[i] && to[i] <= top[i] ? 1 : 0;
+      any = any || here;
+      low[i] = here ? from[i] : top[i];
+      high[i] = here ? to[i] : top[i];
+      if (looks[i / kChunkSize * kStride + i % kChunkSize] == 2) raised[i] = from[i];
+    }
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      const ChunkPlaneKernels& kernels = chunk_plane_kernels(set);
+      ChunkPlane a, b, c{bottom};
+      kernels.lower_of(from.data(), bottom.data(), a.data());
+      kernels.higher_of(from.data(), bottom.data(), b.data());
+      RC_ASSERT(a == lower);
+      RC_ASSERT(b == higher);
+      RC_ASSERT(kernels.count_inside(from.data(), to.data(), bottom.data(), top.data()) == inside);
+      RC_ASSERT(kernels.interval(from.data(), to.data(), top.data(), a.data(), b.data()) == any);
+      RC_ASSERT(a == low);
+      RC_ASSERT(b == high);
+      kernels.raise_where(looks.data(), kStride, 2, from.data(), c.data());
+      RC_ASSERT(c == raised);
     }
   }));
 }
