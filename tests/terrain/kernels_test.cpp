@@ -381,6 +381,35 @@ TEST_CASE("Tops are lowered by every instruction set as by the definition") {
         RC_ASSERT(lowered[0][i] == std::max(top.values[i] - thickness.values[i], 0));
         RC_ASSERT(lowered[1][i] == std::max(top.values[i] - thin.values[i], 0));
       }
+      const int shift = *rc::gen::inRange(0, 7);
+      std::vector<std::int32_t> cut(thickness.values.begin(), thickness.values.end());
+      kernels.cut_at(top.values.data(), shift, count, cut.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        RC_ASSERT(cut[i] == std::min(thickness.values[i], top.values[i] >> shift));
+      }
+    }
+  }));
+}
+
+TEST_CASE("Walls are found by every instruction set as by the definition") {
+  CHECK(rc::check([] {
+    const int ring = *rc::gen::inRange(0, 3);
+    const int width = *rc::gen::inRange(1, 150);
+    const Field slope = any_field(width + 2 * ring, 1 + 2 * ring, 1 << 12);
+    const std::int32_t wall_fx = *rc::gen::element(0, 1 << 11, 1 << 12);
+    const std::int32_t elsewhere = *rc::gen::element(4096, 32766, 1 << 20);
+    bool any = false;
+    for (int x = 0; x < width; ++x) any = any || slope.at(ring + x, ring) > wall_fx;
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      SettleGrid grid{set};
+      RC_ASSERT(grid.start_at_walls(slope, ring, wall_fx, elsewhere) == any);
+      grid.with_row(0, [&](const auto* row) {
+        for (int x = 0; x < width; ++x) {
+          RC_ASSERT(row[x] == (slope.at(ring + x, ring) > wall_fx ? 0 : elsewhere));
+        }
+      });
     }
   }));
 }
