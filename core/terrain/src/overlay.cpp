@@ -98,12 +98,14 @@ void write(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
 
 void apply(const Overlay& overlay, Layers& layers) {
   const ChunkPlaneKernels& kernels = chunk_plane_kernels(instruction_set());
+  // Most chunks of a patch with caves have none.
+  if (!kernels.any(overlay.from.data(), overlay.to.data())) return;
   // In a column without an interval the list is cut in two at a row of choice. At the host's top the layers
   // above the host are whole above the cut and the host is whole below it.
   const std::uint8_t* const host_top = top_of(layers, host_of(kernels, layers, overlay));
   ChunkPlane from;
   ChunkPlane to;
-  if (!kernels.interval(overlay.from.data(), overlay.to.data(), host_top, from.data(), to.data())) return;
+  kernels.interval(overlay.from.data(), overlay.to.data(), host_top, from.data(), to.data());
   // Each layer at most twice, and the overlay's.
   LayerList list{2 * layers.materials.size() + 2};
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {

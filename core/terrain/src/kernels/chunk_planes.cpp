@@ -50,19 +50,23 @@ std::size_t count_inside(const std::uint8_t* from, const std::uint8_t* to, const
   return count;
 }
 
-bool interval(const std::uint8_t* from, const std::uint8_t* to, const std::uint8_t* other, std::uint8_t* low,
+bool any(const std::uint8_t* from, const std::uint8_t* to) {
+  const Rows d;
+  for (std::size_t i = 0; i < kChunkArea; i += hn::Lanes(d)) {
+    if (!hn::AllFalse(d, hn::Lt(load(from, i), load(to, i)))) return true;
+  }
+  return false;
+}
+
+void interval(const std::uint8_t* from, const std::uint8_t* to, const std::uint8_t* other, std::uint8_t* low,
               std::uint8_t* high) {
   const Bytes d;
-  const Rows rows;
-  bool any = false;
   for (std::size_t i = 0; i < kChunkArea; i += hn::Lanes(d)) {
     const auto here = hn::Lt(load(from, i), load(to, i));
-    any |= !hn::AllFalse(rows, here);
     const auto else_row = load(other, i);
     hn::StoreU(hn::BitCast(d, hn::IfThenElse(here, load(from, i), else_row)), d, low + i);
     hn::StoreU(hn::BitCast(d, hn::IfThenElse(here, load(to, i), else_row)), d, high + i);
   }
-  return any;
 }
 
 void raise_where(const std::uint8_t* looks, std::size_t stride, std::uint8_t look, const std::uint8_t* plane,
@@ -79,7 +83,7 @@ void raise_where(const std::uint8_t* looks, std::size_t stride, std::uint8_t loo
 
 }  // namespace
 
-constexpr ChunkPlaneKernels kChunkPlanes{lower_of, higher_of, count_inside, interval, raise_where};
+constexpr ChunkPlaneKernels kChunkPlanes{lower_of, higher_of, count_inside, any, interval, raise_where};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -16,8 +16,10 @@ struct ChunkPlaneKernels {
   /// Columns with bottom <= from < to <= top.
   std::size_t (*count_inside)(const std::uint8_t* from, const std::uint8_t* to, const std::uint8_t* bottom,
                               const std::uint8_t* top);
-  /// low = from and high = to where from < to, else both = other. Whether there is such a column.
-  bool (*interval)(const std::uint8_t* from, const std::uint8_t* to, const std::uint8_t* other,
+  /// Whether some column has from < to.
+  bool (*any)(const std::uint8_t* from, const std::uint8_t* to);
+  /// low = from and high = to where from < to, else both = other.
+  void (*interval)(const std::uint8_t* from, const std::uint8_t* to, const std::uint8_t* other,
                    std::uint8_t* low, std::uint8_t* high);
   /// rows = plane at columns of that look. A row of `looks` begins `stride` after the one before.
   void (*raise_where)(const std::uint8_t* looks, std::size_t stride, std::uint8_t look,
