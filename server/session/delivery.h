@@ -39,12 +39,13 @@ namespace talus::server {
 class Delivery {
  public:
   /// With so many chunks of the View in flight no more are begun but the nearest: few, so that a moved View
-  /// soon counts. They are begun together with those beside them.
-  static constexpr std::size_t kMaxViewInFlight = 64;
+  /// soon counts, but more than a patch has whose rows are not known yet (some 200), so that a second
+  /// generator has work. They are begun together with those beside them.
+  static constexpr std::size_t kMaxViewInFlight = 224;
   /// Chunks of one session that wait for the source at once.
-  static constexpr std::size_t kMaxWaits = 192;
+  static constexpr std::size_t kMaxWaits = 256;
   /// With so many no chunk of the View is begun beside the nearest: requests find room.
-  static constexpr std::size_t kMaxViewWaits = 128;
+  static constexpr std::size_t kMaxViewWaits = 224;
   /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.

@@ -11,6 +11,7 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/vectors/tables.h>
 
+#include "kernels/chunk_planes.h"
 #include "kernels/columns.h"
 #include "kernels/strata.h"
 #include "loose/settle_grid.h"
@@ -312,6 +313,55 @@ TEST_CASE("Tops are cut into voxel rows by every instruction set as by the defin
   }));
 }
 
+TEST_CASE("A chunk's planes are put together by every instruction set as by the definition") {
+  CHECK(rc::check([] {
+    const auto any_plane = [] {
+      const auto rows = *rc::gen::container<std::vector<std::uint8_t>>(
+          64, rc::gen::inRange<std::uint8_t>(0, kChunkSize + 1));
+      ChunkPlane plane;
+      for (std::size_t i = 0; i < kChunkArea; ++i) plane[i] = rows[i * i / 7 % rows.size()];
+      return plane;
+    };
+    const ChunkPlane from = any_plane();
+    const ChunkPlane to = *rc::gen::arbitrary<bool>() ? any_plane() : from;
+    const ChunkPlane bottom = any_plane();
+    const ChunkPlane top = any_plane();
+    constexpr std::size_t kStride = 77;
+    std::vector<std::uint8_t> looks(kStride * kChunkSize);
+    for (std::size_t i = 0; i < looks.size(); ++i) looks[i] = top[i % kChunkArea] % 3;
+    ChunkPlane lower, higher, low, high, raised{bottom};
+    std::size_t inside = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < kChunkArea; ++i) {
+      const bool here = from[i] < to[i];
+      lower[i] = std::min(from[i], bottom[i]);
+      higher[i] = std::max(from[i], bottom[i]);
+      inside += here && bottom[i] <= from[i] && to[i] <= top[i] ? 1 : 0;
+      any = any || here;
+      low[i] = here ? from[i] : top[i];
+      high[i] = here ? to[i] : top[i];
+      if (looks[i / kChunkSize * kStride + i % kChunkSize] == 2) raised[i] = from[i];
+    }
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      const ChunkPlaneKernels& kernels = chunk_plane_kernels(set);
+      ChunkPlane a, b, c{bottom};
+      kernels.lower_of(from.data(), bottom.data(), a.data());
+      kernels.higher_of(from.data(), bottom.data(), b.data());
+      RC_ASSERT(a == lower);
+      RC_ASSERT(b == higher);
+      RC_ASSERT(kernels.count_inside(from.data(), to.data(), bottom.data(), top.data()) == inside);
+      RC_ASSERT(kernels.any(from.data(), to.data()) == any);
+      kernels.interval(from.data(), to.data(), top.data(), a.data(), b.data());
+      RC_ASSERT(a == low);
+      RC_ASSERT(b == high);
+      kernels.raise_where(looks.data(), kStride, 2, from.data(), c.data());
+      RC_ASSERT(c == raised);
+    }
+  }));
+}
+
 TEST_CASE("Tops are lowered by every instruction set as by the definition") {
   CHECK(rc::check([] {
     const int width = *rc::gen::inRange(1, 150);
@@ -332,6 +382,35 @@ TEST_CASE("Tops are lowered by every instruction set as by the definition") {
         RC_ASSERT(lowered[0][i] == std::max(top.values[i] - thickness.values[i], 0));
         RC_ASSERT(lowered[1][i] == std::max(top.values[i] - thin.values[i], 0));
       }
+      const int shift = *rc::gen::inRange(0, 7);
+      std::vector<std::int32_t> cut(thickness.values.begin(), thickness.values.end());
+      kernels.cut_at(top.values.data(), shift, count, cut.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        RC_ASSERT(cut[i] == std::min(thickness.values[i], top.values[i] >> shift));
+      }
+    }
+  }));
+}
+
+TEST_CASE("Walls are found by every instruction set as by the definition") {
+  CHECK(rc::check([] {
+    const int ring = *rc::gen::inRange(0, 3);
+    const int width = *rc::gen::inRange(1, 150);
+    const Field slope = any_field(width + 2 * ring, 1 + 2 * ring, 1 << 12);
+    const std::int32_t wall_fx = *rc::gen::element(0, 1 << 11, 1 << 12);
+    const std::int32_t elsewhere = *rc::gen::element(4096, 32766, 1 << 20);
+    bool any = false;
+    for (int x = 0; x < width; ++x) any = any || slope.at(ring + x, ring) > wall_fx;
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      SettleGrid grid{set};
+      RC_ASSERT(grid.start_at_walls(slope, ring, wall_fx, elsewhere) == any);
+      grid.with_row(0, [&](const auto* row) {
+        for (int x = 0; x < width; ++x) {
+          RC_ASSERT(row[x] == (slope.at(ring + x, ring) > wall_fx ? 0 : elsewhere));
+        }
+      });
     }
   }));
 }

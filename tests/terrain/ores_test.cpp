@@ -199,6 +199,29 @@ TEST_CASE("Heights that are asked for leave out no ore of theirs") {
   }));
 }
 
+TEST_CASE("A row of a lobe has ore within its reach alone") {
+  CHECK(rc::check([] {
+    const World world = veined_world(*rc::gen::arbitrary<std::uint64_t>());
+    const OreKind kind = ores_of(world)[*rc::gen::inRange<std::size_t>(0, 3)];
+    const std::int64_t far = *rc::gen::element<std::int64_t>(0, -(1LL << 36), (1LL << 36) - 200);
+    std::vector<OreLobe> lobes;
+    add_lobes(kind, {far, far + 200, far, far + 200, kind.low_fx, kind.high_fx}, lobes);
+    const std::int64_t low_fx = *rc::gen::inRange<std::int64_t>(kind.low_fx, kind.high_fx);
+    const std::int64_t high_fx = low_fx + *rc::gen::inRange<std::int64_t>(1, 4 * kChunkSize * kSubvoxels);
+    for (const OreLobe& lobe : lobes) {
+      const std::int64_t columns = lobe.reach_fx / kSubvoxels + 1;
+      const std::int64_t middle = floor_div(lobe.x_fx, kSubvoxels);
+      const std::int64_t z =
+          floor_div(lobe.z_fx, kSubvoxels) + *rc::gen::inRange<std::int64_t>(-columns, columns + 1);
+      OreRow row{lobe, z, low_fx, high_fx};
+      const auto [from, to] = row.reach();
+      for (std::int64_t x = middle - columns; x <= middle + columns; ++x) {
+        if (row.at(x)) RC_ASSERT(from <= x && x < to);
+      }
+    }
+  }));
+}
+
 TEST_CASE("As many cubes hold a body as abundance says") {
   for (const double abundance : {0.05, 0.4, 1.0}) {
     const std::string more =

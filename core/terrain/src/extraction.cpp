@@ -1,6 +1,7 @@
 // Stacks -> voxels: boundaries become voxel rows (thesis 3.7), a chunk is its slab of them.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <limits>
 #include <numeric>
@@ -13,6 +14,7 @@
 
 #include "feature.h"
 #include "features/object_models.h"
+#include "kernels/chunk_planes.h"
 #include "kernels/columns.h"
 #include "overlay.h"
 
@@ -47,6 +49,8 @@ class TileRows {
   [[nodiscard]] const std::uint8_t* looks(std::size_t rules, int z) const {
     return stacks_.looks[rules].row(z_ + z).data() + x_;
   }
+  /// From a row of looks to the next.
+  [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(stacks_.region.width); }
 
   [[nodiscard]] std::int32_t lowest(std::size_t plane) const {
     return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::min(a, b); });
@@ -227,9 +231,8 @@ class LayerPicker {
     const std::uint64_t present = looks_in_tile(shown.looks);
     std::array<MaterialId, kMaxLooks + 1> found{};
     std::size_t count = 0;
-    for (std::size_t look = 0; look < shown.by_look.size(); ++look) {
-      const MaterialId material = shown.by_look[look];
-      if (((present >> look) & 1) == 0) continue;
+    for (std::uint64_t looks = present; looks != 0; looks &= looks - 1) {
+      const MaterialId material = shown.by_look[static_cast<std::size_t>(std::countr_zero(looks))];
       if (std::find(found.begin(), found.begin() + count, material) == found.begin() + count) {
         found[count++] = material;
       }
@@ -239,23 +242,15 @@ class LayerPicker {
     for (std::size_t m = 0; m + 1 < materials.size(); ++m) {
       ChunkPlane rows;
       std::copy_n(below(), kChunkArea, rows.begin());
-      for (std::size_t look = 0; look < shown.by_look.size(); ++look) {
-        if (((present >> look) & 1) == 0 || shown.by_look[look] != materials[m]) continue;
-        raise_where(shown.looks, static_cast<std::uint8_t>(look), plane, rows);
+      for (std::uint64_t looks = present; looks != 0; looks &= looks - 1) {
+        const int look = std::countr_zero(looks);
+        if (shown.by_look[static_cast<std::size_t>(look)] != materials[m]) continue;
+        kernels_.raise_where(tile_.looks(shown.looks, 0), tile_.width(), static_cast<std::uint8_t>(look),
+                             plane.data(), rows.data());
       }
       if (!std::equal(rows.begin(), rows.end(), below())) push(materials[m], rows);
     }
     if (!std::equal(plane.begin(), plane.end(), below())) push(materials.back(), plane);
-  }
-
-  /// Rows become those of `plane` at the columns that have a look.
-  void raise_where(std::size_t rules, std::uint8_t look, const ChunkPlane& plane, ChunkPlane& rows) const {
-    for (int z = 0; z < kChunkSize; ++z) {
-      const std::uint8_t* const looks = tile_.looks(rules, z);
-      const std::uint8_t* const from = &plane[column_index(0, z)];
-      std::uint8_t* const to = &rows[column_index(0, z)];
-      for (std::size_t x = 0; x < kChunkSize; ++x) to[x] = looks[x] == look ? from[x] : to[x];
-    }
   }
 
   /// Bit k: some column of the tile has look k.
@@ -283,6 +278,7 @@ class LayerPicker {
 
   const World& world_;
   const TileRows& tile_;
+  const ChunkPlaneKernels& kernels_ = chunk_plane_kernels(instruction_set());
   std::int32_t floor_row_;
   Layers layers_;
   std::array<Present, 8> present_{};  // the last that were asked for

@@ -506,9 +506,8 @@ bool Generator::is_talus(std::size_t place) const {
 void Generator::cut_at_bare(Field& top) const {
   const Scratch& s = *scratch_;
   for (int z = 0; z < top.depth; ++z) {
-    const auto bare = s.ground.bare().row(z + s.around).subspan(static_cast<std::size_t>(s.around));
-    const auto row = top.row(z);
-    for (std::size_t x = 0; x < row.size(); ++x) row[x] = std::min(row[x], bare[x] >> s.region.lod.value());
+    s.columns.cut_at(s.ground.bare().row(z + s.around).data() + s.around, s.region.lod.value(),
+                     static_cast<std::size_t>(top.width), top.row(z).data());
   }
 }
 

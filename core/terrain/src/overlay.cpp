@@ -2,26 +2,46 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 #include <vector>
+
+#include <talus/vectors/instruction_set.h>
+
+#include "kernels/chunk_planes.h"
 
 namespace talus::terrain {
 namespace {
 
+constexpr ChunkPlane plane_of(std::uint8_t row) {
+  ChunkPlane plane{};
+  for (std::uint8_t& each : plane) each = row;
+  return plane;
+}
+
+constexpr ChunkPlane kFloor = plane_of(0);
+constexpr ChunkPlane kCeiling = plane_of(kChunkSize);
+
 // Adds planes to a list from the bottom up and leaves out what bounds nothing.
 class LayerList {
  public:
-  explicit LayerList(std::size_t planes) { layers_.tops.reserve(planes * kChunkArea); }
+  explicit LayerList(std::size_t planes) {
+    layers_.materials.reserve(planes);
+    layers_.tops.resize(planes * kChunkArea);
+  }
 
-  void add(MaterialId material, const ChunkPlane& top) {
-    if (top == below_) return;
-    below_ = top;
-    if (!layers_.materials.empty() && layers_.materials.back() == material) {
-      layers_.tops.resize(layers_.tops.size() - kChunkArea);
+  /// Where the next layer's plane is to be written, before it is added.
+  [[nodiscard]] std::uint8_t* next() { return layers_.tops.data() + count() * kChunkArea; }
+
+  void add(MaterialId material) {
+    const std::uint8_t* const top = next();
+    const std::uint8_t* const below = count() == 0 ? kFloor.data() : top - kChunkArea;
+    if (std::memcmp(top, below, kChunkArea) == 0) return;
+    if (count() > 0 && layers_.materials.back() == material) {
+      std::memcpy(next() - kChunkArea, top, kChunkArea);
     } else {
       layers_.materials.push_back(material);
     }
-    layers_.tops.insert(layers_.tops.end(), top.begin(), top.end());
   }
 
   /// The last plane is the chunk's ceiling, which no list holds.
@@ -31,41 +51,22 @@ class LayerList {
   }
 
  private:
+  [[nodiscard]] std::size_t count() const { return layers_.materials.size(); }
   Layers layers_;
-  ChunkPlane below_{};
 };
 
-ChunkPlane ceiling() {
-  ChunkPlane plane;
-  plane.fill(kChunkSize);
-  return plane;
-}
-
-ChunkPlane top_of(const Layers& layers, std::size_t layer) {
-  if (layer == layers.plane_count()) return ceiling();
-  ChunkPlane plane;
-  std::copy_n(layers.plane(layer).begin(), kChunkArea, plane.begin());
-  return plane;
+const std::uint8_t* top_of(const Layers& layers, std::size_t layer) {
+  return layer == layers.plane_count() ? kCeiling.data() : layers.plane(layer).data();
 }
 
 // The layer inside which most of the overlay's columns lie.
-std::size_t host_of(const Layers& layers, const Overlay& overlay) {
+std::size_t host_of(const ChunkPlaneKernels& kernels, const Layers& layers, const Overlay& overlay) {
   std::size_t host = 0;
-  std::ptrdiff_t most_hosted = -1;
-  ChunkPlane bottom{};
+  std::size_t most_hosted = 0;
+  const std::uint8_t* bottom = kFloor.data();
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
-    const ChunkPlane top = top_of(layers, layer);
-    std::ptrdiff_t hosted = 0;
-    for (std::size_t row = 0; row < kChunkArea; row += kChunkSize) {
-      std::uint8_t in_row = 0;  // a byte, as what it counts, so that a vector counts many
-      for (std::size_t i = row; i < row + kChunkSize; ++i) {
-        const int any = overlay.from[i] < overlay.to[i] ? 1 : 0;
-        const int above = bottom[i] <= overlay.from[i] ? 1 : 0;
-        const int below = overlay.to[i] <= top[i] ? 1 : 0;
-        in_row = static_cast<std::uint8_t>(in_row + (any & above & below));
-      }
-      hosted += in_row;
-    }
+    const std::uint8_t* const top = top_of(layers, layer);
+    const std::size_t hosted = kernels.count_inside(overlay.from.data(), overlay.to.data(), bottom, top);
     if (hosted > most_hosted) {
       most_hosted = hosted;
       host = layer;
@@ -86,7 +87,8 @@ void write(const Overlay& overlay, std::span<MaterialId, kChunkVolume> voxels) {
 void write(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
   ChunkPlane bottom{};
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
-    const ChunkPlane top = top_of(layers, layer);
+    ChunkPlane top;
+    std::copy_n(top_of(layers, layer), kChunkArea, top.begin());
     write({layers.materials[layer], bottom, top}, voxels);
     bottom = top;
   }
@@ -95,32 +97,26 @@ void write(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
 }  // namespace
 
 void apply(const Overlay& overlay, Layers& layers) {
+  const ChunkPlaneKernels& kernels = chunk_plane_kernels(instruction_set());
+  // Most chunks of a patch with caves have none.
+  if (!kernels.any(overlay.from.data(), overlay.to.data())) return;
   // In a column without an interval the list is cut in two at a row of choice. At the host's top the layers
   // above the host are whole above the cut and the host is whole below it.
-  ChunkPlane from = top_of(layers, host_of(layers, overlay));
-  ChunkPlane to = from;
-  std::uint8_t any = 0;
-  for (std::size_t i = 0; i < kChunkArea; ++i) {
-    const bool here = overlay.from[i] < overlay.to[i];
-    any |= static_cast<std::uint8_t>(here);
-    from[i] = here ? overlay.from[i] : from[i];
-    to[i] = here ? overlay.to[i] : to[i];
-  }
-  if (any == 0) return;
-  LayerList list{layers.plane_count() + 3};
-  ChunkPlane plane;
+  const std::uint8_t* const host_top = top_of(layers, host_of(kernels, layers, overlay));
+  ChunkPlane from;
+  ChunkPlane to;
+  kernels.interval(overlay.from.data(), overlay.to.data(), host_top, from.data(), to.data());
+  // Each layer at most twice, and the overlay's.
+  LayerList list{2 * layers.materials.size() + 2};
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
-    const ChunkPlane top = top_of(layers, layer);
-    std::transform(top.begin(), top.end(), from.begin(), plane.begin(),
-                   [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
-    list.add(layers.materials[layer], plane);
+    kernels.lower_of(top_of(layers, layer), from.data(), list.next());
+    list.add(layers.materials[layer]);
   }
-  list.add(overlay.material, to);
+  std::copy(to.begin(), to.end(), list.next());
+  list.add(overlay.material);
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
-    const ChunkPlane top = top_of(layers, layer);
-    std::transform(top.begin(), top.end(), to.begin(), plane.begin(),
-                   [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-    list.add(layers.materials[layer], plane);
+    kernels.higher_of(top_of(layers, layer), to.data(), list.next());
+    list.add(layers.materials[layer]);
   }
   layers = std::move(list).take();
 }

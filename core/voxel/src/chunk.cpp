@@ -24,11 +24,12 @@ bool equal(const std::uint8_t* a, const std::uint8_t* b) {
   return std::memcmp(a, b, kChunkArea) == 0;
 }
 
+// From the top, as what is asked for most often, the voxels of objects, lies in the air.
 MaterialId material_in(const Layers& layers, std::size_t voxel) {
-  std::size_t place = voxel % kChunkArea;
-  std::size_t index = 0;
-  for (; index < layers.plane_count() && layers.tops[place] <= voxel / kChunkArea; ++index)
-    place += kChunkArea;
+  const std::size_t row = voxel / kChunkArea;
+  const std::uint8_t* const tops = layers.tops.data() + voxel % kChunkArea;
+  std::size_t index = layers.plane_count();
+  while (index > 0 && tops[(index - 1) * kChunkArea] > row) --index;
   return layers.materials[index];
 }
 

@@ -280,6 +280,30 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
 
 namespace {
 
+/// What the voxels of a chunk become.
+class ChangedVoxels {
+ public:
+  /// Where `changes`; else a place that is no voxel's is written, as no processor foresees which it will be.
+  void set(bool changes, std::size_t voxel, MaterialId material) {
+    const std::size_t at = changes ? voxel : kChunkVolume;
+    materials_[at] = material;
+    changed_[at / 64] |= std::uint64_t{1} << at % 64;
+  }
+  void add_to(std::vector<Override>& overrides) const {
+    for (std::size_t word = 0; word < kWords; ++word) {
+      for (std::uint64_t bits = changed_[word]; bits != 0; bits &= bits - 1) {
+        const auto voxel = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
+        overrides.push_back({static_cast<std::uint16_t>(voxel), materials_[voxel]});
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kWords = kChunkVolume / 64;
+  std::array<MaterialId, kChunkVolume + 1> materials_;  // of voxels whose bit is set
+  std::array<std::uint64_t, kWords + 1> changed_{};
+};
+
 /// The rows of a chunk from which on objects may have voxels.
 struct ObjectFloors {
   ChunkPlane in_water;
@@ -318,36 +342,30 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
     const auto apart = [&](std::int64_t middle, std::int64_t below, std::int64_t above, std::int64_t from) {
       return middle + above < from << level || middle - below >= (from + kChunkSize) << level;
     };
-    return !apart(object.x, kind.reach, kind.reach, origin.x) &&
-           !apart(object.z, kind.reach, kind.reach, origin.z) &&
-           !apart(object.y, kObjectRoot, kind.top, origin.y);
+    // Most chunks lie under all that stands.
+    return !apart(object.y, kObjectRoot, kObjectTop, origin.y) &&
+           !apart(object.y, kObjectRoot, kind.top, origin.y) &&
+           !apart(object.x, kind.reach, kind.reach, origin.x) &&
+           !apart(object.z, kind.reach, kind.reach, origin.z);
   };
   std::vector<PlacedObject> near;
   std::copy_if(stacks.objects.rbegin(), stacks.objects.rend(), std::back_inserter(near), reaches);
   if (near.empty()) return;
   const ObjectFloors floors = floors_of(site);
-  // What a voxel becomes, where its bit tells that it changes.
-  const auto materials = std::make_unique_for_overwrite<std::array<MaterialId, kChunkVolume>>();
-  std::array<std::uint64_t, kChunkVolume / 64> changed{};
+  const auto changed = std::make_unique_for_overwrite<ChangedVoxels>();
   // From back to front: what is written later stays. Crowns first, then stems, each from the last kind on.
   for (const bool front : {false, true}) {
     for (const PlacedObject& object : near) {
       const ChunkPlane& floor = kinds_[object.kind].in_water ? floors.in_water : floors.dry;
       for_each_voxel(object, lod, front, origin, kChunkSize, [&](int x, int y, int z, MaterialId material) {
-        if (((x | y | z) & ~(kChunkSize - 1)) != 0 || y < floor[column_index(x, z)]) return;
-        const auto index = voxel_index(
-            {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)});
-        (*materials)[index] = material;
-        changed[index / 64] |= std::uint64_t{1} << index % 64;
+        const auto column = static_cast<std::size_t>(z * kChunkSize + x) % kChunkArea;
+        const bool inside = ((x | y | z) & ~(kChunkSize - 1)) == 0;
+        changed->set(inside & (y >= floor[column]), static_cast<std::size_t>(y) * kChunkArea + column,
+                     material);
       });
     }
   }
-  for (std::size_t word = 0; word < changed.size(); ++word) {
-    for (std::uint64_t bits = changed[word]; bits != 0; bits &= bits - 1) {
-      const auto index = word * 64 + static_cast<std::size_t>(std::countr_zero(bits));
-      overrides.push_back({static_cast<std::uint16_t>(index), (*materials)[index]});
-    }
-  }
+  changed->add_to(overrides);
 }
 
 void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,

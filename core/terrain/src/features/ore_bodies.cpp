@@ -198,6 +198,54 @@ OreRow::GrainLine OreRow::grain_line(std::int64_t line) const {
   return {blend(0), blend(20)};
 }
 
+// What at() computes before it asks for the noise, as real numbers: where the row passes the ellipse and
+// where the tilted sheet passes the heights. What rounding may move is added to both.
+OreRow::Reach OreRow::reach() const {
+  if (misses_) return {};
+  const auto cos = static_cast<double>(lobe_.cos_q14);
+  const auto sin = static_cast<double>(lobe_.sin_q14);
+  const auto south = static_cast<double>(z_fx_ - lobe_.z_fx);
+  const double per_along = static_cast<double>(lobe_.per_along_q40) * 0x1p-25;
+  const double per_across = static_cast<double>(lobe_.per_across_q40) * 0x1p-25;
+  // (a, c) are rounded down twice, and out is below 1 where they lie within 2^15 of the middle.
+  const double radius = static_cast<double>(kOne_q15) + per_along + per_across + 2;
+  const double u = per_along * 0x1p-14;
+  const double v = per_across * 0x1p-14;
+  const double square = u * u * cos * cos + v * v * sin * sin;
+  const double apart = u * v * south * (cos * cos + sin * sin);
+  const double inside = square * radius * radius - apart * apart;
+  if (inside < 0) return {};
+  const double middle = -south * sin * cos * (u * u - v * v) / square;
+  const double half = std::sqrt(inside) / square;
+  double from = std::max(middle - half, -static_cast<double>(lobe_.reach_fx));
+  double to = std::min(middle + half, static_cast<double>(lobe_.reach_fx));
+
+  const auto tilt_along = static_cast<double>(lobe_.tilt_along_q12);
+  const auto tilt_across = static_cast<double>(lobe_.tilt_across_q12);
+  const double rise = (cos * tilt_along - sin * tilt_across) * 0x1p-26;  // a subvoxel along the row
+  const double here =
+      static_cast<double>(lobe_.y_fx) + south * (sin * tilt_along + cos * tilt_across) * 0x1p-26;
+  const double most = static_cast<double>(lobe_.half_fx) + static_cast<double>(lobe_.sway_fx) +
+                      (std::abs(tilt_along) + std::abs(tilt_across)) * 0x1p-12 + 2;
+  const double low = static_cast<double>(low_fx_) - most - here;
+  const double high = static_cast<double>(high_fx_) + most - here;
+  if (rise > 0) {
+    from = std::max(from, low / rise);
+    to = std::min(to, high / rise);
+  } else if (rise < 0) {
+    from = std::max(from, high / rise);
+    to = std::min(to, low / rise);
+  } else if (low > 0 || high < 0) {
+    return {};
+  }
+  if (from > to) return {};
+  // A subvoxel more to each side is more than doubles round off.
+  const auto at = [&](double east) {
+    return floor_div(lobe_.x_fx + static_cast<std::int64_t>(std::floor(east)), kSubvoxels);
+  };
+  return {at(from - 1), at(to + 1) + 1};
+}
+
 std::optional<OreSpan> OreRow::at(std::int64_t column_x) {
   const std::int64_t x_fx = column_x * kSubvoxels;
   const std::int64_t east = x_fx - lobe_.x_fx;

@@ -71,6 +71,13 @@ class OreRow {
          std::int64_t low_fx = std::numeric_limits<std::int64_t>::min(),
          std::int64_t high_fx = std::numeric_limits<std::int64_t>::max());
 
+  /// Base columns [from, to) outside of which at() has nothing; may be none.
+  struct Reach {
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+  };
+  [[nodiscard]] Reach reach() const;
+
   /// What of a column the lobe takes.
   [[nodiscard]] std::optional<OreSpan> at(std::int64_t column_x);
 

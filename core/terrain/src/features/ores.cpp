@@ -69,7 +69,13 @@ bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkP
   bool any = false;
   for (int z = columns.north; z < columns.south; ++z) {
     OreRow along{lobe, (origin.z + z) * step, low_fx, high_fx};
-    for (int x = columns.west; x < columns.east; ++x) {
+    const OreRow::Reach reach = along.reach();
+    const auto column_at = [&](std::int64_t base_x) {
+      return static_cast<int>(
+          std::clamp<std::int64_t>((base_x >> shift) - origin.x, columns.west, columns.east));
+    };
+    const int east = column_at(reach.to + step - 1);
+    for (int x = column_at(reach.from); x < east; ++x) {
       const auto span = along.at((origin.x + x) * step);
       if (!span) continue;
       const std::size_t column = column_index(x, z);

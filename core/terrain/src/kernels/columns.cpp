@@ -70,9 +70,16 @@ void lower(const std::int32_t* top, const Cell* thickness, std::size_t width, st
   });
 }
 
+void cut_at(const std::int32_t* most, int shift, std::size_t width, std::int32_t* top) {
+  over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
+    const auto highest = hn::ShiftRightSame(hn::LoadU(d, most + x), shift);
+    hn::StoreU(hn::Min(hn::LoadU(d, top + x), highest), d, top + x);
+  });
+}
+
 }  // namespace
 
-constexpr ColumnKernels kColumns{slope, cut, lower<std::int16_t>, lower<std::int32_t>};
+constexpr ColumnKernels kColumns{slope, cut, lower<std::int16_t>, lower<std::int32_t>, cut_at};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

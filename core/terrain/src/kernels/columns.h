@@ -20,6 +20,8 @@ struct ColumnKernels {
                       std::int32_t* lowered);
   void (*lower_int32)(const std::int32_t* top, const std::int32_t* thickness, std::size_t width,
                       std::int32_t* lowered);
+  /// top = min(top, most >> shift).
+  void (*cut_at)(const std::int32_t* most, int shift, std::size_t width, std::int32_t* top);
 };
 
 [[nodiscard]] const ColumnKernels& column_kernels(InstructionSet set);

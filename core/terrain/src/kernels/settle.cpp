@@ -249,10 +249,29 @@ void start_shared(const std::int32_t* slope, const std::int32_t* share, std::siz
       cells);
 }
 
+template <class Cell>
+bool walls(const std::int32_t* slope, std::size_t width, std::int32_t wall_fx, std::int32_t elsewhere,
+           Cell* cells) {
+  bool any = false;
+  over_row(hn::ScalableTag<std::int32_t>{}, width, [&](auto d, std::size_t x) HWY_ATTR {
+    const auto steep = hn::Gt(hn::LoadU(d, slope + x), hn::Set(d, wall_fx));
+    any |= !hn::AllFalse(d, steep);
+    const auto cell = hn::IfThenZeroElse(steep, hn::Set(d, elsewhere));
+    if constexpr (sizeof(Cell) == sizeof(std::int32_t)) {
+      hn::StoreU(cell, d, cells + x);
+    } else {
+      const hn::Rebind<Cell, decltype(d)> narrow;
+      hn::StoreU(hn::DemoteTo(narrow, cell), narrow, cells + x);
+    }
+  });
+  return any;
+}
+
 }  // namespace
 
-constexpr SettleKernels kSettle{start<std::int16_t>,        start<std::int32_t>,  start_shared<std::int16_t>,
-                                start_shared<std::int32_t>, settle<std::int16_t>, settle<std::int32_t>};
+constexpr SettleKernels kSettle{start<std::int16_t>,        start<std::int32_t>, start_shared<std::int16_t>,
+                                start_shared<std::int32_t>, walls<std::int16_t>, walls<std::int32_t>,
+                                settle<std::int16_t>,       settle<std::int32_t>};
 
 }  // namespace talus::terrain::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -55,6 +55,11 @@ struct SettleKernels {
   void (*start_shared_int32)(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
                              std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx,
                              std::int32_t* cells);
+  /// 0 where the slope is above wall_fx, else `elsewhere`. Whether there is such a slope.
+  bool (*walls_int16)(const std::int32_t* slope, std::size_t width, std::int32_t wall_fx,
+                      std::int32_t elsewhere, std::int16_t* cells);
+  bool (*walls_int32)(const std::int32_t* slope, std::size_t width, std::int32_t wall_fx,
+                      std::int32_t elsewhere, std::int32_t* cells);
   /// Lowers every cell to what rests there: at most `rise` above each of its 8 neighbours. rise.straight
   /// is kSteepest<Cell> or less. Leaves numbers without meaning between a row's width and its stride.
   void (*settle_int16)(const PaddedRows<std::int16_t>& rows, Rise rise);

@@ -266,12 +266,18 @@ void Aprons::near_walls(const Field& slope, int margin, const ApronNumbers& numb
   }
   const std::int32_t straight = (kCliff + numbers.cliff_reach - 1) / numbers.cliff_reach;
   distances_.settle(Rise{straight, along_diagonal(straight)});
+  at_walls_.assign(static_cast<std::size_t>(cliff.width), kCliff);
   for (int z = 0; z < cliff.depth; ++z) {
-    distances_.with_row(z + halo, [&](const auto* row) {
-      std::transform(row + halo, row + halo + cliff.width, cliff.row(z).begin(),
-                     [](auto far) { return kCliff - std::int32_t{far}; });
-    });
+    distances_.with_row(z + halo, [&](const auto* row) { lower(row + halo, cliff.row(z)); });
   }
+}
+
+void Aprons::lower(const std::int16_t* far, std::span<std::int32_t> cliff) const {
+  columns_->lower_int16(at_walls_.data(), far, cliff.size(), cliff.data());
+}
+
+void Aprons::lower(const std::int32_t* far, std::span<std::int32_t> cliff) const {
+  columns_->lower_int32(at_walls_.data(), far, cliff.size(), cliff.data());
 }
 
 // A column on ground nearly as steep as a wall is near one; one of less slope where walls are beside it.

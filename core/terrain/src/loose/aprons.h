@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <talus/terrain/field.h>
@@ -12,6 +13,7 @@
 #include <talus/vectors/instruction_set.h>
 
 #include "kernels/aprons.h"
+#include "kernels/columns.h"
 #include "loose/settle_grid.h"
 
 namespace talus::terrain {
@@ -54,7 +56,8 @@ inline constexpr std::int32_t kCliff = 4096;
 /// Keeps its memory from call to call. For one thread at a time.
 class Aprons {
  public:
-  explicit Aprons(InstructionSet set) : kernels_{&apron_kernels(set)}, distances_{set} {}
+  explicit Aprons(InstructionSet set)
+      : kernels_{&apron_kernels(set)}, columns_{&column_kernels(set)}, distances_{set} {}
 
   /// `height`, 0 to 2^23, and `slope` (eq. 1) cover a region.expanded(margin), margin >= apron_halo(numbers).
   /// What comes out covers the region: `raised`, H with its aprons, and `cliff`, from kCliff at walls to 0 at
@@ -71,11 +74,16 @@ class Aprons {
   bool begin(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring);
   void spread(const ApronNumbers& numbers, int ring);
   void near_walls(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff);
+  /// How near a wall columns so far from one are.
+  void lower(const std::int16_t* far, std::span<std::int32_t> cliff) const;
+  void lower(const std::int32_t* far, std::span<std::int32_t> cliff) const;
   static void near_walls_by_slope(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff);
 
   const ApronKernels* kernels_;
+  const ColumnKernels* columns_;
   SettleGrid distances_;
-  Field feet_;  // these two by turns: feet, then the tops of aprons
+  std::vector<std::int32_t> at_walls_;  // kCliff in each column of a row
+  Field feet_;                          // these two by turns: feet, then the tops of aprons
   Field next_;
   Field means_;
   Field floor_;

@@ -84,25 +84,17 @@ void SettleGrid::start(const Field& thickness) {
   }
 }
 
-template <class Cell>
-bool SettleGrid::set_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere,
-                           const PaddedRows<Cell>& rows) {
-  std::int32_t steepest = wall_fx;
-  for (std::size_t z = 0; z < rows.depth; ++z) {
-    const std::int32_t* const from = slope.row(static_cast<int>(z) + ring).data() + ring;
-    Cell* const to = rows.row(z);
-    for (std::size_t x = 0; x < rows.width; ++x) {
-      to[x] = static_cast<Cell>(from[x] > wall_fx ? 0 : elsewhere);
-      steepest = std::max(steepest, from[x]);
-    }
-  }
-  return steepest > wall_fx;
-}
-
 bool SettleGrid::start_at_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere) {
   reshape(slope.width - 2 * ring, slope.depth - 2 * ring, elsewhere);
-  return narrow_ ? set_walls(slope, ring, wall_fx, elsewhere, narrow_rows_)
-                 : set_walls(slope, ring, wall_fx, elsewhere, wide_rows_);
+  bool any = false;
+  for (int z = ring; z < slope.depth - ring; ++z) {
+    const auto row = static_cast<std::size_t>(z - ring);
+    const std::int32_t* const from = slope.row(z).data() + ring;
+    any |= narrow_
+               ? kernels_->walls_int16(from, narrow_rows_.width, wall_fx, elsewhere, narrow_rows_.row(row))
+               : kernels_->walls_int32(from, wide_rows_.width, wall_fx, elsewhere, wide_rows_.row(row));
+  }
+  return any;
 }
 
 void SettleGrid::settle(Rise rise) {

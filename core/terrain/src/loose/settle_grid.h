@@ -43,9 +43,6 @@ class SettleGrid {
   }
 
  private:
-  template <class Cell>
-  static bool set_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere,
-                        const PaddedRows<Cell>& rows);
   void reshape(int width, int depth, std::int32_t max_fx);
   void widen();
 
