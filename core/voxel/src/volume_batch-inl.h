@@ -22,12 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// Of a wave's parts, one after the other: a byte for each voxel, and which voxels are coded.
-struct BatchParts {
-  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> bytes;
-  std::array<PartBits, kMaxParts> coded;
-};
-
 /// By a mask of eight voxels: the places of those that it has, among sixteen of which every second counts.
 alignas(8) inline constexpr auto kEveryOther = [] {
   std::array<std::array<std::uint8_t, 8>, 256> table{};
@@ -55,10 +49,10 @@ HWY_INLINE std::uint32_t every_other(std::uint32_t bits) {
 /// Appends the bytes of coded voxels, which are in even columns, or in odd ones; gives how many. May write a
 /// part past the last.
 template <bool odd>
-HWY_INLINE std::size_t pack_coded(const BatchParts& batch, const PartBits* coded, std::size_t parts,
+HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const PartBits* coded, std::size_t parts,
                                   const VolumeVbmi* vbmi, std::uint8_t* out) {
 #if HWY_TARGET == HWY_AVX3
-  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack(coded, batch.bytes.data(), parts, out);
+  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack(coded, bytes, parts, out);
 #else
   (void)vbmi;
 #endif
@@ -69,10 +63,10 @@ HWY_INLINE std::size_t pack_coded(const BatchParts& batch, const PartBits* coded
     for (std::size_t at = 0; at < kPartBytes; at += kLanes) {
       const auto bits = static_cast<std::uint32_t>(coded[i] >> at & 0xFFFFU) >> (odd ? 1U : 0U);
       const std::uint32_t which = every_other(bits);
-      const HalfVec bytes = hn::LoadU(d, batch.bytes.data() + i * kPartBytes + at);
+      const HalfVec some = hn::LoadU(d, bytes + i * kPartBytes + at);
       auto order = hn::LoadU(eight, kEveryOther[which].data());
       if constexpr (odd) order = hn::Or(order, hn::Set(eight, 1));
-      hn::StoreU(hn::TableLookupBytes(bytes, order), eight, to);
+      hn::StoreU(hn::TableLookupBytes(some, order), eight, to);
       to += std::popcount(which);
     }
   }
