@@ -20,6 +20,12 @@ struct VolumeVbmi {
   /// were added, but two materials have one number. too_many: there are more than
   /// MaterialCode::kMaxMaterials, and both outputs are incomplete.
   Numbering (*number)(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials);
+  /// Start and size of the interval of each of `count` symbols, at most kMaxBatch. `ends`: those of
+  /// VolumeSymbols from the batch's first context on, 256 of an odd batch and 128 of an even one. Reads and
+  /// writes whole vectors of 64 bytes.
+  void (*intervals)(const std::uint8_t* ends, bool odd, const std::uint8_t* contexts,
+                    const std::uint8_t* symbols, std::size_t count, std::uint8_t* starts,
+                    std::uint8_t* sizes);
 };
 
 /// Null where this processor has no such instructions.

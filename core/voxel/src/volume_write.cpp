@@ -27,9 +27,9 @@ bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   return analyse_volume_scalar(voxels, events);
 }
 
-void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
            RansSink& sink) {
-  write_volume_scalar(events, batches, intervals, sink);
+  write_volume_scalar(events, batches, symbols, sink);
 }
 
 void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
@@ -284,6 +284,20 @@ class SymbolWriter {
     put(some.data());
   }
 
+#if HWY_TARGET == HWY_AVX3
+  /// Up to sixteen symbols, with intervals of less than 256.
+  HWY_INLINE void put(const std::uint8_t* starts, const std::uint8_t* sizes, std::size_t count) {
+    const Half d;
+    const auto active = static_cast<__mmask16>((1U << count) - 1);
+    WordParts start;
+    WordParts size;
+    start.part[0] = WordVec{_mm256_maskz_cvtepu8_epi16(active, hn::LoadU(d, starts).raw)};
+    size.part[0] = WordVec{
+        _mm256_mask_cvtepu8_epi16(_mm256_set1_epi16(kProbabilityTotal), active, hn::LoadU(d, sizes).raw)};
+    encode_symbols(states_, start, size, next_);
+  }
+#endif
+
   /// The symbols of up to sixteen voxels. `intervals`: by context and symbol.
   HWY_INLINE void put_voxels(const std::uint8_t* contexts, const std::uint8_t* symbols, std::size_t count,
                              const std::uint32_t* intervals) {
@@ -339,15 +353,32 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
   writer.finish();
 }
 
-void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
            RansSink& sink) {
   SymbolWriter writer{sink};
   std::size_t first = batches.first_coded + batches.coded;
+#if HWY_TARGET == HWY_AVX3
+  const VolumeVbmi* const vbmi = volume_vbmi();
+  alignas(64) std::array<std::uint8_t, kMaxBatch> starts;
+  alignas(64) std::array<std::uint8_t, kMaxBatch> sizes;
+#endif
   for (std::size_t batch = batches.end; batch-- > batches.begin;) {
-    first -= events.batch[batch];
-    over_groups(events.batch[batch], [&](std::size_t at, std::size_t size) HWY_ATTR {
-      writer.put_voxels(events.context.data() + first + at, events.symbol.data() + first + at, size,
-                        intervals + 4 * first_context_of(batch));
+    const std::size_t count = events.batch[batch];
+    first -= count;
+    const std::uint8_t* const contexts = events.context.data() + first;
+    const std::uint8_t* const coded = events.symbol.data() + first;
+    const std::size_t first_context = first_context_of(batch);
+#if HWY_TARGET == HWY_AVX3
+    if (HWY_LIKELY(vbmi != nullptr)) {
+      vbmi->intervals(symbols.ends.data() + first_context, first_context != 0, contexts, coded, count,
+                      starts.data(), sizes.data());
+      over_groups(count, [&](std::size_t at, std::size_t size)
+                             HWY_ATTR { writer.put(starts.data() + at, sizes.data() + at, size); });
+      continue;
+    }
+#endif
+    over_groups(count, [&](std::size_t at, std::size_t size) HWY_ATTR {
+      writer.put_voxels(contexts + at, coded + at, size, symbols.interval.data() + 4 * first_context);
     });
   }
   writer.finish();
