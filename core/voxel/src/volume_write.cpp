@@ -72,6 +72,14 @@ class Analyser {
   }
 
  private:
+  /// A part of which some coded voxels, `high`, are neither the first candidate nor the second.
+  struct Third {
+    PartVec first;
+    PartVec second;
+    PartBits high;
+    std::size_t index;  // of the part
+  };
+
   /// Puts the rows of a wave side by side. Gives in which parts some are not equal to those below.
   HWY_INLINE PartSet add_rows(const NearRows& rows, const WaveParts& parts, int wave) {
     const hn::CappedTag<std::uint8_t, kRowBytes> d;
@@ -104,11 +112,12 @@ class Analyser {
   }
 
   /// Finds contexts, symbols and exceptions of a wave's mixed parts, even and odd columns at once: all voxels
-  /// are known.
+  /// are known. Without branches, which nothing could foresee; what few parts need comes after.
   HWY_INLINE void compare(const NearRows& rows, const WaveParts& parts, PartSet mixed, int wave) {
     for (std::size_t p = parts.first; p <= parts.last; ++p)
       store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
     count_ = 0;
+    std::size_t third_count = 0;
     surprising_ = exceptional_any_ = 0;
     PartSet unequal = 0;
     over_bits(mixed, [&](std::size_t p) HWY_ATTR {
@@ -125,11 +134,15 @@ class Analyser {
       exceptional_[count_] = differs & steady;
       exceptional_any_ |= differs & steady;
       store(half.context, contexts_.data() + count_ * kPartBytes);
-      PartVec symbols = hn::Zero(Part{});
-      escapes_[count_] = 0;
-      if (surprising != 0) symbols = find_symbols(rows, near, half, now, surprising, escapes_[count_]);
       surprising_ |= surprising;
-      store(symbols, symbols_.data() + count_ * kPartBytes);
+      events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
+      const PartVec second = hn::IfThenElse(half.alike, first_different(rows, near), half.second);
+      const PartBits high = surprising & bits_of(hn::Ne(now, second));
+      store(or_where(hn::IfThenElseZero(mask_of(surprising ^ high), bytes_of(1)), mask_of(high), 2),
+            symbols_.data() + count_ * kPartBytes);
+      escapes_[count_] = 0;
+      thirds_[third_count] = {half.first, second, high, count_};
+      third_count += high != 0 ? 1 : 0;
       ++count_;
       PartBits not_west = 0;
       const PartBits found = find_equals(rows, near, now, p, wave, not_west);
@@ -137,6 +150,7 @@ class Analyser {
       events_.changes += static_cast<std::size_t>(std::popcount(not_west & inside));
     });
     unequal_.set(wave, unequal);
+    for (std::size_t i = 0; i < third_count; ++i) find_escapes(rows, thirds_[i]);
   }
 
   /// Even columns of one, odd ones of the other.
@@ -149,20 +163,17 @@ class Analyser {
             hn::IfThenElse(is_odd, odd.context, even.context)};
   }
 
-  /// The symbols of the coded voxels that are not their first candidates; 0 elsewhere.
-  HWY_INLINE PartVec find_symbols(const NearRows& rows, const NearPart& near, const HalfPart& half,
-                                  PartVec now, PartBits surprising, PartBits& escapes) {
-    events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
-    const PartVec second = hn::IfThenElse(half.alike, first_different(rows, near), half.second);
-    const PartBits high = surprising & bits_of(hn::Ne(now, second));
-    PartBits low = surprising & ~high;
-    if (high != 0) {
-      PartMask exists;
-      const PartVec third = third_candidate(rows, near, half.first, second, near.at / kPartBytes, exists);
-      escapes = high & ~bits_of(hn::And(exists, hn::Eq(now, third)));
-      low |= escapes;
-    }
-    return or_where(hn::IfThenElseZero(mask_of(low), bytes_of(1)), mask_of(high), 2);
+  /// Which voxels are none of their candidates, of those that are neither the first nor the second.
+  HWY_INLINE void find_escapes(const NearRows& rows, const Third& third) {
+    const std::size_t part = place_[third.index];
+    const NearPart near = near_part(rows, part);
+    PartMask exists;
+    const PartVec candidate = third_candidate(rows, near, third.first, third.second, part, exists);
+    const PartVec now = load(rows.now + near.at);
+    const PartBits escapes = third.high & ~bits_of(hn::And(exists, hn::Eq(now, candidate)));
+    std::uint8_t* const symbols = symbols_.data() + third.index * kPartBytes;
+    store(or_where(load(symbols), mask_of(escapes), 1), symbols);
+    escapes_[third.index] = escapes;
   }
 
   /// Adds what was found in a wave's even columns, or in its odd ones, as a batch.
@@ -243,6 +254,7 @@ class Analyser {
   std::array<PartBits, kMaxParts> coded_;
   std::array<PartBits, kMaxParts> escapes_;      // coded voxels that are none of their candidates
   std::array<PartBits, kMaxParts> exceptional_;  // steady ones that are not the first
+  std::array<Third, kMaxParts + 1> thirds_;
   // Of any part:
   PartBits surprising_ = 0;  // coded voxels that are not the first candidate
   PartBits exceptional_any_ = 0;
