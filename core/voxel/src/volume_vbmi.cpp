@@ -19,15 +19,31 @@ namespace {
 
 #define TALUS_VBMI __attribute__((target("avx512f,avx512bw,avx512vbmi,avx512vbmi2,bmi,bmi2,popcnt")))
 
-TALUS_VBMI std::size_t pack(const std::uint64_t* bits, const std::uint8_t* bytes, std::size_t parts,
-                            std::uint8_t* out) {
-  std::uint8_t* to = out;
+TALUS_VBMI std::size_t pack(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
+                            std::size_t parts, std::uint8_t* out) {
+  std::size_t size = 0;
   for (std::size_t i = 0; i < parts; ++i) {
+    const std::uint64_t which = bits[i] & columns;
     const __m512i part = _mm512_loadu_si512(bytes + 64 * i);
-    _mm512_storeu_si512(to, _mm512_maskz_compress_epi8(bits[i], part));
-    to += std::popcount(bits[i]);
+    _mm512_storeu_si512(out + size, _mm512_maskz_compress_epi8(which, part));
+    size += static_cast<std::size_t>(std::popcount(which));
   }
-  return static_cast<std::size_t>(to - out);
+  return size;
+}
+
+TALUS_VBMI std::size_t pack_two(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
+                                const std::uint8_t* more, std::size_t parts, std::uint8_t* out,
+                                std::uint8_t* more_out) {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const std::uint64_t which = bits[i] & columns;
+    const __m512i part = _mm512_loadu_si512(bytes + 64 * i);
+    const __m512i another = _mm512_loadu_si512(more + 64 * i);
+    _mm512_storeu_si512(out + size, _mm512_maskz_compress_epi8(which, part));
+    _mm512_storeu_si512(more_out + size, _mm512_maskz_compress_epi8(which, another));
+    size += static_cast<std::size_t>(std::popcount(which));
+  }
+  return size;
 }
 
 /// Of 256 bytes, those that `index` names.
@@ -130,7 +146,7 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
 }  // namespace
 
 const VolumeVbmi* volume_vbmi() {
-  static constexpr VolumeVbmi kVbmi{pack, number, intervals};
+  static constexpr VolumeVbmi kVbmi{pack, pack_two, number, intervals};
   static const bool has_instructions = __builtin_cpu_supports("avx512bw") != 0 &&
                                        __builtin_cpu_supports("avx512vbmi") != 0 &&
                                        __builtin_cpu_supports("avx512vbmi2") != 0;

@@ -118,7 +118,7 @@ class Analyser {
       store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
     count_ = 0;
     std::size_t third_count = 0;
-    surprising_ = exceptional_any_ = 0;
+    any_escapes_ = any_exceptional_ = 0;
     PartSet unequal = 0;
     over_bits(mixed, [&](std::size_t p) HWY_ATTR {
       const NearPart near = near_part(rows, p);
@@ -132,9 +132,8 @@ class Analyser {
       place_[count_] = p;
       coded_[count_] = inside & ~steady;
       exceptional_[count_] = differs & steady;
-      exceptional_any_ |= differs & steady;
+      any_exceptional_ |= differs & steady;
       store(half.context, contexts_.data() + count_ * kPartBytes);
-      surprising_ |= surprising;
       events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
       const PartVec second = hn::IfThenElse(half.alike, first_different(rows, near), half.second);
       const PartBits high = surprising & bits_of(hn::Ne(now, second));
@@ -174,6 +173,7 @@ class Analyser {
     std::uint8_t* const symbols = symbols_.data() + third.index * kPartBytes;
     store(or_where(load(symbols), mask_of(escapes), 1), symbols);
     escapes_[third.index] = escapes;
+    any_escapes_ |= escapes;
   }
 
   /// Adds what was found in a wave's even columns, or in its odd ones, as a batch.
@@ -181,21 +181,17 @@ class Analyser {
   HWY_INLINE void add_half(const WaveParts& parts, std::size_t wave) {
     constexpr PartBits kColumns = odd ? kOddBits : kEvenBits;
     const std::size_t batch = 2 * wave + (odd ? 1 : 0);
-    std::array<PartBits, kMaxParts> coded;
-    for (std::size_t i = 0; i < count_; ++i) coded[i] = coded_[i] & kColumns;
-    const std::size_t size = pack_coded<odd>(contexts_.data(), coded.data(), count_, vbmi_,
-                                             events_.context.data() + events_.coded);
+    const std::size_t size =
+        pack_coded<odd>(contexts_.data(), symbols_.data(), coded_.data(), count_, vbmi_,
+                        events_.context.data() + events_.coded, events_.symbol.data() + events_.coded);
     const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - size);
-    if (HWY_LIKELY((exceptional_any_ & kColumns) == 0)) {
+    if (HWY_LIKELY((any_exceptional_ & kColumns) == 0)) {
       gap_ += steady;
     } else {
       add_exceptions(parts, kColumns, batch);
     }
     const std::size_t escapes = events_.escapes;
-    if ((surprising_ & kColumns) == 0) {
-      std::fill_n(events_.symbol.data() + events_.coded, size, std::uint8_t{0});
-    } else {
-      pack_coded<odd>(symbols_.data(), coded.data(), count_, vbmi_, events_.symbol.data() + events_.coded);
+    if ((any_escapes_ & kColumns) != 0) {
       for (std::size_t i = 0; i < count_; ++i) {
         over_bits(escapes_[i] & kColumns, [&](std::size_t voxel) HWY_ATTR {
           events_.escape[events_.escapes++] = material(i, voxel, wave);
@@ -255,9 +251,9 @@ class Analyser {
   std::array<PartBits, kMaxParts> escapes_;      // coded voxels that are none of their candidates
   std::array<PartBits, kMaxParts> exceptional_;  // steady ones that are not the first
   std::array<Third, kMaxParts + 1> thirds_;
-  // Of any part:
-  PartBits surprising_ = 0;  // coded voxels that are not the first candidate
-  PartBits exceptional_any_ = 0;
+  // Of all parts together:
+  PartBits any_escapes_ = 0;
+  PartBits any_exceptional_ = 0;
   std::uint32_t gap_ = 0;
 };
 
