@@ -125,6 +125,7 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
     by_context[t] = _mm512_loadu_si512(ends + (odd ? 64 * t : 64 * (t % 2)));
   for (std::size_t at = 0; at < count; at += 64) {
     const __m512i which = look_up(by_context, _mm512_loadu_si512(contexts + at));
+    // Of two tables that are the same: of one, gcc 12 warns of a variable that is not initialised.
     const __m512i first = _mm512_permutex2var_epi8(by_symbol[0], which, by_symbol[0]);
     const __m512i second = _mm512_permutex2var_epi8(by_symbol[1], which, by_symbol[1]);
     const __m512i third = _mm512_permutex2var_epi8(by_symbol[2], which, by_symbol[2]);
