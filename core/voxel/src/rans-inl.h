@@ -150,24 +150,26 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
 #endif
 }
 
+/// Of words below 32768.
+HWY_INLINE WordVec all_ones_where_less(WordVec a, WordVec b) {
+#if HWY_TARGET == HWY_AVX3
+  // Not by way of a mask register, which takes six times as long.
+  return WordVec{_mm256_cmpgt_epi16(b.raw, a.raw)};
+#else
+  const SignedWords d;
+  return hn::BitCast(Words{}, hn::VecFromMask(d, hn::Lt(hn::BitCast(d, a), hn::BitCast(d, b))));
+#endif
+}
+
 /// The symbol of each lane, 0 to 3.
 HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, const std::uint8_t*& next) {
   const Words d;
-  const SignedWords signed_words;
   WordParts symbols;
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto slot = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
-    // All ones where the slot lies before the start of a symbol's interval. No start is above 256.
-    const auto is_before = [&](WordVec start) HWY_ATTR {
-#if HWY_TARGET == HWY_AVX3
-      // Not by way of a mask register, which takes six times as long.
-      return WordVec{_mm256_cmpgt_epi16(start.raw, slot.raw)};
-#else
-      const auto a = hn::BitCast(signed_words, slot);
-      return hn::BitCast(d, hn::VecFromMask(signed_words, hn::Lt(a, hn::BitCast(signed_words, start))));
-#endif
-    };
+    // Whether the slot lies before the start of a symbol's interval. No start is above 256.
+    const auto is_before = [&](WordVec start) HWY_ATTR { return all_ones_where_less(slot, start); };
     const auto one = starts.one.part[p];
     const auto two = starts.two.part[p];
     const auto three = starts.three.part[p];
@@ -223,41 +225,30 @@ inline constexpr auto kLastBytes = [] {
 HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const WordParts& sizes,
                                std::uint8_t*& next) {
   const Words d;
-  const SignedWords compared;
   WordParts low;
-#if HWY_TARGET == HWY_AVX3
-  __mmask16 lanes = 0;
-#else
-  WordParts full;
-#endif
+  WordParts fits;
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto size = sizes.part[p];
     // What does not wait for the states: the chain from state to state bounds the speed.
     const auto reciprocal = reciprocals(size);
     const auto beyond = hn::Sub(hn::Set(d, kProbabilityTotal), size);
-    const auto is_less = [&](WordVec a, WordVec b)
-                             HWY_ATTR { return hn::Lt(hn::BitCast(compared, a), hn::BitCast(compared, b)); };
+    const auto next_start = hn::Add(starts.part[p], beyond);
     // Would it grow past 16 bits? Of high bytes and sizes none is above 256.
     const auto high = hn::ShiftRight<8>(state);
-    const auto fits = is_less(high, size);
+    fits.part[p] = all_ones_where_less(high, size);
     low.part[p] = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
-    const auto left =
-        hn::BitCast(d, hn::IfThenElse(fits, hn::BitCast(compared, state), hn::BitCast(compared, high)));
+    const auto left = hn::IfVecThenElse(fits.part[p], state, high);
     // The quotient left / size or one less: the reciprocal is at most 1 too small, and left below 65536.
     const auto quotient = hn::MulHigh(left, reciprocal);
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
-    const auto last = hn::BitCast(d, hn::IfThenZeroElse(is_less(rest, size), hn::BitCast(compared, beyond)));
+    const auto first = hn::And(all_ones_where_less(rest, size), beyond);
     // quotient * 256 + rest is left + quotient * (256 - size).
-    states.part[p] = hn::Add(hn::Add(hn::Add(left, starts.part[p]), hn::Mul(quotient, beyond)), last);
-#if HWY_TARGET == HWY_AVX3
-    lanes = static_cast<__mmask16>(~fits.raw);
-#else
-    full.part[p] = hn::Not(hn::BitCast(d, hn::VecFromMask(compared, fits)));
-#endif
+    states.part[p] = hn::Sub(hn::Add(hn::Add(left, next_start), hn::Mul(quotient, beyond)), first);
   }
 #if HWY_TARGET == HWY_AVX3
   // Without a branch: whether any lane is full cannot be foreseen.
+  const auto lanes = static_cast<__mmask16>(~_mm256_movepi16_mask(fits.part[0].raw));
   const int count = std::popcount(static_cast<std::uint16_t>(lanes));
   const __m512i bytes = _mm512_maskz_compress_epi32(lanes, _mm512_cvtepu16_epi32(low.part[0].raw));
   next -= count;
@@ -265,7 +256,7 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
 #else
   // The bytes of eight lanes at a time, moved to the end of eight bytes. What stands before them is
   // overwritten by the bytes of the lanes below, or lies before `next`.
-  const std::uint32_t lanes = lanes_of(hn::MaskFromVec(narrow_small(full)));
+  const std::uint32_t lanes = lanes_of(hn::Not(hn::MaskFromVec(narrow_small(fits))));
   const hn::FixedTag<std::uint8_t, 8> eight;
   const HalfVec bytes = narrow(low);
   const auto put = [&](auto from, std::uint32_t which) HWY_ATTR {

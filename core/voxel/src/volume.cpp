@@ -29,15 +29,15 @@ constexpr std::array<VolumeIntervals, kTables> kIntervals = [] {
   return all;
 }();
 
-/// By context and symbol: start + 65536 * size.
-constexpr auto kSymbolIntervals = [] {
-  std::array<std::array<std::uint32_t, kVolumeContexts * 4>, kTables> all{};
+constexpr auto kSymbols = [] {
+  std::array<VolumeSymbols, kTables> all{};
   for (std::size_t t = 0; t < kTables; ++t) {
     for (std::size_t c = 0; c < kVolumeContexts; ++c) {
       for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
         const Interval interval = interval_of(kIntervals[t][c], symbol);
-        all[t][4 * c + symbol] = interval.start | std::uint32_t{interval.size} << 16U;
+        all[t].interval[4 * c + symbol] = interval.start | std::uint32_t{interval.size} << 16U;
       }
+      all[t].ends[c] = static_cast<std::uint8_t>(class_of_digit(kVolumeClasses[t][c]));
     }
   }
   return all;
@@ -190,7 +190,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
     batch = batches.begin;
     coded -= batches.coded;
     batches.first_coded = coded;
-    kernels.write(events, batches, kSymbolIntervals[table].data(), sink);
+    kernels.write(events, batches, kSymbols[table], sink);
     while (group_follows(batch)) {
       --groups;
       put_group(sink, group(groups), materials, kernels);

@@ -22,12 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// Of a wave's parts, one after the other: a byte for each voxel, and which voxels are coded.
-struct BatchParts {
-  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> bytes;
-  std::array<PartBits, kMaxParts> coded;
-};
-
 /// By a mask of eight voxels: the places of those that it has, among sixteen of which every second counts.
 alignas(8) inline constexpr auto kEveryOther = [] {
   std::array<std::array<std::uint8_t, 8>, 256> table{};
@@ -52,31 +46,58 @@ HWY_INLINE std::uint32_t every_other(std::uint32_t bits) {
 #endif
 }
 
-/// Appends the bytes of coded voxels, which are in even columns, or in odd ones; gives how many. May write a
-/// part past the last.
-template <bool odd>
-HWY_INLINE std::size_t pack_coded(const BatchParts& batch, const PartBits* coded, std::size_t parts,
-                                  const VolumeVbmi* vbmi, std::uint8_t* out) {
-#if HWY_TARGET == HWY_AVX3
-  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack(coded, batch.bytes.data(), parts, out);
-#else
-  (void)vbmi;
-#endif
-  const Half d;
+/// Calls put(at, order, place) for each sixteen bytes of the parts: `order` has the places of those of them
+/// that are coded, which are in even columns, or in odd ones, and go to `place`. Gives how many they are.
+template <bool odd, class Put>
+HWY_INLINE std::size_t over_coded(const PartBits* coded, std::size_t parts, const Put& put) {
   const hn::FixedTag<std::uint8_t, 8> eight;
-  std::uint8_t* to = out;
+  std::size_t place = 0;
   for (std::size_t i = 0; i < parts; ++i) {
     for (std::size_t at = 0; at < kPartBytes; at += kLanes) {
       const auto bits = static_cast<std::uint32_t>(coded[i] >> at & 0xFFFFU) >> (odd ? 1U : 0U);
       const std::uint32_t which = every_other(bits);
-      const HalfVec bytes = hn::LoadU(d, batch.bytes.data() + i * kPartBytes + at);
       auto order = hn::LoadU(eight, kEveryOther[which].data());
       if constexpr (odd) order = hn::Or(order, hn::Set(eight, 1));
-      hn::StoreU(hn::TableLookupBytes(bytes, order), eight, to);
-      to += std::popcount(which);
+      put(i * kPartBytes + at, order, place);
+      place += static_cast<std::size_t>(std::popcount(which));
     }
   }
-  return static_cast<std::size_t>(to - out);
+  return place;
+}
+
+/// Appends the bytes of coded voxels in even columns, or in odd ones; gives how many. May write a part past
+/// the last.
+template <bool odd>
+HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const PartBits* coded, std::size_t parts,
+                                  const VolumeVbmi* vbmi, std::uint8_t* out) {
+#if HWY_TARGET == HWY_AVX3
+  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack(coded, odd ? kOddBits : kEvenBits, bytes, parts, out);
+#else
+  (void)vbmi;
+#endif
+  return over_coded<odd>(coded, parts, [&](std::size_t at, auto order, std::size_t place) HWY_ATTR {
+    hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, bytes + at), order), hn::DFromV<decltype(order)>{},
+               out + place);
+  });
+}
+
+/// The same of `bytes` and `more` at once.
+template <bool odd>
+HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const std::uint8_t* more, const PartBits* coded,
+                                  std::size_t parts, const VolumeVbmi* vbmi, std::uint8_t* out,
+                                  std::uint8_t* more_out) {
+#if HWY_TARGET == HWY_AVX3
+  if (HWY_LIKELY(vbmi != nullptr)) {
+    return vbmi->pack_two(coded, odd ? kOddBits : kEvenBits, bytes, more, parts, out, more_out);
+  }
+#else
+  (void)vbmi;
+#endif
+  return over_coded<odd>(coded, parts, [&](std::size_t at, auto order, std::size_t place) HWY_ATTR {
+    const hn::DFromV<decltype(order)> eight;
+    hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, bytes + at), order), eight, out + place);
+    hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, more + at), order), eight, more_out + place);
+  });
 }
 
 }  // namespace

@@ -43,6 +43,12 @@ struct VolumeEvents {
   std::size_t escapes = 0;
 };
 
+/// What symbols are written by: one of the format's tables.
+struct VolumeSymbols {
+  std::array<std::uint32_t, 4 * kVolumeContexts> interval;  // by context and symbol: start + 65536 * size
+  std::array<std::uint8_t, kVolumeContexts> ends;  // by context: which of kVolumeEnds its intervals have
+};
+
 /// Batches `begin` to `end` - 1, and of their coded voxels the first and the count.
 struct EventBatches {
   std::size_t begin;
@@ -75,11 +81,10 @@ struct PaddedVoxels {
 struct VolumeKernels {
   /// What a decoder has to be told of `voxels`; false where they are noise.
   bool (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
-  /// Writes the symbols of whole batches, the last one first. `intervals`: by context and symbol, start +
-  /// 65536 * size.
-  void (*write)(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+  /// Writes the symbols of whole batches, the last one first.
+  void (*write)(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
                 RansSink& sink);
-  /// Writes `count` symbols, the last one first; the lane of the first is 0. Intervals as above.
+  /// Writes `count` symbols, the last one first; the lane of the first is 0. Intervals: start + 65536 * size.
   void (*write_intervals)(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
   /// Reads as many kinds of symbols, at most kMaxBatch.
   void (*read_slots)(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds);

@@ -207,8 +207,8 @@ class Reader {
   }
 
   HWY_INLINE void begin(std::size_t i, const HalfPart& half, PartBits inside) {
-    coding_.coded[i] = bits_of(hn::Not(half.steady)) & inside;
-    store(half.context, coding_.bytes.data() + i * kPartBytes);
+    coded_[i] = bits_of(hn::Not(half.steady)) & inside;
+    store(half.context, contexts_.data() + i * kPartBytes);
     second_[i] = half.second;
     alike_[i] = half.alike;
   }
@@ -217,7 +217,7 @@ class Reader {
   /// fault.
   template <bool odd>
   HWY_INLINE bool read_half(const NearRows& rows, const WaveParts& parts) {
-    batch_.set_size(pack_coded<odd>(coding_, coding_.coded.data(), count_, vbmi_, batch_.contexts()));
+    batch_.set_size(pack_coded<odd>(contexts_.data(), coded_.data(), count_, vbmi_, batch_.contexts()));
     const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - batch_.size());
     if (HWY_LIKELY(exceptions_.gap() >= steady)) {
       exceptions_.pass(steady);
@@ -229,7 +229,7 @@ class Reader {
     // Which parts have other symbols than 0 cannot be foreseen: all are finished where any has.
     std::uint32_t surprising = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-      symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coding_.coded[i])));
+      symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coded_[i])));
       surprising |= symbols_[i].low | symbols_[i].high;
     }
     if (surprising != 0) {
@@ -246,7 +246,7 @@ class Reader {
     // In a register: the voxels that are written in between might be anything.
     std::uint32_t gap = exceptions_.gap();
     for (std::size_t i = 0; i < count_; ++i) {
-      PartBits steady = half & parts.inside(place_[i]) & ~coding_.coded[i];
+      PartBits steady = half & parts.inside(place_[i]) & ~coded_[i];
       auto count = static_cast<std::uint32_t>(std::popcount(steady));
       while (gap < count) {
         const auto x = static_cast<std::size_t>(std::countr_zero(deposit_bits(PartBits{1} << gap, steady)));
@@ -263,8 +263,8 @@ class Reader {
   HWY_INLINE void finish(const NearRows& rows, std::size_t i) {
     const NearPart& near = near_[i];
     std::uint8_t* const bytes = rows.now + near.at;
-    const PartBits low = deposit_bits(symbols_[i].low, coding_.coded[i]);
-    const PartBits high = deposit_bits(symbols_[i].high, coding_.coded[i]);
+    const PartBits low = deposit_bits(symbols_[i].low, coded_[i]);
+    const PartBits high = deposit_bits(symbols_[i].high, coded_[i]);
     const PartVec now = load(bytes);  // the first candidates
     const PartVec second = hn::IfThenElse(alike_[i], first_different(rows, near), second_[i]);
     PartVec found = hn::IfThenElse(mask_of(low & ~high), second, now);
@@ -297,7 +297,8 @@ class Reader {
   std::array<std::size_t, kMaxParts> place_;
   std::array<Batch::Symbols, kMaxParts> symbols_;
   std::size_t count_ = 0;
-  BatchParts coding_;
+  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> contexts_;
+  std::array<PartBits, kMaxParts> coded_;
   Batch batch_;
   std::array<std::uint8_t*, kMaxBatch> escaped_;
   std::size_t escapes_ = 0;

@@ -65,13 +65,13 @@ bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
 }
 
 void write_volume_scalar(const VolumeEvents& events, const EventBatches& batches,
-                         const std::uint32_t* intervals, RansSink& sink) {
+                         const VolumeSymbols& symbols, RansSink& sink) {
   std::size_t first = batches.first_coded + batches.coded;
   for (std::size_t batch = batches.end; batch-- > batches.begin;) {
     first -= events.batch[batch];
     for (std::size_t i = events.batch[batch]; i-- > 0;) {
       const std::size_t context = first_context_of(batch) + events.context[first + i];
-      encode_symbol(sink, i % kLanes, unpacked(intervals[4 * context + events.symbol[first + i]]));
+      encode_symbol(sink, i % kLanes, unpacked(symbols.interval[4 * context + events.symbol[first + i]]));
     }
   }
 }

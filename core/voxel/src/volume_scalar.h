@@ -9,7 +9,7 @@ namespace talus::codec {
 
 bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events);
 void write_volume_scalar(const VolumeEvents& events, const EventBatches& batches,
-                         const std::uint32_t* intervals, RansSink& sink);
+                         const VolumeSymbols& symbols, RansSink& sink);
 void write_intervals_scalar(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
 void read_slots_scalar(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds);
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded);

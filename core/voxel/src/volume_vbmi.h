@@ -12,14 +12,24 @@ namespace talus::codec {
 enum class Numbering : std::uint8_t { done, two_alike, too_many };
 
 struct VolumeVbmi {
-  /// Of `parts` times 64 bytes, appends those whose bits are set; gives how many. May write 64 bytes past the
-  /// last.
-  std::size_t (*pack)(const std::uint64_t* bits, const std::uint8_t* bytes, std::size_t parts,
-                      std::uint8_t* out);
+  /// Of `parts` times 64 bytes, appends those whose bits are set in their part's `bits` and in `columns`;
+  /// gives how many. May write 64 bytes past the last.
+  std::size_t (*pack)(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
+                      std::size_t parts, std::uint8_t* out);
+  /// The same of `bytes` and `more` at once.
+  std::size_t (*pack_two)(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
+                          const std::uint8_t* more, std::size_t parts, std::uint8_t* out,
+                          std::uint8_t* more_out);
   /// Writes the low bytes of the ids to `numbers` and adds their materials to `materials`. two_alike: all
   /// were added, but two materials have one number. too_many: there are more than
   /// MaterialCode::kMaxMaterials, and both outputs are incomplete.
   Numbering (*number)(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials);
+  /// Start and size of the interval of each of `count` symbols, at most kMaxBatch. `ends`: those of
+  /// VolumeSymbols from the batch's first context on, 256 of an odd batch and 128 of an even one. Reads and
+  /// writes whole vectors of 64 bytes.
+  void (*intervals)(const std::uint8_t* ends, bool odd, const std::uint8_t* contexts,
+                    const std::uint8_t* symbols, std::size_t count, std::uint8_t* starts,
+                    std::uint8_t* sizes);
 };
 
 /// Null where this processor has no such instructions.

@@ -27,9 +27,9 @@ bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   return analyse_volume_scalar(voxels, events);
 }
 
-void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
            RansSink& sink) {
-  write_volume_scalar(events, batches, intervals, sink);
+  write_volume_scalar(events, batches, symbols, sink);
 }
 
 void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink& sink) {
@@ -63,8 +63,8 @@ class Analyser {
         add_steady_wave(rows, parts, wave);
       } else {
         compare(rows, parts, mixed, wave);
-        add_half<false>(rows, parts, even_, static_cast<std::size_t>(wave));
-        add_half<true>(rows, parts, odd_, static_cast<std::size_t>(wave));
+        add_half<false>(parts, static_cast<std::size_t>(wave));
+        add_half<true>(parts, static_cast<std::size_t>(wave));
       }
       if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_)) return false;
     }
@@ -72,26 +72,12 @@ class Analyser {
   }
 
  private:
-  /// Of half the columns of a wave's mixed parts.
-  struct Halves {
-    BatchParts coding;                            // with the contexts
-    std::array<PartBits, kMaxParts> surprising;   // coded voxels that are not the first candidate
-    std::array<PartBits, kMaxParts> exceptional;  // steady ones
-    std::array<PartVec, kMaxParts> first;
-    std::array<PartVec, kMaxParts> second;
-    std::array<PartMask, kMaxParts> alike;
-
-    HWY_INLINE void set(std::size_t i, const HalfPart& half, PartVec now, PartBits inside) {
-      const PartBits steady = bits_of(half.steady);
-      const PartBits differs = bits_of(hn::Ne(now, half.first)) & inside;
-      coding.coded[i] = inside & ~steady;
-      store(half.context, coding.bytes.data() + i * kPartBytes);
-      surprising[i] = differs & ~steady;
-      exceptional[i] = differs & steady;
-      first[i] = half.first;
-      second[i] = half.second;
-      alike[i] = half.alike;
-    }
+  /// A part of which some coded voxels, `high`, are neither the first candidate nor the second.
+  struct Third {
+    PartVec first;
+    PartVec second;
+    PartBits high;
+    std::size_t index;  // of the part
   };
 
   /// Puts the rows of a wave side by side. Gives in which parts some are not equal to those below.
@@ -125,55 +111,92 @@ class Analyser {
     }
   }
 
+  /// Finds contexts, symbols and exceptions of a wave's mixed parts, even and odd columns at once: all voxels
+  /// are known. Without branches, which nothing could foresee; what few parts need comes after.
   HWY_INLINE void compare(const NearRows& rows, const WaveParts& parts, PartSet mixed, int wave) {
     for (std::size_t p = parts.first; p <= parts.last; ++p)
       store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
     count_ = 0;
+    std::size_t third_count = 0;
+    any_escapes_ = any_exceptional_ = 0;
     PartSet unequal = 0;
     over_bits(mixed, [&](std::size_t p) HWY_ATTR {
       const NearPart near = near_part(rows, p);
       const std::uint8_t* const bytes = rows.now + near.at;
       const PartVec now = load(bytes);
       const PartBits inside = parts.inside(p);
-      even_.set(count_, even_half(near), now, kEvenBits & inside);
-      odd_.set(count_, odd_half(near, now, bytes, p), now, kOddBits & inside);
+      const HalfPart half = both_halves(even_half(near), odd_half(near, now, bytes, p), p);
+      const PartBits steady = bits_of(half.steady);
+      const PartBits differs = bits_of(hn::Ne(now, half.first)) & inside;
+      const PartBits surprising = differs & ~steady;
+      place_[count_] = p;
+      coded_[count_] = inside & ~steady;
+      exceptional_[count_] = differs & steady;
+      any_exceptional_ |= differs & steady;
+      store(half.context, contexts_.data() + count_ * kPartBytes);
+      events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
+      const PartVec second = hn::IfThenElse(half.alike, first_different(rows, near), half.second);
+      const PartBits high = surprising & bits_of(hn::Ne(now, second));
+      store(or_where(hn::IfThenElseZero(mask_of(surprising ^ high), bytes_of(1)), mask_of(high), 2),
+            symbols_.data() + count_ * kPartBytes);
+      escapes_[count_] = 0;
+      thirds_[third_count] = {half.first, second, high, count_};
+      third_count += high != 0 ? 1 : 0;
+      ++count_;
       PartBits not_west = 0;
       const PartBits found = find_equals(rows, near, now, p, wave, not_west);
       unequal |= PartSet{(found & inside) != 0 ? 1U : 0U} << p;
       events_.changes += static_cast<std::size_t>(std::popcount(not_west & inside));
-      near_[count_] = near;
-      place_[count_] = p;
-      ++count_;
     });
     unequal_.set(wave, unequal);
+    for (std::size_t i = 0; i < third_count; ++i) find_escapes(rows, thirds_[i]);
   }
 
+  /// Even columns of one, odd ones of the other.
+  static HWY_INLINE HalfPart both_halves(const HalfPart& even, const HalfPart& odd, std::size_t part) {
+    const PartMask is_odd = columns<IsOddColumn>(part);
+    const auto either = [&](PartMask of_odd, PartMask of_even)
+                            HWY_ATTR { return hn::Or(hn::And(is_odd, of_odd), hn::AndNot(is_odd, of_even)); };
+    return {hn::IfThenElse(is_odd, odd.first, even.first), hn::IfThenElse(is_odd, odd.second, even.second),
+            either(odd.alike, even.alike), either(odd.steady, even.steady),
+            hn::IfThenElse(is_odd, odd.context, even.context)};
+  }
+
+  /// Which voxels are none of their candidates, of those that are neither the first nor the second.
+  HWY_INLINE void find_escapes(const NearRows& rows, const Third& third) {
+    const std::size_t part = place_[third.index];
+    const NearPart near = near_part(rows, part);
+    PartMask exists;
+    const PartVec candidate = third_candidate(rows, near, third.first, third.second, part, exists);
+    const PartVec now = load(rows.now + near.at);
+    const PartBits escapes = third.high & ~bits_of(hn::And(exists, hn::Eq(now, candidate)));
+    std::uint8_t* const symbols = symbols_.data() + third.index * kPartBytes;
+    store(or_where(load(symbols), mask_of(escapes), 1), symbols);
+    escapes_[third.index] = escapes;
+    any_escapes_ |= escapes;
+  }
+
+  /// Adds what was found in a wave's even columns, or in its odd ones, as a batch.
   template <bool odd>
-  HWY_INLINE void add_half(const NearRows& rows, const WaveParts& parts, Halves& half, std::size_t wave) {
+  HWY_INLINE void add_half(const WaveParts& parts, std::size_t wave) {
+    constexpr PartBits kColumns = odd ? kOddBits : kEvenBits;
     const std::size_t batch = 2 * wave + (odd ? 1 : 0);
-    const std::size_t escapes = events_.escapes;
-    const std::size_t size = pack_coded<odd>(half.coding, half.coding.coded.data(), count_, vbmi_,
-                                             events_.context.data() + events_.coded);
-    std::uint32_t surprising = 0;
-    PartBits exceptional = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      surprising |= (half.surprising[i] != 0 ? 1U : 0U) << i;
-      exceptional |= half.exceptional[i];
-    }
+    const std::size_t size =
+        pack_coded<odd>(contexts_.data(), symbols_.data(), coded_.data(), count_, vbmi_,
+                        events_.context.data() + events_.coded, events_.symbol.data() + events_.coded);
     const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - size);
-    if (HWY_LIKELY(exceptional == 0)) {
+    if (HWY_LIKELY((any_exceptional_ & kColumns) == 0)) {
       gap_ += steady;
     } else {
-      add_exceptions(parts, half, odd ? kOddBits : kEvenBits, batch);
+      add_exceptions(parts, kColumns, batch);
     }
-    if (surprising == 0) {
-      std::fill_n(events_.symbol.data() + events_.coded, size, std::uint8_t{0});
-    } else {
-      for (std::size_t i = 0; i < count_; ++i)
-        store(hn::Zero(Part{}), symbols_.bytes.data() + i * kPartBytes);
-      over_bits(surprising, [&](std::size_t i) HWY_ATTR { find_symbols(rows, half, i, wave); });
-      pack_coded<odd>(symbols_, half.coding.coded.data(), count_, vbmi_,
-                      events_.symbol.data() + events_.coded);
+    const std::size_t escapes = events_.escapes;
+    if ((any_escapes_ & kColumns) != 0) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        over_bits(escapes_[i] & kColumns, [&](std::size_t voxel) HWY_ATTR {
+          events_.escape[events_.escapes++] = material(i, voxel, wave);
+        });
+      }
     }
     events_.coded += size;
     events_.batch[batch] = static_cast<std::uint16_t>(size);
@@ -182,13 +205,12 @@ class Analyser {
 
   /// The material of a voxel of part i.
   [[nodiscard]] MaterialId material(std::size_t i, std::size_t voxel, std::size_t wave) const {
-    const std::size_t at = near_[i].at + voxel;
+    const std::size_t at = place_[i] * kPartBytes + voxel;
     const std::size_t y = at / kRowBytes;
     return voxels_[(y * (kChunkSize - 2) + wave) * kChunkSize + at % kRowBytes];
   }
 
-  HWY_INLINE void add_exceptions(const WaveParts& parts, const Halves& half, PartBits columns,
-                                 std::size_t batch) {
+  HWY_INLINE void add_exceptions(const WaveParts& parts, PartBits columns, std::size_t batch) {
     // Parts that are not mixed have steady voxels only.
     std::size_t next = parts.first;
     const auto pass = [&](std::size_t end) HWY_ATTR {
@@ -198,43 +220,19 @@ class Analyser {
     for (std::size_t i = 0; i < count_; ++i) {
       pass(place_[i]);
       ++next;
-      const PartBits steady = columns & parts.inside(place_[i]) & ~half.coding.coded[i];
+      const PartBits steady = columns & parts.inside(place_[i]) & ~coded_[i];
       std::uint32_t passed = 0;
-      for (PartBits left = half.exceptional[i]; left != 0; left &= left - 1) {
-        const int x = std::countr_zero(left);
+      over_bits(exceptional_[i] & columns, [&](std::size_t x) HWY_ATTR {
         const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((PartBits{1} << x) - 1)));
         events_.exception[events_.exceptions++] = {static_cast<std::uint16_t>(gap_ + before - passed),
                                                    static_cast<std::uint16_t>(batch),
-                                                   material(i, static_cast<std::size_t>(x), batch / 2)};
+                                                   material(i, x, batch / 2)};
         gap_ = 0;
         passed = before + 1;
-      }
+      });
       gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
     }
     pass(parts.last + 1);
-  }
-
-  /// The symbols of the coded voxels that are not their first candidates.
-  HWY_INLINE void find_symbols(const NearRows& rows, const Halves& half, std::size_t i, std::size_t wave) {
-    const NearPart& near = near_[i];
-    const PartVec now = load(rows.now + near.at);
-    const PartBits surprising = half.surprising[i];
-    events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
-    const PartVec second = hn::IfThenElse(half.alike[i], first_different(rows, near), half.second[i]);
-    const PartBits high = surprising & bits_of(hn::Ne(now, second));
-    PartBits low = surprising & ~high;
-    if (high != 0) {
-      PartMask exists;
-      const PartVec third = third_candidate(rows, near, half.first[i], second, place_[i], exists);
-      PartBits escapes = high & ~bits_of(hn::And(exists, hn::Eq(now, third)));
-      low |= escapes;
-      for (; escapes != 0; escapes &= escapes - 1) {
-        events_.escape[events_.escapes++] =
-            material(i, static_cast<std::size_t>(std::countr_zero(escapes)), wave);
-      }
-    }
-    const PartVec symbols = or_where(hn::IfThenElseZero(mask_of(low), bytes_of(1)), mask_of(high), 2);
-    store(symbols, symbols_.bytes.data() + i * kPartBytes);
   }
 
   const MaterialId* voxels_;
@@ -245,12 +243,17 @@ class Analyser {
   WaveBytes equals_{kEqualsAll};
   UnequalParts unequal_;
   // Of the mixed parts of a wave:
-  std::array<NearPart, kMaxParts> near_;
-  std::array<std::size_t, kMaxParts> place_;
   std::size_t count_ = 0;
-  Halves even_;
-  Halves odd_;
-  BatchParts symbols_;
+  std::array<std::size_t, kMaxParts> place_;
+  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> contexts_;
+  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> symbols_;
+  std::array<PartBits, kMaxParts> coded_;
+  std::array<PartBits, kMaxParts> escapes_;      // coded voxels that are none of their candidates
+  std::array<PartBits, kMaxParts> exceptional_;  // steady ones that are not the first
+  std::array<Third, kMaxParts + 1> thirds_;
+  // Of all parts together:
+  PartBits any_escapes_ = 0;
+  PartBits any_exceptional_ = 0;
   std::uint32_t gap_ = 0;
 };
 
@@ -288,6 +291,20 @@ class SymbolWriter {
     std::copy_n(intervals, count, some.begin());
     put(some.data());
   }
+
+#if HWY_TARGET == HWY_AVX3
+  /// Up to sixteen symbols, with intervals of less than 256.
+  HWY_INLINE void put(const std::uint8_t* starts, const std::uint8_t* sizes, std::size_t count) {
+    const Half d;
+    const auto active = static_cast<__mmask16>((1U << count) - 1);
+    WordParts start;
+    WordParts size;
+    start.part[0] = WordVec{_mm256_maskz_cvtepu8_epi16(active, hn::LoadU(d, starts).raw)};
+    size.part[0] = WordVec{
+        _mm256_mask_cvtepu8_epi16(_mm256_set1_epi16(kProbabilityTotal), active, hn::LoadU(d, sizes).raw)};
+    encode_symbols(states_, start, size, next_);
+  }
+#endif
 
   /// The symbols of up to sixteen voxels. `intervals`: by context and symbol.
   HWY_INLINE void put_voxels(const std::uint8_t* contexts, const std::uint8_t* symbols, std::size_t count,
@@ -344,15 +361,32 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
   writer.finish();
 }
 
-void write(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+void write(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
            RansSink& sink) {
   SymbolWriter writer{sink};
   std::size_t first = batches.first_coded + batches.coded;
+#if HWY_TARGET == HWY_AVX3
+  const VolumeVbmi* const vbmi = volume_vbmi();
+  alignas(64) std::array<std::uint8_t, kMaxBatch> starts;
+  alignas(64) std::array<std::uint8_t, kMaxBatch> sizes;
+#endif
   for (std::size_t batch = batches.end; batch-- > batches.begin;) {
-    first -= events.batch[batch];
-    over_groups(events.batch[batch], [&](std::size_t at, std::size_t size) HWY_ATTR {
-      writer.put_voxels(events.context.data() + first + at, events.symbol.data() + first + at, size,
-                        intervals + 4 * first_context_of(batch));
+    const std::size_t count = events.batch[batch];
+    first -= count;
+    const std::uint8_t* const contexts = events.context.data() + first;
+    const std::uint8_t* const coded = events.symbol.data() + first;
+    const std::size_t first_context = first_context_of(batch);
+#if HWY_TARGET == HWY_AVX3
+    if (HWY_LIKELY(vbmi != nullptr)) {
+      vbmi->intervals(symbols.ends.data() + first_context, first_context != 0, contexts, coded, count,
+                      starts.data(), sizes.data());
+      over_groups(count, [&](std::size_t at, std::size_t size)
+                             HWY_ATTR { writer.put(starts.data() + at, sizes.data() + at, size); });
+      continue;
+    }
+#endif
+    over_groups(count, [&](std::size_t at, std::size_t size) HWY_ATTR {
+      writer.put_voxels(contexts + at, coded + at, size, symbols.interval.data() + 4 * first_context);
     });
   }
   writer.finish();

@@ -7,7 +7,7 @@ namespace talus::codec {
 
 struct VolumeWrite {
   bool (*analyse)(const DenseVoxels& voxels, VolumeEvents& events);
-  void (*write)(const VolumeEvents& events, const EventBatches& batches, const std::uint32_t* intervals,
+  void (*write)(const VolumeEvents& events, const EventBatches& batches, const VolumeSymbols& symbols,
                 RansSink& sink);
   void (*write_intervals)(const std::uint32_t* intervals, std::size_t count, RansSink& sink);
 };
