@@ -261,6 +261,35 @@ TEST_CASE("a server that may not read the log's messages says so at each NATS se
   CHECK(player.put({at.x + 1, at.y, at.z}, solid(*info))->revision == 2);
 }
 
+TEST_CASE("subscriptions that NATS takes away are said, and subscribed to again once NATS lets the server") {
+  World world{1, World::As::user};
+  Player player{patient()};
+  const auto info = player.connect(world.port(0));
+  REQUIRE(info.has_value());
+  const std::uint16_t admin = world.server(0).admin_port();
+  const auto says = [&](std::string_view text, std::string_view metric) {
+    const auto ready = HttpClient{admin}.get("/-/ready");
+    return ready.status == 200 && ready.body.find(text) != std::string::npos &&
+           HttpClient{admin}.get("/metrics").body.find(metric) != std::string::npos;
+  };
+  const auto is_well = [&] {
+    return HttpClient{admin}.get("/-/ready").body == "ready\n" &&
+           says("ready", "\ntalus_cluster_quorum 1\n") && says("ready", "\ntalus_cluster_tail 1\n");
+  };
+  player.until(is_well);
+  world.nats().reconfigure(nats_test::talusd_permissions({.tail = false}));
+  player.until([&] { return says(".tail'", "\ntalus_cluster_tail 0\n"); });
+  const VoxelPos at{info->spawn.x, info->max_y + 8, info->spawn.z};
+  CHECK(player.put(at, solid(*info))->revision == 1);
+  world.nats().reconfigure(nats_test::talusd_permissions());
+  player.until(is_well);
+  world.nats().reconfigure(nats_test::talusd_permissions({.answers = false}));
+  player.until([&] { return says("Subscription to '_INBOX", "\ntalus_cluster_quorum 0\n"); });
+  world.nats().reconfigure(nats_test::talusd_permissions());
+  player.until(is_well);
+  CHECK(player.put(at, kAir)->revision == 2);
+}
+
 TEST_CASE("what an operator rolls back at one server is undone at all") {
   World world{2};
   Player digger;
