@@ -433,10 +433,16 @@ void Server::housekeeping() {
 bool Server::fit_edit_cache() {
   if (edits_ == nullptr) return true;
   EditState& state = edits_->state();
-  const auto allowed = static_cast<std::size_t>(memory_.for_edit_cache(state.cache_limit()));
-  if (allowed != edit_cache_bytes_) state.set_cache_capacity(edit_cache_bytes_ = allowed);
+  const auto allowed =
+      static_cast<std::size_t>(memory_.for_edit_cache(state.cache_limit() + EditIntake::kBaseBytes));
+  if (allowed != edit_cache_bytes_) {
+    edit_cache_bytes_ = allowed;
+    const std::size_t bases = std::min(EditIntake::kBaseBytes, allowed / 4);
+    edits_->limit_bases(bases);
+    state.set_cache_capacity(allowed - bases);
+  }
   const bool fits = state.fit_cache();
-  memory_.set(MemoryUse::edit_cache, state.cache_bytes());
+  memory_.set(MemoryUse::edit_cache, state.cache_bytes() + edits_->base_bytes());
   return fits;
 }
 

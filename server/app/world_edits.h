@@ -84,6 +84,10 @@ class WorldEdits final : public EditedLand {
   /// Edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
+  /// As of EditIntake.
+  void limit_bases(std::size_t bytes) { intake_->limit_bases(bytes); }
+  [[nodiscard]] std::size_t base_bytes() const { return intake_->base_bytes(); }
+
   /// Any thread.
   [[nodiscard]] HistoryKept history() const { return database_->history(); }
   /// Any thread. EditDatabase::memory_bytes().

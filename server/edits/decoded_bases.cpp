@@ -1,5 +1,6 @@
 #include "edits/decoded_bases.h"
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,13 @@ std::size_t bytes_of(const Chunk& chunk) {
 }
 
 }  // namespace
+
+void DecodedBases::set_capacity(std::size_t bytes) {
+  if (bytes == capacity_bytes_) return;
+  chunks_.set_capacity(capacity_bytes_ = bytes);
+  std::size_t looks = SIZE_MAX;  // they are few
+  (void)chunks_.fit(looks);
+}
 
 DecodedChunkPtr DecodedBases::find(ChunkCoord chunk) {
   const DecodedChunkPtr* const kept = chunks_.find({chunk, Lod{}});

@@ -19,7 +19,12 @@ using DecodedChunkPtr = std::shared_ptr<const Chunk>;
 class DecodedBases {
  public:
   /// Keeps about so many bytes of those used last.
-  explicit DecodedBases(std::size_t capacity_bytes) : chunks_{capacity_bytes} {}
+  explicit DecodedBases(std::size_t capacity_bytes)
+      : capacity_bytes_{capacity_bytes}, chunks_{capacity_bytes} {}
+
+  /// Keeps no more than so many from now on, and gives back what is too much.
+  void set_capacity(std::size_t bytes);
+  [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 
   /// Null where it is not kept.
   [[nodiscard]] DecodedChunkPtr find(ChunkCoord chunk);
@@ -27,6 +32,7 @@ class DecodedBases {
   DecodedChunkPtr put(ChunkCoord chunk, const EncodedChunk& encoded);
 
  private:
+  std::size_t capacity_bytes_;
   ClockCache<ChunkKey, DecodedChunkPtr> chunks_;
 };
 

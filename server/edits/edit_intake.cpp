@@ -1,5 +1,6 @@
 #include "edits/edit_intake.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -96,6 +97,11 @@ void EditIntake::forget(ClientId client) {
   comes_.notify_one();
 }
 
+void EditIntake::limit_bases(std::size_t bytes) {
+  base_limit_ = std::min(bytes, kBaseBytes);
+  if (base_bytes_ > bytes) call();
+}
+
 void EditIntake::call() {
   {
     const std::lock_guard lock{mutex_};
@@ -144,6 +150,8 @@ void EditIntake::do_what_waits() {
 }
 
 bool EditIntake::take_in() {
+  bases_.set_capacity(base_limit_);
+  base_bytes_ = bases_.bytes();
   decltype(attached_) attached_now;
   decltype(input_ended_) input_ended;
   decltype(forgotten_) forgotten;

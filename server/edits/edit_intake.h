@@ -65,7 +65,7 @@ class EditIntake final : public EditTaker {
     std::vector<MaterialId> materials;  // by rising id
     edits::SettleRulesPtr settles{};    // null: nothing slides
   };
-  /// Of decoded chunks that are kept.
+  /// Of decoded chunks that are kept, at most.
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
   /// In the log, waiting and being written: what two batches need to be worth their syncs. An entry alone may
   /// have more bytes. A small edit of a session that has none in the log waits for no room there, and so is
@@ -87,6 +87,11 @@ class EditIntake final : public EditTaker {
 
   /// The log takes entries again, or takes none any more: what waits for room there is looked at. Any thread.
   void look_at_log() { call(); }
+
+  /// Of kBaseBytes no more than so many may be kept from now on. Any thread.
+  void limit_bases(std::size_t bytes);
+  /// Of decoded chunks that are kept. Any thread.
+  [[nodiscard]] std::size_t base_bytes() const { return base_bytes_.load(std::memory_order_relaxed); }
 
   /// Does what waits now, as far as the log has room: what the thread does.
   void do_what_waits();
@@ -212,6 +217,8 @@ class EditIntake final : public EditTaker {
   std::atomic<std::size_t> log_entries_{0};
   std::atomic<std::size_t> log_bytes_{0};
   std::atomic<bool> wants_room_{false};
+  std::atomic<std::size_t> base_limit_{kBaseBytes};
+  std::atomic<std::size_t> base_bytes_{0};  // as of the last turn
 
   std::atomic<bool> started_{false};
   std::mutex work_;                        // held while the thread works; locked before mutex_

@@ -132,6 +132,27 @@ TEST_CASE("an edit is logged with the base of what it touches, looked up in the 
   CHECK(bench.log.entries.size() == 2);
 }
 
+TEST_CASE("ground that is kept decoded is counted, and goes when it may have less") {
+  Bench bench;
+  bench.edit(1, {{0, 0, 0}});
+  bench.look_ups_answered(kStone);
+  CHECK(bench.intake.base_bytes() > 0);
+  bench.edit(2, {{1, 0, 0}});
+  CHECK(bench.source.submitted == 1);
+  bench.intake.limit_bases(0);
+  bench.intake.do_what_waits();
+  CHECK(bench.intake.base_bytes() == 0);
+  bench.edit(3, {{2, 0, 0}});
+  CHECK(bench.source.submitted == 2);
+  bench.look_ups_answered(kStone);
+  CHECK(bench.log.entries.size() == 3);
+  CHECK(bench.intake.base_bytes() == 0);
+  bench.intake.limit_bases(SIZE_MAX);
+  bench.edit(4, {{3, 0, 0}});
+  bench.look_ups_answered(kStone);
+  CHECK(bench.intake.base_bytes() > 0);
+}
+
 TEST_CASE("edits of a session keep their order, and those of others do not wait for them") {
   Bench bench;
   bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
