@@ -140,8 +140,7 @@ bool ClusterLog::came_damaged(const StreamMessage& message, const std::string& r
     damage_told_ = now;
     parts_.log->error(
         "cluster: message {} of the log came damaged, or somebody else sent it: {}; the log's leader is "
-        "asked "
-        "for it",
+        "asked for it",
         message.sequence, reason);
   }
   parts_.stream.ask_again();

@@ -46,8 +46,7 @@ std::uint64_t GeneratorMemory::bytes() {
   if (at_work > share + share / 4 && !warned_.exchange(true)) {
     log_->warn(
         "generators at work may take {} MiB, more than an eighth of limits.memory_bytes ({} MiB), and the "
-        "rest "
-        "is beyond it: raise that to {} MiB, or set fewer threads.generator or a smaller "
+        "rest is beyond it: raise that to {} MiB, or set fewer threads.generator or a smaller "
         "generation.patch_tiles",
         at_work >> 20U, budget_.limit_bytes() >> 20U, (at_work * kLargestShare >> 20U) + 1);
   }

@@ -152,8 +152,8 @@ class EditDatabase {
   /// opening cheap.
   [[nodiscard]] Done settle();
 
-  /// After an error of a write: whether writing may be tried again. Waits for no checkpoint: while one is
-  /// made that is an error.
+  /// After an error of a write: whether writing may be tried again. Waits for no checkpoint and no
+  /// sync_log(): while one is under way that is an error.
   [[nodiscard]] Done recover();
 
   [[nodiscard]] std::uint64_t free_bytes() const;

@@ -66,8 +66,9 @@ struct Edit {
 [[nodiscard]] std::size_t named_chunks(const Edit& edit);
 
 /// The chunks of level 0 that the edit may write, and those of its guards, each once, in order: whether it
-/// writes them is not known before it happens. `settles`: with those of settle_box(). None of an edit that touched_voxels() refuses.
-/// Cheap: no voxel of a fill or paste is visited. REQUIRES: named_voxels() is at most kMaxVoxels.
+/// writes them is not known before it happens. `settles`: with those of settle_box(). None of an edit that
+/// touched_voxels() refuses. Cheap: no voxel of a fill or paste is visited. REQUIRES: named_voxels() is at
+/// most kMaxVoxels.
 [[nodiscard]] std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles = false);
 
 /// Why an edit is refused, in one line: the thing, what is wrong, what would be right.
