@@ -61,6 +61,9 @@ class ChunkSource {
   /// What is known of the key's column. A source that has edited chunks counts their rows as mixed.
   [[nodiscard]] virtual MixedRows column(ChunkKey key) = 0;
 
+  /// Whether so few chunks wait that threads may soon have none to make.
+  [[nodiscard]] virtual bool has_little_to_do() const { return false; }
+
   /// Chunks of one level in the same square of so many columns a side, aligned to its size, are made
   /// together: who wants several asks for them at once. A power of two.
   [[nodiscard]] virtual int columns_together() const = 0;

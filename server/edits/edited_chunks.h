@@ -31,6 +31,7 @@ class EditedChunks final : public ChunkSource {
   }
   /// Rows of chunks that were ever edited count as mixed.
   [[nodiscard]] MixedRows column(ChunkKey key) override;
+  [[nodiscard]] bool has_little_to_do() const override { return base_.has_little_to_do(); }
   [[nodiscard]] int columns_together() const override { return base_.columns_together(); }
   [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                    Urgency urgency) override;

@@ -66,6 +66,7 @@ class BaseChunks final : public ChunkSource {
   [[nodiscard]] EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override;
   /// Exact once the column's terrain was generated, until that is evicted.
   [[nodiscard]] MixedRows column(ChunkKey key) override;
+  [[nodiscard]] bool has_little_to_do() const override { return pool_.has_little_to_do(); }
   [[nodiscard]] int columns_together() const override { return std::min(settings_.patch_tiles, 4); }
   [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                    Urgency urgency) override;

@@ -403,6 +403,7 @@ std::ptrdiff_t GenerationPool::begun_change() {
 
 std::int64_t GenerationPool::job_bytes_change() {
   const std::size_t before = std::exchange(jobs_told_, queue_.jobs());
+  jobs_.store(jobs_told_, std::memory_order_relaxed);
   return (static_cast<std::int64_t>(jobs_told_) - static_cast<std::int64_t>(before)) * kJobBytes;
 }
 

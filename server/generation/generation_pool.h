@@ -69,6 +69,13 @@ class GenerationPool {
   void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
+  /// With fewer for each thread the threads may have no job left before clients ask for more. So many are
+  /// those of two patches whose rows are not known yet.
+  static constexpr std::size_t kFewJobs = 512;
+  [[nodiscard]] bool has_little_to_do() const {
+    return jobs_.load(std::memory_order_relaxed) < kFewJobs * settings_.threads;
+  }
+
   /// Tells clients that were refused for want of memory; call it when the budget takes jobs again, and now
   /// and then.
   void jobs_resume();
@@ -132,6 +139,7 @@ class GenerationPool {
   RecentFlows recent_flows_;
   RefusedClients refused_;
   std::size_t jobs_told_ = 0;          // to the budget
+  std::atomic<std::size_t> jobs_{0};   // likewise
   std::size_t begun_told_ = 0;         // likewise
   std::atomic<bool> stopping_{false};  // changes under the mutex
 

@@ -144,6 +144,9 @@ void Delivery::receive(HeightsReady&& mail) {
 
 std::size_t Delivery::start_work() {
   found_ = 0;
+  // Between the two the client takes what comes, or goes on being held back by its link or its rates.
+  const std::size_t unsent = outbox_.chunks(Outbox::Lane::view);
+  held_back_ = unsent >= kMaxViewInFlight || (held_back_ && unsent > 0);
   ask_for_updates();
   while (has_room()) {
     if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
@@ -221,10 +224,11 @@ void Delivery::start_view_chunk() {
 void Delivery::add_those_beside(ChunkKey nearest) {
   ViewStream& stream = view_.stream();
   const int edge = context_.chunks.columns_together();
+  const std::size_t most = goes_ahead() ? kMaxViewAlone : kMaxViewWaits;
   stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
     tell_column(column, context_.chunks.column(column), nullptr);
     stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
-      if (!has_room() || waits_.size() + to_submit_.size() >= kMaxViewWaits) return;
+      if (!has_room() || waits_.size() + to_submit_.size() >= most) return;
       stream.start(key);
       to_submit_.push_back(key);
     });

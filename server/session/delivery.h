@@ -39,13 +39,15 @@ namespace talus::server {
 class Delivery {
  public:
   /// With so many chunks of the View in flight no more are begun but the nearest: few, so that a moved View
-  /// soon counts, but more than a patch has whose rows are not known yet (some 200), so that a second
-  /// generator has work. They are begun together with those beside them.
-  static constexpr std::size_t kMaxViewInFlight = 224;
+  /// soon counts. They are begun together with those beside them.
+  static constexpr std::size_t kMaxViewInFlight = 64;
   /// Chunks of one session that wait for the source at once.
   static constexpr std::size_t kMaxWaits = 256;
   /// With so many no chunk of the View is begun beside the nearest: requests find room.
-  static constexpr std::size_t kMaxViewWaits = 224;
+  static constexpr std::size_t kMaxViewWaits = 128;
+  /// Both in place of those, while the source has little to do and the client takes what comes: more than a
+  /// patch has whose rows are not known yet (some 200), so that a second generator has work.
+  static constexpr std::size_t kMaxViewAlone = 224;
   /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// What a chunk that waits for the source is expected to take in the outbox, until a larger one came.
@@ -138,8 +140,11 @@ class Delivery {
   [[nodiscard]] bool view_may_start() const {
     // In a crowd far chunks wait long: they do not keep the nearest waiting.
     return view_.stream().to_send() > 0 && !queue_full_ && outbox_.control_bytes() < kMaxColumnBytes &&
-           (view_.stream().in_flight_count() < kMaxViewInFlight || view_.stream().near_to_send());
+           (view_.stream().in_flight_count() < (goes_ahead() ? kMaxViewAlone : kMaxViewInFlight) ||
+            view_.stream().near_to_send());
   }
+  /// Whether far chunks may be begun that neither other clients nor this one's nearest have to wait for.
+  [[nodiscard]] bool goes_ahead() const { return !held_back_ && context_.chunks.has_little_to_do(); }
   /// Whether requests hold no more than the View, of chunks that wait for the source or the client.
   [[nodiscard]] bool requests_hold_less() const;
 
@@ -208,6 +213,7 @@ class Delivery {
   std::uint64_t heights_asked_ = 0;
   std::vector<ChunkKey> to_submit_;  // while start_view_chunk() runs
   std::vector<Mail> read_mail_;      // empty: the memory of a few letters, for the mailbox
+  bool held_back_ = false;           // its chunks waited for the client, and some do still
   bool queue_full_ = false;          // the View waits for mail before it submits again
 };
 

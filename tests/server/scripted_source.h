@@ -40,6 +40,7 @@ class ScriptedSource final : public ChunkSource {
   std::size_t payload_bytes = 100;
   std::optional<map::Tile> drawn;  // the tile of the map that is in memory
   int together = 1;                // columns along a square whose chunks are asked for together
+  bool little_to_do = false;       // for its threads
 
   // ---- what was asked of it
   std::map<ChunkKey, MailboxPtr> waiting;
@@ -82,6 +83,7 @@ class ScriptedSource final : public ChunkSource {
   [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
 
   [[nodiscard]] int columns_together() const override { return together; }
+  [[nodiscard]] bool has_little_to_do() const override { return little_to_do; }
   [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                    Urgency urgency) override {
     std::size_t accepted = 0;

@@ -72,6 +72,26 @@ TEST_CASE("a View has no more than kMaxViewInFlight chunks in flight") {
   CHECK(bench.source.waiting.size() == Delivery::kMaxViewInFlight);
 }
 
+TEST_CASE("a View has more chunks in flight while the source has little to do and the client takes them") {
+  SessionBench bench;
+  bench.source.little_to_do = true;
+  bench.look_at(0, 20);
+  CHECK(bench.source.waiting.size() == Delivery::kMaxViewAlone);
+  // All wait for the client, who takes one by one.
+  bench.answer_all();
+  std::size_t begun = 0;
+  for (int i = 0; i < 200; ++i) {
+    (void)bench.output(1);
+    begun = std::max(begun, bench.source.waiting.size());
+  }
+  CHECK(begun > 0);
+  CHECK(begun < Delivery::kMaxViewInFlight);
+  // Who has taken all is not held back any more.
+  (void)bench.run_dry();
+  bench.look_at(100, 20);
+  CHECK(bench.source.waiting.size() == Delivery::kMaxViewAlone);
+}
+
 TEST_CASE("a View outside the world is accepted and has no chunks") {
   SessionBench bench;
   bench.look_at(0, 1);
