@@ -188,7 +188,7 @@ const heath = [
 name = "heather"
 of = "soil"
 above = { magic = 0.8, moisture = 0, height = 2 }
-colour = "#8d6c94"
+colour = "#7d6a78"
 
 [[look]]
 name = "snow field"`,
