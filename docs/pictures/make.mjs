@@ -188,7 +188,7 @@ const heath = [
 name = "heather"
 of = "soil"
 above = { magic = 0.8, moisture = 0, height = 2 }
-colour = "#8d6c94"
+colour = "#7d6a78"
 
 [[look]]
 name = "snow field"`,
@@ -233,6 +233,10 @@ const pictures = {
     rowOf(600, 340, ['default', changed('no-talus', ['share = 1.0', 'share = 0.01'])], 'section', ...mesa, '--scale', '3')(path),
   'worlds-objects.png': (path) =>
     viewsOf(['default', '-4100,-860', 90, 25], [changed('tower', tower), '-2354,-2040', 35, 22])(path),
+  'features-landscape.png': (path) => {
+    generate('gallery', '--world', world('features'), '--only', 'landscape', '-o', scratch);
+    copyFileSync(join(scratch, 'gallery-01-landscape.png'), path);
+  },
   'far.png': map('default', '0,0', '1024,1024', 64),
   'default.png': map('default', '-2960,-2384', '480,480', 16),
   'archipelago.png': map('archipelago', '0,0', '480,480', 16),

@@ -68,6 +68,7 @@ export class SlicePanel {
   #send(): void {
     say(find('slice-distance-now'), `${this.#distance.value} blocks`);
     say(find('slice-yaw-now'), `${this.#yaw.value}°`);
+    find('slice-said').hidden = !this.#on.checked;
     this.apply(this.slice);
   }
 }

@@ -68,10 +68,12 @@ test('keyboard alone suffices', async (t) => {
   await t.test('slice, borders, time', async () => {
     await page.keyboard.press('KeyX');
     assert.ok(await page.locator('#slice-on').isChecked());
+    assert.match(await page.locator('#slice-said').innerText(), /before the cut is hidden.*\[.*\].*X ends it/s);
     await page.keyboard.press('BracketRight');
     assert.equal(await page.locator('#slice-distance').inputValue(), '25');
     await page.keyboard.press('KeyX');
     assert.ok(!(await page.locator('#slice-on').isChecked()));
+    assert.ok(await page.locator('#slice-said').isHidden());
     await page.keyboard.press('KeyB');
     assert.ok(await page.locator('#borders').isChecked());
     await page.keyboard.press('KeyB');

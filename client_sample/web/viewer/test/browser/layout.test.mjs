@@ -19,7 +19,7 @@ const overlaps = (page, ids) =>
         if (a.box.left < b.box.right && b.box.left < a.box.right && a.box.top < b.box.bottom && b.box.top < a.box.bottom) found.push(`${a.id} and ${b.id}`);
     return found;
   }, ids);
-const ALWAYS = ['opening', 'hint', 'where', 'voxel', 'edit-open', 'thumbs', 'status'];
+const ALWAYS = ['opening', 'hint', 'where', 'voxel', 'edit-open', 'thumbs', 'status', 'slice-said'];
 
 /** Frames of the page, in which it looks at its sizes. */
 const frames = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -57,6 +57,9 @@ for (const [screen, width, height, isTouch] of [
     await page.waitForFunction(() => !document.getElementById('voxel').hidden);
     await page.waitForFunction(() => document.getAnimations().length === 0);
     assert.deepEqual(await overlaps(page, ALWAYS), [], 'with the land');
+    await page.evaluate(() => document.getElementById('slice-on').click());
+    assert.deepEqual(await overlaps(page, ALWAYS), [], 'with the land cut open');
+    await page.evaluate(() => document.getElementById('slice-on').click());
     noProblems(page);
   });
 
