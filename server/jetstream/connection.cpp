@@ -163,14 +163,14 @@ struct Connection::Callbacks {
                                   words_of(said == nullptr ? "closed" : said))));
     }
   }
-  static void error(natsConnection* connection, natsSubscription* /*subscription*/, natsStatus status,
+  static void error(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsStatus status,
                     void* closure) {
-    if (status == NATS_NOT_PERMITTED) guard([&] { tell_denied(link(closure), connection); });
+    if (status == NATS_NOT_PERMITTED) guard([&] { tell_denied(link(closure)); });
   }
-  static void tell_denied(Link& of, natsConnection* connection) {
-    const char* text = nullptr;
-    natsConnection_GetLastError(connection, &text);
-    const std::string what = words_of(text == nullptr ? "" : text);
+  static void tell_denied(Link& of) {
+    // libnats has set this thread's last error to what it calls for. The connection's is the newest one: of
+    // several that come at once.
+    const std::string what = last_words(NATS_NOT_PERMITTED);
     {
       const std::lock_guard lock{of.mutex};
       of.denied = what;

@@ -399,6 +399,7 @@ void Inbox::wait(std::unique_lock<std::mutex>& lock, TimePoint until) {
 
 bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, TimePoint now) {
   const std::vector<std::uint64_t> messages = reading_.wanted(now);
+  if (reading_.claims_more()) question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
   const bool question = now >= question_due_;
   if (question) {
     asked_at_ = now;

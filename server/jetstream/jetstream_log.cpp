@@ -19,8 +19,8 @@ using Clock = std::chrono::steady_clock;
 using Kind = StreamFailure::Kind;
 
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-// A server that is connected, and by which no leader answers, may be cut off from those that have one. An
-// election takes less.
+// A server that is connected, and by which no leader answers, may be cut off from those that have one; or the
+// connection has lost what answers come by. An election takes less.
 constexpr auto kNoLeader = 10s;
 constexpr auto kLongestNoLeader = 80s;
 
@@ -137,7 +137,7 @@ void JetStreamLog::leader_answers(bool does) {
   const auto now = Clock::now();
   if (does) patience_ = kNoLeader;
   // What is not connected is tried at all servers by libnats.
-  if (does || settings_.urls.size() < 2 || !connection_ || !connection_->connected()) {
+  if (does || !connection_ || !connection_->connected()) {
     silent_since_.reset();
     return;
   }

@@ -71,7 +71,8 @@ class JetStreamLog final : public LogStream {
   [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
   /// Asks the leader for a message; nothing where it has none of the number.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
-  /// Where it does not for long, though a NATS server is connected, another is tried.
+  /// Where it does not for long, though a NATS server is connected, the connection is made anew: to another
+  /// server, where there are several.
   void leader_answers(bool does);
 
   Settings settings_;

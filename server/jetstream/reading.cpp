@@ -20,7 +20,23 @@ void Reading::drop(std::map<std::uint64_t, Held>::iterator at) {
 void Reading::progressed(TimePoint now) {
   news_ = now;
   retry_ = {};
+  paused_ = {};
   pause_ = kFirstRetry;
+}
+
+void Reading::claim_held() {
+  claim_retry_ = {};
+  claim_pause_ = kFirstRetry;
+}
+
+void Reading::doubt(std::uint64_t sequence) {
+  doubted_.insert(sequence);
+  // Those that matter first stay, whatever numbers somebody makes up.
+  if (doubted_.size() > kMostDoubts) doubted_.erase(std::prev(doubted_.end()));
+}
+
+void Reading::disputed() {
+  retry_ = std::min(retry_, paused_ + kDisputed);
 }
 
 void Reading::move_to(std::uint64_t after, TimePoint now) {
@@ -60,18 +76,22 @@ void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, boo
 }
 
 void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
-  if (sequence == 0 || doubted_.contains(sequence)) return;
-  if (altered_ && altered_->sequence == sequence) return;
-  const auto doubt = [&] {
-    if (doubted_.size() < kMostDoubts) doubted_.insert(sequence);
-  };
+  if (sequence == 0) return;
+  if (doubted_.contains(sequence)) {
+    if (sequence == after_ + 1) disputed();
+    return;
+  }
+  if (altered_ && altered_->sequence == sequence) {
+    if (altered_->digest != digest(bytes)) disputed();
+    return;
+  }
   if (sequence <= after_) {
     const Given* const given = remembered(sequence);
     if (given == nullptr || given->digest == digest(bytes)) return;
     if (given->answered) {
       ++false_messages_;
     } else {
-      doubt();
+      doubt(sequence);
     }
     return;
   }
@@ -83,14 +103,14 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
       return;
     }
     drop(found);
-    doubt();
+    doubt(sequence);
     return;
   }
-  if (sequence > after_ + 1 && known_ <= after_ && sequence > gap_up_to_) {
+  if (sequence > after_ + 1 && std::max(known_, claimed_) <= after_ && sequence > gap_up_to_) {
     ++gaps_;
     gap_up_to_ = sequence;
   }
-  known_ = std::max(known_, sequence);
+  claimed_ = std::max(claimed_, sequence);
   hold(sequence, bytes, false);
   ask_from_ = now;
   if (sequence == after_ + 1) {
@@ -112,37 +132,50 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
     return;
   }
+  if (sequence > known_) claim_held();
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, true);
   progressed(now);
 }
 
 void Reading::not_found(std::uint64_t sequence, TimePoint now) {
+  const auto asked = asked_.find(sequence);
+  const TimePoint asked_at = asked == asked_.end() ? now : asked->second - kAnswerIn;
   asked_.erase(sequence);
-  if (sequence > known_) {
+  if (sequence > known_ && !doubted_.contains(sequence)) {
     news_ = now;  // nothing new is an answer too
+    if (claimed_ > after_) {
+      claim_retry_ = now + claim_pause_;
+      claim_pause_ = std::min(claim_pause_ * 2, kLastRetry);
+    }
     return;
   }
+  // What was asked for together makes one pause.
+  if (asked_at <= paused_) return;
+  paused_ = now;
   retry_ = now + pause_;
   pause_ = std::min(pause_ * 2, kLastRetry);
 }
 
 bool Reading::learned(std::uint64_t sequence, TimePoint now) {
   if (sequence <= known_) return false;
-  if (known_ <= after_) ask_from_ = now + kOnItsWay;
+  if (std::max(known_, claimed_) <= after_) ask_from_ = now + kOnItsWay;
   known_ = sequence;
+  if (claimed_ > after_ && claimed_ <= known_) claim_held();
   return true;
 }
 
 void Reading::ends_at(std::uint64_t last) {
   // What came after the leader was asked is more than it said; that is there when it is asked for.
-  if (known_ <= last || pause_ < kSureOfNone) return;
-  known_ = std::max(last, after_);
-  if (altered_ && altered_->sequence > known_) {
+  const std::uint64_t end = std::max(last, after_);
+  if (claimed_ > end && claim_pause_ >= kSureOfNone) claimed_ = end;
+  if (pause_ < kSureOfNone) return;
+  known_ = std::min(known_, end);
+  if (altered_ && altered_->sequence > end) {
     ++false_messages_;
     altered_.reset();
   }
-  doubted_.erase(doubted_.upper_bound(known_), doubted_.end());
+  doubted_.erase(doubted_.upper_bound(end), doubted_.end());
 }
 
 void Reading::starts_at(std::uint64_t first) {
@@ -176,12 +209,13 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   looked_ = now;
   std::erase_if(asked_, [&](const auto& each) { return each.second <= now; });
   std::vector<std::uint64_t> wanted;
-  if (now < retry_) return wanted;
   const auto ask = [&](std::uint64_t sequence) {
     asked_[sequence] = now + kAnswerIn;
     wanted.push_back(sequence);
   };
+  if (now < retry_) return wanted;
   for (const std::uint64_t sequence : doubted_) {
+    if (sequence > std::max(known_, after_ + 1)) break;
     if (!asked_.contains(sequence)) ask(sequence);
   }
   if (known_ > after_) {
@@ -191,8 +225,9 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
       if (sequence > after_ + 1 && held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }
-  } else if (now - news_ >= kSilence && !asked_or_held(after_ + 1)) {
-    ask(after_ + 1);
+  } else if (!asked_or_held(after_ + 1)) {
+    const bool claimed = claimed_ > after_ && now >= std::max(ask_from_, claim_retry_);
+    if (claimed || now - news_ >= kSilence) ask(after_ + 1);
   }
   return wanted;
 }
@@ -202,6 +237,10 @@ Reading::TimePoint Reading::next_look() const {
   for (const auto& [sequence, due] : asked_) look = std::min(look, due);
   if (retry_ > looked_) look = std::min(look, retry_);
   if (known_ > after_ && ask_from_ > looked_) look = std::min(look, ask_from_);
+  if (claims_more() && known_ <= after_) {
+    const TimePoint due = std::max(ask_from_, claim_retry_);
+    if (due > looked_) look = std::min(look, due);
+  }
   if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + kSilence, looked_));
   return look;
 }

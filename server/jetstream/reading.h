@@ -2,6 +2,7 @@
 // out.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +19,9 @@ namespace talus::server::jetstream {
 
 /// Messages come by themselves (the tail), in order but with gaps, and as answers to requests, of the
 /// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
-/// to it, so a message of it that does not fit another is held against an answer.
+/// to it, so a message of it that does not fit another is held against an answer. How far the stream goes the
+/// leader says: a number ahead of the next one that the tail brings is a claim, for which the next message is
+/// asked for, ever more seldom while there is none.
 class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
@@ -33,6 +36,9 @@ class Reading {
   static constexpr std::chrono::milliseconds kLastRetry{250};
   static constexpr std::chrono::milliseconds kSureOfNone{
       40};  // so long a retry, after some that found nothing
+  /// So long after a question that found nothing another is asked, where the tail has another message for the
+  /// number in dispute: the stream may have it now.
+  static constexpr std::chrono::milliseconds kDisputed{20};
 
   /// `seed`: unknown to others, who could else make two messages of one digest.
   Reading(TimePoint now, std::uint64_t seed) : news_{now}, seed_{seed} {}
@@ -47,7 +53,7 @@ class Reading {
   void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
   /// The leader has it not, or not yet: one that was deposed says so too.
   void not_found(std::uint64_t sequence, TimePoint now);
-  /// The stream was heard to have all up to `sequence`. Whether that is news.
+  /// The leader says that the stream has all up to `sequence`. Whether that is news.
   bool learned(std::uint64_t sequence, TimePoint now);
   /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
   void ends_at(std::uint64_t last);
@@ -66,6 +72,9 @@ class Reading {
   [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
   /// Whether an answer is on its way, as far as is known.
   [[nodiscard]] bool asks() const { return asked_.upper_bound(after_) != asked_.end(); }
+  /// Whether the tail claims that there is more than the leader has said: it is to be asked how far the
+  /// stream goes.
+  [[nodiscard]] bool claims_more() const { return claimed_ > std::max(known_, after_); }
   /// When wanted() may have more.
   [[nodiscard]] TimePoint next_look() const;
 
@@ -97,14 +106,18 @@ class Reading {
   [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
   void hold(std::uint64_t sequence, std::span<const std::byte> bytes, bool answered);
   void drop(std::map<std::uint64_t, Held>::iterator at);
+  void doubt(std::uint64_t sequence);
+  void disputed();
   void progressed(TimePoint now);
+  void claim_held();
   [[nodiscard]] bool asked_or_held(std::uint64_t sequence) const {
     return asked_.contains(sequence) || held_.contains(sequence);
   }
   [[nodiscard]] const Given* remembered(std::uint64_t sequence) const;
 
   std::uint64_t after_ = 0;
-  std::uint64_t known_ = 0;  // the stream has this one
+  std::uint64_t known_ = 0;    // the stream has this one, by its leader or as it was given out
+  std::uint64_t claimed_ = 0;  // and this one, by the tail
   std::map<std::uint64_t, Held> held_;
   std::size_t held_bytes_ = 0;
   std::map<std::uint64_t, TimePoint> asked_;  // when the answer should be there
@@ -112,7 +125,11 @@ class Reading {
   TimePoint news_;
   TimePoint looked_{};
   TimePoint retry_{};
+  TimePoint paused_{};  // when retry_ was set last
   std::chrono::milliseconds pause_ = kFirstRetry;
+  // The same for what is only claimed. Progress by the tail says nothing of it.
+  TimePoint claim_retry_{};
+  std::chrono::milliseconds claim_pause_ = kFirstRetry;
   TimePoint ask_from_{};  // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;

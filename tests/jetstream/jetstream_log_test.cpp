@@ -214,3 +214,31 @@ TEST_CASE("a frozen server is left for another one") {
   }
   CHECK(read(*log, 0) == "a");
 }
+
+TEST_CASE(
+    "a connection by which no leader answers is made anew, though it is to the only server that is named") {
+  NatsServers servers;
+  const StreamNames names = test_names();
+  make_stream(servers, names, 3);
+  const auto log = open_log(servers.url(0), names);
+  publish(*log, "a");
+  servers.kill(1);
+  servers.kill(2);
+  const auto connections = [&] {
+    const std::string page = servers.page(0, "/varz");
+    const std::string_view name = "\"total_connections\":";
+    const std::size_t at = page.find(name);
+    REQUIRE(at != std::string::npos);
+    return std::stoull(page.substr(at + name.size()));
+  };
+  const auto before = connections();
+  const auto until = from_now(kPatience);
+  while (connections() == before) {
+    (void)log->state();
+    (void)log->next(1, from_now(100ms));
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+  servers.start(1);
+  servers.start(2);
+  CHECK(publish(*log, "b") > 1);
+}

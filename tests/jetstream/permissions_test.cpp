@@ -1,6 +1,9 @@
 // Who comes in, and what he may do there, by real nats-servers.
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
@@ -151,6 +154,70 @@ TEST_CASE("without the permission to subscribe to answers the log cannot be reac
   publish(*log, "c");
   CHECK(log->time_of(1));
   CHECK(read(*log, 0) == "a");
+}
+
+namespace {
+
+/// Keeps what NATS did not allow.
+struct Denials : ConnectionEvents {
+  void connected(bool /*now*/) override {}
+  void closed(const StreamFailure& /*why*/) override {}
+  void denied(std::string_view what) override {
+    const std::lock_guard lock{mutex};
+    texts.emplace_back(what);
+    came.notify_all();
+  }
+  std::mutex mutex;
+  std::condition_variable came;
+  std::vector<std::string> texts;
+};
+
+}  // namespace
+
+TEST_CASE("each of several refusals that come at once is told by its own words") {
+  OneServer one{talusd_permissions()};
+  const auto denials = std::make_shared<Denials>();
+  const auto connection =
+      Connection::open(urls_of(one.servers.url_list()), std::make_shared<const Credentials>(as_talusd()),
+                       denials, Retry::forever);
+  REQUIRE(connection);
+  constexpr std::size_t kSubjects = 50;
+  std::vector<std::shared_ptr<Connection::Source>> sources;
+  for (std::size_t i = 0; i < kSubjects; ++i) {
+    const auto source = (*connection)->open_source("elsewhere." + std::to_string(i), 1, 1);
+    REQUIRE(source);
+    sources.push_back(*source);
+  }
+  std::unique_lock lock{denials->mutex};
+  REQUIRE(denials->came.wait_for(lock, kPatience, [&] { return denials->texts.size() >= kSubjects; }));
+  for (std::size_t i = 0; i < kSubjects; ++i) {
+    CHECK_THAT(denials->texts[i], Catch::Contains("'elsewhere." + std::to_string(i) + "'"));
+  }
+}
+
+TEST_CASE("of several permissions that are taken away at once all come back") {
+  OneServer one{talusd_permissions()};
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names, as_talusd());
+  publish(*log, "a");
+  CHECK(read(*log, 0) == "a");
+  one.servers.reconfigure(talusd_permissions({.tail = false, .answers = false}));
+  const auto until = from_now(kPatience);
+  const auto await = [&](const auto& come) {
+    while (!come()) {
+      (void)log->next(1, from_now(10ms));
+      REQUIRE(std::chrono::steady_clock::now() < until);
+    }
+  };
+  await([&] { return log->figures().late.find(one.names.tail) != std::string::npos; });
+  await([&] {
+    const auto state = log->state();
+    return !state && state.error().reason.find("_INBOX") != std::string::npos;
+  });
+  one.servers.reconfigure(talusd_permissions());
+  await([&] { return log->state() && log->figures().late.empty(); });
+  publish(*log, "b");
+  CHECK(log->time_of(1));
 }
 
 TEST_CASE("user and password, token and NKey all open the door") {
