@@ -12,11 +12,7 @@ namespace {
 /// A number, or auto in its place, as it is, all else in quotes.
 std::string value_shown(const Field& field, const Config& config) {
   const std::string text = on_one_line(text_of(field, config));
-  const bool number = std::holds_alternative<NumberTarget>(field.target) ||
-                      std::holds_alternative<OptionalNumberTarget>(field.target) ||
-                      std::holds_alternative<PowerOfTwoTarget>(field.target) ||
-                      std::holds_alternative<DurationTarget>(field.target);
-  return number ? text : fmt::format("\"{}\"", text);
+  return is_number(field) ? text : fmt::format("\"{}\"", text);
 }
 
 std::string_view when_it_counts(Counts counts) {

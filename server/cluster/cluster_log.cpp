@@ -25,7 +25,8 @@ ClusterLog::ClusterLog(Parts parts, Settings settings)
     : parts_{std::move(parts)},
       settings_{std::move(settings)},
       identity_{parts_.database.meta().store_id, parts_.database.meta().fingerprint},
-      writer_{parts_.database, parts_.state, settings_.store, parts_.on_changed},
+      writer_{parts_.database, parts_.state, settings_.store, parts_.on_changed,
+              [this] { parts_.stream.wake(); }},
       publisher_{{parts_.stream, parts_.clock, identity_, server_number(parts_.database.path()),
                   settings_.settles,
                   [this] {

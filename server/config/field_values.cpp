@@ -57,8 +57,6 @@ tl::expected<void, std::string> assign_power_of_two(const Field& field, const Po
   return {};
 }
 
-constexpr std::string_view kAuto = "auto";
-
 std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
@@ -230,13 +228,20 @@ struct Describe {
 
 }  // namespace
 
+bool is_number(const Field& field) {
+  return std::holds_alternative<NumberTarget>(field.target) ||
+         std::holds_alternative<OptionalNumberTarget>(field.target) ||
+         std::holds_alternative<PowerOfTwoTarget>(field.target) ||
+         std::holds_alternative<DurationTarget>(field.target);
+}
+
 tl::expected<void, std::string> set_from_text(const Field& field, Config& config, std::string_view text) {
   return std::visit(AssignText{field, config, text}, field.target);
 }
 
 tl::expected<void, std::string> set_from_number(const Field& field, Config& config, std::int64_t number) {
   const std::string shown = fmt::to_string(number);
-  if (number < 0) return refused(field, shown);
+  if (number < 0 || !is_number(field)) return refused(field, shown);
   const auto value = static_cast<std::uint64_t>(number);
   if (const auto* target = std::get_if<NumberTarget>(&field.target)) {
     return assign_number(field, *target, config, value, shown);
@@ -247,10 +252,7 @@ tl::expected<void, std::string> set_from_number(const Field& field, Config& conf
   if (const auto* target = std::get_if<PowerOfTwoTarget>(&field.target)) {
     return assign_power_of_two(field, *target, config, value, shown);
   }
-  if (const auto* target = std::get_if<DurationTarget>(&field.target)) {
-    return assign_number(field, *target, config, value, shown);
-  }
-  return refused(field, shown);
+  return assign_number(field, std::get<DurationTarget>(field.target), config, value, shown);
 }
 
 std::string text_of(const Field& field, const Config& config) {

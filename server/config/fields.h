@@ -101,6 +101,9 @@ struct Field {
 
 [[nodiscard]] Counts counts(const Field& field);
 
+/// Whether it is a number, or auto in its place: set_from_number() sets it, and a file has it without quotes.
+[[nodiscard]] bool is_number(const Field& field);
+
 /// A key that was renamed. The old key is still read, with a warning that names the new one.
 struct RenamedKey {
   std::string_view old_key;
@@ -117,9 +120,12 @@ struct RenamedKey {
 /// expected; the caller puts the origin of the value before it.
 [[nodiscard]] tl::expected<void, std::string> set_from_text(const Field& field, Config& config,
                                                             std::string_view text);
-/// Sets a number or a duration; an error for other fields.
+/// Of a field that is_number(); an error for others.
 [[nodiscard]] tl::expected<void, std::string> set_from_number(const Field& field, Config& config,
                                                               std::int64_t number);
+
+/// The text of an OptionalNumberTarget that has none.
+inline constexpr std::string_view kAuto = "auto";
 
 /// The field's value as a text that set_from_text() would take.
 [[nodiscard]] std::string text_of(const Field& field, const Config& config);

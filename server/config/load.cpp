@@ -50,12 +50,7 @@ std::optional<std::string> list_text(const toml::array& list) {
 }
 
 Done set_from_node(const Field& field, Config& config, const toml::node& node) {
-  const bool number = std::holds_alternative<NumberTarget>(field.target) ||
-                      std::holds_alternative<PowerOfTwoTarget>(field.target) ||
-                      std::holds_alternative<DurationTarget>(field.target);
-  const bool optional_number = std::holds_alternative<OptionalNumberTarget>(field.target);
-  if ((number || optional_number) && node.is_integer())
-    return set_from_number(field, config, node.as_integer()->get());
+  if (is_number(field) && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
   if (is_switch && node.is_boolean()) {
     return set_from_text(field, config, node.as_boolean()->get() ? "true" : "false");
@@ -63,7 +58,13 @@ Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   if (std::holds_alternative<UrlsTarget>(field.target) && node.is_array()) {
     if (const auto text = list_text(*node.as_array())) return set_from_text(field, config, *text);
   }
-  if (!number && !is_switch && node.is_string()) return set_from_text(field, config, node.as_string()->get());
+  const auto takes = [&](std::string_view text) {
+    if (is_number(field)) return std::holds_alternative<OptionalNumberTarget>(field.target) && text == kAuto;
+    return !is_switch;
+  };
+  if (node.is_string() && takes(node.as_string()->get())) {
+    return set_from_text(field, config, node.as_string()->get());
+  }
   return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));
 }
 

@@ -143,15 +143,18 @@ void EditIntake::work() {
 void EditIntake::do_what_waits() {
   thread_works_ = true;
   const std::lock_guard working{work_};
-  // What comes is taken in before each turn: the turn may be that of who came.
-  while (take_in() && take_turn()) {
+  bool goes_on = true;
+  while (goes_on) {
+    // What comes is taken in before each turn: the turn may be that of who came.
+    goes_on = take_in() && take_turn();
+    // Also of chunks that came while nobody has a turn.
+    base_bytes_ = bases_.bytes();
   }
   thread_works_ = false;
 }
 
 bool EditIntake::take_in() {
   bases_.set_capacity(base_limit_);
-  base_bytes_ = bases_.bytes();
   decltype(attached_) attached_now;
   decltype(input_ended_) input_ended;
   decltype(forgotten_) forgotten;

@@ -6,7 +6,8 @@
 
 namespace talus::server {
 
-LogSyncer::LogSyncer(EditDatabase& database) : database_{database} {
+LogSyncer::LogSyncer(EditDatabase& database, std::function<void()> on_ended)
+    : database_{database}, on_ended_{std::move(on_ended)} {
   thread_ = std::thread{[this] {
     block_signals();
     run();
@@ -38,6 +39,12 @@ std::optional<LogSyncer::Ended> LogSyncer::take_ended() {
   return std::exchange(ended_, std::nullopt);
 }
 
+void LogSyncer::forget_errors() {
+  const std::lock_guard lock{mutex_};
+  forgotten_ = begun_;
+  if (ended_ && !ended_->done) ended_.reset();
+}
+
 void LogSyncer::wait() {
   std::unique_lock lock{mutex_};
   changed_.wait(lock, [&] { return ended_.has_value(); });
@@ -53,9 +60,14 @@ void LogSyncer::run() {
     lock.unlock();
     ended.done = database_.sync_log();
     lock.lock();
+    if (!ended.done && ended.number <= forgotten_) continue;
     // An error counts, whatever came before or comes after it: the database is opened again then.
     if (!ended_ || ended_->done) ended_ = std::move(ended);
     changed_.notify_all();
+    if (!on_ended_) continue;
+    lock.unlock();
+    on_ended_();
+    lock.lock();
   }
 }
 

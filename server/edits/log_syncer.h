@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -14,8 +15,9 @@ namespace talus::server {
 /// Of the thread that writes the database.
 class LogSyncer {
  public:
-  /// `database`, whose log is elsewhere, outlives this.
-  explicit LogSyncer(EditDatabase& database);
+  /// `database`, whose log is elsewhere, outlives this. `on_ended` is called on the syncer's thread when
+  /// take_ended() has something.
+  explicit LogSyncer(EditDatabase& database, std::function<void()> on_ended = {});
   /// Waits for the sync that is under way.
   ~LogSyncer();
   LogSyncer(const LogSyncer&) = delete;
@@ -31,6 +33,8 @@ class LogSyncer {
   };
   /// The sync that ended last, once.
   [[nodiscard]] std::optional<Ended> take_ended();
+  /// The database was opened again: that a sync failed that was begun before is told no more.
+  void forget_errors();
   /// Waits until one has ended that take_ended() did not give. REQUIRES: one was begun that it did not give.
   void wait();
 
@@ -38,11 +42,13 @@ class LogSyncer {
   void run();
 
   EditDatabase& database_;
+  const std::function<void()> on_ended_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t begun_ = 0;  // the newest
   EditDatabase::Written written_;
-  std::uint64_t run_ = 0;  // the newest that is under way, or was
+  std::uint64_t run_ = 0;        // the newest that is under way, or was
+  std::uint64_t forgotten_ = 0;  // errors up to this one are not told
   std::optional<Ended> ended_;
   bool stopping_ = false;
   std::thread thread_;

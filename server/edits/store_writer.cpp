@@ -6,21 +6,15 @@
 #include <fmt/format.h>
 
 namespace talus::server {
-namespace {
-
-/// Who waits for a sync that ends a flush looks so often, and goes on with edits meanwhile.
-constexpr std::chrono::milliseconds kBetweenSyncLooks{2};
-
-}  // namespace
 
 StoreWriter::StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
-                         OnChanged on_changed)
+                         OnChanged on_changed, std::function<void()> wake)
     : database_{database},
       state_{state},
       settings_{settings},
       on_changed_{std::move(on_changed)},
       flusher_{state, database, [this] { return is_put_synced(); }} {
-  if (database_.has_log_elsewhere()) syncer_.emplace(database_);
+  if (database_.has_log_elsewhere()) syncer_.emplace(database_, std::move(wake));
   const TimePoint now = std::chrono::steady_clock::now();
   next_flush_ = now + settings_.flush_interval;
   next_check_ = now + settings_.retry_interval;
@@ -64,7 +58,8 @@ bool StoreWriter::write() {
 StoreWriter::TimePoint StoreWriter::next_look() const {
   if (broken_) return next_check_;
   if (!flusher_.is_running()) return std::min(next_flush_, next_check_);
-  return flush_sync_ == 0 ? TimePoint::min() : std::chrono::steady_clock::now() + kBetweenSyncLooks;
+  // A sync that ends wakes who waits.
+  return flush_sync_ == 0 ? TimePoint::min() : next_check_;
 }
 
 void StoreWriter::look() {
@@ -100,7 +95,11 @@ void StoreWriter::hear_sync() {
   if (!syncer_) return;
   const auto ended = syncer_->take_ended();
   if (!ended) return;
-  if (!ended->done) return refuse(ended->done.error());
+  if (!ended->done) {
+    // What is broken already is opened again, and no later for this.
+    if (!broken_) refuse(ended->done.error());
+    return;
+  }
   synced_to_ = ended->number;
   database_.end_sync(ended->written);
 }
@@ -173,6 +172,7 @@ void StoreWriter::retry() {
   broken_ = false;
   // What was put and not synced may have gone with the fault.
   flush_sync_ = 0;
+  if (syncer_) syncer_->forget_errors();
   if (flusher_.is_running()) flusher_.abandon();
   if (pending_) (void)write();
 }

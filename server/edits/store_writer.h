@@ -35,9 +35,9 @@ class StoreWriter {
   using OnChanged = std::function<void(std::span<const ChunkChange>)>;
 
   /// `database` and `state`, which is of that database, outlive this. From here on nobody else may change
-  /// them.
+  /// them. `wake`, of a log that is elsewhere: any thread, when look() is due before next_look() said.
   StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
-              OnChanged on_changed);
+              OnChanged on_changed, std::function<void()> wake = {});
 
   struct Status {
     edits::Head head;

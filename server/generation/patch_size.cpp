@@ -98,12 +98,15 @@ PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo) {
 PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size) {
   PatchSize reduced = size;
   while (reduced.bytes_at_work() > most_bytes && reduced.tiles > 1) {
-    reduced.tiles /= 2;
-    reduced.patch_time = time_of(reduced.tiles, size.tile_time, size.halo);
-    reduced.reduced = true;
+    PatchSize fewer = reduced;
+    fewer.tiles /= 2;
+    fewer.patch_time = time_of(fewer.tiles, size.tile_time, size.halo);
+    fewer.reduced = true;
+    // What does not fit then is at least less far over.
+    if (fewer.ns_a_column() > 2 * size.ns_a_column()) break;
+    reduced = fewer;
   }
-  const bool fits = reduced.bytes_at_work() <= most_bytes;
-  return fits && reduced.ns_a_column() <= 2 * size.ns_a_column() ? reduced : size;
+  return reduced;
 }
 
 }  // namespace talus::server

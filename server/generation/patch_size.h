@@ -56,7 +56,8 @@ inline constexpr int kMaxChosenTiles = 4;
 [[nodiscard]] PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo);
 
 /// `size`, or fewer tiles where a generator at work would take more than `most_bytes`: the most that take no
-/// more. `size` where none do, or where halos would make a column take twice the time.
+/// more; where none do, the fewest. Never so few that halos would make a column take more than twice the
+/// time.
 [[nodiscard]] PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size);
 
 }  // namespace talus::server

@@ -406,7 +406,8 @@ EditDatabase::Done EditDatabase::recover() {
         fmt::format("the disk has {} bytes free; writing needs {}", free, settings_.free_bytes_to_open));
   }
   const std::unique_lock not_copied{copying_, std::try_to_lock};
-  if (!not_copied) return failure("after an error of the disk it is opened again when a copy of it is made");
+  if (!not_copied)
+    return failure("after an error of the disk it is opened again when a copy or a sync of it has ended");
   const std::unique_lock lock{handle_};
   db_.reset();
   if (auto opened = open_database(); !opened) {

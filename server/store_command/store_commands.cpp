@@ -4,17 +4,21 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <ranges>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <talus/progress/progress_bar.h>
 
 #include "config/boxes.h"
 #include "log/escape.h"
+#include "store/store_swap.h"
 #include "store/whole_store.h"
 #include "store_command/backup.h"
 #include "store_command/history_report.h"
@@ -31,6 +35,8 @@
 namespace talus::server::store_commands {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Numbers with commas between them, as many as `into` has.
 bool parse_numbers(std::string_view text, std::span<std::int64_t> into) {
@@ -279,6 +285,34 @@ std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
 
 }  // namespace
 
+namespace {
+
+/// Of `path`, those that are not there, the deepest first.
+std::vector<fs::path> missing_directories(const fs::path& path) {
+  std::error_code code;
+  fs::path at = fs::absolute(path, code).lexically_normal();
+  if (!at.has_filename()) at = at.parent_path();  // "/data/" is "/data"
+  std::vector<fs::path> missing;
+  for (; at.has_relative_path() && fs::symlink_status(at, code).type() == fs::file_type::not_found;
+       at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  return missing;
+}
+
+/// What a command that was refused has made: `made`, and what no store needs in the first of them, which it
+/// has locked. What others have put there stays.
+void remove_made(const DataDirectory& directory, std::span<const fs::path> made) {
+  if (directory.has_store() || swap_is_begun(directory.path()) || !tidy_up(directory.path())) return;
+  std::error_code code;
+  fs::remove(directory.path() / "lock", code);
+  for (const fs::path& each : made) {
+    if (code || !fs::remove(each, code)) return;
+  }
+}
+
+}  // namespace
+
 Answer export_file(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
@@ -292,6 +326,7 @@ Answer import_file(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto world = outside.load_world(flags.world);
   if (!world) return tl::unexpected{world.error()};
+  const std::vector<fs::path> missing = missing_directories(flags.data);
   const auto directory = DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "import into"); !alone) {
@@ -299,16 +334,20 @@ Answer import_file(const Flags& flags, const Outside& outside) {
   }
   const auto imported =
       import_edits(flags.path, *directory, flags.keep ? Winner::store : Winner::file, now_ms(), world->get());
-  if (!imported) return tl::unexpected{imported.error()};
+  if (!imported) {
+    if (!missing.empty()) remove_made(*directory, missing);
+    return tl::unexpected{imported.error()};
+  }
   std::string text = rebuilt_lines(flags.data, *imported);
   if (imported->both > 0) {
     text += fmt::format("{} voxels were in both; they are the {}'s\n", imported->both,
                         flags.keep ? "store" : "file");
   }
   if (!imported->compared) {
-    text +=
-        "--world is another world than the file's: whether that generates the file's materials shows when "
-        "talusd starts with it, or at a rebase\n";
+    text += fmt::format(
+        "the world ({}) is another than the file's: whether that generates the file's materials shows when "
+        "talusd starts with it, or at a rebase\n",
+        flags.world.empty() ? "default" : flags.world);
   }
   return text;
 }

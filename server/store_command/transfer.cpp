@@ -285,11 +285,11 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
       if (const auto none = materials.not_generated.find(voxel.material);
           none != materials.not_generated.end()) {
         return of_file(
-            file,
-            fmt::format("chunk {} has material {}, \"{}\", which its world does not generate: where it was "
-                        "exported talusd store rebase --drop-unknown loses those voxels; if the world's file "
-                        "has that by now, give that file as --world",
-                        to_string(next->chunk), to_integer(voxel.material), escaped(none->second)));
+            file, fmt::format(
+                      "chunk {} has material {}, \"{}\", which its world does not generate; give the world's "
+                      "file as --world if that has it by now; else lose those voxels by talusd store "
+                      "rebase --drop-unknown where the file was exported, and export it again",
+                      to_string(next->chunk), to_integer(voxel.material), escaped(none->second)));
       }
       if (at == materials.to.end()) {
         return of_file(file,

@@ -220,7 +220,7 @@ TEST_CASE("a number that the server chooses by default is auto, and any that is 
   };
   CHECK(by_variable("0") == 0);
   CHECK_FALSE(by_variable("auto"));
-  for (const std::string wrong : {"-1", "65537", "\"many\"", "1.5"}) {
+  for (const std::string wrong : {"-1", "65537", "\"many\"", "\"512\"", "1.5"}) {
     CHECK_THAT(toml_error("[rates]\naddress_editors = " + wrong + "\n"),
                Catch::StartsWith("file.toml:2: rates.address_editors: ") &&
                    Catch::Contains("a whole number from 0 to 65536 (editors per hour), or \"auto\""));

@@ -153,6 +153,20 @@ TEST_CASE("ground that is kept decoded is counted, and goes when it may have les
   CHECK(bench.intake.base_bytes() > 0);
 }
 
+TEST_CASE("ground that comes while the log has no room is counted at once") {
+  Bench bench;
+  bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
+  bench.edit(1, {{160, 0, 0}});
+  bench.edit(2, {{0, 0, 0}});
+  bench.session = std::make_shared<Mailbox>(ClientId{2}, [] {});
+  for (std::uint32_t id = 2; id <= EditIntake::kLogEntries; ++id) bench.edit(id, {{160, 0, 0}});
+  REQUIRE(bench.log.entries.size() == EditIntake::kLogEntries);
+  const std::size_t before = bench.intake.base_bytes();
+  bench.look_ups_answered(kStone);
+  CHECK(bench.log.entries.size() == EditIntake::kLogEntries);
+  CHECK(bench.intake.base_bytes() > before);
+}
+
 TEST_CASE("edits of a session keep their order, and those of others do not wait for them") {
   Bench bench;
   bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);

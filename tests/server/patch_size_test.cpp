@@ -93,9 +93,12 @@ TEST_CASE("a patch has fewer tiles where generators have no room, unless halos w
   CHECK(half.patch_time < size.patch_time);
   CHECK(half.chunk_time == 7us);
   CHECK(reduced_to(500'000, size).tiles == 1);
-  CHECK(reduced_to(499'999, size).tiles == 4);  // none fits
+  CHECK(reduced_to(499'999, size).tiles == 1);  // none fits
   size = patch_size(4, 300ms, 128);             // of a halo of 128 columns most are the halo's
   CHECK(reduced_to(patch_size(2, 300ms, 128).bytes_at_work(), size).tiles == 4);
+  size = patch_size(4, 300ms, 32);  // two tiles for each edge still keep within twice the time, one does not
+  CHECK(reduced_to(patch_size(1, 300ms, 32).bytes_at_work(), size).tiles == 2);
+  CHECK(reduced_to(0, size).tiles == 2);
 }
 
 TEST_CASE("the dearest of the places counts, but for the first, whose memory is cold") {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@
 #include "store/read_only_store.h"
 #include "store/store_builder.h"
 #include "store_command/portable_file.h"
+#include "store_command/store_commands.h"
 #include "store_command/transfer.h"
 
 namespace talus::server {
@@ -143,7 +145,7 @@ TEST_CASE("of an import into an empty directory the file's world says what it ge
       import_into(scratch / "data", file_of(MaterialId{255}, world->fingerprint()), &*world);
   CHECK_THAT(refused,
              Catch::StartsWith((scratch / "file").string() + ": chunk ") &&
-                 Catch::Contains(R"(has material 255, "ghost", which its world does not generate: )") &&
+                 Catch::Contains(R"(has material 255, "ghost", which its world does not generate; )") &&
                  Catch::Contains("rebase --drop-unknown"));
   CHECK_FALSE(fs::exists(scratch / "data" / "db"));
   for (const MaterialId known : {rock.id, MaterialId{256}}) {
@@ -153,6 +155,44 @@ TEST_CASE("of an import into an empty directory the file's world says what it ge
   }
   // Of another world it is not known; it may be rebased to one that is.
   CHECK(import_into(scratch / "data", file_of(MaterialId{255}, kLand), &*world) == "");
+}
+
+TEST_CASE("an import that is refused leaves nothing of a directory that it made") {
+  const ScratchDirectory scratch;
+  const LoadWorld load_world = [](const fs::path&) {
+    return tl::expected<std::shared_ptr<const terrain::World>, std::string>{};  // none is known
+  };
+  const ClusterTools cluster;
+  const store_commands::Outside outside{load_world, cluster};
+  const fs::path whole = write_edits(scratch / "whole", {{"planks", MaterialId{256}}}, MaterialId{256});
+  const fs::path cut = scratch / "cut";
+  fs::copy_file(whole, cut);
+  fs::resize_file(cut, fs::file_size(cut) - 1);
+  store_commands::Flags flags;
+  flags.path = cut.string();
+  for (const char* const data : {"new/data", "new/data/"}) {
+    flags.data = scratch / data;
+    CHECK_FALSE(store_commands::import_file(flags, outside).has_value());
+    CHECK_FALSE(fs::exists(scratch / "new"));
+  }
+  fs::create_directory(scratch / "there");
+  flags.data = scratch / "there/data";
+  CHECK_FALSE(store_commands::import_file(flags, outside).has_value());
+  CHECK(fs::is_empty(scratch / "there"));
+  flags.data = scratch / "there";
+  CHECK_FALSE(store_commands::import_file(flags, outside).has_value());
+  CHECK(fs::exists(scratch / "there"));
+  // What is made of a sound file stays, and the world is named with which it was not compared.
+  flags.path = whole.string();
+  for (const std::string world : {"", "land.toml"}) {
+    flags.world = world;
+    flags.data = scratch / ("new" + world);
+    const auto imported = store_commands::import_file(flags, outside);
+    REQUIRE(imported.has_value());
+    CHECK(fs::exists(fs::path{flags.data} / "db"));
+    const std::string named = world.empty() ? "default" : world;
+    CHECK_THAT(*imported, Catch::Contains("the world (" + named + ") is another than the file's"));
+  }
 }
 
 TEST_CASE("what a rebase that drops unknown materials leaves can be exported") {
