@@ -132,7 +132,10 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
     return;
   }
-  if (sequence > known_) claim_held();
+  if (sequence > known_) {
+    claim_held();
+    claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+  }
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, true);
   progressed(now);
@@ -144,6 +147,7 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   asked_.erase(sequence);
   if (sequence > known_ && !doubted_.contains(sequence)) {
     news_ = now;  // nothing new is an answer too
+    claim_requests_ = 1;
     if (claimed_ > after_) {
       claim_retry_ = now + claim_pause_;
       claim_pause_ = std::min(claim_pause_ * 2, kLastRetry);
@@ -228,6 +232,11 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   } else if (!asked_or_held(after_ + 1)) {
     const bool claimed = claimed_ > after_ && now >= std::max(ask_from_, claim_retry_);
     if (claimed || now - news_ >= kSilence) ask(after_ + 1);
+    const std::uint64_t end = claimed ? std::min(claimed_, after_ + claim_requests_) : 0;
+    for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
+      if (held_bytes_ >= kWindowBytes) break;
+      if (!asked_or_held(sequence)) ask(sequence);
+    }
   }
   return wanted;
 }

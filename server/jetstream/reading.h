@@ -21,7 +21,8 @@ namespace talus::server::jetstream {
 /// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
 /// to it, so a message of it that does not fit another is held against an answer. How far the stream goes the
 /// leader says: a number ahead of the next one that the tail brings is a claim, for which the next message is
-/// asked for, ever more seldom while there is none.
+/// asked for, ever more seldom while there is none, and twice as many as were there while they are: a leader
+/// that was just elected may give messages before it says how many it has.
 class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
@@ -130,7 +131,8 @@ class Reading {
   // The same for what is only claimed. Progress by the tail says nothing of it.
   TimePoint claim_retry_{};
   std::chrono::milliseconds claim_pause_ = kFirstRetry;
-  TimePoint ask_from_{};  // what is known to be there and was not heard
+  std::size_t claim_requests_ = 1;  // of what is only claimed, at once
+  TimePoint ask_from_{};            // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;
   std::optional<Given> altered_;  // of the tail, and no message

@@ -89,15 +89,13 @@ TEST_CASE("what a gap of the tail lacks is asked for at once, and once") {
     answer(reading, 1, kStart);
     answer(reading, 3, kStart);
   }
-  SECTION("one after another before that") {
+  SECTION("twice as many as were there before that") {
     answer(reading, 1, kStart);
     CHECK(taken(reading) == 1);
-    CHECK(reading.wanted(kStart) == Sequences{2});
+    CHECK(reading.wanted(kStart) == Sequences{2, 3});
     answer(reading, 2, kStart);
-    CHECK(taken(reading) == 2);
-    CHECK(reading.wanted(kStart) == Sequences{3});
     answer(reading, 3, kStart);
-    for (std::uint64_t sequence = 3; sequence <= 4; ++sequence) CHECK(taken(reading) == sequence);
+    for (std::uint64_t sequence = 2; sequence <= 4; ++sequence) CHECK(taken(reading) == sequence);
     CHECK_FALSE(reading.claims_more());
     return;
   }
@@ -428,6 +426,28 @@ TEST_CASE("whatever numbers somebody makes up, questions stay few and all true m
     RC_ASSERT(questions <= 12 * kLast + static_cast<std::size_t>((now - kStart) / Reading::kDisputed));
   });
   CHECK(held);
+}
+
+TEST_CASE("who is far behind catches up by ever more questions at once where no leader says how far") {
+  constexpr std::uint64_t kLast = 10'000;
+  Reading reading{kStart, 7};
+  hear(reading, kLast, kStart);
+  std::size_t rounds = 0;
+  while (reading.after() < kLast) {
+    const auto wanted = reading.wanted(kStart);
+    REQUIRE_FALSE(wanted.empty());
+    REQUIRE(wanted.size() <= Reading::kMostRequests);
+    for (const std::uint64_t sequence : wanted) answer(reading, sequence, kStart);
+    while (reading.take()) continue;
+    ++rounds;
+  }
+  CHECK(rounds <= kLast / Reading::kMostRequests + 8);
+  // The first that is not there ends it.
+  hear(reading, kLast + 1000, kStart);
+  const auto wanted = reading.wanted(kStart);
+  CHECK(wanted.size() == Reading::kMostRequests);
+  for (const std::uint64_t sequence : wanted) reading.not_found(sequence, kStart);
+  CHECK(reading.wanted(kStart + 1s) == Sequences{kLast + 1});
 }
 
 TEST_CASE("who is far behind catches up by many questions at once, whatever the tail claims") {
