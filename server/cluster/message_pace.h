@@ -17,7 +17,7 @@ class MessagePace {
 
   /// Between the beginnings of two messages with more than kFewEntries together, at most.
   static constexpr Duration kLongest = std::chrono::milliseconds{3};
-  /// Of an acknowledgement's time lies between them, where that is less.
+  /// So many times as long as an acknowledgement takes lies between them, where that is less.
   static constexpr int kAcknowledgements = 4;
   static constexpr std::size_t kFewEntries = 4;
 
