@@ -216,7 +216,12 @@ void ClusterLog::finish(std::vector<Done> done, const StreamPlace& place, const 
 std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const StreamMessage& message) {
   const std::int64_t looked_ms = parts_.database.meta().stream.looked_ms;
   if (!must_ask_stream(head.time_ms, looked_ms)) return Time{head.time_ms, looked_ms};
-  const auto stream_ms = parts_.stream.time_of(message.sequence);
+  tl::expected<std::int64_t, StreamFailure> stream_ms;
+  if (message.time_ms) {
+    stream_ms = *message.time_ms;
+  } else {
+    stream_ms = parts_.stream.time_of(message.sequence);
+  }
   if (!stream_ms) {
     cannot_get(stream_ms.error());
     return std::nullopt;

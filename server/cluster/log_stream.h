@@ -19,6 +19,8 @@ namespace talus::server {
 struct StreamMessage {
   std::uint64_t sequence = 0;
   std::vector<std::byte> bytes;
+  /// When the stream took it, as time_of() says, where that came with it.
+  std::optional<std::int64_t> time_ms{};
   bool of_leader = true;  // else it came by itself, and ask_again() says what the leader has
 };
 

@@ -64,6 +64,12 @@ tl::expected<ServerUrls, std::string> ServerUrls::parse(std::string_view text,
   return urls;
 }
 
+ServerUrls ServerUrls::just(std::size_t which) const {
+  ServerUrls one;
+  one.urls_.push_back(urls_[which]);
+  return one;
+}
+
 std::string_view ServerUrls::scheme() const {
   return urls_.empty() ? std::string_view{} : scheme_of(urls_.front());
 }

@@ -26,6 +26,8 @@ class ServerUrls {
 
   [[nodiscard]] bool empty() const { return urls_.empty(); }
   [[nodiscard]] std::size_t size() const { return urls_.size(); }
+  /// That one alone.
+  [[nodiscard]] ServerUrls just(std::size_t which) const;
   [[nodiscard]] auto begin() const { return urls_.begin(); }
   [[nodiscard]] auto end() const { return urls_.end(); }
   /// "nats"; empty where there are none.

@@ -204,7 +204,7 @@ struct Connection::Callbacks {
 
 tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
     const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
-    std::shared_ptr<ConnectionEvents> events, Retry retry) {
+    std::shared_ptr<ConnectionEvents> events, Retry retry, const ServerUrls& first) {
   // Threads that libnats starts leave signals to the main thread.
   const SignalsBlocked blocked;
   auto link = std::make_shared<Link>();
@@ -219,8 +219,11 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   const NatsOptions options{made};
   std::vector<const char*> servers;
   const std::vector<std::string> all{urls.begin(), urls.end()};
-  for (const std::string& url : all) servers.push_back(url.c_str());
-  set(natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())));
+  for (const std::string& url : all) {
+    if (first.empty() || url != *first.begin()) servers.push_back(url.c_str());
+  }
+  if (!servers.empty()) set(natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())));
+  if (!first.empty()) set(natsOptions_SetURL(made, first.begin()->c_str()));
   // The servers that the settings name, and no others that may be behind something.
   set(natsOptions_SetIgnoreDiscoveredServers(made, true));
   set(natsOptions_SetName(made, "talusd"));

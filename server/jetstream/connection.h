@@ -64,10 +64,11 @@ enum class Retry : std::uint8_t {
 /// All calls may come from any thread.
 class Connection {
  public:
-  /// Waits half a second a server at most, and twice that where none answers and it is to be tried again.
+  /// Tries `first` first, where that names a server, and `urls` in any order. Waits half a second a server at
+  /// most, and twice that where none answers and it is to be tried again.
   [[nodiscard]] static tl::expected<std::shared_ptr<Connection>, StreamFailure> open(
       const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
-      std::shared_ptr<ConnectionEvents> events, Retry retry);
+      std::shared_ptr<ConnectionEvents> events, Retry retry, const ServerUrls& first = {});
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;

@@ -21,9 +21,11 @@ using Kind = StreamFailure::Kind;
 
 constexpr auto kBetweenQuestions = 1s;  // to the leader
 constexpr auto kBetweenUrgent = 100ms;  // where something does not fit
+constexpr auto kSureOfLess = 15s;       // a leader that was deposed may say so until it knows
 constexpr auto kBetweenDenials = 60s;   // of one kind, in the log
 /// Who waits for one of the tail and of the other threads sees so late what comes by the others.
 constexpr auto kBetweenLooks = 20ms;
+constexpr std::int64_t kNsInMs = 1'000'000;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 /// Answers have messages as base64 in JSON.
@@ -62,10 +64,13 @@ tl::expected<void, StreamFailure> Inbox::listen(Connection& connection) {
     tail_ = *std::move(tail);
   }
   const auto come = [inbox = shared_from_this(), kind = reply_.size() + 1](const Arrived& arrived) {
-    if (arrived.subject()[kind] == 'i') {
-      inbox->info(number_at_end(arrived.subject()), arrived.text());
-    } else {
-      inbox->message(arrived);
+    switch (arrived.subject()[kind]) {
+      case 'i':
+        return inbox->info(number_at_end(arrived.subject()), arrived.text());
+      case 'r':
+        return inbox->message_of_replica(arrived);
+      default:
+        return inbox->message(arrived);
     }
   };
   return connection.subscribe(reply_ + ".*.*", come, kPendingMessages, kPendingAnswerBytes);
@@ -114,6 +119,7 @@ void Inbox::connected(bool now) {
     connected_ = now;
     refused_tail_.disconnected();
     refused_answers_.disconnected();
+    may_ask_replicas_ = true;
     question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
   }
   changed_.notify_all();
@@ -141,7 +147,7 @@ void Inbox::leaves(std::string_view why) {
     const std::lock_guard lock{mutex_};
     leaves_ = true;
   }
-  log_->warn("NATS: {}; trying any of cluster.nats", why);
+  log_->warn("NATS: {}", why);
 }
 
 void Inbox::denied(std::string_view what) {
@@ -153,12 +159,15 @@ void Inbox::denied(std::string_view what) {
     if (auto* const subscription = subscription_of(what)) {
       is_news = subscription->refused(std::move(reason), now);
     } else {
+      // Which is a help, and no more.
+      const bool of_replicas = what.find(names_.direct_get()) != std::string_view::npos;
+      if (of_replicas) may_ask_replicas_ = false;
       is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
       if (is_news) {
         denial_told_ = reason;
         denial_told_at_ = now;
       }
-      trouble_ = StreamFailure{Kind::refused, std::move(reason)};
+      if (!of_replicas) trouble_ = StreamFailure{Kind::refused, std::move(reason)};
     }
   }
   changed_.notify_all();
@@ -194,10 +203,79 @@ void Inbox::message(const Arrived& arrived) {
       question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
     } else {
       if (stored->bytes.size() > kMost) stored->bytes.resize(kMost);
-      reading_.answered(sequence, stored->bytes, now);
+      reading_.answered(sequence, stored->bytes, now, stored->time_ns / kNsInMs);
     }
   }
   changed_.notify_all();
+}
+
+void Inbox::message_of_replica(const Arrived& arrived) {
+  const std::uint64_t sequence = number_at_end(arrived.subject());
+  const auto time_ns = nanoseconds_of(std::string{arrived.header("Nats-Time-Stamp")});
+  const bool is_stored =
+      time_ns && arrived.header("Nats-Stream") == names_.stream && arrived.sequence() == sequence;
+  {
+    const std::lock_guard lock{mutex_};
+    // No talusd has published more; and it could not be confirmed.
+    if (!led_ && is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
+      reading_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
+    } else {
+      reading_.not_found(sequence, Clock::now());
+    }
+  }
+  changed_.notify_all();
+}
+
+void Inbox::leads(bool one_does) {
+  const std::lock_guard lock{mutex_};
+  led_ = one_does;
+  reading_.leads(one_does);
+}
+
+std::optional<std::uint64_t> Inbox::unconfirmed() const {
+  const std::lock_guard lock{mutex_};
+  return reading_.unconfirmed();
+}
+
+tl::expected<void, StreamFailure> Inbox::confirm(const StoredMessage& message) {
+  std::optional<StreamFailure> fault;
+  {
+    const std::lock_guard lock{mutex_};
+    lacks_since_.reset();
+    reading_.confirm(message.sequence, message.bytes);
+    look_for_forged();
+    fault = fault_;
+  }
+  if (!fault) return {};
+  changed_.notify_all();
+  return tl::unexpected{*std::move(fault)};
+}
+
+tl::unexpected<StreamFailure> Inbox::lacks(std::uint64_t sequence) {
+  {
+    const std::lock_guard lock{mutex_};
+    const auto now = Clock::now();
+    if (!lacks_since_) lacks_since_ = now;
+    if (now - *lacks_since_ < kSureOfLess) {
+      return stream_failure(Kind::unavailable,
+                            fmt::format("NATS: a replica has message {}, and the leader not yet", sequence));
+    }
+  }
+  return tl::unexpected{failed_for_good(
+      {Kind::false_message,
+       fmt::format("a replica had message {} of {}, which was applied, and the leader has it not", sequence,
+                   names_.stream)})};
+}
+
+void Inbox::look_for_forged() {
+  const auto sequence = reading_.forged();
+  if (!sequence || fault_) return;
+  fault_ = StreamFailure{
+      Kind::false_message,
+      fmt::format("message {} of {} that was applied is not the stream's: somebody else publishes to {}; "
+                  "forbid it in NATS' permissions; or a replica has other messages, which \"talusd cluster "
+                  "check\" finds",
+                  *sequence, names_.stream, names_.tail)};
 }
 
 void Inbox::asks() {
@@ -246,13 +324,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
   for (;;) {
     if (waits_for_answers()) read_tail(lock);
     if (stopped_) return stream_failure(Kind::unavailable, "stopped");
-    if (const auto sequence = reading_.forged()) {
-      fault_ =
-          StreamFailure{Kind::false_message,
-                        fmt::format("message {} of {} that was applied is not the stream's: somebody else "
-                                    "publishes to {}; forbid it in NATS' permissions",
-                                    *sequence, names_.stream, names_.tail)};
-    }
+    look_for_forged();
     if (fault_) return tl::unexpected{*fault_};
     if (auto message = reading_.take()) return message;
     if (const auto gone = check_kept()) return tl::unexpected{*gone};
@@ -285,8 +357,7 @@ void Inbox::ask_again() {
   reading_.ask_again(Clock::now());
 }
 
-StreamFailure Inbox::failed_for_good(std::string reason) {
-  StreamFailure failure{Kind::other, std::move(reason)};
+StreamFailure Inbox::failed_for_good(StreamFailure failure) {
   {
     const std::lock_guard lock{mutex_};
     if (!fault_) fault_ = failure;
@@ -405,15 +476,17 @@ bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, Time
     asked_at_ = now;
     question_due_ = now + kBetweenQuestions;
   }
-  if (!messages.empty() && !unanswered_since_) unanswered_since_ = now;
+  const bool of_replicas = asks_replicas();
+  if (!messages.empty() && !of_replicas && !unanswered_since_) unanswered_since_ = now;
   if (messages.empty() && !question) return false;
   const std::uint64_t after = reading_.after();
   lock.unlock();
   if (const auto connection = connect()) {
     if (question) (void)(*connection)->send(names_.info(), fmt::format("{}.i.{}", reply_, after), "");
+    const std::string subject = of_replicas ? names_.direct_get() : names_.message_get();
     for (const std::uint64_t sequence : messages) {
       (void)(*connection)
-          ->send(names_.message_get(), fmt::format("{}.m.{}", reply_, sequence),
+          ->send(subject, fmt::format("{}.{}.{}", reply_, of_replicas ? 'r' : 'm', sequence),
                  StreamNames::by_number(sequence));
     }
   }

@@ -69,12 +69,20 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void answers();
   /// Whether a message was asked for, and nothing was said of any since then for as long as answers take.
   [[nodiscard]] bool is_unanswered() const;
+  /// Whether a leader answers by this connection. While none does, messages are asked of any replica.
+  void leads(bool one_does);
+  /// The last message that was given out as a replica had it, where the leader has not confirmed it.
+  [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
+  /// The leader has that; fails where it is another message.
+  tl::expected<void, StreamFailure> confirm(const StoredMessage& message);
+  /// The leader's last message is before that one, which a replica gave: fails, for good where it stays so.
+  tl::unexpected<StreamFailure> lacks(std::uint64_t sequence);
   /// What the leader says; `after`: how far the stream had been read when it was asked.
   tl::expected<void, StreamFailure> told(std::uint64_t after, const StreamState& state);
   /// Why nothing may be read or published any more.
   [[nodiscard]] std::optional<StreamFailure> fault() const;
   /// It is not the stream that was read.
-  StreamFailure failed_for_good(std::string reason);
+  StreamFailure failed_for_good(StreamFailure failure);
   void learned(std::uint64_t sequence);
   [[nodiscard]] std::uint64_t after() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;
@@ -93,6 +101,10 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void tail(const Arrived& arrived);
   /// The leader's answer to a question for one.
   void message(const Arrived& arrived);
+  /// A replica's.
+  void message_of_replica(const Arrived& arrived);
+  void look_for_forged();
+  [[nodiscard]] bool asks_replicas() const { return !led_ && may_ask_replicas_ && created_ns_ != 0; }
   void info(std::uint64_t after, std::string_view text);
   void count_false();
   /// Which it says is refused; null: none.
@@ -123,6 +135,9 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   bool woken_ = false;
   bool stopped_ = false;
   bool leaves_ = false;
+  bool led_ = true;
+  bool may_ask_replicas_ = true;
+  std::optional<TimePoint> lacks_since_;
   std::optional<StreamFailure> closed_;   // the connection, for good
   std::optional<StreamFailure> trouble_;  // told once
   std::optional<StreamFailure> fault_;    // told from now on

@@ -19,10 +19,10 @@ using Clock = std::chrono::steady_clock;
 using Kind = StreamFailure::Kind;
 
 constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-// A server that is connected, and by which no leader answers, may be cut off from those that have one; or the
-// connection has lost what answers come by. An election takes less.
-constexpr auto kNoLeader = 10s;
-constexpr auto kLongestNoLeader = 80s;
+// A server that is connected, and by which no leader answers, may be cut off from those that have one, or
+// have come back and not know it yet (nats-server 2.9: for some 10 s); or the connection has lost what
+// answers come by.
+constexpr auto kNoLeader = 1s;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ JetStreamLog::JetStreamLog(Settings settings, std::shared_ptr<const Credentials>
       credentials_{std::move(credentials)},
       log_{std::move(log)},
       inbox_{std::make_shared<Inbox>(settings_.names, log_)},
-      patience_{kNoLeader} {}
+      scout_{settings_.urls, credentials_, settings_.names} {}
 
 JetStreamLog::~JetStreamLog() {
   stop();
@@ -49,7 +49,7 @@ tl::expected<std::unique_ptr<JetStreamLog>, StreamFailure> JetStreamLog::open(
 }
 
 tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connect() {
-  auto connection = Connection::open(settings_.urls, credentials_, inbox_, Retry::forever);
+  auto connection = Connection::open(settings_.urls, credentials_, inbox_, Retry::forever, first_);
   if (!connection) return connection;
   if (auto listens = inbox_->listen(**connection); !listens) return tl::unexpected{listens.error()};
   return connection;
@@ -61,7 +61,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> JetStreamLog::connectio
   const auto closed = inbox_->why_closed();
   if (!closed) {
     if (inbox_->renew(*connection_)) {
-      inbox_->leaves("answers may be subscribed to again");
+      inbox_->leaves("answers may be subscribed to again; connects anew");
       connection_->close();
     }
     return connection_;
@@ -105,10 +105,14 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                                       settings_.names.log, escaped(ack->stream), settings_.names.stream));
   }
   if (ack->sequence <= read_before) {
-    return tl::unexpected{inbox_->failed_for_good(fmt::format(
-        "{} gave a message the number {}, which was read before: it was made anew, has lost its end, or "
-        "somebody else publishes to {}",
-        settings_.names.stream, ack->sequence, settings_.names.tail))};
+    const bool of_replica = inbox_->unconfirmed().value_or(0) >= ack->sequence;
+    return tl::unexpected{inbox_->failed_for_good(
+        {of_replica ? Kind::false_message : Kind::other,
+         fmt::format("{} gave a message the number {}, which was read before: it was made anew, has lost its "
+                     "end, {}",
+                     settings_.names.stream, ack->sequence,
+                     of_replica ? std::string{"or a replica has other messages"}
+                                : fmt::format("or somebody else publishes to {}", settings_.names.tail))})};
   }
   inbox_->learned(ack->sequence);
   return ack->sequence;
@@ -121,6 +125,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   auto stream = ask_leader();
+  if (stream) inbox_->leads(true);
   if (stream && inbox_->is_unanswered()) {
     if (const auto message = ask_for(std::max<std::uint64_t>(stream->last, 1)); !message) {
       stream = tl::unexpected{StreamFailure{
@@ -129,23 +134,44 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
     }
   }
   leader_answers(stream || stream.error().kind != Kind::unavailable);
+  if (!stream) return stream;
+  if (auto same = confirm(*stream); !same) return tl::unexpected{same.error()};
   return stream;
 }
 
-void JetStreamLog::leader_answers(bool does) {
-  const std::lock_guard lock{connection_mutex_};
-  const auto now = Clock::now();
-  if (does) patience_ = kNoLeader;
-  // What is not connected is tried at all servers by libnats.
-  if (does || !connection_ || !connection_->connected()) {
-    silent_since_.reset();
-    return;
+tl::expected<void, StreamFailure> JetStreamLog::confirm(const StreamState& state) {
+  const auto sequence = inbox_->unconfirmed();
+  if (!sequence) return {};
+  if (*sequence > state.last) return inbox_->lacks(*sequence);
+  const auto message = ask_for(*sequence);
+  if (!message) return tl::unexpected{message.error()};
+  if (!*message) {
+    return stream_failure(Kind::unavailable, fmt::format("NATS: message {} does not come", *sequence));
   }
-  if (!silent_since_) silent_since_ = now;
-  if (now - *silent_since_ < patience_) return;
+  return inbox_->confirm(**message);
+}
+
+void JetStreamLog::leader_answers(bool does) {
+  {
+    const std::lock_guard lock{connection_mutex_};
+    // What is not connected is tried at all servers by libnats.
+    if (does || !connection_ || !connection_->connected()) {
+      silent_since_.reset();
+      return;
+    }
+    const auto now = Clock::now();
+    if (!silent_since_) silent_since_ = now;
+    if (now - *silent_since_ < kNoLeader) return;
+  }
+  inbox_->leads(false);
+  const std::unique_lock scouting{scouting_, std::try_to_lock};
+  if (!scouting) return;
+  const auto found = scout_.look();
+  if (!found || inbox_->stopped()) return;
+  const std::lock_guard lock{connection_mutex_};
   silent_since_.reset();
-  patience_ = std::min<Clock::duration>(2 * patience_, kLongestNoLeader);
-  inbox_->leaves("no leader of the log answers by this server");
+  first_ = *found;
+  inbox_->leaves(fmt::format("no leader of the log answers by this connection; goes to {}", found->text()));
   connection_->close();  // connection() makes another
 }
 

@@ -16,6 +16,7 @@
 #include "jetstream/connection.h"
 #include "jetstream/credentials.h"
 #include "jetstream/inbox.h"
+#include "jetstream/leader_scout.h"
 #include "jetstream/stored_message.h"
 #include "jetstream/stream_names.h"
 #include "log/logger.h"
@@ -25,7 +26,8 @@ namespace talus::server::jetstream {
 /// Reads without a consumer: what NATS republishes to the tail subject, and single messages by number where
 /// the tail has a gap or is silent. Those are asked of the leader, not of any replica (Direct Get): one that
 /// lags has not all of them, and of nats-server 2.9.10 some were seen to hold others. What the stream has in
-/// all the leader says, too, which is asked each second.
+/// all the leader says, too, which is asked each second. Where no leader answers for a second, as while one
+/// is elected, any replica is asked; state() fails then until the leader has confirmed what it gave.
 ///
 /// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
 /// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
@@ -71,8 +73,10 @@ class JetStreamLog final : public LogStream {
   [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
   /// Asks the leader for a message; nothing where it has none of the number.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
-  /// Where it does not for long, though a NATS server is connected, the connection is made anew: to another
-  /// server, where there are several.
+  /// What replicas gave has to be what the leader has.
+  [[nodiscard]] tl::expected<void, StreamFailure> confirm(const StreamState& state);
+  /// Where it does not, though a NATS server is connected, another server is looked for by which it does, or
+  /// the same by another connection.
   void leader_answers(bool does);
 
   Settings settings_;
@@ -84,7 +88,9 @@ class JetStreamLog final : public LogStream {
   std::shared_ptr<Connection> connection_;
   TimePoint connected_at_{};  // when it was made
   std::optional<TimePoint> silent_since_{};
-  TimePoint::duration patience_{};
+  ServerUrls first_;  // to be connected
+  std::mutex scouting_;
+  LeaderScout scout_;
 };
 
 }  // namespace talus::server::jetstream

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <xxhash.h>
 
@@ -47,6 +48,7 @@ void Reading::move_to(std::uint64_t after, TimePoint now) {
     held_bytes_ = 0;
     given_.clear();
     doubted_.clear();
+    unconfirmed_.reset();
   }
   after_ = after;
   known_ = std::max(known_, after);
@@ -63,7 +65,8 @@ const Reading::Given* Reading::remembered(std::uint64_t sequence) const {
   return found != given_.end() && found->sequence == sequence ? &*found : nullptr;
 }
 
-void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, bool answered) {
+void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
+                   std::optional<std::int64_t> time_ms) {
   if (sequence <= after_ || sequence - after_ > kWindow) return;
   if (const auto found = held_.find(sequence); found != held_.end()) drop(found);
   // The next message has room whatever others came before it.
@@ -71,8 +74,18 @@ void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, boo
     drop(std::prev(held_.end()));
   }
   if (sequence != after_ + 1 && held_bytes_ + bytes.size() > kWindowBytes) return;
-  held_.emplace(sequence, Held{{bytes.begin(), bytes.end()}, answered});
+  held_.emplace(sequence, Held{{bytes.begin(), bytes.end()}, from, time_ms});
   held_bytes_ += bytes.size();
+}
+
+bool Reading::differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes) {
+  const auto found = held_.find(sequence);
+  if (std::equal(bytes.begin(), bytes.end(), found->second.bytes.begin(), found->second.bytes.end()))
+    return false;
+  if (found->second.from == From::leader) return true;
+  drop(found);
+  doubt(sequence);
+  return false;
 }
 
 void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
@@ -95,15 +108,8 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
     }
     return;
   }
-  if (const auto found = held_.find(sequence); found != held_.end()) {
-    if (std::equal(bytes.begin(), bytes.end(), found->second.bytes.begin(), found->second.bytes.end()))
-      return;
-    if (found->second.answered) {
-      ++false_messages_;
-      return;
-    }
-    drop(found);
-    doubt(sequence);
+  if (held_.contains(sequence)) {
+    if (differs_from_leaders(sequence, bytes)) ++false_messages_;
     return;
   }
   if (sequence > after_ + 1 && std::max(known_, claimed_) <= after_ && sequence > gap_up_to_) {
@@ -111,7 +117,7 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
     gap_up_to_ = sequence;
   }
   claimed_ = std::max(claimed_, sequence);
-  hold(sequence, bytes, false);
+  hold(sequence, bytes, From::tail);
   ask_from_ = now;
   if (sequence == after_ + 1) {
     progressed(now);
@@ -119,7 +125,8 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
   }
 }
 
-void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
+void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
+                       std::optional<std::int64_t> time_ms) {
   asked_.erase(sequence);
   const bool doubted = doubted_.erase(sequence) > 0;
   if (doubted) ++false_messages_;
@@ -137,7 +144,27 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
   }
   known_ = std::max(known_, sequence);
-  hold(sequence, bytes, true);
+  hold(sequence, bytes, From::leader, time_ms);
+  progressed(now);
+}
+
+void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
+                                  std::optional<std::int64_t> time_ms) {
+  // That is for the leader.
+  if (doubted_.contains(sequence) || (altered_ && altered_->sequence == sequence)) {
+    return not_found(sequence, now);
+  }
+  asked_.erase(sequence);
+  if (sequence <= after_) return;
+  if (held_.contains(sequence)) {
+    (void)differs_from_leaders(sequence, bytes);
+    return;
+  }
+  // There may be more.
+  claim_held();
+  claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+  claimed_ = std::max(claimed_, sequence + claim_requests_);
+  hold(sequence, bytes, From::replica, time_ms);
   progressed(now);
 }
 
@@ -184,15 +211,36 @@ void Reading::ends_at(std::uint64_t last) {
 
 void Reading::starts_at(std::uint64_t first) {
   doubted_.erase(doubted_.begin(), doubted_.lower_bound(first));
+  if (unconfirmed_ && unconfirmed_->sequence < first) unconfirmed_.reset();
+}
+
+void Reading::leads(bool one_does) {
+  if (std::exchange(led_, one_does) == one_does || !one_does) return;
+  for (auto at = held_.begin(); at != held_.end();) {
+    const auto next = std::next(at);
+    if (at->second.from == From::replica) drop(at);
+    at = next;
+  }
+}
+
+std::optional<std::uint64_t> Reading::unconfirmed() const {
+  return unconfirmed_ ? std::optional{unconfirmed_->sequence} : std::nullopt;
+}
+
+void Reading::confirm(std::uint64_t sequence, std::span<const std::byte> bytes) {
+  if (!unconfirmed_ || unconfirmed_->sequence != sequence) return;
+  if (unconfirmed_->digest != digest(bytes)) forged_ = sequence;
+  unconfirmed_.reset();
 }
 
 std::optional<StreamMessage> Reading::take() {
   const auto next = held_.find(after_ + 1);
   if (next == held_.end()) return std::nullopt;
-  StreamMessage message{next->first, std::move(next->second.bytes)};
+  StreamMessage message{next->first, std::move(next->second.bytes), next->second.time_ms};
   held_bytes_ -= message.bytes.size();
-  message.of_leader = next->second.answered;
+  message.of_leader = next->second.from == From::leader;
   given_.push_back({message.sequence, digest(message.bytes), message.of_leader});
+  if (next->second.from == From::replica) unconfirmed_ = given_.back();
   if (given_.size() > kRemembered) given_.pop_front();
   held_.erase(next);
   after_ = message.sequence;
@@ -205,6 +253,10 @@ void Reading::ask_again(TimePoint now) {
   altered_ = given_.back();
   given_.pop_back();
   --after_;
+  if (unconfirmed_ && unconfirmed_->sequence == altered_->sequence) {
+    unconfirmed_.reset();
+    if (!given_.empty()) unconfirmed_ = given_.back();  // whoever gave that: it is to be the leader's, too
+  }
   progressed(now);
   ask_from_ = now;
 }
@@ -231,7 +283,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
     }
   } else if (!asked_or_held(after_ + 1)) {
     const bool claimed = claimed_ > after_ && now >= std::max(ask_from_, claim_retry_);
-    if (claimed || now - news_ >= kSilence) ask(after_ + 1);
+    if (claimed || now - news_ >= silence()) ask(after_ + 1);
     const std::uint64_t end = claimed ? std::min(claimed_, after_ + claim_requests_) : 0;
     for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
       if (held_bytes_ >= kWindowBytes) break;
@@ -250,7 +302,7 @@ Reading::TimePoint Reading::next_look() const {
     const TimePoint due = std::max(ask_from_, claim_retry_);
     if (due > looked_) look = std::min(look, due);
   }
-  if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + kSilence, looked_));
+  if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + silence(), looked_));
   return look;
 }
 

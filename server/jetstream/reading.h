@@ -19,7 +19,10 @@ namespace talus::server::jetstream {
 
 /// Messages come by themselves (the tail), in order but with gaps, and as answers to requests, of the
 /// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
-/// to it, so a message of it that does not fit another is held against an answer. How far the stream goes the
+/// to it, so a message of it that does not fit another is held against an answer. Where no leader answers,
+/// any replica may be asked, which is believed for so long: once the leader answers again it is to confirm
+/// the last message that came so. Replicas count alike, so that one who lacks a message or has one twice has
+/// another one there. How far the stream goes the
 /// leader says: a number ahead of the next one that the tail brings is a claim, for which the next message is
 /// asked for, ever more seldom while there is none, and twice as many as were there while they are: a leader
 /// that was just elected may give messages before it says how many it has.
@@ -31,6 +34,7 @@ class Reading {
   static constexpr std::uint64_t kWindow = 1024;              // messages ahead that are kept
   static constexpr std::size_t kWindowBytes = 16U << 20;      // of them all
   static constexpr std::chrono::milliseconds kSilence{1000};  // after it the next message is asked for
+  static constexpr std::chrono::milliseconds kSilenceUnled{250};
   static constexpr std::chrono::milliseconds kAnswerIn{500};  // after it a request is made again
   static constexpr std::chrono::milliseconds kOnItsWay{10};   // the tail may bring it
   static constexpr std::chrono::milliseconds kFirstRetry{5};  // it may be an old leader that answers
@@ -50,8 +54,12 @@ class Reading {
 
   /// From the tail. What does not fit into the window is dropped, and asked for later.
   void heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
-  /// To a request.
-  void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
+  /// To a request; `time_ms` is that of the message.
+  void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
+                std::optional<std::int64_t> time_ms = {});
+  /// To a request, while no leader answers.
+  void answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
+                           std::optional<std::int64_t> time_ms = {});
   /// The leader has it not, or not yet: one that was deposed says so too.
   void not_found(std::uint64_t sequence, TimePoint now);
   /// The leader says that the stream has all up to `sequence`. Whether that is news.
@@ -79,6 +87,14 @@ class Reading {
   /// When wanted() may have more.
   [[nodiscard]] TimePoint next_look() const;
 
+  /// Whether a leader answers. Without one nobody says how far the stream goes, and it is asked for more
+  /// often; with one what replicas gave and take() did not is not wanted any more.
+  void leads(bool one_does);
+  /// The last message that a replica gave and take() gave out, until it is confirmed.
+  [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
+  /// The leader has that there.
+  void confirm(std::uint64_t sequence, std::span<const std::byte> bytes);
+
   /// Whether a message that take() gave out is not the stream's.
   [[nodiscard]] std::optional<std::uint64_t> forged() const { return forged_; }
   /// Messages of the tail that were not the stream's, and did no harm.
@@ -87,9 +103,11 @@ class Reading {
   [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
 
  private:
+  enum class From : std::uint8_t { tail, replica, leader };
   struct Held {
     std::vector<std::byte> bytes;
-    bool answered = false;
+    From from = From::tail;
+    std::optional<std::int64_t> time_ms{};
   };
   struct Digest {
     std::uint64_t low = 0;
@@ -105,7 +123,12 @@ class Reading {
   static constexpr std::size_t kMostDoubts = 64;
 
   [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
-  void hold(std::uint64_t sequence, std::span<const std::byte> bytes, bool answered);
+  void hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
+            std::optional<std::int64_t> time_ms = {});
+  /// Of a message that is held: whether the leader gave another. Where who gave another is not to be believed
+  /// either, neither is kept.
+  bool differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes);
+  [[nodiscard]] std::chrono::milliseconds silence() const { return led_ ? kSilence : kSilenceUnled; }
   void drop(std::map<std::uint64_t, Held>::iterator at);
   void doubt(std::uint64_t sequence);
   void disputed();
@@ -135,7 +158,9 @@ class Reading {
   TimePoint ask_from_{};            // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;
-  std::optional<Given> altered_;  // of the tail, and no message
+  std::optional<Given> altered_;      // not of the leader, and no message
+  std::optional<Given> unconfirmed_;  // of a replica
+  bool led_ = true;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;
   std::uint64_t false_messages_ = 0;

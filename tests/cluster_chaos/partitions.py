@@ -21,6 +21,7 @@ from nats_client import NatsClient, Refused, status
 
 arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("--seconds", type=float, default=60)
+arguments.add_argument("--only", action="append", choices=["both", "talusd", "nats", "routes"], help="of the four cuts; may be given again")
 arguments.add_argument("--rate", type=float, default=200, help="edits a second on each side")
 arguments.add_argument("--viewers", type=int, default=4, help="at each talusd")
 arguments.add_argument("--well-s", type=float, default=5, help="until S is equal on all, after the cut")
@@ -34,22 +35,24 @@ failures = []
 
 
 class Bare(threading.Thread):
-    """A client of one nats-server with nothing of talusd: after which time the message of that number can be read there, and one be
-    published. What it publishes is empty: all servers pass over it. Tried again it may be
+    """A client of one nats-server with nothing of talusd: after which time the message of that number can be read there, of any
+    replica and of the log's leader, and one be published. What it publishes is empty: all servers pass over it. Tried again it may be
     there twice: with a Nats-Msg-Id against that, servers had another message at one place of the log after a cut (NATS 2.9, seen once)."""
 
     def __init__(self, nats, sequence):
         super().__init__(daemon=True)
         self.nats, self.sequence, self.began = nats, sequence, time.monotonic()
-        self.read_s = self.published_s = None
+        self.read_s = self.led_s = self.published_s = None
         self.ended = threading.Event()
         self.start()
 
     def run(self):
-        while (self.published_s is None or self.read_s is None) and not self.ended.is_set():
+        while None in (self.published_s, self.led_s, self.read_s) and not self.ended.is_set():
             try:
                 with NatsClient(self.nats.port, host=self.nats.address, timeout=0.5) as client:
                     while not self._reads(client) and not self.ended.wait(0.02):
+                        pass
+                    while not self._hears_leader(client) and not self.ended.wait(0.02):
                         pass
                     while not self._publishes(client) and not self.ended.wait(0.02):
                         pass
@@ -73,7 +76,17 @@ class Bare(threading.Thread):
             self.read_s = time.monotonic() - self.began
         return self.read_s is not None
 
+    def _hears_leader(self, client):
+        if self.led_s is not None:
+            return True
+        _, answer = client.request(f"$JS.API.STREAM.MSG.GET.TALUS_{STORE}", b'{"seq":%d}' % self.sequence)
+        if json.loads(answer or b"{}").get("message"):
+            self.led_s = time.monotonic() - self.began
+        return self.led_s is not None
+
     def _publishes(self, client):
+        if self.published_s is not None:
+            return True
         head, ack = client.request(f"talus.{STORE}.log")
         if status(head) is None and json.loads(ack).get("seq"):
             self.published_s = time.monotonic() - self.began
@@ -125,7 +138,16 @@ def cut(cluster, name, talusd, nats, sides, tail):
         states = cluster.states()
         return all(mine[0] >= revision and (states.count(mine) == cluster.count or tail.said(mine[0]) == mine[1]) for mine in states)
 
-    until(lambda: all(server.metrics()["talus_cluster_sequence"] >= sequence for server in cluster.servers), "all have what there was", beat_s=0.02)
+    begins_after = None
+
+    def caught_up_all():
+        nonlocal begins_after
+        now_ = [server.metrics()["talus_cluster_sequence"] for server in cluster.servers]
+        if begins_after is None and min(now_) > min(each["talus_cluster_sequence"] for each in metrics):
+            begins_after = after()
+        return min(now_) >= sequence
+
+    until(caught_up_all, "all have what there was", beat_s=0.02)
     caught_up = after()
     until(equal, "S is equal on all", beat_s=0.02)
     equal_after = after()
@@ -141,8 +163,10 @@ def cut(cluster, name, talusd, nats, sides, tail):
     say(f"  longest without chunks: {', '.join(f'{server.name} {longest:.1f} s' for server, longest in zip(cluster.servers, chunks.longest))}")
     for server, text in texts.items():
         say(f"  {server} /-/ready at the end: {text}")
-    say(f"  after it: all have what was in the log after {caught_up:.2f} s, an equal S after {equal_after:.2f} s, take edits after {well:.2f} s")
-    say(f"  a client with nothing of talusd has that after {', '.join(f'{seconds(each.read_s)} at {each.nats.name}' for each in bare)}, and publishes after "
+    say(f"  after it: the last begins to catch up after {seconds(begins_after)}, all have what was in the log after {caught_up:.2f} s, "
+        f"an equal S after {equal_after:.2f} s, take edits after {well:.2f} s")
+    say(f"  a client with nothing of talusd has that after {', '.join(f'{seconds(each.read_s)} at {each.nats.name}' for each in bare)}, of the leader after "
+        f"{', '.join(seconds(each.led_s) for each in bare)}, and publishes after "
         f"{', '.join(seconds(each.published_s) for each in bare)}")
     say(f"  then every server has all voxels as acknowledged, one revision an edit ({revision}), and one S: {'no' if wrong else 'yes'}")
     wrong.extend(stuck)
@@ -189,13 +213,15 @@ with Cluster(folder) as cluster:
     for side in sides:
         side.go()
     time.sleep(3)
-    cut(cluster, "a talusd with its nats-server", cluster.servers[0], cluster.nats.leader(), sides, tail)
-    time.sleep(3)
-    cut(cluster, "a talusd alone", cluster.servers[0], None, sides, tail)
-    time.sleep(3)
-    cut(cluster, "a nats-server alone", None, cluster.nats.leader(), sides, tail)
-    time.sleep(3)
-    cut_routes(cluster, cluster.servers[0], sides)
+    cuts = {
+        "both": lambda: cut(cluster, "a talusd with its nats-server", cluster.servers[0], cluster.nats.leader(), sides, tail),
+        "talusd": lambda: cut(cluster, "a talusd alone", cluster.servers[0], None, sides, tail),
+        "nats": lambda: cut(cluster, "a nats-server alone", None, cluster.nats.leader(), sides, tail),
+        "routes": lambda: cut_routes(cluster, cluster.servers[0], sides),
+    }
+    for name in options.only or cuts:
+        cuts[name]()
+        time.sleep(3)
     for each in viewers:
         seen = each.stop()
         if seen["wrong"] or seen["unanswered"] or seen["disconnects"]:

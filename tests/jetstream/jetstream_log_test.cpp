@@ -4,6 +4,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "jetstream/stream_settings.h"
@@ -215,30 +216,36 @@ TEST_CASE("a frozen server is left for another one") {
   CHECK(read(*log, 0) == "a");
 }
 
-TEST_CASE(
-    "a connection by which no leader answers is made anew, though it is to the only server that is named") {
-  NatsServers servers;
+TEST_CASE("a server by which no leader answers is left for one by which it does, and for no other") {
+  NatsServers cut_off;  // knows of no leader
+  cut_off.kill(1);
+  cut_off.kill(2);
+  NatsServers servers{{.servers = 1}};
   const StreamNames names = test_names();
-  make_stream(servers, names, 3);
-  const auto log = open_log(servers.url(0), names);
-  publish(*log, "a");
-  servers.kill(1);
-  servers.kill(2);
-  const auto connections = [&] {
-    const std::string page = servers.page(0, "/varz");
-    const std::string_view name = "\"total_connections\":";
-    const std::size_t at = page.find(name);
+  make_stream(servers, names, 1);
+  servers.end(0);
+  const auto log = open_log(fmt::format("{},{}", cut_off.url(0), servers.url(0)), names);
+  while (!log->figures().connected) (void)log->next(0, from_now(10ms));
+  const auto number_in = [&](std::string_view page, std::string_view name) {
+    const std::string text = cut_off.page(0, page);
+    const std::size_t at = text.find(name);
     REQUIRE(at != std::string::npos);
-    return std::stoull(page.substr(at + name.size()));
+    return std::stoull(text.substr(at + name.size()));
   };
-  const auto before = connections();
+  const auto ever = [&] { return number_in("/varz", "\"total_connections\":"); };
+  const auto oldest = [&] { return number_in("/connz", "\"cid\":"); };
+  const auto connections = ever();
+  const auto own = oldest();
   const auto until = from_now(kPatience);
-  while (connections() == before) {
-    (void)log->state();
-    (void)log->next(1, from_now(100ms));
+  while (ever() < connections + 2) {  // of those who look
+    CHECK_FALSE(log->state());
     REQUIRE(std::chrono::steady_clock::now() < until);
   }
-  servers.start(1);
-  servers.start(2);
-  CHECK(publish(*log, "b") > 1);
+  CHECK(oldest() == own);
+  servers.start(0);
+  while (!log->state()) {
+    (void)log->next(0, from_now(10ms));
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+  CHECK(publish(*log, "a") == 1);
 }

@@ -474,3 +474,69 @@ TEST_CASE("who is far behind catches up by many questions at once, whatever the 
   }
   CHECK(rounds <= kLast / Reading::kMostRequests + 1);
 }
+
+TEST_CASE("without a leader replicas are asked ever more at once, and the leader confirms what came last") {
+  Reading reading{kStart, 7};
+  reading.leads(false);
+  constexpr std::uint64_t kLast = 1000;
+  const auto end_of_silence = kStart + Reading::kSilenceUnled;
+  std::size_t rounds = 0;
+  for (auto wanted = reading.wanted(end_of_silence); !wanted.empty();
+       wanted = reading.wanted(end_of_silence)) {
+    REQUIRE(wanted.size() <= Reading::kMostRequests);
+    for (const std::uint64_t sequence : wanted) {
+      if (sequence > kLast) {
+        reading.not_found(sequence, end_of_silence);
+      } else {
+        reading.answered_by_replica(sequence, bytes_of(true_text(sequence)), end_of_silence);
+      }
+    }
+    while (taken(reading) != 0) continue;
+    ++rounds;
+  }
+  CHECK(reading.after() == kLast);
+  CHECK(rounds <= kLast / Reading::kMostRequests + 8);
+  CHECK(reading.next_look() <= end_of_silence + Reading::kSilenceUnled);
+  REQUIRE(reading.unconfirmed() == kLast);
+  SECTION("as it has the same") {
+    reading.confirm(kLast, bytes_of(true_text(kLast)));
+    CHECK_FALSE(reading.unconfirmed());
+    CHECK_FALSE(reading.forged());
+  }
+  SECTION(
+      "or another: a replica that lacks a message, or has one twice, has all that come after it elsewhere") {
+    reading.confirm(kLast, bytes_of(true_text(kLast - 1)));
+    CHECK(reading.forged() == kLast);
+  }
+  SECTION("or keeps it no more, and nobody can tell") {
+    reading.starts_at(kLast + 1);
+    CHECK_FALSE(reading.unconfirmed());
+    CHECK_FALSE(reading.forged());
+  }
+  SECTION("but not what the leader has given itself") {
+    reading.confirm(kLast, bytes_of(true_text(kLast)));
+    answer(reading, kLast + 1, end_of_silence);
+    reading.answered_by_replica(kLast + 1, bytes_of("another"), end_of_silence);
+    CHECK(taken(reading) == kLast + 1);
+    CHECK_FALSE(reading.unconfirmed());
+  }
+  SECTION("once there is one again it is asked for what was not given out yet") {
+    reading.answered_by_replica(kLast + 2, bytes_of(true_text(kLast + 2)), end_of_silence);
+    reading.leads(true);
+    answer(reading, kLast + 1, end_of_silence);
+    CHECK(taken(reading) == kLast + 1);
+    CHECK(taken(reading) == 0);
+  }
+  SECTION("what is no message of the log waits for it") {
+    reading.answered_by_replica(kLast + 1, bytes_of("torn"), end_of_silence);
+    REQUIRE(reading.take());
+    CHECK(reading.unconfirmed() == kLast + 1);
+    reading.ask_again(end_of_silence);
+    CHECK(reading.unconfirmed() == kLast);
+    reading.answered_by_replica(kLast + 1, bytes_of("torn"), end_of_silence);
+    CHECK_FALSE(reading.take());
+    CHECK(reading.wanted(end_of_silence).empty());  // it is not asked again without end
+    answer(reading, kLast + 1, end_of_silence);
+    CHECK(taken(reading) == kLast + 1);
+  }
+}

@@ -1,0 +1,54 @@
+// A stream whose leader and replicas answer what a test says, on a nats-server without JetStream.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "jetstream/nats_handles.h"
+#include "jetstream/stream_names.h"
+#include "nats_server.h"
+
+namespace talus::nats_test {
+
+class ScriptedStream {
+ public:
+  struct Script {
+    using Messages = std::map<std::uint64_t, std::string>;  // by number
+    bool has_leader = true;
+    Messages leader;
+    Messages replicas;  // as any of them has them
+  };
+
+  explicit ScriptedStream(server::jetstream::StreamNames names, NatsSettings settings = {});
+  ~ScriptedStream();
+  ScriptedStream(const ScriptedStream&) = delete;
+  ScriptedStream& operator=(const ScriptedStream&) = delete;
+
+  [[nodiscard]] std::string url() const { return servers_.url(0); }
+  [[nodiscard]] const server::jetstream::StreamNames& names() const { return names_; }
+  void set(Script script);
+  /// How often replicas have been asked.
+  [[nodiscard]] std::size_t asked_of_replicas() const;
+
+ private:
+  struct CloseConnection {
+    void operator()(natsConnection* connection) const { natsConnection_Destroy(connection); }
+  };
+  static void asked(natsConnection* connection, natsSubscription* subscription, natsMsg* message, void* self);
+  void answer(natsConnection* connection, std::string_view subject, std::string_view text, const char* reply);
+
+  server::jetstream::StreamNames names_;
+  NatsServers servers_;
+  mutable std::mutex mutex_;
+  Script script_;
+  std::size_t asked_of_replicas_ = 0;
+  std::unique_ptr<natsConnection, CloseConnection> connection_;
+  std::vector<server::jetstream::NatsSubscription> subscriptions_;
+};
+
+}  // namespace talus::nats_test

@@ -1,0 +1,129 @@
+// A log of which no leader answers: what replicas give, and how the leader confirms it.
+#include <string>
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include "log_of_tests.h"
+#include "scripted_stream.h"
+
+using namespace talus::nats_test;
+using namespace talus::server;
+using namespace talus::server::jetstream;
+using namespace std::chrono_literals;
+
+namespace {
+
+ScriptedStream::Script::Messages messages(std::uint64_t last, const std::string& text = "message") {
+  ScriptedStream::Script::Messages all;
+  for (std::uint64_t i = 1; i <= last; ++i) all[i] = fmt::format("{} {}", text, i);
+  return all;
+}
+
+/// Those up to `last`, which come some time.
+void read_up_to(JetStreamLog& log, std::uint64_t after, std::uint64_t last) {
+  const auto until = from_now(kPatience);
+  while (after < last) {
+    const auto message = log.next(after, from_now(100ms));
+    REQUIRE(std::chrono::steady_clock::now() < until);
+    if (!message || !*message) continue;
+    REQUIRE((*message)->sequence == ++after);
+    CHECK((*message)->time_ms);  // nobody need ask for it
+  }
+}
+
+/// Until the leader, which is silent, is known to be.
+void await_silence(JetStreamLog& log) {
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(log.state());
+}
+
+}  // namespace
+
+TEST_CASE("without a leader a replica's messages are read, and count once the leader has confirmed them") {
+  NatsServers servers;
+  const StreamNames names = test_names();
+  make_stream(servers, names, 3);
+  const auto writer = open_log(servers.url_list(), names);
+  const auto log = open_log(servers.url(0), names);
+  while (!log->state()) REQUIRE(read(*log, 0) == "");
+  constexpr std::uint64_t kMessages = 300;
+  for (std::uint64_t i = 1; i <= kMessages; ++i) publish(*writer, std::to_string(i));
+  servers.await_replicas(names.stream);
+  servers.kill(1);
+  servers.kill(2);
+  const auto until = from_now(kPatience);
+  for (std::uint64_t after = 0; after < kMessages;) {
+    (void)log->state();
+    for (auto message = log->next(after, from_now(50ms)); message && *message;
+         message = log->next(after, from_now(50ms))) {
+      CHECK(text_of((*message)->bytes) == std::to_string(++after));
+    }
+    REQUIRE(std::chrono::steady_clock::now() < until);
+  }
+  CHECK_FALSE(log->state());
+  servers.start(1);
+  servers.start(2);
+  while (!log->state()) REQUIRE(std::chrono::steady_clock::now() < until);
+  CHECK(publish(*log, "b") > kMessages);
+}
+
+TEST_CASE("what a replica gave is held against what the leader has, before anything else counts") {
+  ScriptedStream stream{test_names()};
+  stream.set({true, messages(2), messages(2)});
+  const auto log = open_log(stream.url(), stream.names());
+  REQUIRE(log->state());
+  CHECK(read(*log, 0) == "message 1");
+  CHECK(read(*log, 1) == "message 2");
+  CHECK(stream.asked_of_replicas() == 0);
+  stream.set({false, {}, messages(200)});
+  await_silence(*log);
+  read_up_to(*log, 2, 200);
+
+  SECTION("the same") {
+    stream.set({true, messages(210), messages(200)});
+    const auto state = log->state();
+    REQUIRE(state);
+    CHECK(state->last == 210);
+    const std::size_t asked = stream.asked_of_replicas();
+    read_up_to(*log, 200, 210);
+    CHECK(stream.asked_of_replicas() == asked);
+  }
+  SECTION("another") {
+    stream.set({true, messages(210, "other"), messages(200)});
+    const auto state = log->state();
+    REQUIRE_FALSE(state);
+    CHECK(state.error().kind == Kind::false_message);
+    CHECK_THAT(state.error().reason,
+               Catch::Contains("message 200") && Catch::Contains("talusd cluster check"));
+    CHECK(read_failure(*log, 200).kind == Kind::false_message);
+    CHECK(publish_failure(*log).kind == Kind::false_message);
+  }
+  SECTION("less: it may have been deposed, and is waited for") {
+    stream.set({true, messages(199), messages(200)});
+    const auto state = log->state();
+    REQUIRE_FALSE(state);
+    CHECK(state.error().kind == Kind::unavailable);
+    CHECK_THAT(state.error().reason, Catch::Contains("the leader not yet"));
+    stream.set({true, messages(200), messages(200)});
+    CHECK(log->state());
+  }
+}
+
+TEST_CASE("without the permission to ask replicas the leader is waited for") {
+  ScriptedStream stream{test_names(), {.more = talusd_permissions()}};
+  stream.set({true, messages(1), messages(1)});
+  const auto log = open_log(stream.url(), stream.names(), as_talusd());
+  REQUIRE(log->state());
+  CHECK(read(*log, 0) == "message 1");
+  stream.set({false, {}, messages(5)});
+  await_silence(*log);
+  // Not for a person: it is but a help.
+  const auto until = from_now(1s);
+  while (std::chrono::steady_clock::now() < until) {
+    const auto message = log->next(1, from_now(100ms));
+    CHECK((message ? !*message : message.error().kind == Kind::unavailable));
+  }
+  stream.set({true, messages(5), messages(5)});
+  REQUIRE(log->state());
+  read_up_to(*log, 1, 5);
+}
