@@ -256,12 +256,12 @@ struct Place {
 };
 
 Results results_of(Aprons& aprons, const Field& height, const Field& slope, const Place& at, int margin,
-                   const ApronNumbers& numbers) {
+                   const ApronNumbers& numbers, int cliff_ring = 0) {
   const auto around = [&](const Field& plane) {
     return part(plane, at.x - margin, at.z - margin, at.width + 2 * margin, at.depth + 2 * margin);
   };
   Results results;
-  aprons.compute(around(height), around(slope), margin, numbers, results.raised, results.cliff);
+  aprons.compute(around(height), around(slope), margin, numbers, results.raised, results.cliff, cliff_ring);
   return results;
 }
 
@@ -300,6 +300,10 @@ TEST_CASE("Aprons with their halo are the plane's, column by column, by every in
       RC_ASSERT(results_of(aprons, height, slope, at, halo, numbers) == expected);
       // With more than it needs, too, in memory that has seen other ground.
       RC_ASSERT(results_of(aprons, height, slope, at, halo + 5, numbers) == expected);
+      // And how near cliffs are in fewer columns.
+      const Place wider{at.x - 1, at.z - 1, at.width + 2, at.depth + 2};
+      RC_ASSERT(results_of(aprons, height, slope, wider, halo, numbers, 1).cliff.values ==
+                expected.cliff.values);
     }
   }));
 }

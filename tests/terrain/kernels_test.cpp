@@ -262,6 +262,63 @@ TEST_CASE("The thickness before settling is an exact quotient, by every instruct
   }));
 }
 
+TEST_CASE("A share of the thickness before settling is exact, by every instruction set") {
+  CHECK(rc::check([] {
+    const std::int32_t most_slope = *rc::gen::oneOf(rc::gen::inRange(1, 700), rc::gen::inRange(1, 14668));
+    const std::int32_t thickness = *rc::gen::oneOf(rc::gen::inRange(0, 4200), rc::gen::inRange(0, 32768));
+    const std::int32_t whole = 1 << *rc::gen::inRange(11, 15);
+    const int width = *rc::gen::inRange(1, 70);
+    const Field slope = any_field(width, 1, 2 * most_slope);
+    const Field share = any_field(width, 1, whole);
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      SettleGrid grid{set};
+      grid.begin(width, 1, thickness);
+      grid.start_row(0, slope.values.data(), share.values.data(), thickness, whole, most_slope);
+      grid.with_row(0, [&](const auto* row) {
+        for (int x = 0; x < width; ++x) {
+          const std::int64_t room = std::max(0, most_slope - slope.at(x, 0));
+          const std::int64_t shared = std::int64_t{thickness} * share.at(x, 0) / whole;
+          RC_ASSERT(std::int64_t{row[x]} == shared * room / most_slope);
+        }
+      });
+    }
+  }));
+}
+
+TEST_CASE("The thickness before settling is exact where floats are just enough for it, for every slope") {
+  // Slope and thickness whose product is 2^21 at most, and past it.
+  for (const auto& [thickness, most_slope] :
+       std::vector<std::pair<std::int32_t, std::int32_t>>{{1024, 239},
+                                                          {1536, 284},
+                                                          {4095, 512},
+                                                          {4095, 513},
+                                                          {2048, 1024},
+                                                          {2049, 1024},
+                                                          {1449, 1447},
+                                                          {2, 1 << 20},
+                                                          {1, (1 << 20) + 1},
+                                                          {7, 299593}}) {
+    Field slope{most_slope + 1, 1};
+    for (int x = 0; x <= most_slope; ++x) slope.at(x, 0) = x;
+    for (const auto set :
+         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!runs_here(set)) continue;
+      CAPTURE(thickness, most_slope, to_string(set));
+      SettleGrid grid{set};
+      grid.start(slope, thickness, most_slope);
+      std::int64_t wrong = 0;
+      grid.with_row(0, [&](const auto* row) {
+        for (int x = 0; x <= most_slope; ++x) {
+          wrong += std::int64_t{row[x]} == std::int64_t{thickness} * (most_slope - x) / most_slope ? 0 : 1;
+        }
+      });
+      CHECK(wrong == 0);
+    }
+  }
+}
+
 TEST_CASE("Where nothing slopes the thickness before settling is the whole, in 16 bits and in 32") {
   for (const std::int32_t thickness : {1, 32766, 32767, 32768, 1000003, 1 << 20}) {
     for (const auto set :

@@ -353,7 +353,7 @@ TEST_CASE("Place kernels of every instruction set agree") {
         RC_ASSERT(ranges[q].high == *std::max_element(rows[q].begin(), rows[q].end()));
       }
       std::vector<std::uint8_t> narrowed(width);
-      kernels.look(NarrowedCases{}.of(cases, ranges), quantities, width, narrowed.data());
+      kernels.look(NarrowedCases{cases}.in(ranges), quantities, width, narrowed.data());
       RC_ASSERT(narrowed == looks);
       std::vector<std::int32_t> kept(width);
       const std::uint64_t wanted = std::uint64_t{0b10110} | std::uint64_t{1} << 40;
@@ -370,6 +370,42 @@ TEST_CASE("Place kernels of every instruction set agree") {
     const auto plain = results(InstructionSet::scalar);
     for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (runs_here(set)) RC_ASSERT(results(set) == plain);
+    }
+  }));
+}
+
+TEST_CASE("What a row leaves of a list of cases does not depend on the rows before") {
+  CHECK(rc::check([] {
+    std::vector<Places::Case> cases(6);
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      cases[c].look = static_cast<std::uint8_t>(c + 1);
+      for (int k = *rc::gen::inRange(0, 3); k > 0; --k) {
+        const auto limit = static_cast<float>(*rc::gen::inRange(-4, 5));
+        cases[c].conditions.push_back(
+            {*rc::gen::inRange<std::size_t>(0, 3), *rc::gen::arbitrary<bool>(), limit});
+      }
+    }
+    NarrowedCases kept{cases};
+    std::vector<ValueRange> ranges(3);
+    for (int row = 0; row < 60; ++row) {
+      for (ValueRange& range : ranges) {
+        if (*rc::gen::inRange(0, 3) != 0) continue;  // as most do not move far
+        range.low = static_cast<float>(*rc::gen::inRange(-10, 11)) * 0.5F;
+        range.high = range.low + static_cast<float>(*rc::gen::inRange(0, 6)) * 0.5F;
+      }
+      NarrowedCases anew{cases};
+      const auto found = kept.in(ranges);
+      const auto expected = anew.in(ranges);
+      RC_ASSERT(found.size() == expected.size());
+      for (std::size_t c = 0; c < found.size(); ++c) {
+        RC_ASSERT(found[c].look == expected[c].look);
+        RC_ASSERT(found[c].conditions.size() == expected[c].conditions.size());
+        for (std::size_t k = 0; k < found[c].conditions.size(); ++k) {
+          const Places::Condition& one = found[c].conditions[k];
+          const Places::Condition& other = expected[c].conditions[k];
+          RC_ASSERT(one.quantity == other.quantity && one.above == other.above && one.limit == other.limit);
+        }
+      }
     }
   }));
 }

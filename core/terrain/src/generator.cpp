@@ -72,10 +72,10 @@ struct Generator::Scratch {
   std::vector<Field> surveys;  // one a feature; empty where it keeps nothing
   std::size_t survey = 0;      // whose turn it is
   Field slope;                 // for loose material, where it is not `ground`'s
-  Field share;                 // of a loose material, likewise
   Field entrances;             // with less around
   std::vector<Field> most;     // of loose materials, bottom up, for erosion
   const Field* loose_slope = nullptr;
+  int slope_ring = 0;  // of it that lies around what loose material needs
   std::vector<std::int64_t> xs;
   std::vector<std::int64_t> zs;
   Field limit;
@@ -177,16 +177,24 @@ const Field& Generator::entrances_around(int ring) {
   return s.entrances;
 }
 
-const Field& Generator::slope_for_loose(int ring) {
+/// Over the region and `ring` columns around it: nothing stays where a cave opens.
+void Generator::find_loose_slope(int ring) {
   Scratch& s = *scratch_;
-  if (s.around == ring && !s.carver) return s.ground.slope();
-  s.ground.slope().crop_into(s.around - ring, s.slope);
-  if (!s.carver) return s.slope;
-  const Field& entrances = entrances_around(ring);
-  for (std::size_t i = 0; i < entrances.values.size(); ++i) {
-    if (entrances.values[i] != Carver::kClosed) s.slope.values[i] = kSheer_fx;
+  const Field& ground = s.ground.slope();
+  s.loose_slope = &ground;
+  s.slope_ring = s.around - ring;
+  if (!s.carver || s.carver->entrances().values.empty()) return;
+  const Field& entrances = s.carver->entrances();
+  const int open_ring = s.open_ring - ring;
+  s.slope.reshape(s.region.width + 2 * ring, s.region.depth + 2 * ring);
+  for (int z = 0; z < s.slope.depth; ++z) {
+    const std::int32_t* const open = entrances.row(z + open_ring).data() + open_ring;
+    const std::int32_t* const own = ground.row(z + s.slope_ring).data() + s.slope_ring;
+    const auto row = s.slope.row(z);
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = open[x] == Carver::kClosed ? own[x] : kSheer_fx;
   }
-  return s.slope;
+  s.loose_slope = &s.slope;
+  s.slope_ring = 0;
 }
 
 void Generator::generate_with_halo(const Region& region, int halo, Terrain& terrain) {
@@ -216,11 +224,10 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   s.ground.height().crop_into(s.around, terrain.surface);
   build_strata(terrain);
   take_caves(ring, terrain.surface, terrain.caves);
-  const Field& slope = slope_for_loose(ring);
+  find_loose_slope(ring);
   for (std::size_t m = 0; m < terrain.loose.size(); ++m) {
     const LooseSpec& loose = world_->loose()[m];
-    s.loose_slope = &slope;
-    start_grid(loose);
+    start_grid(loose, ring);
     s.grid.settle(loose.c_fx);
     terrain.loose[m].reshape(region.width, region.depth);
     for (int z = 0; z < region.depth; ++z) {
@@ -361,7 +368,7 @@ void Generator::start_loose() {
   // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
   s.ground.height().crop_into(s.around, s.limit);
   shift_right(s.limit, s.region.lod.value());
-  s.loose_slope = &slope_for_loose(s.ring);
+  find_loose_slope(s.ring);
   s.unsettled = world_->loose_bottom_up().size();
   s.loose_tops.resize(s.unsettled);
 }
@@ -383,7 +390,7 @@ void Generator::settle(std::size_t place) {
     s.loose_tops[place].reshape(s.region.width, s.region.depth);
     return;
   }
-  start_grid(loose);
+  start_grid(loose, s.ring);
   s.grid.settle(loose.c_fx);
   std::swap(s.loose_tops[place], s.limit);
   s.limit.reshape(s.region.width, s.region.depth);
@@ -454,10 +461,11 @@ void Generator::set_loose_over_ground() {
 void Generator::add_aprons(Field& thickness) {
   const Scratch& s = *scratch_;
   const int ring = s.around - s.ring;
+  const int bare_ring = ring + s.ground.bare_ring();
   for (int z = 0; z < thickness.depth; ++z) {
     for (int x = 0; x < thickness.width; ++x) {
       const std::int32_t apron_fx =
-          s.ground.height().at(x + ring, z + ring) - s.ground.bare().at(x + ring, z + ring);
+          s.ground.height().at(x + ring, z + ring) - s.ground.bare().at(x + bare_ring, z + bare_ring);
       thickness.at(x, z) += apron_fx >> s.region.lod.value();
     }
   }
@@ -505,19 +513,34 @@ bool Generator::is_talus(std::size_t place) const {
 /// Aprons are of one loose material down to the ground without them. `top` in the level's subvoxels.
 void Generator::cut_at_bare(Field& top) const {
   const Scratch& s = *scratch_;
+  const int ring = s.around + s.ground.bare_ring();
   for (int z = 0; z < top.depth; ++z) {
-    s.columns.cut_at(s.ground.bare().row(z + s.around).data() + s.around, s.region.lod.value(),
+    s.columns.cut_at(s.ground.bare().row(z + ring).data() + ring, s.region.lod.value(),
                      static_cast<std::size_t>(top.width), top.row(z).data());
   }
 }
 
-/// The thickness before settling, by slope and place, over the region and its ring.
-void Generator::start_grid(const LooseSpec& loose) {
+/// The thickness before settling, by slope and place, over the region and `ring` columns around it.
+void Generator::start_grid(const LooseSpec& loose, int ring) {
   Scratch& s = *scratch_;
   const Lod lod = s.region.lod;
-  if (!loose.share) return s.grid.start(*s.loose_slope, loose.thickness_at(lod), loose.steepest_at(lod));
-  crop_share(*loose.share, s.ring, s.share);
-  s.grid.start(*s.loose_slope, s.share, loose.t_fx, kWholeShare << lod.value(), loose.steepest_at(lod));
+  const std::int32_t steepest_fx = loose.steepest_at(lod);
+  const int width = s.region.width + 2 * ring;
+  const int depth = s.region.depth + 2 * ring;
+  const Field* const share = loose.share ? &s.ground.shares()[*loose.share] : nullptr;
+  const int share_ring = s.around - ring;
+  s.grid.begin(width, depth, loose.thickness_at(lod));
+  for (int z = 0; z < depth; ++z) {
+    const std::int32_t* const slope = s.loose_slope->row(z + s.slope_ring).data() + s.slope_ring;
+    if (share == nullptr || s.ground.places()->is_whole(*loose.share, z + share_ring)) {
+      s.grid.start_row(z, slope, loose.thickness_at(lod), steepest_fx);
+    } else if (share->values.empty()) {
+      s.grid.start_row(z, slope, 0, steepest_fx);
+    } else {
+      s.grid.start_row(z, slope, share->row(z + share_ring).data() + share_ring, loose.t_fx,
+                       kWholeShare << lod.value(), steepest_fx);
+    }
+  }
 }
 
 /// Over the region and `ring` columns around it.
@@ -532,7 +555,7 @@ void Generator::crop_share(std::size_t rule, int ring, Field& share) const {
 /// All that is known with the ground.
 void Generator::take_places(Terrain& terrain) {
   Scratch& s = *scratch_;
-  s.ground.bare().crop_into(s.around, terrain.bare);
+  s.ground.bare().crop_into(s.around + s.ground.bare_ring(), terrain.bare);
   shift_right(terrain.bare, terrain.region.lod.value());
   take_looks(terrain.looks);
   start_objects(terrain.objects);

@@ -204,19 +204,46 @@ void settle(const PaddedRows<Cell>& rows, Rise rise) {
   }
 }
 
-// The quotient in doubles: t * room is exact below 2^53 and a quotient that is no integer lies at least 1 / S
-// from the next one, so half a unit more in the numerator leaves rounding no way past it. `thickness_at`
-// gives t at a vector's columns.
-template <class Cell, class Thickness>
+// The quotient as real numbers: t * room is exact below 2^53 in doubles and below 2^24 in floats. A quotient
+// that is no integer lies at least 1 / S from the next one, so half a unit more in the numerator leaves
+// rounding no way past it, by floats where t and S are few enough: twice rounded, (t + 0.5) / 2^23 is less
+// than 0.5 / S.
+constexpr std::int32_t kMostInFloats_fx = 4095;  // a share of it is exact, too
+[[nodiscard]] bool fits_floats(std::int32_t thickness_fx, std::int32_t max_slope_fx) {
+  return thickness_fx <= kMostInFloats_fx && max_slope_fx <= 1 << 20 &&
+         std::int64_t{thickness_fx} * max_slope_fx <= 1 << 21;
+}
+
+template <class D>
+HWY_INLINE hn::VFromD<D> from_ints(D d, hn::VFromD<hn::Rebind<std::int32_t, D>> whole) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t)) {
+    return hn::ConvertTo(d, whole);
+  } else {
+    return hn::PromoteTo(d, whole);
+  }
+}
+/// Rounded down, where it is not negative.
+template <class D>
+HWY_INLINE hn::VFromD<hn::Rebind<std::int32_t, D>> to_ints(D /*d*/, hn::VFromD<D> real) {
+  const hn::Rebind<std::int32_t, D> ints;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t)) {
+    return hn::ConvertTo(ints, real);
+  } else {
+    return hn::DemoteTo(ints, real);
+  }
+}
+
+/// `thickness_at` gives t at a vector's columns.
+template <class Real, class Cell, class Thickness>
 HWY_INLINE void start_with(const std::int32_t* slope, std::size_t width, std::int32_t max_slope_fx,
                            const Thickness& thickness_at, Cell* cells) {
-  const double part = 1.0 / max_slope_fx;
-  over_row(hn::ScalableTag<double>{}, width, [=](auto d, std::size_t i) HWY_ATTR {
+  const Real part = Real{1} / static_cast<Real>(max_slope_fx);
+  over_row(hn::ScalableTag<Real>{}, width, [=](auto d, std::size_t i) HWY_ATTR {
     const hn::Rebind<std::int32_t, decltype(d)> ints;
     const auto steepness = hn::Min(hn::LoadU(ints, slope + i), hn::Set(ints, max_slope_fx));
-    const auto room = hn::PromoteTo(d, hn::Sub(hn::Set(ints, max_slope_fx), steepness));
-    const auto product = hn::Add(hn::Mul(room, thickness_at(d, i)), hn::Set(d, 0.5));
-    const auto quotient = hn::DemoteTo(ints, hn::Mul(product, hn::Set(d, part)));
+    const auto room = from_ints(d, hn::Sub(hn::Set(ints, max_slope_fx), steepness));
+    const auto product = hn::Add(hn::Mul(room, thickness_at(d, i)), hn::Set(d, Real{0.5}));
+    const auto quotient = to_ints(d, hn::Mul(product, hn::Set(d, part)));
     const hn::Rebind<Cell, decltype(d)> out;
     if constexpr (sizeof(Cell) == sizeof(std::int32_t)) {
       hn::StoreU(quotient, out, cells + i);
@@ -226,27 +253,49 @@ HWY_INLINE void start_with(const std::int32_t* slope, std::size_t width, std::in
   });
 }
 
-template <class Cell>
-void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
-           Cell* cells) {
-  const double thickness = thickness_fx;
-  start_with(
+template <class Real, class Cell>
+void start_by(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx,
+              std::int32_t max_slope_fx, Cell* cells) {
+  const auto thickness = static_cast<Real>(thickness_fx);
+  start_with<Real>(
       slope, width, max_slope_fx, [=](auto d, std::size_t) HWY_ATTR { return hn::Set(d, thickness); }, cells);
 }
 
-// t * share is exact in doubles, and so is its part of a power of two.
 template <class Cell>
-void start_shared(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
-                  std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {
-  const double thickness = static_cast<double>(thickness_fx) / whole;
-  start_with(
+void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
+           Cell* cells) {
+  if (fits_floats(thickness_fx, max_slope_fx)) {
+    start_by<float>(slope, width, thickness_fx, max_slope_fx, cells);
+  } else {
+    start_by<double>(slope, width, thickness_fx, max_slope_fx, cells);
+  }
+}
+
+// t * share is exact, and so is its part of a power of two.
+template <class Real, class Cell>
+void start_shared_by(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                     std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {
+  const Real thickness = static_cast<Real>(thickness_fx) / static_cast<Real>(whole);
+  start_with<Real>(
       slope, width, max_slope_fx,
       [=](auto d, std::size_t i) HWY_ATTR {
         const hn::Rebind<std::int32_t, decltype(d)> ints;
-        const auto exact = hn::Mul(hn::PromoteTo(d, hn::LoadU(ints, share + i)), hn::Set(d, thickness));
-        return hn::PromoteTo(d, hn::DemoteTo(ints, exact));
+        const auto exact = hn::Mul(from_ints(d, hn::LoadU(ints, share + i)), hn::Set(d, thickness));
+        return from_ints(d, to_ints(d, exact));
       },
       cells);
+}
+
+constexpr std::int32_t kMostShareInFloats = 1 << 12;
+
+template <class Cell>
+void start_shared(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                  std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {
+  if (fits_floats(thickness_fx, max_slope_fx) && whole <= kMostShareInFloats) {
+    start_shared_by<float>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);
+  } else {
+    start_shared_by<double>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);
+  }
 }
 
 template <class Cell>

@@ -105,10 +105,10 @@ int apron_halo(const ApronNumbers& numbers) {
 }
 
 void Aprons::compute(const Field& height, const Field& slope, int margin, const ApronNumbers& numbers,
-                     Field& raised, Field& cliff) {
+                     Field& raised, Field& cliff, int cliff_ring) {
   assert(margin >= apron_halo(numbers) && height.width == slope.width && height.depth == slope.depth);
   assert(numbers.steps == 0 || std::has_single_bit(static_cast<unsigned>(numbers.steps)));
-  near_walls(slope, margin, numbers, cliff);
+  near_walls(slope, margin + cliff_ring, numbers, cliff);
   // Every pass looks at neighbours, so what it knows ends one ring farther in, and at the region in the end.
   int ring = margin - raised_halo(numbers);
   if (spreads(numbers) == 0 || !start_feet(height, slope, numbers, ring)) {

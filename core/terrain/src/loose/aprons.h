@@ -60,11 +60,11 @@ class Aprons {
       : kernels_{&apron_kernels(set)}, columns_{&column_kernels(set)}, distances_{set} {}
 
   /// `height`, 0 to 2^23, and `slope` (eq. 1) cover a region.expanded(margin), margin >= apron_halo(numbers).
-  /// What comes out covers the region: `raised`, H with its aprons, and `cliff`, from kCliff at walls to 0 at
-  /// cliff_reach columns from them, by octagonal distance; or, by slope, clamp(2 slope / wall + walls
-  /// beside - 1, 0, 1) of that. Neither is an input.
+  /// What comes out covers the region: `raised`, H with its aprons, and `cliff`, the region without its
+  /// outermost `cliff_ring` columns: from kCliff at walls to 0 at cliff_reach columns from them, by octagonal
+  /// distance; or, by slope, clamp(2 slope / wall + walls beside - 1, 0, 1) of that. Neither is an input.
   void compute(const Field& height, const Field& slope, int margin, const ApronNumbers& numbers,
-               Field& raised, Field& cliff);
+               Field& raised, Field& cliff, int cliff_ring = 0);
 
  private:
   // `ring`: how many columns from the edges of the fields what is known begins.

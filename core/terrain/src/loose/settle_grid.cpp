@@ -40,32 +40,29 @@ void SettleGrid::reshape(int width, int depth, std::int32_t max_fx) {
 }
 
 void SettleGrid::start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx) {
-  reshape(slope.width, slope.depth, thickness_fx);
-  for (int z = 0; z < slope.depth; ++z) {
-    const auto row = static_cast<std::size_t>(z);
-    const std::int32_t* from = slope.row(z).data();
-    if (narrow_) {
-      kernels_->start_int16(from, narrow_rows_.width, thickness_fx, max_slope_fx, narrow_rows_.row(row));
-    } else {
-      kernels_->start_int32(from, wide_rows_.width, thickness_fx, max_slope_fx, wide_rows_.row(row));
-    }
+  begin(slope.width, slope.depth, thickness_fx);
+  for (int z = 0; z < slope.depth; ++z) start_row(z, slope.row(z).data(), thickness_fx, max_slope_fx);
+}
+
+void SettleGrid::start_row(int z, const std::int32_t* slope, std::int32_t thickness_fx,
+                           std::int32_t max_slope_fx) {
+  const auto row = static_cast<std::size_t>(z);
+  if (narrow_) {
+    kernels_->start_int16(slope, narrow_rows_.width, thickness_fx, max_slope_fx, narrow_rows_.row(row));
+  } else {
+    kernels_->start_int32(slope, wide_rows_.width, thickness_fx, max_slope_fx, wide_rows_.row(row));
   }
 }
 
-void SettleGrid::start(const Field& slope, const Field& share, std::int32_t thickness_fx, std::int32_t whole,
-                       std::int32_t max_slope_fx) {
-  reshape(slope.width, slope.depth, thickness_fx);
-  for (int z = 0; z < slope.depth; ++z) {
-    const auto row = static_cast<std::size_t>(z);
-    const std::int32_t* from = slope.row(z).data();
-    const std::int32_t* part = share.row(z).data();
-    if (narrow_) {
-      kernels_->start_shared_int16(from, part, narrow_rows_.width, thickness_fx, whole, max_slope_fx,
-                                   narrow_rows_.row(row));
-    } else {
-      kernels_->start_shared_int32(from, part, wide_rows_.width, thickness_fx, whole, max_slope_fx,
-                                   wide_rows_.row(row));
-    }
+void SettleGrid::start_row(int z, const std::int32_t* slope, const std::int32_t* share,
+                           std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx) {
+  const auto row = static_cast<std::size_t>(z);
+  if (narrow_) {
+    kernels_->start_shared_int16(slope, share, narrow_rows_.width, thickness_fx, whole, max_slope_fx,
+                                 narrow_rows_.row(row));
+  } else {
+    kernels_->start_shared_int32(slope, share, wide_rows_.width, thickness_fx, whole, max_slope_fx,
+                                 wide_rows_.row(row));
   }
 }
 

@@ -19,10 +19,13 @@ class SettleGrid {
 
   /// The thickness before settling (eq. 3) over `slope`.
   void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
-  /// The same of floor(thickness * share / whole), 0 <= share <= whole, a power of two: `thickness_fx` is the
-  /// most that this can be before it is cut to the cells.
-  void start(const Field& slope, const Field& share, std::int32_t thickness_fx, std::int32_t whole,
-             std::int32_t max_slope_fx);
+  /// The same row by row: begin(), with the most that a thickness can be, and then one of the two for each
+  /// row, of `width` columns.
+  void begin(int width, int depth, std::int32_t most_fx) { reshape(width, depth, most_fx); }
+  void start_row(int z, const std::int32_t* slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
+  /// Of floor(thickness * share / whole), 0 <= share <= whole, a power of two.
+  void start_row(int z, const std::int32_t* slope, const std::int32_t* share, std::int32_t thickness_fx,
+                 std::int32_t whole, std::int32_t max_slope_fx);
   /// Any field of 0 to 2^20 instead.
   void start(const Field& thickness);
   /// 0 in walls, columns of `slope` less its outermost `ring` that are steeper than `wall_fx`; `elsewhere` in

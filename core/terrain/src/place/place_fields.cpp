@@ -21,6 +21,7 @@ PlaceFields::PlaceFields(std::shared_ptr<const Places> places, std::int32_t sea_
       ranges_(places_->quantities),
       at_points_{std::move(at_points)} {
   for (const auto& cases : places_->looks) {
+    narrowed_.emplace_back(cases);
     for (const Places::Case& one : cases) {
       for (const Places::Condition& condition : one.conditions) asked_.push_back(condition.quantity);
     }
@@ -45,11 +46,13 @@ void PlaceFields::start(int width, int depth, bool from_tiles) {
   }
   any_.resize(shares_.size());
   for (auto& rows : any_) rows.assign(static_cast<std::size_t>(depth), Any::none);
+  whole_.resize(shares_.size());
+  for (auto& rows : whole_) rows.assign(static_cast<std::size_t>(depth), 0);
   only_.resize(looks_.size());
   for (auto& rows : only_) rows.assign(static_cast<std::size_t>(depth), kSeveral);
   from_tiles_ = from_tiles;
   tiles_a_row_ = 0;
-  each_used_ = 0;
+  tiles_.clear();
   late_ = false;
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     late_ = late_ || (!is_at_points(i) && !places_->shares[i].late.empty());
@@ -57,8 +60,8 @@ void PlaceFields::start(int width, int depth, bool from_tiles) {
   some_.assign(shares_.size(), 0);
   gathered_.resize(places_->quantities);
   rows_.resize(places_->quantities);
-  share_.resize(padded(columns));
-  thinned_.resize(padded(columns));
+  whole_share_.resize(padded(columns), kWholeShare);
+  for (auto& thinned : thinned_) thinned.resize(padded(columns));
 }
 
 void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::size_t first,
@@ -88,7 +91,7 @@ void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::
 
 void PlaceFields::set_looks(int z, std::size_t width) {
   for (std::size_t i = 0; i < looks_.size(); ++i) {
-    const std::span<const Places::Case> cases = narrowed_.of(places_->looks[i], ranges_);
+    const std::span<const Places::Case> cases = narrowed_[i].in(ranges_);
     const auto looks = looks_[i].row(z);
     std::int16_t& only = only_[i][static_cast<std::size_t>(z)];
     if (cases.empty() || cases.front().conditions.empty()) {
@@ -109,31 +112,29 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   any = Any::none;
   if (present != 0 && (rule.looks & present) == 0) return;
   // A ramp and its rounding are monotone, so that the ends of a row's range bound what it leaves there.
-  bool thins = false;
+  thinning_.clear();
   for (const Places::Ramp& ramp : rule.early) {
     const float at_low = ramp.at(ranges_[ramp.quantity].low);
     const float at_high = ramp.at(ranges_[ramp.quantity].high);
     if (at_low <= 0 && at_high <= 0) return;
-    thins = thins || at_low < 1 || at_high < 1;
+    if (at_low < 1 || at_high < 1) thinning_.push_back(&ramp);
   }
   const bool all_looks = (present & ~rule.looks) == 0;
-  any = thins || !all_looks ? Any::some : Any::whole;
+  any = !thinning_.empty() || !all_looks ? Any::some : Any::whole;
   const auto out = share_to_set(i).row(z);
   if (any == Any::whole) {
     std::fill(out.begin(), out.end(), kWholeShare);
     return;
   }
-  std::fill_n(share_.begin(), width, kWholeShare);
-  for (const Places::Ramp& ramp : rule.early) {
-    if (ramp.at(ranges_[ramp.quantity].low) >= 1 && ramp.at(ranges_[ramp.quantity].high) >= 1) continue;
-    kernels_.thin(ramp, rows_[ramp.quantity], share_.data(), width, thinned_.data());
-    std::swap(share_, thinned_);
+  // Each from what the one before has left, and the last one into the field.
+  const std::int32_t* left = whole_share_.data();
+  for (std::size_t k = 0; k < thinning_.size(); ++k) {
+    const bool last = all_looks && k + 1 == thinning_.size();
+    std::int32_t* const thinned = last ? out.data() : thinned_[k % 2].data();
+    kernels_.thin(*thinning_[k], rows_[thinning_[k]->quantity], left, width, thinned);
+    left = thinned;
   }
-  if (all_looks) {
-    std::copy_n(share_.begin(), width, out.begin());
-  } else {
-    kernels_.keep(rule.looks, looks_.front().row(z).data(), share_.data(), width, out.data());
-  }
+  if (!all_looks) kernels_.keep(rule.looks, looks_.front().row(z).data(), left, width, out.data());
 }
 
 /// Its values are unspecified in rows that have none.
@@ -168,22 +169,34 @@ GroundTile::Values<Value> tile_values(const Row& row) {
   return values;
 }
 
-// Part of row z of a tile, most often all of it: then its length is known to the compiler.
+/// Some rows of a tile, and of each some columns.
+struct PartOfTile {
+  int first = 0;
+  int count = 0;
+  int first_row = 0;
+  int rows = 0;
+};
+
+// Rows are most often whole: then their length is known to the compiler. Its numbers are in registers, as
+// what is written, bytes, might else be any of them.
 template <class Value, class To>
-void take_tile_row(const GroundTile::Values<Value>& values, int z, int first, int count, To* to) {
-  const Value* const from =
-      values.each ? &(*values.each)[static_cast<std::size_t>(kGroundTileSide * z + first)] : nullptr;
-  const auto take = [&](auto columns) {
+void take_part(const GroundTile::Values<Value>& values, const PartOfTile& part, To* to, std::size_t stride) {
+  const auto skipped = static_cast<std::size_t>(kGroundTileSide * part.first_row + part.first);
+  const Value* from = values.each ? values.each->data() + skipped : nullptr;
+  const auto all = static_cast<To>(values.all);
+  auto take = [from, all, to, stride, rows = part.rows](auto columns) mutable {
     if (from == nullptr) {
-      std::fill_n(to, columns, static_cast<To>(values.all));
+      for (int row = 0; row < rows; ++row, to += stride) std::fill_n(to, columns, all);
     } else {
-      std::copy_n(from, columns, to);
+      for (int row = 0; row < rows; ++row, to += stride, from += kGroundTileSide) {
+        std::copy_n(from, columns, to);
+      }
     }
   };
-  if (count == kGroundTileSide) {
+  if (part.count == kGroundTileSide) {
     take(std::integral_constant<int, kGroundTileSide>{});
   } else {
-    take(count);
+    take(part.count);
   }
 }
 
@@ -223,54 +236,51 @@ void PlaceFields::fill(int x, int z, GroundTile& tile) const {
   }
 }
 
-void PlaceFields::take(int x, int z, const GroundTile& tile) {
+void PlaceFields::take(int x, int z, const GroundTilePtr& tile) {
   const int first = std::max(-x, 0);  // of the tile's columns
   const int count = std::min(width_ - x, kGroundTileSide) - first;
   const int first_row = std::max(-z, 0);
   const int last_row = std::min(depth_ - z, kGroundTileSide);
   if (count <= 0 || first_row >= last_row) return;
   take_at_points(x, z, tile);
-  const auto to = static_cast<std::size_t>(x + first);
+  const PartOfTile part{first, count, first_row, last_row - first_row};
+  const auto stride = static_cast<std::size_t>(width_);
   for (std::size_t i = 0; i < looks_.size(); ++i) {
-    for (int row = first_row; row < last_row; ++row) {
-      take_tile_row(tile.looks[i], row, first, count, looks_[i].row(z + row).data() + to);
-    }
+    take_part(tile->looks[i], part, &looks_[i].at(x + first, z + first_row), stride);
   }
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    const GroundTile::Values<std::uint16_t>& values = tile.shares[i];
+    const GroundTile::Values<std::uint16_t>& values = tile->shares[i];
     if (is_at_points(i) || (!values.each && values.all == 0)) continue;
     Field& share = share_to_set(i);
     for (int row = first_row; row < last_row; ++row) {
       Any& any = any_[i][static_cast<std::size_t>(z + row)];
-      const auto columns = share.row(z + row);
-      if (any == Any::none) std::fill(columns.begin(), columns.end(), 0);
-      any = Any::some;
-      take_tile_row(values, row, first, count, columns.data() + to);
+      if (any == Any::none && count < width_) {
+        const auto columns = share.row(z + row);
+        std::fill(columns.begin(), columns.end(), 0);
+      }
+      int& whole = whole_[i][static_cast<std::size_t>(z + row)];
+      if (!values.each && values.all == kWholeShare) whole += count;
+      any = whole == width_ ? Any::whole : Any::some;
     }
+    take_part(values, part, &share.at(x + first, z + first_row), stride);
   }
 }
 
 // Objects stand on few columns: what a tile has is looked up there.
-void PlaceFields::take_at_points(int x, int z, const GroundTile& tile) {
+void PlaceFields::take_at_points(int x, int z, const GroundTilePtr& tile) {
   if (at_points_.empty()) return;
   if (tiles_a_row_ == 0) {
     tile_x_ = static_cast<int>(kGroundTileSide - floor_mod(x, kGroundTileSide));
     tile_z_ = static_cast<int>(kGroundTileSide - floor_mod(z, kGroundTileSide));
     tiles_a_row_ = (width_ + tile_x_ + kGroundTileSide - 1) / kGroundTileSide;
     const int rows = (depth_ + tile_z_ + kGroundTileSide - 1) / kGroundTileSide;
-    tile_shares_.assign(static_cast<std::size_t>(tiles_a_row_ * rows) * shares_.size(), {});
+    tiles_.assign(static_cast<std::size_t>(tiles_a_row_ * rows), nullptr);
   }
   const int place = (z + tile_z_) / kGroundTileSide * tiles_a_row_ + (x + tile_x_) / kGroundTileSide;
-  TileShare* const shares = &tile_shares_[static_cast<std::size_t>(place) * shares_.size()];
+  tiles_[static_cast<std::size_t>(place)] = tile;
   for (std::size_t i = 0; i < shares_.size(); ++i) {
-    const GroundTile::Values<std::uint16_t>& values = tile.shares[i];
-    if (!at_points_[i] || (!values.each && values.all == 0)) continue;
-    some_[i] = 1;
-    shares[i].all = values.all;
-    if (!values.each) continue;
-    if (each_used_ == each_.size()) each_.emplace_back();
-    shares[i].each = static_cast<std::int32_t>(each_used_);
-    each_[each_used_++] = *values.each;
+    const GroundTile::Values<std::uint16_t>& values = tile->shares[i];
+    if (at_points_[i] && (values.each || values.all != 0)) some_[i] = 1;
   }
 }
 
@@ -280,10 +290,10 @@ bool PlaceFields::has_share(std::size_t i) const {
 
 std::int32_t PlaceFields::early_share_at(std::size_t i, int x, int z) const {
   const int place = (z + tile_z_) / kGroundTileSide * tiles_a_row_ + (x + tile_x_) / kGroundTileSide;
-  const TileShare& share = tile_shares_[static_cast<std::size_t>(place) * shares_.size() + i];
-  if (share.each < 0) return share.all;
+  const GroundTile::Values<std::uint16_t>& share = tiles_[static_cast<std::size_t>(place)]->shares[i];
+  if (!share.each) return share.all;
   const int column = (z + tile_z_) % kGroundTileSide * kGroundTileSide + (x + tile_x_) % kGroundTileSide;
-  return each_[static_cast<std::size_t>(share.each)][static_cast<std::size_t>(column)];
+  return (*share.each)[static_cast<std::size_t>(column)];
 }
 
 std::int32_t PlaceFields::share_at_point(std::size_t i, int x, int z) const {
@@ -310,7 +320,8 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
     for (std::size_t i = 0; i < shares_.size(); ++i) {
       if (is_at_points(i) || shares_[i].values.empty()) continue;
       const auto share = shares_[i].row(z);
-      bool any = any_[i][row] != Any::none;
+      Any& of_row = any_[i][row];
+      bool any = of_row != Any::none;
       for (const Places::Ramp& ramp : places_->shares[i].late) {
         const bool by_slope = ramp.quantity == number_of(Quantity::slope);
         if (!any || (!by_slope && cliff == nullptr)) continue;
@@ -320,9 +331,10 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
         const float at_high = ramp.at(range.high);
         if (at_low >= 1 && at_high >= 1) continue;
         any = at_low > 0 || at_high > 0;
+        of_row = any ? Any::some : Any::none;
         if (!any) continue;
-        std::copy_n(share.begin(), width, share_.begin());
-        kernels_.thin_by_int32(ramp, (by_slope ? slope : *cliff).row(z).data(), share_.data(), width,
+        std::copy_n(share.begin(), width, thinned_[0].begin());
+        kernels_.thin_by_int32(ramp, (by_slope ? slope : *cliff).row(z).data(), thinned_[0].data(), width,
                                share.data());
       }
       if (!any) std::fill(share.begin(), share.end(), 0);

@@ -90,7 +90,7 @@ void Ground::look_up_tiles() {
     for (int x = 0; x < width;) {
       const GroundTilePtr* const row = &found_[static_cast<std::size_t>(z) * static_cast<std::size_t>(width)];
       if (row[x]) {
-        take_tile(x, z, *row[x]);
+        take_tile(x, z, row[x]);
         ++x;
         continue;
       }
@@ -112,14 +112,14 @@ void Ground::look_up_tiles() {
   found_.assign(found_.size(), nullptr);
 }
 
-void Ground::take_tile(int tile_x, int tile_z, const GroundTile& tile) {
+void Ground::take_tile(int tile_x, int tile_z, const GroundTilePtr& tile) {
   const int x = tile_x * kGroundTileSide;
   const int z = tile_z * kGroundTileSide;
   for (int row = 0; row < kGroundTileSide; ++row) {
-    copy_tile_row(&tile.heights_fx[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
+    copy_tile_row(&tile->heights_fx[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
                   &known_height_.at(x, z + row));
     if (!knows_slopes_) continue;
-    copy_tile_row(&tile.slopes_fx.front()[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
+    copy_tile_row(&tile->slopes_fx.front()[static_cast<std::size_t>(row * kGroundTileSide)], kGroundTileSide,
                   &known_slope_.at(x, z + row));
   }
   if (places_) {
@@ -139,12 +139,13 @@ void Ground::keep_tiles(const Block& block, int first) {
       if (!knows_slopes_) continue;
       copy_tile_row(&known_slope_.at(x, z + row), kGroundTileSide, &tile->slopes_fx.front()[to]);
     }
+    if (places_) places_of_block_->fill(x - block.x, 0, *tile);
+    GroundTilePtr kept = std::move(tile);
     if (places_) {
-      places_of_block_->fill(x - block.x, 0, *tile);
       places_->take(x + static_cast<int>(known_.x - asked_.x), z + static_cast<int>(known_.z - asked_.z),
-                    *tile);
+                    kept);
     }
-    cache_->tiles().put(key_of(x / kGroundTileSide, z / kGroundTileSide), std::move(tile));
+    cache_->tiles().put(key_of(x / kGroundTileSide, z / kGroundTileSide), std::move(kept));
   }
 }
 
@@ -250,11 +251,9 @@ void Ground::finish() {
 }
 
 void Ground::raise_aprons() {
-  aprons_->compute(height_, slope_, margin_ - 1, at_level(apron_numbers_, region_.lod), with_ring_,
-                   ringed_cliff_);
-  height_.crop_into(margin_, bare_);
+  aprons_->compute(height_, slope_, margin_ - 1, at_level(apron_numbers_, region_.lod), with_ring_, cliff_,
+                   1);
   with_ring_.crop_into(1, raised_);
-  ringed_cliff_.crop_into(1, cliff_);
   raised_slope_.reshape(asked_.width, asked_.depth);
   if (region_.lod.value() == 0) {
     for (int z = 0; z < asked_.depth; ++z) {
@@ -265,8 +264,13 @@ void Ground::raise_aprons() {
   }
   // Base columns beside a coarse one have no apron of their own: it lies at its angle of repose.
   slope_.crop_into(margin_, raised_slope_);
-  for (std::size_t i = 0; i < raised_slope_.values.size(); ++i) {
-    if (raised_.values[i] > bare_.values[i]) raised_slope_.values[i] = apron_numbers_.c_fx;
+  for (int z = 0; z < asked_.depth; ++z) {
+    const std::int32_t* const bare = height_.row(z + margin_).data() + margin_;
+    const auto raised = raised_.row(z);
+    const auto slope = raised_slope_.row(z);
+    for (std::size_t x = 0; x < raised.size(); ++x) {
+      if (raised[x] > bare[x]) slope[x] = apron_numbers_.c_fx;
+    }
   }
 }
 

@@ -37,8 +37,9 @@ class Ground {
 
   /// With its aprons, where the world has them.
   [[nodiscard]] const Field& height() const { return aprons_ ? raised_ : height_; }
-  /// Without.
-  [[nodiscard]] const Field& bare() const { return aprons_ ? bare_ : height_; }
+  /// Without, over the region and bare_ring() columns around it.
+  [[nodiscard]] const Field& bare() const { return height_; }
+  [[nodiscard]] int bare_ring() const { return margin_; }
   [[nodiscard]] const Field& slope() const { return aprons_ ? raised_slope_ : slope_; }
   /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
   /// A share that is 0 all over the region is empty, and so is one that no loose material asks for: places()
@@ -61,7 +62,7 @@ class Ground {
   [[nodiscard]] bool coarse() const { return region_.lod.value() > 0; }
   [[nodiscard]] GroundTileKey key_of(int tile_x, int tile_z) const;
   void look_up_tiles();
-  void take_tile(int tile_x, int tile_z, const GroundTile& tile);
+  void take_tile(int tile_x, int tile_z, const GroundTilePtr& tile);
   void keep_tiles(const Block& block, int first);
   void begin(const Block& block);
   void compute_row(const Block& block, int z);
@@ -99,7 +100,7 @@ class Ground {
   std::optional<Aprons> aprons_;
   ApronNumbers apron_numbers_;  // of level 0
   int margin_ = 0;              // columns around the region that aprons are made from
-  Field bare_, raised_, raised_slope_, cliff_, with_ring_, ringed_cliff_;
+  Field raised_, raised_slope_, cliff_, with_ring_;
   std::vector<const float*> quantities_;
 };
 

@@ -91,12 +91,14 @@ struct GroundTiles {
   struct Entry {
     GroundTileKey key;
     GroundTilePtr tile;
+    std::uint64_t moved = 0;  // `puts_` when it came first
   };
 
   const std::size_t max_bytes_;
   const std::unique_ptr<GroundLock> lock_;
   std::size_t bytes_ = 0;
-  std::list<Entry> entries_;  // the one used last first
+  std::uint64_t puts_ = 0;
+  std::list<Entry> entries_;  // the one used last first, but for those used again among the last quarter
   std::unordered_map<GroundTileKey, std::list<Entry>::iterator, Hash> by_key_;
 };
 

@@ -91,13 +91,13 @@ class Generator {
   bool step_loose();
   bool step_erosion();
   /// The slope over the region and `ring` columns around it; entrances are too steep for anything to stay.
-  const Field& slope_for_loose(int ring);
+  void find_loose_slope(int ring);
   const Field& entrances_around(int ring);
   /// Both methods leave the top of the rock in the scratch's `limit` and of each loose material above it,
   /// over the region.
   void start_loose();
   void settle(std::size_t place);
-  void start_grid(const LooseSpec& loose);
+  void start_grid(const LooseSpec& loose, int ring);
   void crop_share(std::size_t rule, int ring, Field& share) const;
   [[nodiscard]] bool is_talus(std::size_t place) const;
   void cut_at_bare(Field& top) const;
