@@ -75,21 +75,36 @@ constexpr auto kCosts = [] {
   return costs;
 }();
 
-/// The table by which every eighth coded voxel takes the fewest bits.
+/// The table by which every eighth coded voxel of each batch takes the fewest bits.
 std::size_t best_table(const VolumeEvents& events) {
   constexpr std::size_t kStep = 8;
-  static_assert(kMaxBatch / kStep * 128 < 0x10000);  // a batch's costs, of at most 128 each
-  std::array<std::uint32_t, kTables> totals{};
+  constexpr std::size_t kMaxSamples = kMaxBatch / kStep;  // of a batch
+  // Which voxels these are, of even batches and of odd ones, in loops whose ends can be foreseen: batches are
+  // small, and of all sizes.
+  std::array<std::array<std::uint16_t, kChunkVolume / kStep / 2 + kBatches + kMaxSamples>, 2> samples;
+  std::array<std::size_t, 2> counts{};
   std::size_t at = 0;
   for (std::size_t batch = 0; batch < kBatches; ++batch) {
-    const TableCosts* const costs = kCosts.data() + 4 * first_context_of(batch);
-    TableCosts sums{};
-    for (std::size_t i = at; i < at + events.batch[batch]; i += kStep) {
-      const TableCosts& cost = costs[4 * std::size_t{events.context[i]} + events.symbol[i]];
-      for (std::size_t t = 0; t < kTables; ++t) sums[t] = static_cast<std::uint16_t>(sums[t] + cost[t]);
+    const std::size_t size = events.batch[batch];
+    std::uint16_t* const to = samples[batch % 2].data() + counts[batch % 2];
+    for (std::size_t i = 0; i < kMaxSamples; ++i) to[i] = static_cast<std::uint16_t>(at + i * kStep);
+    counts[batch % 2] += (size + kStep - 1) / kStep;
+    at += size;
+  }
+  constexpr std::size_t kSummed = 256;
+  static_assert(kSummed * 128 < 0x10000);  // of costs of at most 128 each
+  std::array<std::uint32_t, kTables> totals{};
+  for (const std::size_t half : {0U, 1U}) {
+    const TableCosts* const costs = kCosts.data() + 4 * first_context_of(half);
+    for (std::size_t begin = 0; begin < counts[half]; begin += kSummed) {
+      TableCosts sums{};
+      for (std::size_t i = begin; i < std::min(begin + kSummed, counts[half]); ++i) {
+        const std::size_t voxel = samples[half][i];
+        const TableCosts& cost = costs[4 * std::size_t{events.context[voxel]} + events.symbol[voxel]];
+        for (std::size_t t = 0; t < kTables; ++t) sums[t] = static_cast<std::uint16_t>(sums[t] + cost[t]);
+      }
+      for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums[t];
     }
-    at += events.batch[batch];
-    for (std::size_t t = 0; t < kTables; ++t) totals[t] += sums[t];
   }
   return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
 }

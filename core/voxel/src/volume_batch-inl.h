@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <hwy/highway.h>
 
@@ -81,23 +82,53 @@ HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const PartBits* cod
   });
 }
 
-/// The same of `bytes` and `more` at once.
-template <bool odd>
-HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const std::uint8_t* more, const PartBits* coded,
-                                  std::size_t parts, const VolumeVbmi* vbmi, std::uint8_t* out,
-                                  std::uint8_t* more_out) {
+/// The bits of part i of a wave, and as a mask.
+HWY_INLINE const std::uint8_t* part_bits(const RowWords& words, std::size_t i) {
+  return reinterpret_cast<const std::uint8_t*>(words.data()) + i * kPartBytes / 8;
+}
+HWY_INLINE PartMask part_mask(const RowWords& words, std::size_t i) {
+  return hn::LoadMaskBits(Part{}, part_bits(words, i));
+}
+
+/// Appends contexts and symbols of a wave's coded voxels, of as many pairs of rows: those in even columns
+/// first. May write 64 bytes past the last.
+HWY_INLINE CodedHalves pack_wave(const WaveBits& bits, std::size_t pairs, const VolumeVbmi* vbmi,
+                                 std::uint8_t* contexts, std::uint8_t* symbols) {
 #if HWY_TARGET == HWY_AVX3
-  if (HWY_LIKELY(vbmi != nullptr)) {
-    return vbmi->pack_two(coded, odd ? kOddBits : kEvenBits, bytes, more, parts, out, more_out);
-  }
+  if (HWY_LIKELY(vbmi != nullptr)) return vbmi->pack_wave(bits, pairs, contexts, symbols);
 #else
   (void)vbmi;
 #endif
-  return over_coded<odd>(coded, parts, [&](std::size_t at, auto order, std::size_t place) HWY_ATTR {
-    const hn::DFromV<decltype(order)> eight;
-    hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, bytes + at), order), eight, out + place);
-    hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, more + at), order), eight, more_out + place);
-  });
+  constexpr std::size_t kRowParts = kWaveRows * kRowBytes / kPartBytes;
+  alignas(64) std::array<std::uint8_t, kWaveRows * kRowBytes> all_contexts;
+  alignas(64) std::array<std::uint8_t, kWaveRows * kRowBytes> all_symbols;
+  std::array<PartBits, kRowParts> coded;
+  const std::size_t parts = 2 * pairs * kRowBytes / kPartBytes;
+  for (std::size_t i = 0; i < parts; ++i) {
+    coded[i] = 0;
+    std::memcpy(&coded[i], part_bits(bits.coded, i), kPartBytes / 8);
+    if (coded[i] == 0) continue;
+    PartVec context = hn::Zero(Part{});
+    for (std::size_t b = 0; b < bits.context.size(); ++b) {
+      context = or_where(context, part_mask(bits.context[b], i), static_cast<std::uint8_t>(1U << b));
+    }
+    store(context, all_contexts.data() + i * kPartBytes);
+    const PartVec low = hn::IfThenElseZero(part_mask(bits.symbol[0], i), bytes_of(1));
+    store(or_where(low, part_mask(bits.symbol[1], i), 2), all_symbols.data() + i * kPartBytes);
+  }
+  const auto pack = [&](std::size_t start) HWY_ATTR {
+    return [&, start](std::size_t at, auto order, std::size_t place) HWY_ATTR {
+      const hn::DFromV<decltype(order)> eight;
+      hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, all_contexts.data() + at), order), eight,
+                 contexts + start + place);
+      hn::StoreU(hn::TableLookupBytes(hn::LoadU(Half{}, all_symbols.data() + at), order), eight,
+                 symbols + start + place);
+    };
+  };
+  CodedHalves sizes;
+  sizes.even = over_coded<false>(coded.data(), parts, pack(0));
+  sizes.odd = over_coded<true>(coded.data(), parts, pack(sizes.even));
+  return sizes;
 }
 
 }  // namespace

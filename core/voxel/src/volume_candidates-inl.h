@@ -29,11 +29,31 @@ HWY_INLINE PartVec first_different(const NearRows& rows, const NearPart& near) {
   return unless(8, found, load(rows.north + near.at + 1));
 }
 
+/// Of NearRows and NearPart, what third_candidate() needs.
+struct RowsNear {
+  const std::uint8_t* north;
+  const std::uint8_t* below;
+  const std::uint8_t* below_north;
+  const std::uint8_t* below_south;
+};
+struct CandidatesNear {
+  std::size_t at;
+  PartVec base;
+  PartVec other;
+};
+
 /// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
-HWY_INLINE PartVec third_candidate(const NearRows& rows, const NearPart& near, PartVec first, PartVec second,
+template <class Rows, class Near>
+HWY_INLINE PartVec third_candidate(const Rows& rows, const Near& near, PartVec first, PartVec second,
                                    std::size_t part, PartMask& exists) {
   const auto is_new = [&](PartVec candidate) HWY_ATTR {
+#if HWY_TARGET == HWY_AVX3
+    // Comparing takes longer than what makes one comparison of two.
+    const PartVec differs = hn::Min(hn::Xor(candidate, first), hn::Xor(candidate, second));
+    return PartMask{_mm512_test_epi8_mask(differs.raw, differs.raw)};
+#else
     return hn::Not(hn::Or(hn::Eq(candidate, first), hn::Eq(candidate, second)));
+#endif
   };
   PartVec found = load(rows.below_north + near.at);
   exists = is_new(found);

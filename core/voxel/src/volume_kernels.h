@@ -37,8 +37,9 @@ struct VolumeEvents {
   std::array<VolumeException, kMaxExceptions> exception;
   std::array<MaterialId, kChunkVolume> escape;  // the materials of the symbols kEscape
   std::size_t coded = 0;
-  std::size_t changes = 0;    // voxels that differ from the one to their west, in the same row
-  std::size_t surprises = 0;  // coded voxels that are not their first candidate
+  std::size_t changes = 0;  // voxels that differ from the one to their west, in the same row
+  std::size_t surprises =
+      0;  // coded voxels of the first kProbeWaves waves that are not their first candidate
   std::size_t exceptions = 0;
   std::size_t escapes = 0;
 };

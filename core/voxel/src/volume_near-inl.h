@@ -199,14 +199,12 @@ HWY_INLINE HalfPart odd_half(const NearPart& near, PartVec now, const std::uint8
   return half;
 }
 
-/// What the voxels of a part are equal to, now that they are known. Gives which are not equal to all of it;
-/// `not_west` gets which differ from the one to their west.
+/// What the voxels of a part are equal to, now that they are known. Gives which are not equal to all of it.
 HWY_INLINE PartBits find_equals(const NearRows& rows, const NearPart& near, PartVec now, std::size_t part,
-                                int wave, PartBits& not_west) {
+                                int wave) {
   const std::uint8_t* const bytes = rows.now + near.at;
   const PartMask west = hn::Or(hn::Eq(now, west_of(now, bytes)), columns<IsFirstColumn>(part));
   const PartMask east = hn::Or(hn::Eq(now, east_of(now, bytes)), columns<IsLastColumn>(part));
-  not_west = static_cast<PartBits>(~bits_of(west) & kAllBits);
   // Rows whose north or below is not there: these count as equal.
   alignas(64) static constexpr auto kNoBelow = [] {
     std::array<std::uint8_t, (kChunkSize + 2) * kRowBytes> bytes_of_rows{};

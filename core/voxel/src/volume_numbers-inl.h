@@ -156,16 +156,26 @@ inline std::uint16_t factor_of(const MaterialCode& materials) {
 }
 
 /// Numbers all voxels by byte_of().
-HWY_INLINE void number_by_factor(const std::uint16_t* ids, std::uint16_t factor, std::uint8_t* numbers) {
+HWY_INLINE void number_by_factor(const std::uint16_t* ids, std::uint16_t factor, VoxelRows& rows) {
   const Ids d;
-  const hn::Repartition<std::uint8_t, Ids> bytes;
   const auto times = hn::Set(d, factor);
   const auto number = [&](const std::uint16_t* from) HWY_ATTR {
     const auto id = hn::LoadU(d, from);
-    return hn::BitCast(bytes, hn::Add(id, hn::Mul(hn::ShiftRight<8>(id), times)));
+    return hn::Add(id, hn::Mul(hn::ShiftRight<8>(id), times));
   };
-  for (std::size_t i = 0; i < kChunkVolume; i += hn::MaxLanes(bytes)) {
-    hn::StoreU(hn::ConcatEven(bytes, number(ids + i + hn::MaxLanes(d)), number(ids + i)), bytes, numbers + i);
+  for (std::size_t row = 0; row < kChunkArea; ++row, ids += kRowBytes) {
+    std::uint8_t* const to = rows.row(row);
+#if HWY_TARGET == HWY_AVX3
+    const hn::Rebind<std::uint8_t, Ids> bytes;
+    hn::StoreU(hn::TruncateTo(bytes, number(ids)), bytes, to);
+#else
+    const hn::Repartition<std::uint8_t, Ids> bytes;
+    for (std::size_t x = 0; x < kRowBytes; x += hn::MaxLanes(bytes)) {
+      const auto low = hn::BitCast(bytes, number(ids + x));
+      const auto high = hn::BitCast(bytes, number(ids + x + hn::MaxLanes(d)));
+      hn::StoreU(hn::ConcatEven(bytes, high, low), bytes, to + x);
+    }
+#endif
   }
 }
 
@@ -182,26 +192,27 @@ inline bool find_materials(const DenseVoxels& voxels, MaterialCode& materials) {
 }
 
 /// Numbers of a byte that differ where materials do. False where there are more than 256.
-inline bool number_voxels(const DenseVoxels& voxels, const VolumeVbmi* vbmi, std::uint8_t* numbers) {
+inline bool number_voxels(const DenseVoxels& voxels, const VolumeVbmi* vbmi, VoxelRows& rows) {
   const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
   MaterialCode materials{voxels.front()};
   if (HWY_TARGET == HWY_AVX3 && vbmi != nullptr) {
-    const Numbering numbering = vbmi->number(ids, numbers, materials);
+    const Numbering numbering = vbmi->number(ids, rows, materials);
     if (numbering != Numbering::two_alike) return numbering == Numbering::done;
   } else if (have_one_high_byte(ids)) {
-    number_by_factor(ids, 0, numbers);
+    number_by_factor(ids, 0, rows);
     return true;
   } else if (!find_materials(voxels, materials)) {
     return false;
   }
   const std::uint16_t factor = factor_of(materials);
   if (factor != kNoFactor) {
-    number_by_factor(ids, factor, numbers);
+    number_by_factor(ids, factor, rows);
     return true;
   }
+  std::uint8_t number = 0;
   for (std::size_t i = 0; i < kChunkVolume; ++i) {
-    numbers[i] = i > 0 && ids[i] == ids[i - 1] ? numbers[i - 1]
-                                               : static_cast<std::uint8_t>(materials.number_of(voxels[i]));
+    if (i == 0 || ids[i] != ids[i - 1]) number = static_cast<std::uint8_t>(materials.number_of(voxels[i]));
+    rows.row(i / kRowBytes)[i % kRowBytes] = number;
   }
   return true;
 }

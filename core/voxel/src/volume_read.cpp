@@ -198,8 +198,7 @@ class Reader {
     PartSet unequal = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t p = place_[i];
-      PartBits not_west = 0;
-      const PartBits found = find_equals(rows, near_[i], load(rows.now + near_[i].at), p, wave, not_west);
+      const PartBits found = find_equals(rows, near_[i], load(rows.now + near_[i].at), p, wave);
       unequal |= PartSet{(found & parts.inside(p)) != 0 ? 1U : 0U} << p;
     }
     unequal_.set(wave, unequal);

@@ -55,7 +55,7 @@ bool analyse_volume_scalar(const DenseVoxels& voxels, VolumeEvents& events) {
       events.context[events.coded] =
           static_cast<std::uint8_t>(static_cast<std::size_t>(prediction.context) - first_context_of(batch));
       events.symbol[events.coded++] = symbol;
-      events.surprises += symbol != 0 ? 1 : 0;
+      events.surprises += symbol != 0 && batch < 2 * kProbeWaves ? 1 : 0;
     });
     events.batch[batch] = static_cast<std::uint16_t>(events.coded - coded);
     events.batch_escapes[batch] = static_cast<std::uint16_t>(events.escapes - escapes);

@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
+#include "volume_kernels.h"
 #include "volume_tables.h"
 
 #if defined(__x86_64__)
@@ -17,7 +19,7 @@ namespace talus::codec {
 
 namespace {
 
-#define TALUS_VBMI __attribute__((target("avx512f,avx512bw,avx512vbmi,avx512vbmi2,bmi,bmi2,popcnt")))
+#define TALUS_VBMI __attribute__((target("avx512f,avx512bw,avx512vbmi,avx512vbmi2,gfni,bmi,bmi2,popcnt")))
 
 TALUS_VBMI std::size_t pack(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
                             std::size_t parts, std::uint8_t* out) {
@@ -31,19 +33,85 @@ TALUS_VBMI std::size_t pack(const std::uint64_t* bits, std::uint64_t columns, co
   return size;
 }
 
-TALUS_VBMI std::size_t pack_two(const std::uint64_t* bits, std::uint64_t columns, const std::uint8_t* bytes,
-                                const std::uint8_t* more, std::size_t parts, std::uint8_t* out,
-                                std::uint8_t* more_out) {
-  std::size_t size = 0;
-  for (std::size_t i = 0; i < parts; ++i) {
-    const std::uint64_t which = bits[i] & columns;
-    const __m512i part = _mm512_loadu_si512(bytes + 64 * i);
-    const __m512i another = _mm512_loadu_si512(more + 64 * i);
-    _mm512_storeu_si512(out + size, _mm512_maskz_compress_epi8(which, part));
-    _mm512_storeu_si512(more_out + size, _mm512_maskz_compress_epi8(which, another));
-    size += static_cast<std::size_t>(std::popcount(which));
+/// Contexts of 64 voxels, from eight words: a word has a bit of each.
+TALUS_VBMI __m512i contexts_of(__m512i words) {
+  // Eight voxels to a word, of which each byte has a bit of each, the highest bit first: a matrix of 8 x 8
+  // bits. It is multiplied by the eight bytes with one bit.
+  alignas(64) static constexpr auto kOrder = [] {
+    std::array<std::uint8_t, 64> order{};
+    for (std::size_t i = 0; i < order.size(); ++i)
+      order[i] = static_cast<std::uint8_t>(8 * (7 - i % 8) + i / 8);
+    return order;
+  }();
+  const __m512i matrices = _mm512_permutex2var_epi8(words, _mm512_load_si512(kOrder.data()), words);
+  return _mm512_gf2p8affine_epi64_epi8(_mm512_set1_epi64(static_cast<long long>(0x8040201008040201U)),
+                                       matrices, 0);
+}
+
+/// Parts of 16 bytes: part i of the four vectors as vector 2 * i.
+TALUS_VBMI void transpose_parts(const __m512i* from, __m512i* to) {
+  const __m512i a = _mm512_maskz_shuffle_i64x2(0xFF, from[0], from[1], 0x44);
+  const __m512i b = _mm512_maskz_shuffle_i64x2(0xFF, from[2], from[3], 0x44);
+  const __m512i c = _mm512_maskz_shuffle_i64x2(0xFF, from[0], from[1], 0xEE);
+  const __m512i d = _mm512_maskz_shuffle_i64x2(0xFF, from[2], from[3], 0xEE);
+  to[0] = _mm512_maskz_shuffle_i64x2(0xFF, a, b, 0x88);
+  to[2] = _mm512_maskz_shuffle_i64x2(0xFF, a, b, 0xDD);
+  to[4] = _mm512_maskz_shuffle_i64x2(0xFF, c, d, 0x88);
+  to[6] = _mm512_maskz_shuffle_i64x2(0xFF, c, d, 0xDD);
+}
+
+/// Pairs i of the rows of eight as vector i.
+TALUS_VBMI void transpose_pairs(const RowWords* words, __m512i* out) {
+  __m512i low[4];
+  __m512i high[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const __m512i a = _mm512_load_si512(words[2 * i].data());
+    const __m512i b = _mm512_load_si512(words[2 * i + 1].data());
+    low[i] = _mm512_maskz_unpacklo_epi64(0xFF, a, b);
+    high[i] = _mm512_maskz_unpackhi_epi64(0xFF, a, b);
   }
-  return size;
+  transpose_parts(low, out);
+  transpose_parts(high, out + 1);
+}
+
+/// The first 32 of 64 bytes.
+TALUS_VBMI void store_half(std::uint8_t* to, __m512i bytes) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_maskz_extracti64x4_epi64(0xF, bytes, 0));
+}
+
+TALUS_VBMI CodedHalves pack_wave(const WaveBits& bits, std::size_t pairs, std::uint8_t* contexts,
+                                 std::uint8_t* symbols) {
+  constexpr std::uint64_t kEven = 0x5555555555555555U;
+  const auto word = [](const RowWords& words, std::size_t pair) {
+    std::uint64_t both;
+    std::memcpy(&both, words.data() + 2 * pair, sizeof both);
+    return both;
+  };
+  __m512i words[8];
+  transpose_pairs(bits.context.data(), words);
+  // Odd columns stand aside until it is known how many even ones come before them.
+  alignas(64) std::array<std::uint8_t, kMaxBatch + 64> odd_contexts;
+  alignas(64) std::array<std::uint8_t, kMaxBatch + 64> odd_symbols;
+  CodedHalves sizes{0, 0};
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const std::uint64_t coded = word(bits.coded, pair);
+    const std::uint64_t even = coded & kEven;
+    const std::uint64_t odd = coded & ~kEven;
+    const __m512i context = contexts_of(words[pair]);
+    const __m512i low = _mm512_maskz_mov_epi8(word(bits.symbol[0], pair), _mm512_set1_epi8(1));
+    const __m512i symbol = _mm512_mask_add_epi8(low, word(bits.symbol[1], pair), low, _mm512_set1_epi8(2));
+    store_half(contexts + sizes.even, _mm512_maskz_compress_epi8(even, context));
+    store_half(symbols + sizes.even, _mm512_maskz_compress_epi8(even, symbol));
+    store_half(odd_contexts.data() + sizes.odd, _mm512_maskz_compress_epi8(odd, context));
+    store_half(odd_symbols.data() + sizes.odd, _mm512_maskz_compress_epi8(odd, symbol));
+    sizes.even += static_cast<std::size_t>(std::popcount(even));
+    sizes.odd += static_cast<std::size_t>(std::popcount(odd));
+  }
+  for (std::size_t at = 0; at < sizes.odd; at += 64) {
+    _mm512_storeu_si512(contexts + sizes.even + at, _mm512_load_si512(odd_contexts.data() + at));
+    _mm512_storeu_si512(symbols + sizes.even + at, _mm512_load_si512(odd_symbols.data() + at));
+  }
+  return sizes;
 }
 
 /// Of 256 bytes, those that `index` names.
@@ -53,7 +121,7 @@ TALUS_VBMI __m512i look_up(const __m512i* table, __m512i index) {
                                 _mm512_permutex2var_epi8(table[2], index, table[3]));
 }
 
-TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, MaterialCode& materials) {
+TALUS_VBMI Numbering number(const std::uint16_t* ids, VoxelRows& rows, MaterialCode& materials) {
   // By low byte: the high byte of the material that had it last. A voxel with another high byte is of a new
   // material, or of one that shares its low byte. An equal high byte of kNone proves nothing: kNone fills the
   // table at first.
@@ -81,7 +149,10 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, std::uint8_t* numbers, Mat
     const __m512i second = _mm512_loadu_si512(ids + i + 32);
     const __m512i low = _mm512_permutex2var_epi8(first, even, second);
     const __m512i high = _mm512_permutex2var_epi8(first, odd, second);
-    _mm512_storeu_si512(numbers + i, low);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(rows.row(i / 32)),
+                        _mm512_maskz_extracti64x4_epi64(0xF, low, 0));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(rows.row(i / 32 + 1)),
+                        _mm512_maskz_extracti64x4_epi64(0xF, low, 1));
     const __m512i found = look_up(table, low);
     std::uint64_t unknown = _mm512_cmpneq_epi8_mask(found, high);
     if (const std::uint64_t unsure = _mm512_cmpeq_epi8_mask(high, none); unsure != 0) {
@@ -137,8 +208,10 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
     // Symbol 3 ends at 256, which is 0 in a byte; no symbol has all of it.
     const __m512i end = _mm512_mask_blend_epi8(is_high, _mm512_mask_blend_epi8(is_odd, first, second),
                                                _mm512_maskz_mov_epi8(~is_odd, third));
-    _mm512_storeu_si512(starts + at, start);
-    _mm512_storeu_si512(sizes + at, _mm512_sub_epi8(end, start));
+    const __mmask64 coded =
+        _bzhi_u64(~std::uint64_t{0}, static_cast<unsigned>(std::min<std::size_t>(count - at, 64)));
+    _mm512_storeu_si512(starts + at, _mm512_maskz_mov_epi8(coded, start));
+    _mm512_storeu_si512(sizes + at, _mm512_maskz_sub_epi8(coded, end, start));
   }
 }
 
@@ -147,10 +220,10 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
 }  // namespace
 
 const VolumeVbmi* volume_vbmi() {
-  static constexpr VolumeVbmi kVbmi{pack, pack_two, number, intervals};
-  static const bool has_instructions = __builtin_cpu_supports("avx512bw") != 0 &&
-                                       __builtin_cpu_supports("avx512vbmi") != 0 &&
-                                       __builtin_cpu_supports("avx512vbmi2") != 0;
+  static constexpr VolumeVbmi kVbmi{pack, pack_wave, number, intervals};
+  static const bool has_instructions =
+      __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vbmi") != 0 &&
+      __builtin_cpu_supports("avx512vbmi2") != 0 && __builtin_cpu_supports("gfni") != 0;
   return has_instructions ? &kVbmi : nullptr;
 }
 

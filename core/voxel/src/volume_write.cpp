@@ -11,9 +11,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "volume_batch-inl.h"
-#include "volume_candidates-inl.h"
-#include "volume_numbers-inl.h"
+#include "rans-inl.h"
+#include "volume_analyse-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
@@ -38,227 +37,8 @@ void write_intervals(const std::uint32_t* intervals, std::size_t count, RansSink
 
 #else
 
-class Analyser {
- public:
-  Analyser(const DenseVoxels& voxels, VolumeEvents& events) : voxels_{voxels.data()}, events_{events} {
-    events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
-  }
-
-  /// The materials as numbers of a byte; false where there are too many.
-  bool number(const DenseVoxels& voxels) {
-    if (!number_voxels(voxels, vbmi_, numbers_.data())) return false;
-    // The first row's north is of the first material.
-    bytes_ = WaveBytes{numbers_[0]};
-    return true;
-  }
-
-  bool analyse() {
-    for (int wave = 0; wave < kWaves; ++wave) {
-      const NearRows rows{bytes_, equals_, wave};
-      const WaveParts parts{wave};
-      add_missing_rows(rows, wave);
-      const PartSet mixed = whole_rows(unequal_.near(wave) | add_rows(rows, parts, wave)) & parts.all();
-      unequal_.set(wave, 0);
-      if (mixed == 0) {
-        add_steady_wave(rows, parts, wave);
-      } else {
-        compare(rows, parts, mixed, wave);
-        add_half<false>(parts, static_cast<std::size_t>(wave));
-        add_half<true>(parts, static_cast<std::size_t>(wave));
-      }
-      if (is_noise(2 * static_cast<std::size_t>(wave) + 2, events_)) return false;
-    }
-    return true;
-  }
-
- private:
-  /// A part of which some coded voxels, `high`, are neither the first candidate nor the second.
-  struct Third {
-    PartVec first;
-    PartVec second;
-    PartBits high;
-    std::size_t index;  // of the part
-  };
-
-  /// Puts the rows of a wave side by side. Gives in which parts some are not equal to those below.
-  HWY_INLINE PartSet add_rows(const NearRows& rows, const WaveParts& parts, int wave) {
-    const hn::CappedTag<std::uint8_t, kRowBytes> d;
-    const std::uint8_t* row =
-        numbers_.data() + (parts.first_row * (kChunkSize - 2) + static_cast<std::size_t>(wave)) * kRowBytes;
-    PartSet unequal = 0;
-    for (std::size_t y = parts.first_row; y <= parts.last_row; ++y) {
-      for (std::size_t x = 0; x < kRowBytes; x += hn::MaxLanes(d)) {
-        const std::size_t at = y * kRowBytes + x;
-        const auto now = hn::LoadU(d, row + x);
-        hn::StoreU(now, d, rows.now + at);
-        const bool equal = hn::AllTrue(d, hn::Eq(now, hn::LoadU(d, rows.below + at)));
-        unequal |= PartSet{equal ? 0U : 1U} << (at / kPartBytes);
-      }
-      row += (kChunkSize - 2) * kRowBytes;
-    }
-    return unequal;
-  }
-
-  /// All voxels are of one material with all around them: nothing to code.
-  HWY_INLINE void add_steady_wave(const NearRows& rows, const WaveParts& parts, int wave) {
-    for (std::size_t p = parts.first; p <= parts.last; ++p)
-      store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
-    gap_ += static_cast<std::uint32_t>(parts.rows() * kChunkSize);
-    for (const std::size_t batch :
-         {2 * static_cast<std::size_t>(wave), 2 * static_cast<std::size_t>(wave) + 1}) {
-      events_.batch[batch] = 0;
-      events_.batch_escapes[batch] = 0;
-    }
-  }
-
-  /// Finds contexts, symbols and exceptions of a wave's mixed parts, even and odd columns at once: all voxels
-  /// are known. Without branches, which nothing could foresee; what few parts need comes after.
-  HWY_INLINE void compare(const NearRows& rows, const WaveParts& parts, PartSet mixed, int wave) {
-    for (std::size_t p = parts.first; p <= parts.last; ++p)
-      store(bytes_of(kEqualsAll), rows.equals_now + p * kPartBytes);
-    count_ = 0;
-    std::size_t third_count = 0;
-    any_escapes_ = any_exceptional_ = 0;
-    PartSet unequal = 0;
-    over_bits(mixed, [&](std::size_t p) HWY_ATTR {
-      const NearPart near = near_part(rows, p);
-      const std::uint8_t* const bytes = rows.now + near.at;
-      const PartVec now = load(bytes);
-      const PartBits inside = parts.inside(p);
-      const HalfPart half = both_halves(even_half(near), odd_half(near, now, bytes, p), p);
-      const PartBits steady = bits_of(half.steady);
-      const PartBits differs = bits_of(hn::Ne(now, half.first)) & inside;
-      const PartBits surprising = differs & ~steady;
-      place_[count_] = p;
-      coded_[count_] = inside & ~steady;
-      exceptional_[count_] = differs & steady;
-      any_exceptional_ |= differs & steady;
-      store(half.context, contexts_.data() + count_ * kPartBytes);
-      events_.surprises += static_cast<std::size_t>(std::popcount(surprising));
-      const PartVec second = hn::IfThenElse(half.alike, first_different(rows, near), half.second);
-      const PartBits high = surprising & bits_of(hn::Ne(now, second));
-      store(or_where(hn::IfThenElseZero(mask_of(surprising ^ high), bytes_of(1)), mask_of(high), 2),
-            symbols_.data() + count_ * kPartBytes);
-      escapes_[count_] = 0;
-      thirds_[third_count] = {half.first, second, high, count_};
-      third_count += high != 0 ? 1 : 0;
-      ++count_;
-      PartBits not_west = 0;
-      const PartBits found = find_equals(rows, near, now, p, wave, not_west);
-      unequal |= PartSet{(found & inside) != 0 ? 1U : 0U} << p;
-      events_.changes += static_cast<std::size_t>(std::popcount(not_west & inside));
-    });
-    unequal_.set(wave, unequal);
-    for (std::size_t i = 0; i < third_count; ++i) find_escapes(rows, thirds_[i]);
-  }
-
-  /// Even columns of one, odd ones of the other.
-  static HWY_INLINE HalfPart both_halves(const HalfPart& even, const HalfPart& odd, std::size_t part) {
-    const PartMask is_odd = columns<IsOddColumn>(part);
-    const auto either = [&](PartMask of_odd, PartMask of_even)
-                            HWY_ATTR { return hn::Or(hn::And(is_odd, of_odd), hn::AndNot(is_odd, of_even)); };
-    return {hn::IfThenElse(is_odd, odd.first, even.first), hn::IfThenElse(is_odd, odd.second, even.second),
-            either(odd.alike, even.alike), either(odd.steady, even.steady),
-            hn::IfThenElse(is_odd, odd.context, even.context)};
-  }
-
-  /// Which voxels are none of their candidates, of those that are neither the first nor the second.
-  HWY_INLINE void find_escapes(const NearRows& rows, const Third& third) {
-    const std::size_t part = place_[third.index];
-    const NearPart near = near_part(rows, part);
-    PartMask exists;
-    const PartVec candidate = third_candidate(rows, near, third.first, third.second, part, exists);
-    const PartVec now = load(rows.now + near.at);
-    const PartBits escapes = third.high & ~bits_of(hn::And(exists, hn::Eq(now, candidate)));
-    std::uint8_t* const symbols = symbols_.data() + third.index * kPartBytes;
-    store(or_where(load(symbols), mask_of(escapes), 1), symbols);
-    escapes_[third.index] = escapes;
-    any_escapes_ |= escapes;
-  }
-
-  /// Adds what was found in a wave's even columns, or in its odd ones, as a batch.
-  template <bool odd>
-  HWY_INLINE void add_half(const WaveParts& parts, std::size_t wave) {
-    constexpr PartBits kColumns = odd ? kOddBits : kEvenBits;
-    const std::size_t batch = 2 * wave + (odd ? 1 : 0);
-    const std::size_t size =
-        pack_coded<odd>(contexts_.data(), symbols_.data(), coded_.data(), count_, vbmi_,
-                        events_.context.data() + events_.coded, events_.symbol.data() + events_.coded);
-    const auto steady = static_cast<std::uint32_t>(parts.rows() * kChunkSize / 2 - size);
-    if (HWY_LIKELY((any_exceptional_ & kColumns) == 0)) {
-      gap_ += steady;
-    } else {
-      add_exceptions(parts, kColumns, batch);
-    }
-    const std::size_t escapes = events_.escapes;
-    if ((any_escapes_ & kColumns) != 0) {
-      for (std::size_t i = 0; i < count_; ++i) {
-        over_bits(escapes_[i] & kColumns, [&](std::size_t voxel) HWY_ATTR {
-          events_.escape[events_.escapes++] = material(i, voxel, wave);
-        });
-      }
-    }
-    events_.coded += size;
-    events_.batch[batch] = static_cast<std::uint16_t>(size);
-    events_.batch_escapes[batch] = static_cast<std::uint16_t>(events_.escapes - escapes);
-  }
-
-  /// The material of a voxel of part i.
-  [[nodiscard]] MaterialId material(std::size_t i, std::size_t voxel, std::size_t wave) const {
-    const std::size_t at = place_[i] * kPartBytes + voxel;
-    const std::size_t y = at / kRowBytes;
-    return voxels_[(y * (kChunkSize - 2) + wave) * kChunkSize + at % kRowBytes];
-  }
-
-  HWY_INLINE void add_exceptions(const WaveParts& parts, PartBits columns, std::size_t batch) {
-    // Parts that are not mixed have steady voxels only.
-    std::size_t next = parts.first;
-    const auto pass = [&](std::size_t end) HWY_ATTR {
-      for (; next < end; ++next)
-        gap_ += static_cast<std::uint32_t>(std::popcount(columns & parts.inside(next)));
-    };
-    for (std::size_t i = 0; i < count_; ++i) {
-      pass(place_[i]);
-      ++next;
-      const PartBits steady = columns & parts.inside(place_[i]) & ~coded_[i];
-      std::uint32_t passed = 0;
-      over_bits(exceptional_[i] & columns, [&](std::size_t x) HWY_ATTR {
-        const auto before = static_cast<std::uint32_t>(std::popcount(steady & ((PartBits{1} << x) - 1)));
-        events_.exception[events_.exceptions++] = {static_cast<std::uint16_t>(gap_ + before - passed),
-                                                   static_cast<std::uint16_t>(batch),
-                                                   material(i, x, batch / 2)};
-        gap_ = 0;
-        passed = before + 1;
-      });
-      gap_ += static_cast<std::uint32_t>(std::popcount(steady)) - passed;
-    }
-    pass(parts.last + 1);
-  }
-
-  const MaterialId* voxels_;
-  VolumeEvents& events_;
-  const VolumeVbmi* const vbmi_ = volume_vbmi();
-  alignas(64) std::array<std::uint8_t, kChunkVolume> numbers_;
-  WaveBytes bytes_{0};
-  WaveBytes equals_{kEqualsAll};
-  UnequalParts unequal_;
-  // Of the mixed parts of a wave:
-  std::size_t count_ = 0;
-  std::array<std::size_t, kMaxParts> place_;
-  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> contexts_;
-  alignas(64) std::array<std::uint8_t, kMaxParts * kPartBytes> symbols_;
-  std::array<PartBits, kMaxParts> coded_;
-  std::array<PartBits, kMaxParts> escapes_;      // coded voxels that are none of their candidates
-  std::array<PartBits, kMaxParts> exceptional_;  // steady ones that are not the first
-  std::array<Third, kMaxParts + 1> thirds_;
-  // Of all parts together:
-  PartBits any_escapes_ = 0;
-  PartBits any_exceptional_ = 0;
-  std::uint32_t gap_ = 0;
-};
-
 bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
-  Analyser analyser{voxels, events};
+  VolumeAnalyser analyser{voxels, events};
   return analyser.number(voxels) ? analyser.analyse() : analyse_volume_scalar(voxels, events);
 }
 
@@ -293,15 +73,15 @@ class SymbolWriter {
   }
 
 #if HWY_TARGET == HWY_AVX3
-  /// Up to sixteen symbols, with intervals of less than 256.
-  HWY_INLINE void put(const std::uint8_t* starts, const std::uint8_t* sizes, std::size_t count) {
+  /// Sixteen symbols; a size of 0 is one of 256, which leaves a lane as it is where the start is 0.
+  HWY_INLINE void put(const std::uint8_t* starts, const std::uint8_t* sizes) {
     const Half d;
-    const auto active = static_cast<__mmask16>((1U << count) - 1);
+    const Words words;
     WordParts start;
     WordParts size;
-    start.part[0] = WordVec{_mm256_maskz_cvtepu8_epi16(active, hn::LoadU(d, starts).raw)};
-    size.part[0] = WordVec{
-        _mm256_mask_cvtepu8_epi16(_mm256_set1_epi16(kProbabilityTotal), active, hn::LoadU(d, sizes).raw)};
+    start.part[0] = hn::PromoteTo(words, hn::LoadU(d, starts));
+    size.part[0] = hn::Add(hn::PromoteTo(words, hn::Sub(hn::LoadU(d, sizes), hn::Set(d, 1))),
+                           hn::Set(words, std::uint16_t{1}));
     encode_symbols(states_, start, size, next_);
   }
 #endif
@@ -366,27 +146,33 @@ void write(const VolumeEvents& events, const EventBatches& batches, const Volume
   SymbolWriter writer{sink};
   std::size_t first = batches.first_coded + batches.coded;
 #if HWY_TARGET == HWY_AVX3
-  const VolumeVbmi* const vbmi = volume_vbmi();
-  alignas(64) std::array<std::uint8_t, kMaxBatch> starts;
-  alignas(64) std::array<std::uint8_t, kMaxBatch> sizes;
+  if (const VolumeVbmi* const vbmi = volume_vbmi(); HWY_LIKELY(vbmi != nullptr)) {
+    // The intervals of all batches, each from lane 0 on: then it does not matter where one ends.
+    alignas(64) std::array<std::uint8_t, kChunkVolume + kBatches * kLanes + 64> starts;
+    alignas(64) std::array<std::uint8_t, kChunkVolume + kBatches * kLanes + 64> sizes;
+    std::size_t place = 0;
+    std::size_t at = batches.first_coded;
+    for (std::size_t batch = batches.begin; batch < batches.end; ++batch) {
+      const std::size_t count = events.batch[batch];
+      const std::size_t first_context = first_context_of(batch);
+      vbmi->intervals(symbols.ends.data() + first_context, first_context != 0, events.context.data() + at,
+                      events.symbol.data() + at, count, starts.data() + place, sizes.data() + place);
+      at += count;
+      place += (count + kLanes - 1) / kLanes * kLanes;
+    }
+    for (; place > 0; place -= kLanes)
+      writer.put(starts.data() + place - kLanes, sizes.data() + place - kLanes);
+    writer.finish();
+    return;
+  }
 #endif
   for (std::size_t batch = batches.end; batch-- > batches.begin;) {
     const std::size_t count = events.batch[batch];
     first -= count;
-    const std::uint8_t* const contexts = events.context.data() + first;
-    const std::uint8_t* const coded = events.symbol.data() + first;
-    const std::size_t first_context = first_context_of(batch);
-#if HWY_TARGET == HWY_AVX3
-    if (HWY_LIKELY(vbmi != nullptr)) {
-      vbmi->intervals(symbols.ends.data() + first_context, first_context != 0, contexts, coded, count,
-                      starts.data(), sizes.data());
-      over_groups(count, [&](std::size_t at, std::size_t size)
-                             HWY_ATTR { writer.put(starts.data() + at, sizes.data() + at, size); });
-      continue;
-    }
-#endif
+    const std::uint32_t* const intervals = symbols.interval.data() + 4 * first_context_of(batch);
     over_groups(count, [&](std::size_t at, std::size_t size) HWY_ATTR {
-      writer.put_voxels(contexts + at, coded + at, size, symbols.interval.data() + 4 * first_context);
+      writer.put_voxels(events.context.data() + first + at, events.symbol.data() + first + at, size,
+                        intervals);
     });
   }
   writer.finish();
