@@ -332,6 +332,7 @@ const loop = new Loop({
     if (traveller.isPlaced) player.step(seconds);
     if (engine !== null && traveller.isPlaced) {
       traveller.surface(engine);
+      traveller.emerge();
       traveller.turnFromWhatIsNear(engine);
       player.look(engine);
       builder.look(eye(), gaze.ahead());
