@@ -9,12 +9,14 @@
 namespace talus::cli {
 namespace {
 
-const glm::vec3 kUnseen = to_light(0x2B3038);
+const glm::vec3 kUnseen = to_light(0xD3D8DF);
+const glm::vec3 kUnseenStripe = to_light(0xBBC2CC);
 const glm::vec3 kPath = to_light(0xFFF4D6);
 const glm::vec3 kShallow = to_light(0x6FA9A8);
 const glm::vec3 kDeep = to_light(0x17405F);
 const glm::vec3 kSun = glm::normalize(glm::vec3{-0.55F, 0.75F, -0.5F});  // from the north-west
 constexpr float kDeepRows = 24.0F;                                       // at which the bed is out of sight
+constexpr int kStripe = 3;                                               // pixels, and as many between two
 constexpr int kSmoothRing = 2;  // columns: voxel steps would else shade every hill as a staircase
 
 using Points = std::vector<std::optional<SurfacePoint>>;
@@ -152,7 +154,8 @@ Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>&
       const SurfacePoint* point = sheet.at(x, y);
       glm::vec3& pixel = picture.at(x, y);
       if (point == nullptr) {
-        pixel = kUnseen;
+        // Hatched, as maps are where nothing is known.
+        pixel = (x + y) / kStripe % 2 == 0 ? kUnseenStripe : kUnseen;
         continue;
       }
       const std::size_t id = to_integer(point->material);
