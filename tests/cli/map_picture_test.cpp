@@ -25,3 +25,18 @@ TEST_CASE("what no chunk has shown is hatched in light grey, beside the ground i
   const auto [darkest, lightest] = std::minmax_element(greys.begin(), greys.end());
   CHECK(*darkest < *lightest);
 }
+
+TEST_CASE("water has the world's colour for it, darker where it is deep") {
+  const auto pixel = [](int bed, int surface) {
+    SurfaceMap map{materials()};
+    map.add(key_at(0, 0, 0), layered(kStone, bed, kWater, surface));
+    return draw_map(map, materials(), {0, 0, 32, 32}, {}).at(16, 16);
+  };
+  const glm::vec3 colour = to_light(0x204080);  // of kWater in worlds.h
+  const glm::vec3 shallow = pixel(20, 24);
+  const glm::vec3 deep = pixel(2, 30);
+  CHECK(shallow.b > 2 * shallow.r);
+  CHECK(deep.b < shallow.b);
+  for (int channel = 0; channel < 3; ++channel) CHECK(deep[channel] < colour[channel]);
+  CHECK(deep.b / deep.g == Approx(colour.b / colour.g).epsilon(0.05));
+}
