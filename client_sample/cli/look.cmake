@@ -20,9 +20,9 @@ foreach(i RANGE ${last})
     string(JSON rgb GET "${look}" light ${i} ${name} 0)
     string(JSON times GET "${look}" light ${i} ${name} 1)
     string(REPLACE "#" "0x" rgb ${rgb})
-    string(APPEND colours "{${rgb}, number(${times})}, ")
+    string(APPEND colours "{${rgb}, look_number(${times})}, ")
   endforeach()
-  string(APPEND light "      {number(${at}), ${colours}number(${exposure})},\n")
+  string(APPEND light "      {look_number(${at}), ${colours}look_number(${exposure})},\n")
 endforeach()
 
 set(rules "")
@@ -41,7 +41,7 @@ foreach(i RANGE ${last})
   foreach(channel 0 1 2)
     string(JSON times_${channel} GET "${look}" tints ${i} times ${channel})
   endforeach()
-  string(APPEND tints "      {\"${name}\", number(${grey}), {number(${times_0}), number(${times_1}), number(${times_2})}},\n")
+  string(APPEND tints "      {\"${name}\", look_number(${grey}), {look_number(${times_0}), look_number(${times_1}), look_number(${times_2})}},\n")
 endforeach()
 
 file(CONFIGURE OUTPUT look_table.cpp @ONLY CONTENT [=[
@@ -51,7 +51,7 @@ file(CONFIGURE OUTPUT look_table.cpp @ONLY CONTENT [=[
 namespace talus::cli {
 namespace {
 
-constexpr float number(double value) {
+constexpr float look_number(double value) {
   return static_cast<float>(value);
 }
 

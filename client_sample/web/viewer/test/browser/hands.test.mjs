@@ -69,7 +69,7 @@ test('keyboard alone suffices', async (t) => {
     const { pitch: pitchBefore } = await place(page);
     const seen = await page.evaluate(() => {
       const { engine, player } = window.talus;
-      player.body.pitch = -30; // at the ground
+      player.body.pitch = -60; // at the ground
       const [x, y, z] = player.body.eye;
       const [yaw, pitch] = [player.body.yaw, player.body.pitch].map((degrees) => (degrees * Math.PI) / 180);
       const ahead = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
