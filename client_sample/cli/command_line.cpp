@@ -89,7 +89,8 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
   command->add_option("--speed", options.speed, "Voxels per second")
       ->check(within(0, 100000))
       ->capture_default_str();
-  command->add_option("-o,--output", options.output, "Write a map of the chunks received, as .png");
+  command->add_option("-o,--output", options.output,
+                      "Write a map of the chunks received, as .png; hatched where none came");
   command->add_option("--view", options.view, "Write the camera's picture at the end, as .png");
 }
 

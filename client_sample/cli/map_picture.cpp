@@ -4,17 +4,17 @@
 #include <cmath>
 
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 namespace talus::cli {
 namespace {
 
-const glm::vec3 kUnseen = to_light(0x2B3038);
+const glm::vec3 kUnseen = to_light(0xD3D8DF);
+const glm::vec3 kUnseenStripe = to_light(0xBBC2CC);
 const glm::vec3 kPath = to_light(0xFFF4D6);
-const glm::vec3 kShallow = to_light(0x6FA9A8);
-const glm::vec3 kDeep = to_light(0x17405F);
 const glm::vec3 kSun = glm::normalize(glm::vec3{-0.55F, 0.75F, -0.5F});  // from the north-west
-constexpr float kDeepRows = 24.0F;                                       // at which the bed is out of sight
+constexpr int kStripe = 3;                                               // pixels, and as many between two
 constexpr int kSmoothRing = 2;  // columns: voxel steps would else shade every hill as a staircase
 
 using Points = std::vector<std::optional<SurfacePoint>>;
@@ -103,10 +103,12 @@ float light_at(const Sheet& sheet, const SmoothHeights& heights, int x, int y) {
   return (0.25F + 0.75F * sun) * sky;
 }
 
-glm::vec3 water_over(const glm::vec3& bed, std::int32_t rows) {
-  const float depth = static_cast<float>(rows) / kDeepRows;
-  const glm::vec3 water = glm::mix(kShallow, kDeep, glm::smoothstep(0.0F, 1.0F, depth));
-  return glm::mix(bed, water, glm::clamp(0.55F + depth, 0.0F, 0.97F));
+// As talus-gen's maps have it: red is lost first, and water grows darker with its depth.
+glm::vec3 water_over(const glm::vec3& bed, const glm::vec3& water, std::int32_t rows) {
+  const auto depth = static_cast<float>(rows);
+  const glm::vec3 through = 0.42F * glm::exp(-depth * glm::vec3{0.76F, 0.38F, 0.28F});
+  const float deep = glm::mix(0.42F, 1.0F, std::exp(-depth / 28.0F));
+  return water * deep * (1.0F - through) + bed * through;
 }
 
 void draw_path(Picture& picture, const Extent& extent, std::int64_t step,
@@ -144,6 +146,10 @@ Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>&
     if (colours.size() <= id) colours.resize(id + 1, kUnseen);
     colours[id] = to_light(material.colour);
   }
+  const auto colour_of = [&](MaterialId material) {
+    const std::size_t id = to_integer(material);
+    return id < colours.size() ? colours[id] : kUnseen;
+  };
   const Sheet sheet = sheet_of(surface, extent);
   const SmoothHeights heights{sheet};
   Picture picture{sheet.width, sheet.height};
@@ -152,12 +158,12 @@ Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>&
       const SurfacePoint* point = sheet.at(x, y);
       glm::vec3& pixel = picture.at(x, y);
       if (point == nullptr) {
-        pixel = kUnseen;
+        // Hatched, as maps are where nothing is known.
+        pixel = (x + y) / kStripe % 2 == 0 ? kUnseenStripe : kUnseen;
         continue;
       }
-      const std::size_t id = to_integer(point->material);
-      pixel = (id < colours.size() ? colours[id] : kUnseen) * light_at(sheet, heights, x, y);
-      if (point->water) pixel = water_over(pixel, point->top - point->ground);
+      pixel = colour_of(point->material) * light_at(sheet, heights, x, y);
+      if (point->water) pixel = water_over(pixel, colour_of(*point->water), point->top - point->ground);
     }
   }
   draw_path(picture, extent, sheet.step, path);

@@ -2,6 +2,11 @@
 
 #include <cstdint>
 
+#include <glm/mat3x3.hpp>
+
+#include "look.h"
+#include "picture.h"
+
 namespace talus::cli {
 namespace {
 
@@ -25,6 +30,27 @@ float value_noise(glm::vec2 at) {
 
 }  // namespace
 
+Sky::Sky(const glm::vec3& to_sun_) : to_sun{to_sun_} {
+  const auto& keys = light_keys();
+  std::size_t i = 0;
+  while (i + 2 < keys.size() && to_sun.y > keys[i + 1].at) ++i;
+  const LightKey& low = keys[i];
+  const LightKey& high = keys[i + 1];
+  const float part = glm::clamp((to_sun.y - low.at) / (high.at - low.at), 0.0F, 1.0F);
+  const auto mixed = [&](LightColour LightKey::*colour) {
+    const auto light = [&](const LightKey& key) { return to_light((key.*colour).rgb) * (key.*colour).times; };
+    return glm::mix(light(low), light(high), part);
+  };
+  sunlight = mixed(&LightKey::sunlight);
+  zenith = mixed(&LightKey::zenith);
+  horizon = mixed(&LightKey::horizon);
+  glow = mixed(&LightKey::glow);
+  from_above = mixed(&LightKey::skylight);
+  from_below = from_above * glm::vec3{0.42F, 0.36F, 0.28F} +
+               sunlight * glm::vec3{0.075F, 0.065F, 0.045F} * (std::max(to_sun.y, 0.0F) + 0.2F);
+  exposure = glm::mix(low.exposure, high.exposure, part);
+}
+
 float cloud_cover(const glm::vec3& direction) {
   constexpr int kOctaves = 5;
   if (direction.y <= 0.01F) return 0.0F;
@@ -39,6 +65,17 @@ float cloud_cover(const glm::vec3& direction) {
   }
   const float low_fade = glm::smoothstep(0.02F, 0.16F, direction.y);
   return 0.75F * low_fade * glm::smoothstep(0.46F, 0.74F, sum);
+}
+
+glm::vec3 shown(const glm::vec3& light) {
+  const glm::mat3 to_rrt{0.59719F, 0.07600F, 0.02840F, 0.35458F, 0.90834F,
+                         0.13383F, 0.04823F, 0.01566F, 0.83777F};
+  const glm::mat3 from_odt{1.60475F,  -0.10208F, -0.00327F, -0.53108F, 1.10813F,
+                           -0.07276F, -0.07367F, -0.00605F, 1.07602F};
+  const glm::vec3 v = to_rrt * light;
+  const glm::vec3 curved =
+      (v * (v + 0.0245786F) - 0.000090537F) / (v * (0.983729F * v + 0.4329510F) + 0.238081F);
+  return glm::clamp(from_odt * curved, 0.0F, 1.0F);
 }
 
 }  // namespace talus::cli

@@ -14,24 +14,35 @@ namespace talus::cli {
 /// How much cloud there is in a direction, 0 to 1: thin streaks on a plane high above.
 [[nodiscard]] float cloud_cover(const glm::vec3& direction);
 
-/// An afternoon sun; `azimuth` as a unit vector in the plane, so that a picture can have it at its side.
+/// The light of a height of the sun, as look.json has it. `to_sun` has a length of 1; a picture may have its
+/// sun at its side.
 struct Sky {
-  glm::vec3 to_sun{0.0F, 1.0F, 0.0F};
-  glm::vec3 sunlight{1.9F, 1.62F, 1.22F};
-  glm::vec3 zenith{0.10F, 0.25F, 0.62F};
-  glm::vec3 horizon{0.62F, 0.74F, 0.86F};
-  glm::vec3 from_above{0.44F, 0.56F, 0.74F};  // on a face that looks up
-  glm::vec3 from_below{0.23F, 0.20F, 0.17F};  // thrown back by the ground
+  glm::vec3 to_sun;
+  glm::vec3 sunlight, zenith, horizon, glow;
+  glm::vec3 from_above, from_below;  // on a face that looks up; thrown back by the ground
+  float exposure = 1.0F;
+
+  explicit Sky(const glm::vec3& to_sun_ = {0.0F, 1.0F, 0.0F});
+
+  /// Without sun and clouds: also what distance fades to.
+  [[nodiscard]] glm::vec3 clear(const glm::vec3& direction) const {
+    const float up = std::max(direction.y, 0.0F);
+    glm::vec3 light = glm::mix(zenith, horizon, std::exp(-4.5F * up));
+    light = glm::mix(light, horizon * 1.08F, 0.6F * std::exp(-16.0F * up));
+    const float towards = glm::dot(direction, to_sun);
+    const float low = std::exp(-5.0F * up);
+    const float wide = std::pow(std::max(0.5F + 0.5F * towards, 0.0F), 6.0F);
+    const float near = std::pow(std::max(towards, 0.0F), 24.0F);
+    return light + glow * (wide * low * 0.55F + near * 0.35F * (0.35F + low));
+  }
 
   [[nodiscard]] glm::vec3 seen(const glm::vec3& direction) const {
-    const float up = std::max(direction.y, 0.0F);
-    glm::vec3 light = glm::mix(horizon, zenith, 1.0F - std::exp(-4.5F * up));
     const float towards = std::max(0.0F, glm::dot(direction, to_sun));
-    light += glm::vec3{1.0F, 0.72F, 0.42F} * (0.30F * std::pow(towards, 10.0F));
-    light += glm::vec3{1.0F, 0.9F, 0.7F} * (0.35F * std::pow(towards, 160.0F));
-    const float cover = cloud_cover(direction);
-    light = glm::mix(light, glm::vec3{0.93F, 0.94F, 0.97F} + 0.25F * towards * sunlight, cover);
-    return light + sunlight * ((1.0F - cover) * 2.0F * glm::smoothstep(0.99935F, 0.99965F, towards));
+    const glm::vec3 sun =
+        glm::vec3{1.0F, 0.86F, 0.62F} *
+        (22.0F * glm::smoothstep(0.99955F, 0.99975F, towards) + 2.0F * std::pow(towards, 900.0F));
+    const glm::vec3 cloud = sunlight * 0.42F + from_above * 0.5F;
+    return glm::mix(clear(direction) + sun, cloud, cloud_cover(direction));
   }
 
   /// Light from the whole sky on a face.
@@ -41,9 +52,11 @@ struct Sky {
 
   /// The colour that distance turns to.
   [[nodiscard]] glm::vec3 haze(const glm::vec3& direction) const {
-    return seen(
-        glm::normalize(glm::vec3{direction.x, std::max(direction.y, 0.0F) * 0.5F + 0.03F, direction.z}));
+    return clear(glm::normalize(glm::vec3{direction.x, std::max(direction.y, 0.0F) + 0.012F, direction.z}));
   }
 };
+
+/// Light as a picture shows it, 0 to 1: a filmic curve (after Hill's fit of the ACES reference).
+[[nodiscard]] glm::vec3 shown(const glm::vec3& light);
 
 }  // namespace talus::cli

@@ -55,7 +55,10 @@ void SurfaceMap::add(const ChunkKey& key, const Chunk& chunk) {
       for (const Run& run : chunk.runs(x, z)) {
         if (phase(run.material) == client::Phase::gas) continue;
         const std::int32_t top = base + run.to - 1;
-        square.top[column] = std::max(square.top[column], top);
+        if (top > square.top[column]) {
+          square.top[column] = top;
+          square.topmost[column] = run.material;
+        }
         if (phase(run.material) == client::Phase::solid && top > square.ground[column]) {
           square.ground[column] = top;
           square.material[column] = run.material;
@@ -82,7 +85,8 @@ std::optional<SurfacePoint> SurfaceMap::at(std::int64_t x, std::int64_t z) const
   if (ground == kNothing) return std::nullopt;
   const auto above = static_cast<std::int32_t>(floor_div(std::int64_t{top} + 1, kChunkSize));
   if (!found->rows.contains(above)) return std::nullopt;
-  return SurfacePoint{top, ground, found->material[column], top > ground};
+  const auto water = top > ground ? std::optional{found->topmost[column]} : std::nullopt;
+  return SurfacePoint{top, ground, found->material[column], water};
 }
 
 std::optional<std::int32_t> SurfaceMap::next_row_up(std::int32_t chunk_x, std::int32_t chunk_z) const {

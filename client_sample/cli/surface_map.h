@@ -18,10 +18,10 @@ namespace talus::cli {
 
 /// What lies on top of a base column.
 struct SurfacePoint {
-  std::int32_t top = 0;     // row of the topmost voxel that is not air
-  std::int32_t ground = 0;  // row of the topmost solid voxel: lower than `top` under water
-  MaterialId material{};    // of the topmost solid voxel
-  bool water = false;       // whether a liquid lies on it
+  std::int32_t top = 0;             // row of the topmost voxel that is not air
+  std::int32_t ground = 0;          // row of the topmost solid voxel: lower than `top` under water
+  MaterialId material{};            // of the topmost solid voxel
+  std::optional<MaterialId> water;  // the topmost liquid, where one lies on it
 };
 
 /// Base columns from (x, z) on, `width` along x and `depth` along z.
@@ -59,6 +59,7 @@ class SurfaceMap {
     std::array<std::int32_t, kChunkArea> top;
     std::array<std::int32_t, kChunkArea> ground;
     std::array<MaterialId, kChunkArea> material{};
+    std::array<MaterialId, kChunkArea> topmost{};  // at `top`
   };
   static constexpr std::int32_t kNothing = INT32_MIN;
 

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "look.h"
 #include "scene.h"
 #include "sky.h"
 
@@ -20,6 +21,7 @@ namespace {
 // Two samples of a pixel agree where the roots of their light, near sRGB, differ by less in each channel.
 constexpr float kSameRoot = 1.0F / 64;
 constexpr double kShadowReach = 900.0;   // voxels
+constexpr float kThroughClouds = 0.85F;  // of the sun's light
 constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
 const glm::vec3 kWaterDeep = to_light(0x123B4D);
 
@@ -47,19 +49,20 @@ class Painter {
         up_{glm::cross(right_, camera.direction)},
         half_width_{std::tan(camera.field_of_view_degrees * 0.5 * 0.017453292519943295)},
         reach_{visible_voxels} {
+    const Looks looks;
     for (const auto& material : materials) {
-      colours_[to_integer(material.id)] = to_light(material.colour);
+      colours_[to_integer(material.id)] = looks.colour_of(material);
     }
     // From behind the camera's left shoulder, low enough for long shadows.
     const glm::dvec3 level = glm::normalize(glm::dvec3{forward_.x, 0, forward_.z});
-    sky_.to_sun = glm::normalize(glm::vec3{level * -0.35 - right_ * 0.95 + glm::dvec3{0, 0.62, 0}});
+    sky_ = Sky{glm::normalize(glm::vec3{level * -0.35 - right_ * 0.95 + glm::dvec3{0, 0.62, 0}})};
   }
 
   [[nodiscard]] glm::vec3 pixel(int x, int y, int width, int height) const {
     const auto sample = [&](double across, double down) {
       const double right = (2.0 * (x + across) / width - 1.0) * half_width_;
       const double up = (1.0 - 2.0 * (y + down) / height) * half_width_ * height / width;
-      return exposed(light_along(glm::normalize(forward_ + right_ * right + up_ * up)));
+      return shown(sky_.exposure * light_along(glm::normalize(forward_ + right_ * right + up_ * up)));
     };
     // Two samples on a diagonal, and the other two where these see an edge. An edge along the diagonal may
     // pass between the other two unseen, so the diagonals come by turns.
@@ -84,14 +87,14 @@ class Painter {
 
   [[nodiscard]] glm::vec3 hazed(const glm::vec3& light, double distance, const glm::vec3& direction) const {
     const auto part = static_cast<float>(distance / reach_);
-    const float clear = std::exp(-0.55F * part - 3.2F * part * part * part * part);
+    const float clear = std::exp(-2.8F * part * part) * (1.0F - glm::smoothstep(0.86F, 1.0F, part));
     return glm::mix(sky_.haze(direction), light, clear);
   }
 
   [[nodiscard]] glm::vec3 ground(const Hit& hit) const {
     const glm::vec3 normal{hit.normal};
     const float facing = std::max(0.0F, glm::dot(normal, sky_.to_sun));
-    const float sun = facing > 0 && sunlit(hit) ? facing : 0.0F;
+    const float sun = facing > 0 && sunlit(hit) ? facing * kThroughClouds : 0.0F;
     return colour_of(hit) * (sky_.sunlight * sun + sky_.ambient(normal) * openness(hit));
   }
 
@@ -184,12 +187,6 @@ class Painter {
     const glm::vec3 mirrored =
         shore ? hazed(ground(*shore), hit.distance + shore->distance, direction) : sky_.seen(back);
     return glm::mix(below, mirrored, mirror);
-  }
-
-  // Highlights roll off instead of clipping.
-  [[nodiscard]] static glm::vec3 exposed(const glm::vec3& light) {
-    const glm::vec3 x = light * 0.72F;
-    return glm::clamp((x * (2.51F * x + 0.03F)) / (x * (2.43F * x + 0.59F) + 0.14F), 0.0F, 1.0F);
   }
 
   Scene scene_;

@@ -246,7 +246,7 @@ const pictures = {
   'sheet-archipelago.png': sheet('archipelago'),
   'sheet-mesas.png': sheet('mesas'),
   'sheet-alpine.png': sheet('alpine'),
-  'view.png': (path) => lookIn('default', ['-2743,-2198', 250, 45], path),
+  'view.png': (path) => lookIn('default', ['', undefined, 45], path),
   'views-default.png': views('default', [['', 0, 40], ['-2743,-2198', 300, 40], ['-2400,-3880', 110, 40]]),
   'views-archipelago.png': views('archipelago', [['', undefined, 40], ['-2480,-680', 200, 40], ['400,-1040', 10, 40]]),
   'views-mesas.png': views('mesas', [['1460,-2330', 200, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),

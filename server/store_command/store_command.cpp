@@ -141,12 +141,15 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
   renaming->add_option("TO", flags.to, "the new one, which no material has")->required();
   const auto add_yes = [&](CLI::App* command) {
-    command->add_flag("--yes", flags.yes, "do it; without it the command says what it would do, and fails");
+    command->add_flag("--yes", flags.yes,
+                      "do it; without it the command says what it would do, changes nothing, and ends with "
+                      "status 1");
   };
   add_world(
       add("join-cluster",
           "the store of one machine becomes that of a cluster: begins its stream in NATS, as [cluster] of "
-          "--config or the environment reaches it. Id, revisions and editors stay",
+          "--config or the environment reaches it. Id, revisions and editors stay. A store that is in a "
+          "cluster already is left as it is, with status 1",
           store_commands::join_stopped_store));
   CLI::App* const leaving = add("leave-cluster",
                                 "the store becomes this machine's alone, at the place that it has reached; "

@@ -37,7 +37,7 @@ struct Flags {
   bool drop_unknown = false;  // rebase: loses voxels of materials that the new world does not name
   std::string from, to;       // rename: names of a material
   bool keep_id = false;       // leave-cluster: the store keeps the cluster's id
-  bool yes = false;           // leave-cluster, fork: does it; else says what it would do, and fails
+  bool yes = false;           // leave-cluster, fork: does it; else says what it would do, with status 1
   Cluster cluster;            // as talusd has it
 };
 

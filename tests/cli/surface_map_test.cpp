@@ -45,7 +45,7 @@ TEST_CASE("under water the surface tells the bed and the water's top") {
   map.add(key_at(0, 0, 0), layered(kStone, 5, kWater, 20));
   const auto point = map.at(0, 0);
   REQUIRE(point);
-  CHECK(point->water);
+  CHECK(point->water == kWater);
   CHECK(point->ground == 4);
   CHECK(point->top == 19);
   CHECK(point->material == kStone);

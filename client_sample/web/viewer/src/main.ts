@@ -25,7 +25,7 @@ import { Notices } from './ui/notices';
 import { Panels } from './ui/panels';
 import { SettingsPanel } from './ui/settings_panel';
 import { SharePanel } from './ui/share_panel';
-import { SlicePanel } from './ui/slice_panel';
+import { SLICE_FARTHEST, SlicePanel } from './ui/slice_panel';
 import { TokenDialog } from './ui/token_dialog';
 import { TrafficPanel } from './ui/traffic_panel';
 import { FIELD_OF_VIEW, rayThrough, VoxelCard } from './ui/voxel_card';
@@ -133,7 +133,7 @@ const hint = new Hint(toStage);
 const traffic = new TrafficPanel();
 const voxel = new VoxelCard();
 const slice = new SlicePanel(
-  () => ({ x: body.position[0], z: body.position[2], yaw: body.yaw }),
+  () => ({ x: body.position[0], z: body.position[2], yaw: body.yaw, seen: seenAhead() }),
   (plane) => engine?.setSlice(plane),
 );
 new SettingsPanel(settings, change, isPhone, cap);
@@ -256,6 +256,11 @@ function pick(x: number, y: number, other = false): void {
   if (builder.isOn) builder.act(eye(), direction, other);
   else voxel.hold(engine, eye(), direction);
 }
+/** Blocks on the level to what is in the middle of the screen; null: nothing near is, or one is inside of something. */
+function seenAhead(): number | null {
+  const hit = engine?.raycast(eye(), gaze.ahead(), SLICE_FARTHEST, true) ?? null;
+  return hit === null || hit.distance === 0 ? null : hit.distance * Math.cos((body.pitch * Math.PI) / 180);
+}
 const pickAhead = () => pick(stage.clientWidth / 2, stage.clientHeight / 2);
 
 const gaze = { eye, ahead: () => rayThrough(body.yaw, body.pitch, 0, 0) };
@@ -332,6 +337,7 @@ const loop = new Loop({
     if (traveller.isPlaced) player.step(seconds);
     if (engine !== null && traveller.isPlaced) {
       traveller.surface(engine);
+      traveller.emerge();
       traveller.turnFromWhatIsNear(engine);
       player.look(engine);
       builder.look(eye(), gaze.ahead());

@@ -72,6 +72,12 @@ export class Body {
     return meets(0, first.x, last.x) && meets(1, first.y, last.y) && meets(2, first.z, last.z);
   }
 
+  /** Whether the eyes are in something solid; undefined: not known yet. */
+  get isBuried(): boolean | undefined {
+    const [x, y, z] = this.eye;
+    return this.#is('unknown', x, y, z) ? undefined : this.#is('solid', x, y, z);
+  }
+
   get speed(): number {
     return Math.hypot(...this.velocity);
   }

@@ -6,12 +6,16 @@ import { clearHeading } from './outlook';
 import type { Place } from './place';
 
 const SPAWN_RISE = 14;
+/** Blocks above a place in rock within which air is nearer than the ground. */
+const NEAR_AIR = 16;
 
 export class Traveller {
   /** The player is somewhere; before, the engine is not to be looked through. */
   isPlaced = false;
   /** Whether one is to be lifted out of water, once it is known whether there is any. */
   #surfaces = false;
+  /** Whether one is to be lifted out of rock, once it is known whether there is any. */
+  #emerges = false;
   /** Where one who has just arrived stands and looks, until it is known whether something near hides the view. */
   #arrival: Place | null = null;
 
@@ -36,6 +40,7 @@ export class Traveller {
     }
     this.body.place(x, row, z);
     this.#surfaces = y === null;
+    this.#emerges = y !== null;
     this.isPlaced = true;
   }
 
@@ -44,7 +49,7 @@ export class Traveller {
     if (engine === null) return;
     const { x, y, z } = engine.world.spawn;
     this.body.place(x + 0.5, y + this.#rise, z + 0.5);
-    this.#surfaces = false;
+    this.#surfaces = this.#emerges = false;
     this.#arrival = null;
     this.isPlaced = true;
   }
@@ -91,6 +96,17 @@ export class Traveller {
     if (at(row) === undefined) return;
     this.#surfaces = false;
     if (row > y) this.body.place(x, row + this.#rise, z);
+  }
+
+  /** For each step. A link may lead into rock, where one would see the land from inside: to air close above, else to the ground. */
+  emerge(): void {
+    if (!this.#emerges) return;
+    const { isBuried, position } = this.body;
+    if (isBuried === undefined) return;
+    this.#emerges = false;
+    if (!isBuried || this.body.rise(NEAR_AIR)) return;
+    // Without heights one stays: flying leads out.
+    this.to(position[0], null, position[2]).catch(() => {});
   }
 
   get #rise(): number {

@@ -25,6 +25,8 @@ export class Hud {
   /** The land is there: away with what stood before it. */
   opened(): void {
     this.#opening.classList.add('gone');
+    // A bar that knows no progress would run on unseen.
+    find<HTMLProgressElement>('opening-progress').value = 1;
     this.#opening.removeAttribute('role');
   }
 

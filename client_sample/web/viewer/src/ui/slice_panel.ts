@@ -3,14 +3,23 @@ import type { Slice } from '../engine/engine';
 import { wrapDegrees } from '../place/place';
 import { find, say } from './dom';
 
-const FIRST_DISTANCE = 24;
+/** Blocks before the player: of the nearest cut, of the slider's farthest, and of one toward nothing that is near. */
+const NEAREST = 4;
+export const SLICE_FARTHEST = 256;
+const USUAL = 96;
 
 export interface Stand {
   readonly x: number;
   readonly z: number;
   /** Degrees. */
   readonly yaw: number;
+  /** Blocks on the level to what is looked at; null: nothing near is. */
+  readonly seen?: number | null;
 }
+
+/** Where the cut begins: at what one looks at. Nearer it would often show air alone. */
+export const firstDistance = (seen: number | null | undefined): number =>
+  Math.round(Math.min(SLICE_FARTHEST, Math.max(NEAREST, seen ?? USUAL)));
 
 /** The plane at `distance` before a stand, across its direction. Land on the side of the stand is not drawn. */
 export function planeBefore(stand: Stand, distance: number): Slice {
@@ -46,9 +55,9 @@ export class SlicePanel {
   }
 
   cutHere(): void {
-    const { x, z, yaw } = this.standNow();
+    const { x, z, yaw, seen } = this.standNow();
     this.#stand = { x, z, yaw: Math.round(wrapDegrees(yaw)) % 360 };
-    this.#distance.value = String(FIRST_DISTANCE);
+    this.#distance.value = String(firstDistance(seen));
     this.#yaw.value = String(this.#stand.yaw);
     this.#on.checked = true;
     this.#send();

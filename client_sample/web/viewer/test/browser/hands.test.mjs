@@ -66,11 +66,23 @@ test('keyboard alone suffices', async (t) => {
   });
 
   await t.test('slice, borders, time', async () => {
+    const { pitch: pitchBefore } = await place(page);
+    const seen = await page.evaluate(() => {
+      const { engine, player } = window.talus;
+      player.body.pitch = -60; // at the ground
+      const [x, y, z] = player.body.eye;
+      const [yaw, pitch] = [player.body.yaw, player.body.pitch].map((degrees) => (degrees * Math.PI) / 180);
+      const ahead = { x: Math.sin(yaw) * Math.cos(pitch), y: Math.sin(pitch), z: -Math.cos(yaw) * Math.cos(pitch) };
+      return engine.raycast({ x, y, z }, ahead, 256, true).distance * Math.cos(pitch);
+    });
     await page.keyboard.press('KeyX');
     assert.ok(await page.locator('#slice-on').isChecked());
+    const distance = Number(await page.locator('#slice-distance').inputValue());
+    assert.ok(Math.abs(distance - Math.max(seen, 4)) <= 1, `the cut is ${distance} blocks ahead, what one looks at ${seen}`);
+    await page.evaluate((pitch) => (window.talus.player.body.pitch = pitch), pitchBefore);
     assert.match(await page.locator('#slice-said').innerText(), /before the cut is hidden.*\[.*\].*X ends it/s);
     await page.keyboard.press('BracketRight');
-    assert.equal(await page.locator('#slice-distance').inputValue(), '25');
+    assert.equal(await page.locator('#slice-distance').inputValue(), String(distance + 1));
     await page.keyboard.press('KeyX');
     assert.ok(!(await page.locator('#slice-on').isChecked()));
     assert.ok(await page.locator('#slice-said').isHidden());

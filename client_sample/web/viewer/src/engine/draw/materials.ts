@@ -1,28 +1,26 @@
 // What materials look like, told from their names and colours: the world says no more of them.
 import { Color, DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import type { Material } from 'talus';
+import { TINTS, WORDS } from './look.js';
 
 /** As in shaders/terrain.ts. */
 export const LOOKS = { rock: 0, turf: 1, sand: 2, snow: 3, leaves: 4, wood: 5, ice: 6, ore: 7, rubble: 8, earth: 9 } as const;
 export type Look = keyof typeof LOOKS;
 
-const WORDS: [RegExp, Look][] = [
-  [/leaves|needles|bush|hedge|foliage/, 'leaves'],
-  [/wood|bark|log|trunk|timber|plank/, 'wood'],
-  [/\bice\b|glacier/, 'ice'],
-  [/snow|firn/, 'snow'],
-  [/\bore\b|coal|copper|silver|gold|iron\b|crystal/, 'ore'],
-  [/scree|gravel|shingle|pebble|rubble|cobble|talus/, 'rubble'],
-  [/sandstone|limestone/, 'rock'],
-  [/beach|desert$|\bsand\b|dune|sea floor/, 'sand'],
-  [/grass|meadow|forest|jungle|taiga|tundra|savanna|moss|turf|heath|steppe|prairie|cactus/, 'turf'],
-  [/soil|dirt|earth|clay|mud|peat|loam|humus/, 'earth'],
-];
-
 export function lookOf(material: Material): Look {
   const name = material.name.toLowerCase();
-  for (const [words, look] of WORDS) if (words.test(name)) return look;
+  for (const [words, look] of WORDS) if (words.test(name)) return look as Look;
   return 'rock';
+}
+
+/** What of a map's colour is seen under the sun; as talus-client has it (cli/look.cpp). */
+function tint(colour: Color, look: Look): void {
+  const tint = TINTS.get(look);
+  if (tint === undefined) return;
+  const grey = colour.r * 0.32 + colour.g * 0.6 + colour.b * 0.08;
+  const [red, green, blue] = tint.times as [number, number, number];
+  colour.lerp(new Color().setRGB(grey, grey, grey), tint.grey);
+  colour.setRGB(colour.r * red, colour.g * green, colour.b * blue);
 }
 
 /** Two texels a material: its colour and look, and the colour beneath (earth under turf, rock around ore), and whether flowers
@@ -35,6 +33,7 @@ export function materialTexture(materials: readonly Material[]): DataTexture {
   materials.forEach((material, i) => {
     const look = lookOf(material);
     colour.set(material.colour); // sRGB to linear
+    tint(colour, look);
     const beneath = look === 'ore' ? rock : /cactus/.test(material.name) ? colour : earth;
     data.set([colour.r, colour.g, colour.b, LOOKS[look], beneath.r, beneath.g, beneath.b, /meadow|forest|grass|heath|taiga/.test(material.name) ? 1 : 0], i * 8);
   });

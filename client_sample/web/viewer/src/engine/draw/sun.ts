@@ -1,5 +1,6 @@
 // The light of an hour: where sun and moon stand, and which colours light, sky and air have then.
 import { Color, Matrix3, Matrix4, Vector3 } from 'three';
+import { LIGHT_KEYS } from './look.js';
 
 export interface Light {
   /** Of what casts shadows: the sun, or the moon. */
@@ -19,32 +20,20 @@ export interface Light {
   readonly starTurn: Matrix3;
 }
 
-interface Key {
-  /** Sine of the sun's height. */
-  readonly at: number;
-  readonly sunLight: number[];
-  readonly skyLight: number[];
-  readonly zenith: number[];
-  readonly horizon: number[];
-  readonly glow: number[];
-  readonly exposure: number;
-}
-
-const rgb = (hex: number, times: number) => {
-  const c = new Color(hex); // linear
+const rgb = ([colour, times]: readonly [string, number]) => {
+  const c = new Color(colour); // linear
   return [c.r * times, c.g * times, c.b * times];
 };
 
-// By the sun's height, from night to noon.
-const KEYS: Key[] = [
-  { at: -0.3, sunLight: rgb(0xa9c0ff, 0.34), skyLight: rgb(0x3a5090, 0.7), zenith: rgb(0x04081a, 1), horizon: rgb(0x0f1c38, 1), glow: rgb(0x000000, 0), exposure: 2.1 },
-  { at: -0.14, sunLight: rgb(0xa9c0ff, 0.2), skyLight: rgb(0x7078a8, 1.25), zenith: rgb(0x0a1436, 1), horizon: rgb(0x2c3a68, 0.9), glow: rgb(0xa0483a, 0.45), exposure: 2.0 },
-  { at: -0.03, sunLight: rgb(0xff8a4a, 0.1), skyLight: rgb(0x8088b8, 0.85), zenith: rgb(0x1c3070, 1), horizon: rgb(0x7d7090, 0.75), glow: rgb(0xff6e32, 1.35), exposure: 1.7 },
-  { at: 0.06, sunLight: rgb(0xff9a52, 2.3), skyLight: rgb(0x8c98c8, 0.85), zenith: rgb(0x34589e, 1), horizon: rgb(0xcbaaa4, 0.82), glow: rgb(0xff8a3c, 1.3), exposure: 1.25 },
-  { at: 0.22, sunLight: rgb(0xffc58a, 3.7), skyLight: rgb(0x9db0d4, 1.05), zenith: rgb(0x3a74c4, 1), horizon: rgb(0xe2d8d4, 1.05), glow: rgb(0xffb870, 0.7), exposure: 0.9 },
-  { at: 0.5, sunLight: rgb(0xffe6c2, 4.3), skyLight: rgb(0xa2bade, 1.4), zenith: rgb(0x3b7dd6, 1.05), horizon: rgb(0xcfe2f2, 1.3), glow: rgb(0xffe2b8, 0.35), exposure: 0.75 },
-  { at: 1, sunLight: rgb(0xfff2dc, 4.6), skyLight: rgb(0xa2bade, 1.55), zenith: rgb(0x3879d6, 1.1), horizon: rgb(0xc6def4, 1.45), glow: rgb(0xfff0d8, 0.25), exposure: 0.69 },
-];
+const KEYS = LIGHT_KEYS.map(({ at, exposure, ...key }) => ({
+  at,
+  exposure,
+  sunLight: rgb(key.sunLight),
+  skyLight: rgb(key.skyLight),
+  zenith: rgb(key.zenith),
+  horizon: rgb(key.horizon),
+  glow: rgb(key.glow),
+}));
 
 const mixed = (a: number[], b: number[], f: number) => new Vector3(...a.map((v, i) => v + (b[i]! - v) * f));
 const smooth = (low: number, high: number, x: number) => {

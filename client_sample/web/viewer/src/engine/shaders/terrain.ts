@@ -111,7 +111,6 @@ void main() {
   float through = 0.0;                // light that leaves let through
   float swing = 0.06;
   if (kind == TURF) {
-    albedo = mix(albedo, vec3(dot(albedo, vec3(0.32, 0.6, 0.08))), 0.18) * vec3(0.95, 0.9, 0.86);
     vec3 dry = mix(albedo, albedo * vec3(1.28, 1.06, 0.55), 0.65);
     vec3 lush = albedo * vec3(0.72, 0.92, 0.66);
     albedo = mix(albedo, dry, smoothstep(0.48, 0.85, broad) * 0.75);
@@ -142,7 +141,7 @@ void main() {
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.14;
     swing = 0.03;
   } else if (kind == SNOW) {
-    albedo *= vec3(0.80, 0.83, 0.87) * (0.92 + 0.08 * broad);
+    albedo *= 0.92 + 0.08 * broad;
     albedo *= 1.0 + grainy * (speck - 0.5) * 0.05;
     shine = 0.25 * step(0.985, speck) * grainy;
     swing = 0.02;
@@ -156,7 +155,6 @@ void main() {
     through = 0.35;
   } else if (kind == WOOD) {
     float bark = hash2(ivec2(texel.x, texel.y >> 2) + worldVoxel.y * 3);
-    albedo = mix(albedo, vec3(dot(albedo, vec3(0.35, 0.5, 0.15))), 0.3) * 1.1;
     albedo *= side ? 1.0 + grainy * (bark - 0.5) * 0.55 : 1.0 + grainy * (speck - 0.5) * 0.2;
   } else if (kind == ICE) {
     albedo *= 0.92 + 0.14 * mid;
@@ -248,7 +246,8 @@ void main() {
   }
 
   // Under water: what is left of the light on its way down and up, and what the water sends itself.
-  float under = column.y - p.y;
+  // A cut below a river is seen through no water.
+  float under = cut ? 0.0 : column.y - p.y;
   if (under > 0.02 && waterFog.w < 0.5) {
     float path = under * (1.0 + 0.6 / max(toEye.y, 0.25));
     colour *= exp(-vec3(0.30, 0.085, 0.06) * min(path, 40.0));

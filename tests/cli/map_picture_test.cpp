@@ -1,0 +1,42 @@
+#include "map_picture.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "worlds.h"
+
+using namespace talus;
+using namespace talus::cli;
+using namespace talus::cli::testing;
+
+TEST_CASE("what no chunk has shown is hatched in light grey, beside the ground in its colour") {
+  SurfaceMap surface{materials()};
+  surface.add(key_at(0, 0, 0), flat(kGrass, 8, kAir));
+  const Picture picture = draw_map(surface, materials(), {0, 0, 64, 32}, {});
+  const glm::vec3 ground = picture.at(10, 10);
+  CHECK(ground.g > 2 * ground.r);
+  std::vector<float> greys;
+  for (int x = 40; x < 56; ++x) {
+    const glm::vec3 light = picture.at(x, 10);
+    CHECK(std::min({light.r, light.g, light.b}) > 0.3F);
+    greys.push_back(light.g);
+  }
+  const auto [darkest, lightest] = std::minmax_element(greys.begin(), greys.end());
+  CHECK(*darkest < *lightest);
+}
+
+TEST_CASE("water has the world's colour for it, darker where it is deep") {
+  const auto pixel = [](int bed, int surface) {
+    SurfaceMap map{materials()};
+    map.add(key_at(0, 0, 0), layered(kStone, bed, kWater, surface));
+    return draw_map(map, materials(), {0, 0, 32, 32}, {}).at(16, 16);
+  };
+  const glm::vec3 colour = to_light(0x204080);  // of kWater in worlds.h
+  const glm::vec3 shallow = pixel(20, 24);
+  const glm::vec3 deep = pixel(2, 30);
+  CHECK(shallow.b > 2 * shallow.r);
+  CHECK(deep.b < shallow.b);
+  for (int channel = 0; channel < 3; ++channel) CHECK(deep[channel] < colour[channel]);
+  CHECK(deep.b / deep.g == Approx(colour.b / colour.g).epsilon(0.05));
+}
