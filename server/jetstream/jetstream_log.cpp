@@ -23,6 +23,7 @@ constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
 // have come back and not know it yet (nats-server 2.9: for some 10 s); or the connection has lost what
 // answers come by.
 constexpr auto kNoLeader = 1s;
+constexpr auto kScouting = 500ms;  // so long a look is waited for
 
 }  // namespace
 
@@ -166,7 +167,7 @@ void JetStreamLog::leader_answers(bool does) {
   inbox_->leads(false);
   const std::unique_lock scouting{scouting_, std::try_to_lock};
   if (!scouting) return;
-  const auto found = scout_.look();
+  const auto found = scout_.look(kScouting);
   if (!found || inbox_->stopped()) return;
   const std::lock_guard lock{connection_mutex_};
   silent_since_.reset();

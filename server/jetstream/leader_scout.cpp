@@ -1,6 +1,11 @@
 #include "jetstream/leader_scout.h"
 
 #include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "jetstream/connection.h"
@@ -8,8 +13,64 @@
 #include "jetstream/stored_message.h"
 #include "jetstream/stream_info.h"
 #include "random/random_number.h"
+#include "threads/signals.h"
 
 namespace talus::server::jetstream {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What was found before says nothing of now.
+constexpr std::chrono::seconds kIsNews{5};
+/// libnats is not to be used while the program ends. A look takes less, but for a server that says nothing.
+constexpr std::chrono::seconds kLastWait{2};
+
+bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
+                       const StreamNames& names) {
+  const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
+  if (!connection) return false;
+  const auto reply = (*connection)->request(names.info(), "", kAnswerPatience);
+  if (!reply) return false;
+  const auto info = parse_stream_info(Arrived{reply->get()}.text());
+  if (!info || !has_majority(*info)) return false;
+  const auto message =
+      (*connection)
+          ->request(names.message_get(), StreamNames::by_number(std::max<std::uint64_t>(info->state.last, 1)),
+                    kAnswerPatience);
+  return message && is_of_messages(parse_stored_message(Arrived{message->get()}.text()));
+}
+
+}  // namespace
+
+/// It lives until the thread that looks has ended, whatever becomes of the scout.
+struct LeaderScout::Look {
+  ServerUrls urls;
+  std::size_t first = 0;
+  std::shared_ptr<const Credentials> credentials;
+  StreamNames names;
+
+  std::mutex mutex;
+  std::condition_variable ended;
+  std::optional<Clock::time_point> ended_at;
+  std::optional<ServerUrls> found;
+
+  void run() {
+    std::optional<ServerUrls> server;
+    for (std::size_t i = 0; i < urls.size() && !server; ++i) {
+      ServerUrls next = urls.just((first + i) % urls.size());
+      try {
+        if (leader_answers_by(next, credentials, names)) server = std::move(next);
+      } catch (const std::exception&) {  // no memory: another time
+      }
+    }
+    {
+      const std::lock_guard lock{mutex};
+      found = std::move(server);
+      ended_at = Clock::now();
+    }
+    ended.notify_all();
+  }
+};
 
 LeaderScout::LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> credentials, StreamNames names)
     : urls_{std::move(urls)},
@@ -17,28 +78,34 @@ LeaderScout::LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> cre
       names_{std::move(names)},
       next_{static_cast<std::size_t>(random_number() % urls_.size())} {}  // not all go to one
 
-std::optional<ServerUrls> LeaderScout::look() {
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  for (std::size_t asked = 0; asked < urls_.size() && std::chrono::steady_clock::now() < until; ++asked) {
-    ServerUrls server = urls_.just(next_);
-    next_ = (next_ + 1) % urls_.size();
-    if (answers_by(server)) return server;
-  }
-  return std::nullopt;
+LeaderScout::~LeaderScout() {
+  const auto look = look_;
+  if (look == nullptr) return;
+  std::unique_lock lock{look->mutex};
+  (void)look->ended.wait_for(lock, kLastWait, [&] { return look->ended_at.has_value(); });
 }
 
-bool LeaderScout::answers_by(const ServerUrls& server) const {
-  const auto connection = Connection::open(server, credentials_, nullptr, Retry::never);
-  if (!connection) return false;
-  const auto reply = (*connection)->request(names_.info(), "", kAnswerPatience);
-  if (!reply) return false;
-  const auto info = parse_stream_info(Arrived{reply->get()}.text());
-  if (!info || !has_majority(*info)) return false;
-  const auto message =
-      (*connection)
-          ->request(names_.message_get(),
-                    StreamNames::by_number(std::max<std::uint64_t>(info->state.last, 1)), kAnswerPatience);
-  return message && is_of_messages(parse_stored_message(Arrived{message->get()}.text()));
+std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience) {
+  if (look_ == nullptr) {
+    auto look = std::make_shared<Look>();
+    look->urls = urls_;
+    look->first = next_++ % urls_.size();
+    look->credentials = credentials_;
+    look->names = names_;
+    const SignalsBlocked blocked;
+    try {
+      std::thread{[look] { look->run(); }}.detach();
+    } catch (const std::system_error&) {
+      return std::nullopt;  // there is no thread to be had; another time
+    }
+    look_ = std::move(look);
+  }
+  const auto look = look_;
+  std::unique_lock lock{look->mutex};
+  if (!look->ended.wait_for(lock, patience, [&] { return look->ended_at.has_value(); })) return std::nullopt;
+  look_.reset();
+  if (Clock::now() - *look->ended_at > kIsNews) return std::nullopt;
+  return std::move(look->found);
 }
 
 }  // namespace talus::server::jetstream

@@ -14,24 +14,32 @@ namespace talus::server::jetstream {
 
 /// Asks by connections of its own, which are closed again: a connection that stands is not given up before
 /// another is known to be better. Of one thread at a time.
+///
+/// A look goes on by a thread that nobody waits for without end: a server that is reached and never ends its
+/// TLS handshake holds libnats up for as long. Then there are no more looks.
 class LeaderScout {
  public:
-  /// For unreachable servers; one that is reached may take two answers' time more.
-  static constexpr std::chrono::milliseconds kPatience{500};
-
   LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> credentials, StreamNames names);
+  /// Waits two seconds at most for a look that is on.
+  ~LeaderScout();
+  LeaderScout(const LeaderScout&) = delete;
+  LeaderScout& operator=(const LeaderScout&) = delete;
 
-  /// The first server by which the leader gives what it has and one of its messages, and hears a
-  /// majority. Goes on where the last look ended; none where all or the time have passed.
-  [[nodiscard]] std::optional<ServerUrls> look();
+  /// The first server by which the leader gives what it has and one of its messages, and hears a majority.
+  /// Begins a look at all servers, or waits for the one that is on; none where that takes longer than
+  /// `patience`, which is for the next call to see, or none was found.
+  [[nodiscard]] std::optional<ServerUrls> look(std::chrono::milliseconds patience);
+  /// Whether a look is on, or has an end that look() has not told yet.
+  [[nodiscard]] bool is_looking() const { return look_ != nullptr; }
 
  private:
-  [[nodiscard]] bool answers_by(const ServerUrls& server) const;
+  struct Look;
 
   ServerUrls urls_;
   std::shared_ptr<const Credentials> credentials_;
   StreamNames names_;
   std::size_t next_;
+  std::shared_ptr<Look> look_;  // that is on, or was not seen to end
 };
 
 }  // namespace talus::server::jetstream
