@@ -76,11 +76,11 @@ class LogStream {
   /// that place again, as the leader has it. Of the thread that calls next().
   virtual void ask_again() {}
 
-  /// Asks the leader. `unavailable` also where its messages cannot be read. Waits about a second at most.
+  /// Asks the leader. `unavailable` also where its messages cannot be read. Waits some two seconds at most.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
 
   /// When the stream took a message, in milliseconds since 1970 by the clock of who led it then: the same
-  /// whoever asks, and whenever. Waits about half a second at most.
+  /// whoever asks, and whenever. Waits some two seconds at most.
   [[nodiscard]] virtual tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) = 0;
 
   [[nodiscard]] virtual StreamFigures figures() const { return {}; }

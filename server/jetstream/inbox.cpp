@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "jetstream/stored_message.h"
 #include "jetstream/stream_info.h"
 #include "jetstream/stream_settings.h"
 #include "random/random_number.h"
@@ -216,8 +215,9 @@ void Inbox::message_of_replica(const Arrived& arrived) {
       time_ns && arrived.header("Nats-Stream") == names_.stream && arrived.sequence() == sequence;
   {
     const std::lock_guard lock{mutex_};
+    if (led_) return;
     // No talusd has published more; and it could not be confirmed.
-    if (!led_ && is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
+    if (is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
       reading_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
     } else {
       reading_.not_found(sequence, Clock::now());
@@ -226,45 +226,49 @@ void Inbox::message_of_replica(const Arrived& arrived) {
   changed_.notify_all();
 }
 
-void Inbox::leads(bool one_does) {
-  const std::lock_guard lock{mutex_};
-  led_ = one_does;
-  reading_.leads(one_does);
-}
-
-std::optional<std::uint64_t> Inbox::unconfirmed() const {
-  const std::lock_guard lock{mutex_};
-  return reading_.unconfirmed();
-}
-
-tl::expected<void, StreamFailure> Inbox::confirm(const StoredMessage& message) {
-  std::optional<StreamFailure> fault;
+void Inbox::leader_answers(bool does) {
   {
     const std::lock_guard lock{mutex_};
-    lacks_since_.reset();
-    reading_.confirm(message.sequence, message.bytes);
-    look_for_forged();
-    fault = fault_;
+    if (led_ == does) return;
+    led_ = does;
+    if (!does) lacks_since_.reset();  // it may be another leader that speaks next
+    reading_.leader_answers(does);
   }
-  if (!fault) return {};
   changed_.notify_all();
-  return tl::unexpected{*std::move(fault)};
 }
 
-tl::unexpected<StreamFailure> Inbox::lacks(std::uint64_t sequence) {
-  {
-    const std::lock_guard lock{mutex_};
-    const auto now = Clock::now();
-    if (!lacks_since_) lacks_since_ = now;
-    if (now - *lacks_since_ < kSureOfLess) {
-      return stream_failure(Kind::unavailable,
-                            fmt::format("NATS: a replica has message {}, and the leader not yet", sequence));
-    }
+bool Inbox::awaits_confirmation() const {
+  const std::lock_guard lock{mutex_};
+  return reading_.unconfirmed().has_value();
+}
+
+std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uint64_t last) {
+  std::unique_lock lock{mutex_};
+  const auto now = Clock::now();
+  (void)ask(connect, lock, now);
+  look_for_forged();
+  if (fault_) return fault_;
+  const auto sequence = reading_.unconfirmed();
+  if (!sequence || *sequence <= last) lacks_since_.reset();
+  if (!sequence) return std::nullopt;
+  if (*sequence <= last) {
+    return StreamFailure{
+        Kind::unavailable,
+        fmt::format("messages up to {} are replicas', and the log's leader has not confirmed all",
+                    *sequence)};
   }
-  return tl::unexpected{failed_for_good(
-      {Kind::false_message,
-       fmt::format("a replica had message {} of {}, which was applied, and the leader has it not", sequence,
-                   names_.stream)})};
+  // Then the stream has lost its end, which whoever applies it finds out in time.
+  if (!reading_.is_unconfirmed_after(last)) return std::nullopt;
+  if (!lacks_since_) lacks_since_ = now;
+  if (now - *lacks_since_ < kSureOfLess) {
+    return StreamFailure{Kind::unavailable,
+                         fmt::format("a replica has message {}, and the log's leader not yet", *sequence)};
+  }
+  fault_ = StreamFailure{
+      Kind::false_message,
+      fmt::format("a replica had message {} of {}, which was applied, and the leader has it not", *sequence,
+                  names_.stream)};
+  return fault_;
 }
 
 void Inbox::look_for_forged() {
@@ -357,7 +361,8 @@ void Inbox::ask_again() {
   reading_.ask_again(Clock::now());
 }
 
-StreamFailure Inbox::failed_for_good(StreamFailure failure) {
+StreamFailure Inbox::failed_for_good(std::string reason) {
+  StreamFailure failure{Kind::other, std::move(reason)};
   {
     const std::lock_guard lock{mutex_};
     if (!fault_) fault_ = failure;

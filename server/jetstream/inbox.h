@@ -16,6 +16,7 @@
 
 #include "cluster/log_stream.h"
 #include "jetstream/connection.h"
+#include "jetstream/leader_questions.h"
 #include "jetstream/reading.h"
 #include "jetstream/refused_subscription.h"
 #include "jetstream/stored_message.h"
@@ -28,14 +29,6 @@ namespace talus::server::jetstream {
 [[nodiscard]] inline tl::unexpected<StreamFailure> stream_failure(StreamFailure::Kind kind,
                                                                   std::string reason) {
   return tl::unexpected{StreamFailure{kind, std::move(reason)}};
-}
-
-/// So long an answer of NATS is waited for.
-inline constexpr std::chrono::milliseconds kAnswerPatience{500};
-
-/// Whether it is what a leader says of a message, though it may have none of the number.
-[[nodiscard]] inline bool is_of_messages(const tl::expected<StoredMessage, ApiError>& answer) {
-  return answer || answer.error().code == kMessageNotFound;
 }
 
 /// Shared by libnats' threads, the log's reader and those who ask; each call says whose it is.
@@ -70,19 +63,18 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   /// Whether a message was asked for, and nothing was said of any since then for as long as answers take.
   [[nodiscard]] bool is_unanswered() const;
   /// Whether a leader answers by this connection. While none does, messages are asked of any replica.
-  void leads(bool one_does);
-  /// The last message that was given out as a replica had it, where the leader has not confirmed it.
-  [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
-  /// The leader has that; fails where it is another message.
-  tl::expected<void, StreamFailure> confirm(const StoredMessage& message);
-  /// The leader's last message is before that one, which a replica gave: fails, for good where it stays so.
-  tl::unexpected<StreamFailure> lacks(std::uint64_t sequence);
+  void leader_answers(bool does);
+  /// Replicas gave messages that the leader has not confirmed.
+  [[nodiscard]] bool awaits_confirmation() const;
+  /// As a failure, where the leader's last message is `last`. Asks for those that are not asked for, whether
+  /// or not somebody reads. Where it stays so that the leader has less than replicas gave, for good.
+  [[nodiscard]] std::optional<StreamFailure> unconfirmed(const Connect& connect, std::uint64_t last);
   /// What the leader says; `after`: how far the stream had been read when it was asked.
   tl::expected<void, StreamFailure> told(std::uint64_t after, const StreamState& state);
   /// Why nothing may be read or published any more.
   [[nodiscard]] std::optional<StreamFailure> fault() const;
   /// It is not the stream that was read.
-  StreamFailure failed_for_good(StreamFailure failure);
+  StreamFailure failed_for_good(std::string reason);
   void learned(std::uint64_t sequence);
   [[nodiscard]] std::uint64_t after() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;

@@ -95,6 +95,9 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                           fmt::format("a message of {} bytes is over the {} that the stream takes",
                                       message.size(), kStreamMessageBytes));
   }
+  if (inbox_->awaits_confirmation()) {
+    return stream_failure(Kind::unavailable, "NATS: the log's leader has not confirmed what replicas gave");
+  }
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   const std::uint64_t read_before = inbox_->after();
@@ -106,14 +109,10 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                                       settings_.names.log, escaped(ack->stream), settings_.names.stream));
   }
   if (ack->sequence <= read_before) {
-    const bool of_replica = inbox_->unconfirmed().value_or(0) >= ack->sequence;
-    return tl::unexpected{inbox_->failed_for_good(
-        {of_replica ? Kind::false_message : Kind::other,
-         fmt::format("{} gave a message the number {}, which was read before: it was made anew, has lost its "
-                     "end, {}",
-                     settings_.names.stream, ack->sequence,
-                     of_replica ? std::string{"or a replica has other messages"}
-                                : fmt::format("or somebody else publishes to {}", settings_.names.tail))})};
+    return tl::unexpected{inbox_->failed_for_good(fmt::format(
+        "{} gave a message the number {}, which was read before: it was made anew, has lost its end, or "
+        "somebody else publishes to {}",
+        settings_.names.stream, ack->sequence, settings_.names.tail))};
   }
   inbox_->learned(ack->sequence);
   return ack->sequence;
@@ -126,7 +125,6 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> JetStreamLog::next(std
 
 tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   auto stream = ask_leader();
-  if (stream) inbox_->leads(true);
   if (stream && inbox_->is_unanswered()) {
     if (const auto message = ask_for(std::max<std::uint64_t>(stream->last, 1)); !message) {
       stream = tl::unexpected{StreamFailure{
@@ -134,42 +132,44 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
           fmt::format("messages of {} cannot be read: {}", settings_.names.stream, message.error().reason)}};
     }
   }
-  leader_answers(stream || stream.error().kind != Kind::unavailable);
+  if (!stream && stream.error().kind == Kind::unavailable) {
+    look_for_leader();
+    return stream;
+  }
+  {
+    const std::lock_guard lock{connection_mutex_};
+    silent_since_.reset();
+  }
   if (!stream) return stream;
-  if (auto same = confirm(*stream); !same) return tl::unexpected{same.error()};
+  inbox_->leader_answers(true);
+  if (auto why = inbox_->unconfirmed([this] { return connection(); }, stream->last)) {
+    return tl::unexpected{*std::move(why)};
+  }
   return stream;
 }
 
-tl::expected<void, StreamFailure> JetStreamLog::confirm(const StreamState& state) {
-  const auto sequence = inbox_->unconfirmed();
-  if (!sequence) return {};
-  if (*sequence > state.last) return inbox_->lacks(*sequence);
-  const auto message = ask_for(*sequence);
-  if (!message) return tl::unexpected{message.error()};
-  if (!*message) {
-    return stream_failure(Kind::unavailable, fmt::format("NATS: message {} does not come", *sequence));
-  }
-  return inbox_->confirm(**message);
-}
-
-void JetStreamLog::leader_answers(bool does) {
+void JetStreamLog::look_for_leader() {
+  std::shared_ptr<Connection> silent;
   {
     const std::lock_guard lock{connection_mutex_};
     // What is not connected is tried at all servers by libnats.
-    if (does || !connection_ || !connection_->connected()) {
+    if (!connection_ || !connection_->connected()) {
       silent_since_.reset();
       return;
     }
     const auto now = Clock::now();
     if (!silent_since_) silent_since_ = now;
     if (now - *silent_since_ < kNoLeader) return;
+    silent = connection_;
   }
-  inbox_->leads(false);
+  inbox_->leader_answers(false);
   const std::unique_lock scouting{scouting_, std::try_to_lock};
   if (!scouting) return;
   const auto found = scout_.look(kScouting);
-  if (!found || inbox_->stopped()) return;
+  // By this connection it may answer again as well.
+  if (!found || ask_leader()) return;
   const std::lock_guard lock{connection_mutex_};
+  if (inbox_->stopped() || connection_ != silent) return;
   silent_since_.reset();
   first_ = *found;
   inbox_->leaves(fmt::format("no leader of the log answers by this connection; goes to {}", found->text()));
@@ -180,10 +180,8 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   const std::uint64_t read_before = inbox_->after();
-  const auto reply = (*connection)->request(settings_.names.info(), "", kAnswerPatience);
-  if (!reply) return tl::unexpected{explained(reply.error())};
-  const auto info = parse_stream_info(Arrived{reply->get()}.text());
-  if (!info) return tl::unexpected{failure_of(info.error(), settings_.names.stream)};
+  const auto info = ask_info(**connection, settings_.names);
+  if (!info) return tl::unexpected{explained(info.error())};
   if (settings_.replicas != 0 && !has_settings_) {
     if (const auto other = other_settings(info->settings, settings_.names, settings_.replicas)) {
       return stream_failure(Kind::refused, *other);
@@ -191,9 +189,9 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
     has_settings_ = true;
   }
   if (!has_majority(*info)) {
-    return tl::unexpected{StreamFailure{
-        StreamFailure::Kind::unavailable,
-        fmt::format("NATS: the leader of {} hears no majority of its servers", settings_.names.stream)}};
+    return stream_failure(
+        Kind::unavailable,
+        fmt::format("NATS: the leader of {} hears no majority of its servers", settings_.names.stream));
   }
   if (const auto same = inbox_->told(read_before, info->state); !same) return tl::unexpected{same.error()};
   return info->state;
@@ -203,15 +201,10 @@ tl::expected<std::optional<StoredMessage>, StreamFailure> JetStreamLog::ask_for(
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   inbox_->asks();
-  const auto reply =
-      (*connection)
-          ->request(settings_.names.message_get(), StreamNames::by_number(sequence), kAnswerPatience);
-  if (!reply) return tl::unexpected{explained(reply.error())};
-  auto message = parse_stored_message(Arrived{reply->get()}.text());
-  if (!is_of_messages(message)) return tl::unexpected{failure_of(message.error(), settings_.names.stream)};
+  auto message = ask_message(**connection, settings_.names, sequence);
+  if (!message) return tl::unexpected{explained(message.error())};
   inbox_->answers();
-  if (!message || message->sequence != sequence) return std::optional<StoredMessage>{};
-  return *std::move(message);
+  return message;
 }
 
 tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t sequence) {

@@ -55,7 +55,7 @@ class JetStreamLog final : public LogStream {
                                                                                TimePoint until) override;
   void ask_again() override { inbox_->ask_again(); }
   /// Fails too where the leader says nothing of messages that were asked for, as without the permission for
-  /// that: the tail alone is no promise. Waits half a second more then.
+  /// that: the tail alone is no promise; and until the leader has confirmed what replicas gave.
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
   [[nodiscard]] tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) override;
   [[nodiscard]] StreamFigures figures() const override;
@@ -73,11 +73,10 @@ class JetStreamLog final : public LogStream {
   [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
   /// Asks the leader for a message; nothing where it has none of the number.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
-  /// What replicas gave has to be what the leader has.
-  [[nodiscard]] tl::expected<void, StreamFailure> confirm(const StreamState& state);
-  /// Where it does not, though a NATS server is connected, another server is looked for by which it does, or
-  /// the same by another connection.
-  void leader_answers(bool does);
+
+  /// It does not answer. Where that stays so, though a NATS server is connected, another server is looked
+  /// for by which it does, or the same by another connection; and replicas are read.
+  void look_for_leader();
 
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;

@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "jetstream/connection.h"
-#include "jetstream/inbox.h"
-#include "jetstream/stored_message.h"
-#include "jetstream/stream_info.h"
+#include "jetstream/leader_questions.h"
 #include "random/random_number.h"
 #include "threads/signals.h"
 
@@ -29,15 +27,9 @@ bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Cre
                        const StreamNames& names) {
   const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
   if (!connection) return false;
-  const auto reply = (*connection)->request(names.info(), "", kAnswerPatience);
-  if (!reply) return false;
-  const auto info = parse_stream_info(Arrived{reply->get()}.text());
-  if (!info || !has_majority(*info)) return false;
-  const auto message =
-      (*connection)
-          ->request(names.message_get(), StreamNames::by_number(std::max<std::uint64_t>(info->state.last, 1)),
-                    kAnswerPatience);
-  return message && is_of_messages(parse_stored_message(Arrived{message->get()}.text()));
+  const auto info = ask_info(**connection, names);
+  return info && has_majority(*info) &&
+         ask_message(**connection, names, std::max<std::uint64_t>(info->state.last, 1));
 }
 
 }  // namespace

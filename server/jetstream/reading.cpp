@@ -48,7 +48,7 @@ void Reading::move_to(std::uint64_t after, TimePoint now) {
     held_bytes_ = 0;
     given_.clear();
     doubted_.clear();
-    unconfirmed_.reset();
+    unconfirmed_.clear();
   }
   after_ = after;
   known_ = std::max(known_, after);
@@ -134,6 +134,12 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     if (altered_->digest != digest(bytes)) ++false_messages_;
     altered_.reset();
   }
+  if (const auto found = unconfirmed_.find(sequence); found != unconfirmed_.end()) {
+    if (found->second != digest(bytes)) forged_ = sequence;
+    unconfirmed_.erase(found);
+    progressed(now);
+    return;
+  }
   if (sequence <= after_) {
     const Given* const given = remembered(sequence);
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
@@ -211,36 +217,37 @@ void Reading::ends_at(std::uint64_t last) {
 
 void Reading::starts_at(std::uint64_t first) {
   doubted_.erase(doubted_.begin(), doubted_.lower_bound(first));
-  if (unconfirmed_ && unconfirmed_->sequence < first) unconfirmed_.reset();
+  unconfirmed_.erase(unconfirmed_.begin(), unconfirmed_.lower_bound(first));
 }
 
-void Reading::leads(bool one_does) {
-  if (std::exchange(led_, one_does) == one_does || !one_does) return;
+void Reading::leader_answers(bool does) {
+  if (std::exchange(led_, does) == does || !does) return;
   for (auto at = held_.begin(); at != held_.end();) {
     const auto next = std::next(at);
     if (at->second.from == From::replica) drop(at);
     at = next;
   }
+  asked_.clear();  // of replicas
 }
 
 std::optional<std::uint64_t> Reading::unconfirmed() const {
-  return unconfirmed_ ? std::optional{unconfirmed_->sequence} : std::nullopt;
+  return unconfirmed_.empty() ? std::nullopt : std::optional{unconfirmed_.rbegin()->first};
 }
 
-void Reading::confirm(std::uint64_t sequence, std::span<const std::byte> bytes) {
-  if (!unconfirmed_ || unconfirmed_->sequence != sequence) return;
-  if (unconfirmed_->digest != digest(bytes)) forged_ = sequence;
-  unconfirmed_.reset();
+bool Reading::is_unconfirmed_after(std::uint64_t last) const {
+  const auto number = std::distance(unconfirmed_.upper_bound(last), unconfirmed_.end());
+  return last < after_ && static_cast<std::uint64_t>(number) == after_ - last;
 }
 
 std::optional<StreamMessage> Reading::take() {
+  if (led_ && !unconfirmed_.empty()) return std::nullopt;
   const auto next = held_.find(after_ + 1);
   if (next == held_.end()) return std::nullopt;
   StreamMessage message{next->first, std::move(next->second.bytes), next->second.time_ms};
   held_bytes_ -= message.bytes.size();
   message.of_leader = next->second.from == From::leader;
   given_.push_back({message.sequence, digest(message.bytes), message.of_leader});
-  if (next->second.from == From::replica) unconfirmed_ = given_.back();
+  if (next->second.from == From::replica) unconfirmed_[message.sequence] = given_.back().digest;
   if (given_.size() > kRemembered) given_.pop_front();
   held_.erase(next);
   after_ = message.sequence;
@@ -253,10 +260,7 @@ void Reading::ask_again(TimePoint now) {
   altered_ = given_.back();
   given_.pop_back();
   --after_;
-  if (unconfirmed_ && unconfirmed_->sequence == altered_->sequence) {
-    unconfirmed_.reset();
-    if (!given_.empty()) unconfirmed_ = given_.back();  // whoever gave that: it is to be the leader's, too
-  }
+  unconfirmed_.erase(altered_->sequence);
   progressed(now);
   ask_from_ = now;
 }
@@ -270,8 +274,16 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
     wanted.push_back(sequence);
   };
   if (now < retry_) return wanted;
+  if (led_ && !unconfirmed_.empty()) {
+    for (const auto& [sequence, digest] : unconfirmed_) {
+      if (asked_.size() >= kMostRequests) break;
+      if (!asked_.contains(sequence)) ask(sequence);
+    }
+    return wanted;
+  }
+  if (unconfirmed_.size() >= kMostUnconfirmed) return wanted;
   for (const std::uint64_t sequence : doubted_) {
-    if (sequence > std::max(known_, after_ + 1)) break;
+    if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // they are for the leader
     if (!asked_.contains(sequence)) ask(sequence);
   }
   if (known_ > after_) {

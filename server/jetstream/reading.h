@@ -19,25 +19,27 @@ namespace talus::server::jetstream {
 
 /// Messages come by themselves (the tail), in order but with gaps, and as answers to requests, of the
 /// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
-/// to it, so a message of it that does not fit another is held against an answer. Where no leader answers,
-/// any replica may be asked, which is believed for so long: once the leader answers again it is to confirm
-/// the last message that came so. Replicas count alike, so that one who lacks a message or has one twice has
-/// another one there. How far the stream goes the
+/// to it, so a message of it that does not fit another is held against an answer. How far the stream goes the
 /// leader says: a number ahead of the next one that the tail brings is a claim, for which the next message is
 /// asked for, ever more seldom while there is none, and twice as many as were there while they are: a leader
 /// that was just elected may give messages before it says how many it has.
+///
+/// Where no leader answers any replica is asked. A sound one has nothing that is not the stream's, though it
+/// may lack some; of nats-server 2.9.10 some were seen to hold others. So they are believed until a leader
+/// answers: nothing more is given out then before it has given each of those messages, too.
 class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
 
   static constexpr std::size_t kMostRequests = 64;
-  static constexpr std::uint64_t kWindow = 1024;              // messages ahead that are kept
-  static constexpr std::size_t kWindowBytes = 16U << 20;      // of them all
-  static constexpr std::chrono::milliseconds kSilence{1000};  // after it the next message is asked for
-  static constexpr std::chrono::milliseconds kSilenceUnled{250};
-  static constexpr std::chrono::milliseconds kAnswerIn{500};  // after it a request is made again
-  static constexpr std::chrono::milliseconds kOnItsWay{10};   // the tail may bring it
-  static constexpr std::chrono::milliseconds kFirstRetry{5};  // it may be an old leader that answers
+  static constexpr std::uint64_t kWindow = 1024;                  // messages ahead that are kept
+  static constexpr std::size_t kWindowBytes = 16U << 20;          // of them all
+  static constexpr std::chrono::milliseconds kSilence{1000};      // after it the next message is asked for
+  static constexpr std::chrono::milliseconds kSilenceUnled{250};  // the same without a leader
+  static constexpr std::size_t kMostUnconfirmed = 65'536;         // messages: 4 MiB
+  static constexpr std::chrono::milliseconds kAnswerIn{500};      // after it a request is made again
+  static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may bring it
+  static constexpr std::chrono::milliseconds kFirstRetry{5};      // it may be an old leader that answers
   static constexpr std::chrono::milliseconds kLastRetry{250};
   static constexpr std::chrono::milliseconds kSureOfNone{
       40};  // so long a retry, after some that found nothing
@@ -80,7 +82,9 @@ class Reading {
   /// Sequences to ask for now; they count as asked for.
   [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
   /// Whether an answer is on its way, as far as is known.
-  [[nodiscard]] bool asks() const { return asked_.upper_bound(after_) != asked_.end(); }
+  [[nodiscard]] bool asks() const {
+    return asked_.upper_bound(after_) != asked_.end() || (led_ && !unconfirmed_.empty() && !asked_.empty());
+  }
   /// Whether the tail claims that there is more than the leader has said: it is to be asked how far the
   /// stream goes.
   [[nodiscard]] bool claims_more() const { return claimed_ > std::max(known_, after_); }
@@ -89,11 +93,11 @@ class Reading {
 
   /// Whether a leader answers. Without one nobody says how far the stream goes, and it is asked for more
   /// often; with one what replicas gave and take() did not is not wanted any more.
-  void leads(bool one_does);
-  /// The last message that a replica gave and take() gave out, until it is confirmed.
+  void leader_answers(bool does);
+  /// The last message that a replica gave and take() gave out, of those that the leader has not confirmed.
   [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
-  /// The leader has that there.
-  void confirm(std::uint64_t sequence, std::span<const std::byte> bytes);
+  /// Whether all that was given out after that one is such.
+  [[nodiscard]] bool is_unconfirmed_after(std::uint64_t last) const;
 
   /// Whether a message that take() gave out is not the stream's.
   [[nodiscard]] std::optional<std::uint64_t> forged() const { return forged_; }
@@ -158,8 +162,8 @@ class Reading {
   TimePoint ask_from_{};            // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;
-  std::optional<Given> altered_;      // not of the leader, and no message
-  std::optional<Given> unconfirmed_;  // of a replica
+  std::optional<Given> altered_;                 // not of the leader, and no message
+  std::map<std::uint64_t, Digest> unconfirmed_;  // of replicas
   bool led_ = true;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;

@@ -475,20 +475,19 @@ TEST_CASE("who is far behind catches up by many questions at once, whatever the 
   CHECK(rounds <= kLast / Reading::kMostRequests + 1);
 }
 
-TEST_CASE("without a leader replicas are asked ever more at once, and the leader confirms what came last") {
+TEST_CASE("without a leader replicas are asked ever more at once, and the leader confirms what they gave") {
   Reading reading{kStart, 7};
-  reading.leads(false);
+  reading.leader_answers(false);
   constexpr std::uint64_t kLast = 1000;
-  const auto end_of_silence = kStart + Reading::kSilenceUnled;
+  const auto now = kStart + Reading::kSilenceUnled;
   std::size_t rounds = 0;
-  for (auto wanted = reading.wanted(end_of_silence); !wanted.empty();
-       wanted = reading.wanted(end_of_silence)) {
+  for (auto wanted = reading.wanted(now); !wanted.empty(); wanted = reading.wanted(now)) {
     REQUIRE(wanted.size() <= Reading::kMostRequests);
     for (const std::uint64_t sequence : wanted) {
       if (sequence > kLast) {
-        reading.not_found(sequence, end_of_silence);
+        reading.not_found(sequence, now);
       } else {
-        reading.answered_by_replica(sequence, bytes_of(true_text(sequence)), end_of_silence);
+        reading.answered_by_replica(sequence, bytes_of(true_text(sequence)), now);
       }
     }
     while (taken(reading) != 0) continue;
@@ -496,47 +495,66 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
   }
   CHECK(reading.after() == kLast);
   CHECK(rounds <= kLast / Reading::kMostRequests + 8);
-  CHECK(reading.next_look() <= end_of_silence + Reading::kSilenceUnled);
+  CHECK(reading.next_look() <= now + Reading::kSilenceUnled);
   REQUIRE(reading.unconfirmed() == kLast);
+  CHECK(reading.is_unconfirmed_after(0));
+  const auto confirm = [&](std::uint64_t false_one) {
+    reading.leader_answers(true);
+    for (auto wanted = reading.wanted(now); reading.unconfirmed(); wanted = reading.wanted(now)) {
+      REQUIRE_FALSE(wanted.empty());
+      REQUIRE(wanted.size() <= Reading::kMostRequests);
+      CHECK_FALSE(reading.take());
+      for (const std::uint64_t sequence : wanted) {
+        REQUIRE(sequence <= kLast);
+        reading.answered(sequence, bytes_of(sequence == false_one ? "another" : true_text(sequence)), now);
+      }
+    }
+  };
   SECTION("as it has the same") {
-    reading.confirm(kLast, bytes_of(true_text(kLast)));
-    CHECK_FALSE(reading.unconfirmed());
+    confirm(0);
     CHECK_FALSE(reading.forged());
+    hear(reading, kLast + 1, now);
+    CHECK(taken(reading) == kLast + 1);
   }
-  SECTION(
-      "or another: a replica that lacks a message, or has one twice, has all that come after it elsewhere") {
-    reading.confirm(kLast, bytes_of(true_text(kLast - 1)));
-    CHECK(reading.forged() == kLast);
+  SECTION("or another, be it in the middle: they may be of several replicas") {
+    confirm(kLast / 2);
+    CHECK(reading.forged() == kLast / 2);
   }
-  SECTION("or keeps it no more, and nobody can tell") {
+  SECTION("or keeps some no more, and nobody can tell") {
+    reading.starts_at(kLast);
+    CHECK(reading.unconfirmed() == kLast);
+    CHECK_FALSE(reading.is_unconfirmed_after(0));
+    CHECK(reading.is_unconfirmed_after(kLast - 1));
     reading.starts_at(kLast + 1);
     CHECK_FALSE(reading.unconfirmed());
-    CHECK_FALSE(reading.forged());
   }
   SECTION("but not what the leader has given itself") {
-    reading.confirm(kLast, bytes_of(true_text(kLast)));
-    answer(reading, kLast + 1, end_of_silence);
-    reading.answered_by_replica(kLast + 1, bytes_of("another"), end_of_silence);
+    confirm(0);
+    answer(reading, kLast + 1, now);
+    reading.leader_answers(false);
+    reading.answered_by_replica(kLast + 1, bytes_of("another"), now);
     CHECK(taken(reading) == kLast + 1);
     CHECK_FALSE(reading.unconfirmed());
   }
   SECTION("once there is one again it is asked for what was not given out yet") {
-    reading.answered_by_replica(kLast + 2, bytes_of(true_text(kLast + 2)), end_of_silence);
-    reading.leads(true);
-    answer(reading, kLast + 1, end_of_silence);
+    reading.answered_by_replica(kLast + 2, bytes_of(true_text(kLast + 2)), now);
+    confirm(0);
+    answer(reading, kLast + 1, now);
     CHECK(taken(reading) == kLast + 1);
     CHECK(taken(reading) == 0);
   }
   SECTION("what is no message of the log waits for it") {
-    reading.answered_by_replica(kLast + 1, bytes_of("torn"), end_of_silence);
+    reading.answered_by_replica(kLast + 1, bytes_of("torn"), now);
     REQUIRE(reading.take());
     CHECK(reading.unconfirmed() == kLast + 1);
-    reading.ask_again(end_of_silence);
+    reading.ask_again(now);
     CHECK(reading.unconfirmed() == kLast);
-    reading.answered_by_replica(kLast + 1, bytes_of("torn"), end_of_silence);
+    reading.answered_by_replica(kLast + 1, bytes_of("torn"), now);
     CHECK_FALSE(reading.take());
-    CHECK(reading.wanted(end_of_silence).empty());  // it is not asked again without end
-    answer(reading, kLast + 1, end_of_silence);
-    CHECK(taken(reading) == kLast + 1);
+    CHECK(reading.wanted(now).empty());  // it is not asked again without end
+    reading.leader_answers(true);
+    reading.leader_answers(false);
+    reading.leader_answers(true);
+    CHECK(reading.wanted(now + Reading::kLastRetry).size() == Reading::kMostRequests);
   }
 }
