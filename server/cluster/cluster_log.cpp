@@ -1,5 +1,6 @@
 #include "cluster/cluster_log.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -181,9 +182,13 @@ bool ClusterLog::begins_without_log() const {
 // ---- the end of the stream
 
 void ClusterLog::watch() {
+  milliseconds left{};
   do {
+    const auto began = SteadyClock::now();
     look_at_end();
-  } while (pause(settings_.look_interval));
+    // Who waited for an answer in vain has waited.
+    left = std::chrono::ceil<milliseconds>(settings_.look_interval - (SteadyClock::now() - began));
+  } while (pause(std::max(left, milliseconds{0})));
 }
 
 void ClusterLog::look_at_end() {

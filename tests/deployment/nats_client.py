@@ -100,17 +100,21 @@ class NatsClient:
         self._send(f"SUB {subject} {number}\r\n".encode())
         return self.flush()
 
-    def publish(self, subject, payload=b"", reply=""):
-        self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
+    def publish(self, subject, payload=b"", reply="", headers=None):
+        if not headers:
+            self._send(f"PUB {subject} {reply} {len(payload)}\r\n".encode() + payload + b"\r\n")
+            return
+        head = ("NATS/1.0\r\n" + "".join(f"{name}: {value}\r\n" for name, value in headers.items()) + "\r\n").encode()
+        self._send(f"HPUB {subject} {reply} {len(head)} {len(head) + len(payload)}\r\n".encode() + head + payload + b"\r\n")
 
-    def request(self, subject, payload=b""):
+    def request(self, subject, payload=b"", headers=None):
         """(head, payload) of the answer."""
         reply = f"{self.inbox}.{secrets.token_hex(4)}"
         # Each its own: an answer that nobody listens does not end what it came by, and the number would go on as the old one.
         self.requests += 1
         number = f"request{self.requests}"
         self._send(f"SUB {reply} {number}\r\nUNSUB {number} 1\r\n".encode())
-        self.publish(subject, payload, reply)
+        self.publish(subject, payload, reply, headers)
         while True:
             message = self.next()
             if message != "PONG" and message[0] == reply:
