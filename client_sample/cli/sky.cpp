@@ -30,7 +30,7 @@ float value_noise(glm::vec2 at) {
 
 }  // namespace
 
-Sky::Sky(const glm::vec3& to_sun_) : to_sun{to_sun_} {
+Sky::Sky(const glm::vec3& towards_sun) : to_sun{towards_sun} {
   const auto& keys = light_keys();
   std::size_t i = 0;
   while (i + 2 < keys.size() && to_sun.y > keys[i + 1].at) ++i;

@@ -22,7 +22,7 @@ struct Sky {
   glm::vec3 from_above, from_below;  // on a face that looks up; thrown back by the ground
   float exposure = 1.0F;
 
-  explicit Sky(const glm::vec3& to_sun_ = {0.0F, 1.0F, 0.0F});
+  explicit Sky(const glm::vec3& towards_sun = {0.0F, 1.0F, 0.0F});
 
   /// Without sun and clouds: also what distance fades to.
   [[nodiscard]] glm::vec3 clear(const glm::vec3& direction) const {

@@ -11,6 +11,7 @@
 #endif
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -52,6 +53,7 @@ HWY_INLINE std::uint64_t load_bits(const std::uint32_t* words) {
   return bits;
 }
 HWY_INLINE void store_bits(std::uint64_t bits, std::uint32_t* words) {
+  static_assert(std::endian::native == std::endian::little);  // the first row's word comes first
   std::memcpy(words, &bits, sizeof bits);
 }
 

@@ -91,7 +91,7 @@ struct GroundTiles {
   struct Entry {
     GroundTileKey key;
     GroundTilePtr tile;
-    std::uint64_t moved = 0;  // `puts_` when it came first
+    std::uint64_t moved = 0;  // `puts_` when it was last moved to the front
   };
 
   const std::size_t max_bytes_;

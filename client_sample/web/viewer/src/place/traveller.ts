@@ -33,14 +33,18 @@ export class Traveller {
 
   /** To the ground of a column where y is null. */
   async to(x: number, y: number | null, z: number): Promise<void> {
-    let row = y;
-    if (row === null) {
-      const ground = Math.max(await this.server.ground(x, z), this.engine()?.world.seaLevel ?? -Infinity);
-      row = ground + this.#rise;
-    }
-    this.body.place(x, row, z);
-    this.#surfaces = y === null;
-    this.#emerges = y !== null;
+    this.#put(x, y ?? (await this.#onGround(x, z)), z, y === null);
+  }
+
+  async #onGround(x: number, z: number): Promise<number> {
+    const ground = Math.max(await this.server.ground(x, z), this.engine()?.world.seaLevel ?? -Infinity);
+    return ground + this.#rise;
+  }
+
+  #put(x: number, y: number, z: number, byGround: boolean): void {
+    this.body.place(x, y, z);
+    this.#surfaces = byGround;
+    this.#emerges = !byGround;
     this.isPlaced = true;
   }
 
@@ -106,7 +110,14 @@ export class Traveller {
     this.#emerges = false;
     if (!isBuried || this.body.rise(NEAR_AIR)) return;
     // Without heights one stays: flying leads out.
-    this.to(position[0], null, position[2]).catch(() => {});
+    const [x, y, z] = position;
+    this.#onGround(x, z)
+      .then((row) => {
+        const now = this.body.position;
+        // Who went elsewhere meanwhile stays there.
+        if (now[0] === x && now[1] === y && now[2] === z) this.#put(x, row, z, true);
+      })
+      .catch(() => {});
   }
 
   get #rise(): number {
