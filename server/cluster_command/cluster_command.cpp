@@ -107,7 +107,7 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
   app.require_subcommand(1);
   app.footer(
       "The settings are those of talusd: --config, or TALUS_CLUSTER_NATS and so on.\n"
-      "Exit status: 0 success, 1 failure, or check found a fault, 2 wrong flags.");
+      "Exit status: 0 success, 1 failure, check found a fault, or status no leader, 2 wrong flags.");
   cluster_tool::Flags flags;
   std::vector<cluster_tool::Subcommand> commands;
   const auto add = [&](const char* name, const char* help, auto run) {

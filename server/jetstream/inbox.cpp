@@ -21,6 +21,7 @@ using Kind = StreamFailure::Kind;
 constexpr auto kBetweenQuestions = 1s;  // to the leader
 constexpr auto kBetweenUrgent = 100ms;  // where something does not fit
 constexpr auto kSureOfLess = 15s;       // a leader that was deposed may say so until it knows
+constexpr auto kDenied = 3s;            // until replicas are asked again: NATS does not say that they may be
 constexpr auto kBetweenDenials = 60s;   // of one kind, in the log
 /// Who waits for one of the tail and of the other threads sees so late what comes by the others.
 constexpr auto kBetweenLooks = 20ms;
@@ -118,7 +119,7 @@ void Inbox::connected(bool now) {
     connected_ = now;
     refused_tail_.disconnected();
     refused_answers_.disconnected();
-    may_ask_replicas_ = true;
+    replicas_denied_at_.reset();
     question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
   }
   changed_.notify_all();
@@ -160,7 +161,7 @@ void Inbox::denied(std::string_view what) {
     } else {
       // Which is a help, and no more.
       const bool of_replicas = what.find(names_.direct_get()) != std::string_view::npos;
-      if (of_replicas) may_ask_replicas_ = false;
+      if (of_replicas) replicas_denied_at_ = now;
       is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
       if (is_news) {
         denial_told_ = reason;
@@ -385,6 +386,16 @@ std::uint64_t Inbox::after() const {
   return reading_.after();
 }
 
+LeaderScout::Wanted Inbox::wanted_stream() const {
+  const std::lock_guard lock{mutex_};
+  return {created_ns_, reading_.unconfirmed() ? 0 : reading_.after()};
+}
+
+bool Inbox::asks_replicas(TimePoint now) const {
+  const bool denied = replicas_denied_at_ && now - *replicas_denied_at_ < kDenied;
+  return !led_ && !denied && created_ns_ != 0;
+}
+
 std::optional<StreamFailure> Inbox::why_closed() const {
   const std::lock_guard lock{mutex_};
   return closed_;
@@ -481,7 +492,7 @@ bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, Time
     asked_at_ = now;
     question_due_ = now + kBetweenQuestions;
   }
-  const bool of_replicas = asks_replicas();
+  const bool of_replicas = asks_replicas(now);
   if (!messages.empty() && !of_replicas && !unanswered_since_) unanswered_since_ = now;
   if (messages.empty() && !question) return false;
   const std::uint64_t after = reading_.after();

@@ -17,6 +17,7 @@
 #include "cluster/log_stream.h"
 #include "jetstream/connection.h"
 #include "jetstream/leader_questions.h"
+#include "jetstream/leader_scout.h"
 #include "jetstream/reading.h"
 #include "jetstream/refused_subscription.h"
 #include "jetstream/stored_message.h"
@@ -77,6 +78,8 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   StreamFailure failed_for_good(std::string reason);
   void learned(std::uint64_t sequence);
   [[nodiscard]] std::uint64_t after() const;
+  /// The stream that was read, as far as a leader has said or confirmed it.
+  [[nodiscard]] LeaderScout::Wanted wanted_stream() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;
   void reopened();
   void wake();
@@ -96,7 +99,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   /// A replica's.
   void message_of_replica(const Arrived& arrived);
   void look_for_forged();
-  [[nodiscard]] bool asks_replicas() const { return !led_ && may_ask_replicas_ && created_ns_ != 0; }
+  [[nodiscard]] bool asks_replicas(TimePoint now) const;
   void info(std::uint64_t after, std::string_view text);
   void count_false();
   /// Which it says is refused; null: none.
@@ -128,7 +131,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   bool stopped_ = false;
   bool leaves_ = false;
   bool led_ = true;
-  bool may_ask_replicas_ = true;
+  std::optional<TimePoint> replicas_denied_at_;
   std::optional<TimePoint> lacks_since_;
   std::optional<StreamFailure> closed_;   // the connection, for good
   std::optional<StreamFailure> trouble_;  // told once

@@ -141,6 +141,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
     silent_since_.reset();
   }
   if (!stream) return stream;
+  if (const std::unique_lock scouting{scouting_, std::try_to_lock}; scouting) scout_.rest();
   inbox_->leader_answers(true);
   if (auto why = inbox_->unconfirmed([this] { return connection(); }, stream->last)) {
     return tl::unexpected{*std::move(why)};
@@ -165,7 +166,7 @@ void JetStreamLog::look_for_leader() {
   inbox_->leader_answers(false);
   const std::unique_lock scouting{scouting_, std::try_to_lock};
   if (!scouting) return;
-  const auto found = scout_.look(kScouting);
+  const auto found = scout_.look(kScouting, inbox_->wanted_stream());
   // By this connection it may answer again as well.
   if (!found || ask_leader()) return;
   const std::lock_guard lock{connection_mutex_};

@@ -20,16 +20,20 @@ using Clock = std::chrono::steady_clock;
 
 /// What was found before says nothing of now.
 constexpr std::chrono::seconds kIsNews{5};
+constexpr std::chrono::seconds kBetweenScouts{1};
+constexpr std::chrono::seconds kBetweenManyScouts{5};
+constexpr std::size_t kManyLooks = 120;
 /// libnats is not to be used while the program ends. A look takes less, but for a server that says nothing.
 constexpr std::chrono::seconds kLastWait{2};
 
 bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
-                       const StreamNames& names) {
+                       const StreamNames& names, const LeaderScout::Wanted& wanted) {
   const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
   if (!connection) return false;
   const auto info = ask_info(**connection, names);
-  return info && has_majority(*info) &&
-         ask_message(**connection, names, std::max<std::uint64_t>(info->state.last, 1));
+  if (!info || !has_majority(*info) || info->state.last < wanted.last) return false;
+  if (wanted.created_ns != 0 && info->state.created_ns != wanted.created_ns) return false;
+  return ask_message(**connection, names, std::max<std::uint64_t>(info->state.last, 1)).has_value();
 }
 
 }  // namespace
@@ -40,6 +44,7 @@ struct LeaderScout::Look {
   std::size_t first = 0;
   std::shared_ptr<const Credentials> credentials;
   StreamNames names;
+  Wanted wanted;
 
   std::mutex mutex;
   std::condition_variable ended;
@@ -51,7 +56,7 @@ struct LeaderScout::Look {
     for (std::size_t i = 0; i < urls.size() && !server; ++i) {
       ServerUrls next = urls.just((first + i) % urls.size());
       try {
-        if (leader_answers_by(next, credentials, names)) server = std::move(next);
+        if (leader_answers_by(next, credentials, names, wanted)) server = std::move(next);
       } catch (const std::exception&) {  // no memory: another time
       }
     }
@@ -77,13 +82,18 @@ LeaderScout::~LeaderScout() {
   (void)look->ended.wait_for(lock, kLastWait, [&] { return look->ended_at.has_value(); });
 }
 
-std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience) {
+std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience, Wanted wanted) {
   if (look_ == nullptr) {
+    const auto now = Clock::now();
+    if (now - looked_at_ < (looks_ < kManyLooks ? kBetweenScouts : kBetweenManyScouts)) return std::nullopt;
+    looked_at_ = now;
+    ++looks_;
     auto look = std::make_shared<Look>();
     look->urls = urls_;
     look->first = next_++ % urls_.size();
     look->credentials = credentials_;
     look->names = names_;
+    look->wanted = wanted;
     const SignalsBlocked blocked;
     try {
       std::thread{[look] { look->run(); }}.detach();

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -19,6 +20,12 @@ namespace talus::server::jetstream {
 /// TLS handshake holds libnats up for as long. Then there are no more looks.
 class LeaderScout {
  public:
+  /// A leader of another stream of the name, or of an older copy, is none.
+  struct Wanted {
+    std::int64_t created_ns = 0;  // 0: not known
+    std::uint64_t last = 0;       // its last message, at least
+  };
+
   LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> credentials, StreamNames names);
   /// Waits two seconds at most for a look that is on.
   ~LeaderScout();
@@ -26,9 +33,12 @@ class LeaderScout {
   LeaderScout& operator=(const LeaderScout&) = delete;
 
   /// The first server by which the leader gives what it has and one of its messages, and hears a majority.
-  /// Begins a look at all servers, or waits for the one that is on; none where that takes longer than
-  /// `patience`, which is for the next call to see, or none was found.
-  [[nodiscard]] std::optional<ServerUrls> look(std::chrono::milliseconds patience);
+  /// Begins a look at all servers, one a second and after two minutes of them one each five, or waits for the
+  /// one that is on; none where that takes longer than `patience`, which is for the next call to see, or none
+  /// was found.
+  [[nodiscard]] std::optional<ServerUrls> look(std::chrono::milliseconds patience, Wanted wanted);
+  /// There is a leader: looks are frequent again.
+  void rest() { looks_ = 0; }
   /// Whether a look is on, or has an end that look() has not told yet.
   [[nodiscard]] bool is_looking() const { return look_ != nullptr; }
 
@@ -39,6 +49,8 @@ class LeaderScout {
   std::shared_ptr<const Credentials> credentials_;
   StreamNames names_;
   std::size_t next_;
+  std::size_t looks_ = 0;  // since there was a leader
+  std::chrono::steady_clock::time_point looked_at_{};
   std::shared_ptr<Look> look_;  // that is on, or was not seen to end
 };
 

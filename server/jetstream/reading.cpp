@@ -135,7 +135,7 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     altered_.reset();
   }
   if (const auto found = unconfirmed_.find(sequence); found != unconfirmed_.end()) {
-    if (found->second != digest(bytes)) forged_ = sequence;
+    if (found->second != Unconfirmed{digest(bytes), time_ms}) forged_ = sequence;
     unconfirmed_.erase(found);
     progressed(now);
     return;
@@ -247,7 +247,8 @@ std::optional<StreamMessage> Reading::take() {
   held_bytes_ -= message.bytes.size();
   message.of_leader = next->second.from == From::leader;
   given_.push_back({message.sequence, digest(message.bytes), message.of_leader});
-  if (next->second.from == From::replica) unconfirmed_[message.sequence] = given_.back().digest;
+  if (next->second.from == From::replica)
+    unconfirmed_[message.sequence] = {given_.back().digest, message.time_ms};
   if (given_.size() > kRemembered) given_.pop_front();
   held_.erase(next);
   after_ = message.sequence;

@@ -162,8 +162,13 @@ class Reading {
   TimePoint ask_from_{};            // what is known to be there and was not heard
   /// What take() gave out last, by sequence.
   std::deque<Given> given_;
-  std::optional<Given> altered_;                 // not of the leader, and no message
-  std::map<std::uint64_t, Digest> unconfirmed_;  // of replicas
+  std::optional<Given> altered_;  // not of the leader, and no message
+  struct Unconfirmed {
+    Digest digest;
+    std::optional<std::int64_t> time_ms;
+    bool operator==(const Unconfirmed&) const = default;
+  };
+  std::map<std::uint64_t, Unconfirmed> unconfirmed_;  // of replicas
   bool led_ = true;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;

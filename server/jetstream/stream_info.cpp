@@ -31,6 +31,7 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
                   &time.tm_hour, &time.tm_min, &time.tm_sec, &read) != 6) {
     return std::nullopt;
   }
+  if (time.tm_year < 1970 || time.tm_year > 2261) return std::nullopt;  // what 64 bits hold
   time.tm_year -= 1900;
   time.tm_mon -= 1;
   std::int64_t fraction = 0;
@@ -104,9 +105,11 @@ StreamFailure failure_of(const ApiError& error, std::string_view stream) {
       return {
           Kind::refused,
           fmt::format(
-              "NATS has no stream {}; name the NATS servers that have it in cluster.nats, or make it: by "
-              "\"talusd cluster init\" for a new world, by \"talusd store join-cluster\" for a store that "
-              "has edits",
+              "NATS has no stream {}; name the NATS servers that have it in cluster.nats. Where it was never "
+              "made: "
+              "\"talusd cluster init\" for a new world, \"talusd store join-cluster\" for a store that has "
+              "edits. Where it was lost: \"talusd store fork\" at the server that is furthest; do not make "
+              "it anew",
               stream)};
     case kNotEnabled:
     case kNotEnabledForAccount:

@@ -46,12 +46,11 @@ Behind measure(const StoreMeta& meta, const Cluster& settings, const ClusterTool
   }
   const std::uint64_t behind = state->last - meta.stream.sequence;
   if (behind == 0) return {true, 0, "it has all that the stream has"};
-  return {
-      true, behind,
-      fmt::format(
-          "the stream has {} message{} of edits more, which would be missing here; start talusd until it has "
-          "read them, if they are wanted",
-          behind, behind == 1 ? "" : "s")};
+  return {true, behind,
+          fmt::format("the stream has {} message{} more, whose edits are not in it; to have them, start "
+                      "talusd in the cluster "
+                      "until it has read them, before it leaves",
+                      behind, behind == 1 ? "" : "s")};
 }
 
 tl::expected<StoreMeta, std::string> place_of_member(const DataDirectory& directory) {

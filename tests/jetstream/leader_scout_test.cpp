@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "jetstream/leader_scout.h"
+#include "jetstream/stream_info.h"
 #include "log_of_tests.h"
 #include "scripted_stream.h"
 
@@ -69,33 +70,36 @@ TEST_CASE("a server that never ends its handshake holds up the look, and nobody 
   LeaderScout scout{url_of(silent->url()), std::make_shared<const Credentials>(std::move(credentials)),
                     test_names()};
   const auto began = std::chrono::steady_clock::now();
-  for (int i = 0; i < 10; ++i) CHECK_FALSE(scout.look(100ms));
+  for (int i = 0; i < 10; ++i) CHECK_FALSE(scout.look(100ms, {}));
   CHECK(std::chrono::steady_clock::now() - began < 30s);
   CHECK(scout.is_looking());
   silent.reset();  // else libnats would wait for it while the program ends
   const auto until = from_now(kPatience);
   while (scout.is_looking()) {
-    (void)scout.look(100ms);
+    (void)scout.look(100ms, {});
     REQUIRE(std::chrono::steady_clock::now() < until);
   }
 }
 
-TEST_CASE("a leader is found where it answers") {
+TEST_CASE("a leader is found where it answers, and leads the stream that is wanted") {
   ScriptedStream stream{test_names()};
   stream.set({true, {{1, "message"}}, {}});
-  const auto credentials = std::make_shared<const Credentials>();
-  LeaderScout scout{url_of(stream.url()), credentials, stream.names()};
-  const auto found = [&] {
+  const auto found = [&](LeaderScout::Wanted wanted) {
+    LeaderScout scout{url_of(stream.url()), std::make_shared<const Credentials>(), stream.names()};
     std::optional<ServerUrls> server;
     const auto until = from_now(kPatience);
     do {
-      server = scout.look(500ms);
+      server = scout.look(500ms, wanted);
     } while (scout.is_looking() && std::chrono::steady_clock::now() < until);
     return server;
   };
-  const auto server = found();
+  const auto created = nanoseconds_of("2026-01-01T00:00:00Z").value();
+  const auto server = found({created, 1});
   REQUIRE(server);
   CHECK(server->text() == stream.url());
+  CHECK(found({}));
+  CHECK_FALSE(found({created - 1, 1}));
+  CHECK_FALSE(found({created, 2}));
   stream.set({false, {}, {}});
-  CHECK_FALSE(found());
+  CHECK_FALSE(found({}));
 }

@@ -110,7 +110,7 @@ void ScriptedStream::answer(natsConnection* connection, std::string_view subject
   if (is_there) {
     natsMsgHeader_Set(made, "Nats-Stream", names_.stream.c_str());
     natsMsgHeader_Set(made, "Nats-Sequence", std::to_string(sequence).c_str());
-    natsMsgHeader_Set(made, "Nats-Time-Stamp", "2026-01-01T00:00:00.5Z");
+    natsMsgHeader_Set(made, "Nats-Time-Stamp", script_.replicas_time.c_str());
   } else {
     natsMsgHeader_Set(made, "Status", "404");
   }

@@ -89,6 +89,15 @@ TEST_CASE("a stream without messages begins after its last one") {
   CHECK(info->state.first == 5);
 }
 
+TEST_CASE("a time is one that 64 bits of nanoseconds hold") {
+  CHECK(nanoseconds_of("1970-01-01T00:00:01.5Z") == 1'500'000'000);
+  CHECK(nanoseconds_of("2261-12-31T23:59:59Z"));
+  for (const auto* text :
+       {"1969-12-31T23:59:59Z", "2262-12-31T00:00:00Z", "9999-01-01T00:00:00Z", "", "now"}) {
+    CHECK_FALSE(nanoseconds_of(text));
+  }
+}
+
 TEST_CASE("what is no answer of JetStream is an error") {
   for (std::size_t length = 0; length < kAnswer.size(); ++length) {
     CHECK_FALSE(parse_stream_info(kAnswer.substr(0, length)));

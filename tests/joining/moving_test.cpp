@@ -61,7 +61,7 @@ TEST_CASE("who leaves a cluster is told how far it is behind") {
   servers.build(a->port(), 3);
   const Ended asked = servers.store("b", {"leave-cluster"});
   CHECK(asked.status == 1);
-  CHECK_THAT(asked.err, Catch::Contains("of edits more, which would be missing here"));
+  CHECK_THAT(asked.err, Catch::Contains("more, whose edits are not in it"));
   CHECK_THAT(servers.store("a", {"leave-cluster", "--yes"}).err, Catch::Contains("a talusd uses it"));
 }
 
