@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -10,11 +12,17 @@
 namespace talus::cli {
 namespace {
 
-const glm::vec3 kUnseen = to_light(0xD3D8DF);
-const glm::vec3 kUnseenStripe = to_light(0xBBC2CC);
-const glm::vec3 kPath = to_light(0xFFF4D6);
+// Darker than land: light grey would look like snow or rock.
+const glm::vec3 kUnseen = to_light(0x2B313A);
+const glm::vec3 kUnseenStripe = to_light(0x3D4551);
+const glm::vec3 kEdge = to_light(0x0E1116);  // around what is known
+const glm::vec3 kPath = to_light(0xFFFFFF);
+const glm::vec3 kPathOutline = to_light(0x14181E);
 const glm::vec3 kSun = glm::normalize(glm::vec3{-0.55F, 0.75F, -0.5F});  // from the north-west
-constexpr int kStripe = 3;                                               // pixels, and as many between two
+constexpr int kStripe = 2;                                               // pixels
+constexpr int kStripeApart = 7;                                          // from one to the next
+constexpr double kPathHalf = 1.0;                                        // pixels
+constexpr double kOutlineHalf = 2.2;
 constexpr int kSmoothRing = 2;  // columns: voxel steps would else shade every hill as a staircase
 
 using Points = std::vector<std::optional<SurfacePoint>>;
@@ -111,29 +119,67 @@ glm::vec3 water_over(const glm::vec3& bed, const glm::vec3& water, std::int32_t 
   return water * deep * (1.0F - through) + bed * through;
 }
 
-void draw_path(Picture& picture, const Extent& extent, std::int64_t step,
-               const std::vector<glm::dvec2>& path) {
-  const auto dot = [&](glm::dvec2 at, float strength) {
-    const auto x =
-        static_cast<int>(std::floor((at.x - static_cast<double>(extent.x)) / static_cast<double>(step)));
-    const auto y =
-        static_cast<int>(std::floor((at.y - static_cast<double>(extent.z)) / static_cast<double>(step)));
-    if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
-    picture.at(x, y) = glm::mix(picture.at(x, y), kPath, strength);
-  };
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double length = glm::length(path[i] - path[i - 1]) / static_cast<double>(step);
-    const int parts = std::max(1, static_cast<int>(std::ceil(length)));
-    for (int part = 0; part < parts; ++part) {
-      dot(glm::mix(path[i - 1], path[i], static_cast<double>(part) / parts), 0.8F);
+// Hatched, as maps are where nothing is known, with an edge around what is.
+glm::vec3 unseen(const Sheet& sheet, int x, int y) {
+  for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    if (sheet.at(x + dx, y + dy) != nullptr) return kEdge;
+  }
+  return (x + y) % kStripeApart < kStripe ? kUnseenStripe : kUnseen;
+}
+
+// A smooth line: how far pixels are from it, for those that it may cover.
+class Line {
+ public:
+  Line(int width, int height) : width_{width}, height_{height} {}
+
+  void dot(const glm::dvec2& at) {
+    constexpr int kRing = 3;
+    const glm::ivec2 middle{glm::floor(at)};
+    for (int y = std::max(middle.y - kRing, 0); y <= std::min(middle.y + kRing, height_ - 1); ++y) {
+      for (int x = std::max(middle.x - kRing, 0); x <= std::min(middle.x + kRing, width_ - 1); ++x) {
+        const double apart = glm::length(glm::dvec2{x + 0.5, y + 0.5} - at);
+        const auto found = nearest_.try_emplace({x, y}, apart).first;
+        found->second = std::min(found->second, apart);
+      }
     }
   }
+
+  void draw(Picture& picture) const {
+    const auto covered = [](double half, double apart) {
+      return static_cast<float>(glm::clamp(half + 0.5 - apart, 0.0, 1.0));
+    };
+    for (const auto& [place, apart] : nearest_) {
+      glm::vec3& pixel = picture.at(place.first, place.second);
+      pixel = glm::mix(pixel, kPathOutline, 0.85F * covered(kOutlineHalf, apart));
+      pixel = glm::mix(pixel, kPath, covered(kPathHalf, apart));
+    }
+  }
+
+ private:
+  int width_;
+  int height_;
+  std::map<std::pair<int, int>, double> nearest_;
+};
+
+void draw_path(Picture& picture, const Extent& extent, std::int64_t step,
+               const std::vector<glm::dvec2>& path) {
   if (path.empty()) return;
+  const auto in_picture = [&](const glm::dvec2& at) {
+    return (at - glm::dvec2{extent.x, extent.z}) / static_cast<double>(step);
+  };
+  Line line{picture.width, picture.height};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const glm::dvec2 from = in_picture(path[i - 1]);
+    const glm::dvec2 to = in_picture(path[i]);
+    const int parts = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) * 2.0)));
+    for (int part = 0; part < parts; ++part) line.dot(glm::mix(from, to, static_cast<double>(part) / parts));
+  }
   // A ring where the flight ended.
   for (int degree = 0; degree < 360; degree += 4) {
     const double angle = degree * 0.017453292519943295;
-    dot(path.back() + glm::dvec2{std::cos(angle), std::sin(angle)} * 4.0 * static_cast<double>(step), 0.9F);
+    line.dot(in_picture(path.back()) + glm::dvec2{std::cos(angle), std::sin(angle)} * 6.0);
   }
+  line.draw(picture);
 }
 
 }  // namespace
@@ -158,8 +204,7 @@ Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>&
       const SurfacePoint* point = sheet.at(x, y);
       glm::vec3& pixel = picture.at(x, y);
       if (point == nullptr) {
-        // Hatched, as maps are where nothing is known.
-        pixel = (x + y) / kStripe % 2 == 0 ? kUnseenStripe : kUnseen;
+        pixel = unseen(sheet, x, y);
         continue;
       }
       pixel = colour_of(point->material) * light_at(sheet, heights, x, y);

@@ -14,7 +14,8 @@
 namespace talus::cli {
 
 /// A pixel a column; extents wider or deeper than `kMaxMapSide` are drawn at every n-th column. `path`
-/// is drawn as a thin line through base columns (x, z). What no chunk has shown is hatched in light greys.
+/// is drawn as a white line through base columns (x, z). What no chunk has shown is hatched in dark greys,
+/// with a darker edge around what is known.
 inline constexpr std::int64_t kMaxMapSide = 4096;
 
 [[nodiscard]] Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>& materials,

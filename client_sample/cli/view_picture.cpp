@@ -23,7 +23,11 @@ constexpr float kSameRoot = 1.0F / 64;
 constexpr double kShadowReach = 900.0;   // voxels
 constexpr float kThroughClouds = 0.85F;  // of the sun's light
 constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
-const glm::vec3 kWaterDeep = to_light(0x123B4D);
+// Water as the viewer has it: client_sample/web/viewer/src/engine/shaders/water.ts and terrain.ts.
+const glm::vec3 kWaterBody{0.012F, 0.085F, 0.11F};       // what it throws back of white where it is deep
+const glm::vec3 kWaterScatter{0.012F, 0.075F, 0.095F};   // what lies between surface and bed throws back
+const glm::vec3 kWaterAbsorption{0.30F, 0.085F, 0.06F};  // of light, a voxel
+constexpr double kWaterReach = 96.0;                     // voxels to a bed; none is seen beyond
 
 // The same voxel always has the same value, 0 to 1.
 float speckle(const glm::i64vec3& voxel) {
@@ -98,9 +102,18 @@ class Painter {
     return colour_of(hit) * (sky_.sunlight * sun + sky_.ambient(normal) * openness(hit));
   }
 
-  // Under water the light is scattered: no shadow has an edge.
-  [[nodiscard]] glm::vec3 bed_light(const Hit& hit) const {
-    return colour_of(hit) * (sky_.sunlight * 0.35F + sky_.ambient(glm::vec3{hit.normal}) * openness(hit));
+  // The bed through so much water above it; `sun` is what reaches the surface, 0 to 1.
+  [[nodiscard]] glm::vec3 bed_light(const Hit& hit, float path, float sun) const {
+    const glm::vec3 normal{hit.normal};
+    const float facing = std::max(0.0F, glm::dot(normal, sky_.to_sun));
+    const glm::vec3 lit =
+        colour_of(hit) * (sky_.sunlight * (facing * sun) + sky_.ambient(normal) * openness(hit));
+    return lit * glm::exp(-kWaterAbsorption * std::min(path, 40.0F)) + scattered(path);
+  }
+
+  [[nodiscard]] glm::vec3 scattered(float path) const {
+    return kWaterScatter * (1.0F - std::exp(-0.11F * path)) *
+           (sky_.sunlight * 0.28F + sky_.from_above * 0.75F);
   }
 
   [[nodiscard]] glm::vec3 colour_of(const Hit& hit) const {
@@ -168,25 +181,52 @@ class Painter {
     return slope * static_cast<float>(std::exp(-hit.distance / kCalmDistance));
   }
 
+  // How much of what a surface mirrors that way is land, 0 to 1. Heights at a few distances blend, or
+  // single voxels of the bank would stand in the mirror with sharp edges.
+  [[nodiscard]] float hills(const glm::dvec3& from, const glm::dvec3& away) const {
+    constexpr double kLow = -2.0;   // of the land above the ray: there it begins to show, and
+    constexpr double kHigh = 10.0;  // there it hides the sky
+    float most = 0.0F;
+    for (const double distance : {14.0, 28.0, 56.0, 112.0, 224.0}) {
+      const glm::dvec3 top = from + away * distance + glm::dvec3{0, kHigh, 0};
+      const auto land = scene_.cast(top, {0, -1, 0}, kHigh - kLow, Scene::Stop::at_solid);
+      if (!land) continue;
+      const double above = kHigh - land->distance;
+      most = std::max(most, static_cast<float>(glm::smoothstep(kLow, kHigh, above)));
+    }
+    return most;
+  }
+
+  [[nodiscard]] glm::vec3 mirrored(const glm::dvec3& from, const glm::vec3& away) const {
+    const glm::vec3 sky = sky_.seen(away);
+    // One dark tone for all hills: a mirror that shows each colour is of glass.
+    const glm::vec3 land =
+        (sky_.from_above * 0.10F + sky_.sunlight * 0.04F) * glm::vec3{0.55F, 0.7F, 0.4F} + sky * 0.25F;
+    return glm::mix(sky, land, 0.8F * hills(from, glm::dvec3{away}));
+  }
+
   [[nodiscard]] glm::vec3 water(const Hit& hit, const glm::dvec3& ray) const {
-    const auto bed = scene_.cast(hit.point + ray * 0.01, ray, 96.0, Scene::Stop::at_solid);
-    const double depth = bed ? bed->distance : 96.0;
-    const float clear = std::exp(-0.11F * static_cast<float>(depth));
-    const glm::vec3 below =
-        bed ? glm::mix(kWaterDeep, bed_light(*bed) * glm::vec3{0.55F, 0.8F, 0.85F}, clear) : kWaterDeep;
-    const glm::vec2 lean = wave_slope(hit);
-    const glm::vec3 normal =
-        hit.normal.y > 0 ? glm::normalize(glm::vec3{lean.x, 1.0F, lean.y}) : glm::vec3{hit.normal};
+    const bool top = hit.normal.y > 0;
     const glm::vec3 direction{ray};
+    const float sun = sunlit(hit) ? kThroughClouds : 0.0F;
+    const auto bed = scene_.cast(hit.point + ray * 0.01, ray, kWaterReach, Scene::Stop::at_solid);
+    const auto along = static_cast<float>(bed ? bed->distance : kWaterReach);
+    // On its way to the bed and up again light passes the water above it; through a side, what is seen.
+    const float depth = top ? along * -direction.y : along;
+    const float path = top ? depth * (1.0F + 0.6F / std::max(-direction.y, 0.25F)) : along;
+    const glm::vec3 below = bed ? bed_light(*bed, path, sun) : scattered(path);
+    const glm::vec3 body =
+        glm::mix(colours_[hit.material] * glm::vec3{0.35F, 0.75F, 0.8F}, kWaterBody, 0.6F) *
+        (sky_.sunlight * (0.3F * sun) + sky_.from_above * 0.8F);
+    const float murk = 0.06F + 0.55F * (1.0F - std::exp(-0.10F * depth));
+
+    const glm::vec2 lean = wave_slope(hit);
+    const glm::vec3 normal = top ? glm::normalize(glm::vec3{lean.x, 1.0F, lean.y}) : glm::vec3{hit.normal};
     const float head_on = glm::clamp(-glm::dot(direction, normal), 0.0F, 1.0F);
-    const float mirror = 0.03F + 0.97F * std::pow(1.0F - head_on, 5.0F);
-    glm::vec3 back = glm::reflect(direction, normal);
-    back.y = std::abs(back.y);
-    const auto shore = scene_.cast(hit.point + glm::dvec3{0, 0.02, 0}, glm::normalize(glm::dvec3{back}),
-                                   500.0, Scene::Stop::at_solid);
-    const glm::vec3 mirrored =
-        shore ? hazed(ground(*shore), hit.distance + shore->distance, direction) : sky_.seen(back);
-    return glm::mix(below, mirrored, mirror);
+    const float mirror = 0.02F + 0.98F * std::pow(1.0F - head_on, 5.0F);
+    glm::vec3 away = glm::reflect(direction, normal);
+    away.y = std::abs(away.y);
+    return glm::mix(glm::mix(below, body, murk), mirrored(hit.point, away), mirror);
   }
 
   Scene scene_;

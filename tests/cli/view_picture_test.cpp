@@ -69,6 +69,32 @@ TEST_CASE("pixels are light from 0 to 1, and not all are the same") {
   CHECK(brightness(picture.at(0, 0)) != brightness(picture.at(0, kHeight - 1)));
 }
 
+TEST_CASE("water is turquoise over its bed, and what stands on its bank is a dark tone in its mirror") {
+  client::ChunkStore store{64 << 20};
+  for (int z = -3; z <= 3; ++z) {
+    for (int x = -3; x <= 3; ++x) {
+      if (x == 2) {
+        store.put(received(key_at(x, 0, z), flat(kRedWool, 31, kAir)));
+      } else {
+        store.put(received(key_at(x, 0, z), layered(kStone, 4, kWater, 16)));
+      }
+    }
+  }
+  const auto middle = [&](const glm::dvec3& direction) {
+    const Camera camera{{16, 24, 16}, glm::normalize(direction), 30};
+    return draw_view(store, materials(), camera, 300, 9, 9, [](int) {}).at(4, 4);
+  };
+  const glm::vec3 wall = middle({1, 0.02, 0});
+  REQUIRE(wall.r > 2 * wall.g);
+  const glm::vec3 steep = middle({1, -2, 0});
+  CHECK(steep.g > 1.3F * steep.r);
+  CHECK(steep.b > 1.3F * steep.r);
+  // Down onto the surface, from where a mirror sends the ray into the wall.
+  const glm::vec3 mirror = middle({1, -0.2, 0});
+  CHECK(mirror.b > mirror.r);
+  CHECK(mirror.r < 1.5F * mirror.g);
+}
+
 TEST_CASE("every row is reported once") {
   int rows = 0;
   (void)plain(kStone, rows);

@@ -20,6 +20,7 @@ import { Pool, workersFor } from './stream/pool.js';
 import { chunksOf, shapeOf, viewFor } from './stream/shape.js';
 import { ViewSender } from './stream/view_sender.js';
 import { Voxels } from './stream/voxels.js';
+import { waterline } from './waterline.js';
 
 export type * from './api.js';
 
@@ -464,7 +465,10 @@ export class Engine {
     const { eye } = this;
     if (this.land.version !== this.drawnVersion) this.frames.landChanged();
     const still = this.options.frozenTime ?? (this.reducedMotion ? 0 : null);
-    const here = this.voxelAt(Math.floor(eye.x), Math.floor(eye.y), Math.floor(eye.z));
+    const water = waterline((y) => {
+      const material = this.voxelAt(Math.floor(eye.x), Math.floor(y), Math.floor(eye.z));
+      return material !== undefined && this.isLiquid(material);
+    }, eye.y);
     const column = this.land.get(0, Math.floor(eye.x / 32), Math.floor(eye.z / 32));
     const within = (v: number) => ((Math.floor(v) % 32) + 32) % 32;
     const roof = column?.heights?.[within(eye.z) * 32 + within(eye.x)] ?? -32768;
@@ -477,7 +481,8 @@ export class Engine {
       selected: this.selection,
       marker: this.marker,
       seaLevel: this.seaLevel,
-      underWater: here !== undefined && this.isLiquid(here),
+      underWater: water.under,
+      closeToWater: water.close,
       hideBuried: this.land.slice === null && eye.y > roof - 4,
       groundBase: this.groundBase,
       onlyWithLand: !this.hasPicture && !this.complete && performance.now() - this.started < SKY_AFTER_MS,

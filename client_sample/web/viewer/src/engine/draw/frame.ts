@@ -45,6 +45,10 @@ export interface Eye {
 }
 
 const FAR_AWAY = new Vector3(1e9, 1e9, 1e9);
+// Where depth begins, in blocks: the nearer, the less of depth's precision is left for far away.
+const NEAR = 0.12;
+// The surface of water close to the eye would be cut away by that, in a hole.
+const NEAR_WATER = 0.03;
 
 export class Frame {
   readonly renderer: WebGLRenderer;
@@ -53,7 +57,7 @@ export class Frame {
   light: Light = lightAt(10);
   triangles = 0;
   drawCalls = 0;
-  private readonly camera = new PerspectiveCamera(70, 1, 0.12, 8000);
+  private readonly camera = new PerspectiveCamera(70, 1, NEAR, 8000);
   private readonly viewProjection = new Matrix4();
   private readonly sky = new Scene();
   private readonly uniforms: Record<string, IUniform>;
@@ -251,6 +255,7 @@ export class Frame {
     marker: Marker | null;
     seaLevel: number | null;
     underWater: boolean;
+    closeToWater: boolean;
     hideBuried: boolean;
     groundBase: number;
     /** Draws nothing where no land is in sight. */
@@ -276,6 +281,11 @@ export class Frame {
     (u.slice!.value as Vector4).set(slice?.nx ?? 0, slice?.nz ?? 0, slice === null ? 0 : (slice.x - eye.x) * slice.nx + (slice.z - eye.z) * slice.nz, slice === null ? 0 : 1);
     this.applyLight(options.underWater);
 
+    const near = options.closeToWater ? NEAR_WATER : NEAR;
+    if (this.camera.near !== near) {
+      this.camera.near = near;
+      this.camera.updateProjectionMatrix();
+    }
     this.camera.rotation.set(eye.pitch, -eye.yaw, 0, 'YXZ');
     this.camera.updateMatrixWorld(true);
     this.viewProjection.multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);

@@ -1,6 +1,7 @@
 // Liquid: what it mirrors, and what it lets through; the bed's own colour is told by shaders/terrain.ts.
 import { GROUND, NOISE, OUTPUT, PRECISION, SHADOW, SKY } from './common.js';
 import { QUAD } from './quads.js';
+import { SURFACE_BELOW_TOP } from '../waterline.js';
 
 export const waterVertex = /* glsl */ `${PRECISION}${QUAD}
 out vec3 ray;
@@ -12,7 +13,7 @@ void main() {
   Corner c = unpackCorner(0.0);         // what is seen through must not overlap
   ray = c.position;
   // The surface lies a little below its voxel's top, at every level of detail alike.
-  if (c.normal.y > 0.5) ray.y -= 0.14;
+  if (c.normal.y > 0.5) ray.y -= ${SURFACE_BELOW_TOP};
   normal = c.normal;
   scale = c.scale;
   material = c.material;
