@@ -43,12 +43,18 @@ ScriptedStream::ScriptedStream(server::jetstream::StreamNames names, NatsSetting
     natsSubscription* subscription = nullptr;
     must(natsConnection_Subscribe(&subscription, made, subject.c_str(), &ScriptedStream::asked, this));
     subscriptions_.emplace_back(subscription);
+    must(natsSubscription_SetOnCompleteCB(subscription, &ScriptedStream::ended, this));
   }
   must(natsConnection_Flush(made));
 }
 
 ScriptedStream::~ScriptedStream() {
   natsConnection_Close(connection_.get());
+  subscriptions_end_.wait();  // until then messages are still handled
+}
+
+void ScriptedStream::ended(void* self) {
+  static_cast<ScriptedStream*>(self)->subscriptions_end_.count_down();
 }
 
 void ScriptedStream::set(Script script) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <latch>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -40,11 +41,13 @@ class ScriptedStream {
   struct CloseConnection {
     void operator()(natsConnection* connection) const { natsConnection_Destroy(connection); }
   };
+  static void ended(void* self);
   static void asked(natsConnection* connection, natsSubscription* subscription, natsMsg* message, void* self);
   void answer(natsConnection* connection, std::string_view subject, std::string_view text, const char* reply);
 
   server::jetstream::StreamNames names_;
   NatsServers servers_;
+  std::latch subscriptions_end_{3};
   mutable std::mutex mutex_;
   Script script_;
   std::size_t asked_of_replicas_ = 0;
