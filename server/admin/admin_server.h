@@ -12,11 +12,11 @@
 
 #include <talus/protocol/endpoint.h>
 #include "admin/operators_page.h"
-#include "clock/clock.h"
-#include "http/connections.h"
-#include "log/logger.h"
 #include "net/acceptor.h"
+#include "net/http/connections.h"
 #include "net/tcp_stream.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "flows/flow_uses.h"
+#include "limits/flows/flow_uses.h"
 
 namespace talus::server {
 

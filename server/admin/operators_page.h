@@ -8,8 +8,8 @@
 #include <asio/awaitable.hpp>
 
 #include "admin/flows_page.h"
-#include "http/request.h"
-#include "http/response.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
 
 namespace talus::server {
 

@@ -15,7 +15,7 @@
 #include <asio/error.hpp>
 #include <asio/io_context.hpp>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

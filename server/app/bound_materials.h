@@ -13,7 +13,7 @@
 
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 #include "store/edit_database.h"
 
 namespace talus::server {

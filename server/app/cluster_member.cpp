@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/settle_rules.h"
-#include "jetstream/jetstream_log.h"
-#include "jetstream/stream_admin.h"
-#include "join/prepare_store.h"
+#include "cluster/jetstream/jetstream_log.h"
+#include "cluster/jetstream/stream_admin.h"
+#include "cluster/join/prepare_store.h"
 #include "store/store_identity.h"
 
 namespace talus::server {

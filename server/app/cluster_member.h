@@ -8,15 +8,15 @@
 
 #include <tl/expected.hpp>
 
-#include "access/key_file.h"
-#include "checkpoint/from_peers.h"
+#include "cluster/checkpoint/from_peers.h"
+#include "cluster/jetstream/credentials.h"
+#include "cluster/join/prepare_store.h"
 #include "cluster/log_stream.h"
+#include "commands/store/cluster_moves.h"
+#include "config/access/key_file.h"
 #include "config/config.h"
-#include "jetstream/credentials.h"
-#include "join/prepare_store.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 #include "store/data_directory.h"
-#include "store_command/cluster_moves.h"
 
 namespace talus::server {
 
@@ -39,8 +39,8 @@ struct ClusterKeys {
 /// What "talusd store" needs of it.
 [[nodiscard]] ClusterTools cluster_tools();
 
-/// Makes the store in `directory` ready, as join/prepare_store.h says, and returns its log. Waits as long as
-/// neither log nor peers can be reached. An error is one line.
+/// Makes the store in `directory` ready, as cluster/join/prepare_store.h says, and returns its log. Waits as
+/// long as neither log nor peers can be reached. An error is one line.
 [[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
     const OnJoining& on_joining, const std::function<void(const std::optional<AsideStore>&)>& on_aside,

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "admin/operators_page.h"
-#include "checkpoint/aside_store.h"
+#include "cluster/checkpoint/aside_store.h"
 
 namespace talus::server {
 

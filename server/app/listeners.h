@@ -7,11 +7,11 @@
 #include <tl/expected.hpp>
 
 #include "admin/admin_server.h"
-#include "clock/clock.h"
 #include "config/config.h"
-#include "log/logger.h"
 #include "net/acceptor.h"
 #include "net/io_pool.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "join/prepare_store.h"
+#include "cluster/join/prepare_store.h"
 
 namespace talus::server {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cluster/cluster_log.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -19,18 +19,18 @@
 
 #include "app/settings.h"
 #include "app/world_file.h"
-#include "clock/clock.h"
-#include "column_cache/column_cache.h"
+#include "chunks/column_cache/column_cache.h"
+#include "chunks/generation/base_chunks.h"
+#include "chunks/generation/terrain_generator.h"
+#include "chunks/pregen.h"
+#include "commands/store/opened_store.h"
 #include "config/parse_flags.h"
-#include "generation/base_chunks.h"
-#include "generation/terrain_generator.h"
-#include "log/escape.h"
-#include "log/logger.h"
-#include "pregen/pregen.h"
+#include "edits/store_socket/store_connection.h"
+#include "runtime/clock.h"
+#include "runtime/log/escape.h"
+#include "runtime/log/logger.h"
 #include "store/data_directory.h"
 #include "store/store_identity.h"
-#include "store_command/opened_store.h"
-#include "store_socket/store_connection.h"
 
 namespace talus::server {
 namespace {

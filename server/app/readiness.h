@@ -3,7 +3,7 @@
 
 #include "admin/operators_page.h"
 #include "cluster/cluster_log.h"
-#include "memory/memory_budget.h"
+#include "limits/memory/memory_budget.h"
 
 namespace talus::server {
 

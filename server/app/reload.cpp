@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

@@ -9,20 +9,20 @@
 
 #include <talus/terrain/world.h>
 
-#include "clock/clock.h"
-#include "column_cache/column_cache.h"
+#include "chunks/column_cache/column_cache.h"
+#include "chunks/generation/base_chunks.h"
+#include "chunks/generation/generator_memory.h"
+#include "chunks/generation/patch_size.h"
 #include "config/config.h"
 #include "edits/edit_state.h"
-#include "generation/base_chunks.h"
-#include "generation/generator_memory.h"
-#include "generation/patch_size.h"
-#include "memory/memory_budget.h"
+#include "limits/memory/memory_budget.h"
+#include "limits/rates/rates.h"
 #include "net/admission.h"
 #include "net/departures.h"
 #include "net/handshaker.h"
 #include "net/session_runner.h"
-#include "rates/rates.h"
-#include "session/session_limits.h"
+#include "player/session/session_limits.h"
+#include "runtime/clock.h"
 #include "store/edit_database.h"
 #include "web/web_context.h"
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "access/key_file.h"
-#include "log/escape.h"
-#include "privileges/privileges.h"
+#include "config/access/key_file.h"
+#include "runtime/log/escape.h"
+#include "runtime/privileges/privileges.h"
 
 namespace talus::server {
 

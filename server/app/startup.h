@@ -11,7 +11,7 @@
 
 #include "config/command_line.h"
 #include "net/tls_context.h"
-#include "privileges/account.h"
+#include "runtime/privileges/account.h"
 #include "store/data_directory.h"
 
 namespace talus::server {

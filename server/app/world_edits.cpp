@@ -14,7 +14,7 @@
 #include "app/bound_materials.h"
 #include "app/settle_rules.h"
 #include "edits/editor_room.h"
-#include "threads/signals.h"
+#include "runtime/signals.h"
 
 namespace talus::server {
 namespace {

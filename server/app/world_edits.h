@@ -19,7 +19,6 @@
 #include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
 #include "chunks/edited_land.h"
-#include "clock/clock.h"
 #include "cluster/cluster_log.h"
 #include "cluster/log_stream.h"
 #include "edits/change_feed.h"
@@ -28,10 +27,11 @@
 #include "edits/edited_chunks.h"
 #include "edits/local_log.h"
 #include "edits/merged_chunks.h"
-#include "log/logger.h"
-#include "metrics/metrics.h"
+#include "edits/store_socket/store_socket.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
+#include "runtime/metrics/metrics.h"
 #include "store/edit_database.h"
-#include "store_socket/store_socket.h"
 
 namespace talus::server {
 

@@ -27,7 +27,7 @@
 #include "chunks/edit_answers.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
-#include "flows/flow_use.h"
+#include "limits/flows/flow_use.h"
 
 namespace talus::server {
 

@@ -17,14 +17,14 @@
 #include <string_view>
 #include <thread>
 
-#include "clock/clock.h"
 #include "cluster/log_end.h"
 #include "cluster/log_stream.h"
 #include "cluster/publisher.h"
 #include "cluster/state_comparison.h"
 #include "edits/edit_log.h"
 #include "edits/store_writer.h"
-#include "log/logger.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server::cluster {
 

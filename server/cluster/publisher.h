@@ -17,13 +17,13 @@
 #include <thread>
 #include <vector>
 
-#include "clock/clock.h"
 #include "cluster/log_stream.h"
 #include "cluster/message.h"
 #include "cluster/message_pace.h"
 #include "edits/edit_log.h"
 #include "edits/entry_queue.h"
-#include "metrics/instruments.h"
+#include "runtime/clock.h"
+#include "runtime/metrics/instruments.h"
 
 namespace talus::server::cluster {
 

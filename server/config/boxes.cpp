@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 #include "config/trimmed.h"
 

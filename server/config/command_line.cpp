@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "config/fields.h"
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

@@ -69,7 +69,7 @@ struct Rates {
   bool operator==(const Rates&) const = default;
 };
 
-/// Who may join: access/access_control.h.
+/// Who may join: config/access/access_control.h.
 struct Access {
   std::filesystem::path secret_file;  // empty: no shared secret
   std::string secret_rights = "read";

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "config/fields.h"
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

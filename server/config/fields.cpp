@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint64_t kMebibyte = 1U << 20;
 constexpr milliseconds kDay = std::chrono::hours{24};
 constexpr milliseconds kMinTimeout{10};
-constexpr std::uint64_t kMaxPerSecond = 0xFFFF'FFFF;  // rates/token_bucket.h
+constexpr std::uint64_t kMaxPerSecond = 0xFFFF'FFFF;  // limits/rates/token_bucket.h
 
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};

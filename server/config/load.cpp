@@ -14,7 +14,7 @@
 #include <talus/vectors/instruction_set.h>
 
 #include "config/fields.h"
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <asio/ip/network_v4.hpp>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 #include "config/trimmed.h"
 

@@ -6,7 +6,7 @@
 #include <talus/mistyped/command_line.h>
 #include <CLI/CLI.hpp>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 namespace {

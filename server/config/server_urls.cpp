@@ -6,7 +6,7 @@
 
 #include <talus/protocol/endpoint.h>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 #include "config/trimmed.h"
 

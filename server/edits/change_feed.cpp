@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "threads/signals.h"
+#include "runtime/signals.h"
 
 namespace talus::server {
 

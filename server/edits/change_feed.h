@@ -25,7 +25,7 @@
 #include "chunks/box_cells.h"
 #include "chunks/chunk_change.h"
 #include "chunks/mailbox.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -13,7 +13,7 @@
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
-#include "cache/flat_map.h"
+#include "chunks/cache/flat_map.h"
 #include "chunks/edited_land.h"
 
 namespace talus::server {

@@ -9,7 +9,7 @@
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/coords.h>
 
-#include "cache/clock_cache.h"
+#include "chunks/cache/clock_cache.h"
 #include "chunks/encoded_chunk.h"
 
 namespace talus::server {

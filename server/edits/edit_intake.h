@@ -36,14 +36,14 @@
 #include <talus/edits/settle.h>
 
 #include "chunks/chunk_source.h"
-#include "clock/clock.h"
 #include "edits/decoded_bases.h"
 #include "edits/edit_log.h"
 #include "edits/edit_refusals.h"
 #include "edits/edit_taker.h"
 #include "edits/edit_turns.h"
-#include "log/logger.h"
-#include "metrics/metrics.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
+#include "runtime/metrics/metrics.h"
 
 namespace talus::server {
 

@@ -19,8 +19,8 @@
 
 #include <talus/edits/batch.h>
 
-#include "cache/flat_map.h"
-#include "cache/sharded_cache.h"
+#include "chunks/cache/flat_map.h"
+#include "chunks/cache/sharded_cache.h"
 #include "edits/applied_edits.h"
 #include "edits/chunk_index.h"
 #include "edits/recent_changes.h"

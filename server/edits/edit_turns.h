@@ -8,8 +8,8 @@
 #include <unordered_map>
 
 #include "chunks/mailbox.h"
-#include "flows/fair_order.h"
-#include "flows/flow_ids.h"
+#include "limits/flows/fair_order.h"
+#include "limits/flows/flow_ids.h"
 
 namespace talus::server {
 

@@ -11,7 +11,7 @@
 #include "edits/applied_edits.h"
 #include "edits/change_feed.h"
 #include "edits/merged_chunks.h"
-#include "metrics/metrics.h"
+#include "runtime/metrics/metrics.h"
 
 namespace talus::server {
 

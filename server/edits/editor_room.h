@@ -4,9 +4,9 @@
 
 #include <tl/expected.hpp>
 
-#include "clock/clock.h"
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

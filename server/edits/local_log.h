@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "clock/clock.h"
 #include "edits/edit_log.h"
 #include "edits/entry_queue.h"
 #include "edits/store_writer.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

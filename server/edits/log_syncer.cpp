@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "threads/signals.h"
+#include "runtime/signals.h"
 
 namespace talus::server {
 

@@ -9,10 +9,10 @@
 
 #include <talus/voxel/coords.h>
 
-#include "cache/chunk_cache.h"
+#include "chunks/cache/chunk_cache.h"
 #include "chunks/chunk_overlay.h"
 #include "edits/applied_edits.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

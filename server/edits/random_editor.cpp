@@ -1,6 +1,6 @@
 #include "edits/random_editor.h"
 
-#include "random/random_number.h"
+#include "runtime/random_number.h"
 
 namespace talus::server {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <variant>
 
-#include "clock/clock.h"
 #include "net/admission.h"
 #include "net/registry.h"
 #include "net/tcp_stream.h"
 #include "net/tls_stream.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -15,9 +15,9 @@
 #include <tl/expected.hpp>
 
 #include <talus/protocol/endpoint.h>
-#include "clock/clock.h"
-#include "log/logger.h"
 #include "net/handler_memory.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -11,9 +11,9 @@
 #include <asio/ip/address.hpp>
 #include <tl/expected.hpp>
 
-#include "clock/clock.h"
-#include "flows/flow_uses.h"
-#include "rates/rates.h"
+#include "limits/flows/flow_uses.h"
+#include "limits/rates/rates.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -10,7 +10,7 @@
 
 #include <asio/ip/address.hpp>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

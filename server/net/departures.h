@@ -12,10 +12,10 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "clock/clock.h"
+#include "limits/rates/token_bucket.h"
 #include "net/port_range.h"
 #include "net/registry.h"
-#include "rates/token_bucket.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -16,12 +16,12 @@
 #include <asio/use_awaitable.hpp>
 
 #include <talus/protocol/endpoint.h>
-#include "memory/memory_reservation.h"
+#include "limits/memory/memory_reservation.h"
 #include "net/descriptors.h"
 #include "net/proxy_header.h"
-#include "random/random_number.h"
-#include "session/reply_frames.h"
-#include "session/retry_after.h"
+#include "player/session/reply_frames.h"
+#include "player/session/retry_after.h"
+#include "runtime/random_number.h"
 
 namespace talus::server {
 namespace {

@@ -15,13 +15,10 @@
 
 #include <talus/protocol/message.h>
 
-#include "access/access_control.h"
-#include "clock/clock.h"
+#include "config/access/access_control.h"
 #include "config/networks.h"
-#include "flows/flow_uses.h"
-#include "log/logger.h"
-#include "memory/memory_budget.h"
-#include "metrics/metrics.h"
+#include "limits/flows/flow_uses.h"
+#include "limits/memory/memory_budget.h"
 #include "net/accepted_connection.h"
 #include "net/admission.h"
 #include "net/connection_rate_limiter.h"
@@ -29,6 +26,9 @@
 #include "net/refusal_reason.h"
 #include "net/refusals.h"
 #include "net/tls_context.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
+#include "runtime/metrics/metrics.h"
 
 namespace talus::server {
 

@@ -9,7 +9,7 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

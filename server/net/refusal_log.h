@@ -6,8 +6,8 @@
 #include <mutex>
 #include <string>
 
-#include "clock/clock.h"
-#include "log/logger.h"
+#include "runtime/clock.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "clock/clock.h"
 #include "net/port_range.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

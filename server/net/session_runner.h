@@ -18,7 +18,6 @@
 
 #include <talus/protocol/frame.h>
 
-#include "log/logger.h"
 #include "net/accepted_connection.h"
 #include "net/mail_rounds.h"
 #include "net/registry.h"
@@ -28,7 +27,8 @@
 #include "net/view_turns.h"
 #include "net/watchdog.h"
 #include "net/write_batch_size.h"
-#include "session/session.h"
+#include "player/session/session.h"
+#include "runtime/log/logger.h"
 
 namespace talus::server {
 

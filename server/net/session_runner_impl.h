@@ -17,7 +17,7 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 
 namespace talus::server {
 

@@ -9,7 +9,7 @@
 #include <asio/steady_timer.hpp>
 #include <asio/use_awaitable.hpp>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -15,8 +15,8 @@
 
 #include <talus/files/secret_file.h>
 
-#include "log/escape.h"
-#include "log/utc_time.h"
+#include "runtime/log/escape.h"
+#include "runtime/log/utc_time.h"
 
 namespace talus::server {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -9,10 +9,10 @@
 
 #include <asio/execution_context.hpp>
 
-#include "clock/clock.h"
-#include "flows/deficit_round_robin.h"
-#include "flows/flow_ids.h"
+#include "limits/flows/deficit_round_robin.h"
+#include "limits/flows/flow_ids.h"
 #include "net/timed_event.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 
 namespace talus::server {
 

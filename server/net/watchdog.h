@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 

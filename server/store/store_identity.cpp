@@ -10,7 +10,7 @@
 #include <talus/toml/toml_bounds.h>
 #include <toml++/toml.h>
 
-#include "random/random_number.h"
+#include "runtime/random_number.h"
 
 namespace talus::server {
 

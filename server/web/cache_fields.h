@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "config/allowed_origins.h"
-#include "http/request.h"
-#include "http/response.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
 
 namespace talus::server::web {
 

@@ -11,10 +11,10 @@
 #include <talus/protocol/message.h>
 
 #include "chunks/heights_query.h"
-#include "http/response.h"
-#include "rates/rates.h"
-#include "session/session_limits.h"
-#include "session/world_info.h"
+#include "limits/rates/rates.h"
+#include "net/http/response.h"
+#include "player/session/session_limits.h"
+#include "player/session/world_info.h"
 #include "web/routes.h"
 
 namespace talus::server::web {

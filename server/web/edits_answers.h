@@ -1,7 +1,7 @@
 // Which columns of a region were edited, by HTTP. Source: PROTOCOL.md, "Edited land".
 #pragma once
 
-#include "http/response.h"
+#include "net/http/response.h"
 #include "web/error_answers.h"
 #include "web/exchange.h"
 #include "web/routes.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "http/response.h"
+#include "net/http/response.h"
 
 namespace talus::server::web {
 

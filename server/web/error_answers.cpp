@@ -6,7 +6,7 @@
 
 #include <talus/voxel/codec.h>
 
-#include "session/retry_after.h"
+#include "player/session/retry_after.h"
 #include "web/columns_body.h"
 #include "web/documents.h"
 

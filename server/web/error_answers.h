@@ -10,9 +10,9 @@
 
 #include <talus/protocol/message.h>
 
-#include "access/auth_failure.h"
-#include "http/response.h"
-#include "memory/memory_budget.h"
+#include "config/access/auth_failure.h"
+#include "limits/memory/memory_budget.h"
+#include "net/http/response.h"
 #include "web/fetch.h"
 #include "web/web_context.h"
 

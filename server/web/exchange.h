@@ -11,11 +11,11 @@
 #include <asio/any_io_executor.hpp>
 
 #include "chunks/encoded_chunk.h"
-#include "clock/clock.h"
-#include "http/request.h"
-#include "http/response.h"
-#include "memory/memory_reservation.h"
-#include "session/session_context.h"
+#include "limits/memory/memory_reservation.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
+#include "player/session/session_context.h"
+#include "runtime/clock.h"
 #include "web/cache_fields.h"
 #include "web/error_answers.h"
 #include "web/fetch.h"

@@ -14,9 +14,9 @@
 
 #include "chunks/chunk_source.h"
 #include "chunks/mailbox.h"
-#include "clock/clock.h"
-#include "flows/flow_use.h"
+#include "limits/flows/flow_use.h"
 #include "net/timed_event.h"
+#include "runtime/clock.h"
 
 namespace talus::server::web {
 

@@ -9,8 +9,8 @@
 #include <tl/expected.hpp>
 
 #include "chunks/heights_query.h"
-#include "log/escape.h"
-#include "session/heights_check.h"
+#include "player/session/heights_check.h"
+#include "runtime/log/escape.h"
 #include "web/documents.h"
 
 namespace talus::server::web {

@@ -3,7 +3,7 @@
 
 #include <asio/awaitable.hpp>
 
-#include "http/response.h"
+#include "net/http/response.h"
 #include "web/error_answers.h"
 #include "web/exchange.h"
 #include "web/routes.h"

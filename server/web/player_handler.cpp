@@ -10,15 +10,15 @@
 
 #include <fmt/format.h>
 
-#include "log/escape.h"
-#include "log/log_with_fields.h"
+#include "net/websocket/handshake.h"
+#include "runtime/log/escape.h"
+#include "runtime/log/log_with_fields.h"
 #include "web/chunk_answers.h"
 #include "web/documents.h"
 #include "web/edits_answers.h"
 #include "web/heights_answers.h"
 #include "web/map_answers.h"
 #include "web/site_answer.h"
-#include "websocket/handshake.h"
 
 namespace talus::server::web {
 namespace {

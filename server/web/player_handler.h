@@ -9,12 +9,12 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/awaitable.hpp>
 
-#include "clock/clock.h"
-#include "http/handler.h"
-#include "http/request.h"
-#include "http/response.h"
 #include "net/accepted_connection.h"
 #include "net/admission.h"
+#include "net/http/handler.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
+#include "runtime/clock.h"
 #include "web/exchange.h"
 #include "web/requester.h"
 #include "web/routes.h"

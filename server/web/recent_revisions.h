@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 namespace talus::server::web {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "net/timed_event.h"
-#include "session/retry_after.h"
+#include "player/session/retry_after.h"
 #include "web/documents.h"
 #include "web/forwarded_for.h"
 

@@ -9,13 +9,13 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/awaitable.hpp>
 
-#include "clock/clock.h"
-#include "flows/flow_use.h"
-#include "http/request.h"
-#include "http/response.h"
+#include "limits/flows/flow_use.h"
+#include "limits/rates/rates.h"
 #include "net/accepted_connection.h"
 #include "net/admission.h"
-#include "rates/rates.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
+#include "runtime/clock.h"
 #include "web/cache_fields.h"
 #include "web/error_answers.h"
 #include "web/web_context.h"

@@ -8,7 +8,7 @@
 
 #include <talus/files/read_file.h>
 
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 #include "web/accept_encoding.h"
 #include "web/entity_tag.h"
 

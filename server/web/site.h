@@ -16,7 +16,7 @@
 
 #include <talus/files/file_layer.h>
 
-#include "http/response.h"
+#include "net/http/response.h"
 
 namespace talus::server::web {
 

@@ -1,8 +1,8 @@
 // What a request beside /v1 gets. Pure. Source: OPERATIONS.md, "The viewer".
 #pragma once
 
-#include "http/request.h"
-#include "http/response.h"
+#include "net/http/request.h"
+#include "net/http/response.h"
 #include "web/site.h"
 
 namespace talus::server::web {

@@ -8,10 +8,10 @@
 
 #include <asio/post.hpp>
 
-#include "http/connection.h"
+#include "net/http/connection.h"
 #include "net/session_runner_impl.h"
+#include "net/websocket/stream.h"
 #include "web/player_handler.h"
-#include "websocket/stream.h"
 
 namespace talus::server {
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "chunks/edited_land.h"
-#include "http/response.h"
-#include "rates/rates.h"
-#include "session/session_limits.h"
-#include "session/world_info.h"
+#include "limits/rates/rates.h"
+#include "net/http/response.h"
+#include "player/session/session_limits.h"
+#include "player/session/world_info.h"
 #include "web/documents.h"
 
 namespace talus::server::web {

@@ -23,10 +23,10 @@
 
 #include <talus/terrain/world.h>
 
-#include "cache/chunk_cache.h"
+#include "chunks/cache/chunk_cache.h"
+#include "chunks/generation/patch.h"
+#include "chunks/generation/terrain_generator.h"
 #include "fixtures.h"
-#include "generation/patch.h"
-#include "generation/terrain_generator.h"
 
 namespace {
 

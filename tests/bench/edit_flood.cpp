@@ -15,10 +15,10 @@
 #include <talus/voxel/codec.h>
 
 #include "chunks/chunk_source.h"
-#include "clock/clock.h"
 #include "edits/edit_intake.h"
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
+#include "runtime/clock.h"
 #include "store/edit_database.h"
 
 namespace {

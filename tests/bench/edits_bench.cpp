@@ -19,9 +19,9 @@
 #include <rocksdb/db.h>
 #include <rocksdb/write_batch.h>
 
-#include "clock/clock.h"
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
+#include "runtime/clock.h"
 #include "store/edit_database.h"
 #include "store/store_builder.h"
 

@@ -22,7 +22,7 @@
 
 #include <fmt/format.h>
 
-#include "jetstream/nats_handles.h"
+#include "cluster/jetstream/nats_handles.h"
 #include "opened_stream.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "generation/wanted_chunks.h"
+#include "chunks/generation/wanted_chunks.h"
 #include "table.h"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "http/request_parser.h"
-#include "http/response.h"
+#include "net/http/request_parser.h"
+#include "net/http/response.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 
 #include <xxhash.h>
 
+#include "commands/store/portable_file.h"
 #include "store/bytes.h"
-#include "store_command/portable_file.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 
 namespace {
 

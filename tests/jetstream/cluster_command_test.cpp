@@ -10,13 +10,13 @@
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
 
-#include "cluster_command/check.h"
-#include "cluster_command/connection_words.h"
-#include "cluster_command/init.h"
-#include "cluster_command/nats_greeting.h"
-#include "cluster_command/replica_comparison.h"
-#include "cluster_command/status.h"
-#include "jetstream/stream_settings.h"
+#include "cluster/jetstream/stream_settings.h"
+#include "commands/cluster/check.h"
+#include "commands/cluster/connection_words.h"
+#include "commands/cluster/init.h"
+#include "commands/cluster/nats_greeting.h"
+#include "commands/cluster/replica_comparison.h"
+#include "commands/cluster/status.h"
 #include "opened_stream.h"
 #include "scratch_directory.h"
 #include "store/bytes.h"

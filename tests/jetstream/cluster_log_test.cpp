@@ -11,8 +11,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "cluster/jetstream/stream_names.h"
 #include "edits/model.h"
-#include "jetstream/stream_names.h"
 #include "opened_stream.h"
 #include "scratch_directory.h"
 #include "server/cluster_node.h"

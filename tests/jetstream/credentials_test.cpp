@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "certificates.h"
-#include "jetstream/credentials.h"
+#include "cluster/jetstream/credentials.h"
 #include "scratch_directory.h"
 
 using namespace talus::server;

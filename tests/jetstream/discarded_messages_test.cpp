@@ -1,4 +1,4 @@
-#include "jetstream/discarded_messages.h"
+#include "cluster/jetstream/discarded_messages.h"
 
 #include <string>
 

@@ -10,8 +10,8 @@
 #include <asio.hpp>
 #include <catch2/catch.hpp>
 
-#include "jetstream/leader_scout.h"
-#include "jetstream/stream_info.h"
+#include "cluster/jetstream/leader_scout.h"
+#include "cluster/jetstream/stream_info.h"
 #include "log_of_tests.h"
 #include "scripted_stream.h"
 

@@ -1,7 +1,7 @@
 // NKeys.
 #include <catch2/catch.hpp>
 
-#include "jetstream/nkey.h"
+#include "cluster/jetstream/nkey.h"
 
 using talus::server::jetstream::public_nkey;
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jetstream/stream_admin.h"
+#include "cluster/jetstream/stream_admin.h"
 
 namespace talus::nats_test {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "jetstream/jetstream_log.h"
+#include "cluster/jetstream/jetstream_log.h"
 #include "nats_server.h"
 
 namespace talus::nats_test {

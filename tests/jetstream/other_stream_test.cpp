@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "jetstream/stream_settings.h"
+#include "cluster/jetstream/stream_settings.h"
 #include "log_of_tests.h"
 
 using namespace talus::nats_test;

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "certificates.h"
-#include "jetstream/nkey.h"
+#include "cluster/jetstream/nkey.h"
 #include "log_of_tests.h"
 #include "scratch_directory.h"
 

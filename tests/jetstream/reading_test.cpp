@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
 
-#include "jetstream/reading.h"
+#include "cluster/jetstream/reading.h"
 #include "opened_stream.h"
 
 using talus::nats_test::bytes_of;

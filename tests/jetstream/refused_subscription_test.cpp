@@ -1,4 +1,4 @@
-#include "jetstream/refused_subscription.h"
+#include "cluster/jetstream/refused_subscription.h"
 
 #include <catch2/catch.hpp>
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "access/base64url.h"
+#include "config/access/base64url.h"
 
 namespace talus::nats_test {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "jetstream/nats_handles.h"
-#include "jetstream/stream_names.h"
+#include "cluster/jetstream/nats_handles.h"
+#include "cluster/jetstream/stream_names.h"
 #include "nats_server.h"
 
 namespace talus::nats_test {

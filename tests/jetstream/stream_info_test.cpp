@@ -1,9 +1,9 @@
 // What JetStream answers, right and wrong.
 #include <catch2/catch.hpp>
 
-#include "jetstream/stored_message.h"
-#include "jetstream/stream_info.h"
-#include "jetstream/stream_settings.h"
+#include "cluster/jetstream/stored_message.h"
+#include "cluster/jetstream/stream_info.h"
+#include "cluster/jetstream/stream_settings.h"
 
 using namespace talus::server::jetstream;
 using talus::server::StreamFailure;

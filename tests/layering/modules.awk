@@ -61,6 +61,8 @@ part == 1 {
   if (module in known) fail("docs/modules.txt:" FNR ": " module " a second time")
   known[module] = ++modules
   by_number[modules] = module
+  above = module
+  if (sub(/\/[^\/]*$/, "", above)) parent[above] = 1
   pure[module] = word[2] == "pure"
   gsub(/^ +| +$/, "", field[2]); gsub(/^ +| +$/, "", field[3])
   allowed_list[module] = field[2]
@@ -73,9 +75,11 @@ part == 2 {
   if (match($0, /\/include\/talus\//)) exported[substr($0, RSTART + 9)] = $0
   module = module_of($0)
   folder[module] = 1
-  # Below a module's folder stand its files, include/ and src/; another folder is a module of its own.
+  # Folders below a module's are free, unless modules stand there: then each is a module of its own.
   rest = substr($0, length(module) + 2)
-  if (module == "" || (rest ~ /\// && rest !~ /^(include|src)\//)) fail($0 ": its folder is no module of docs/modules.txt")
+  if (module == "" || (module in parent && rest ~ /\// && rest !~ /^(include|src)\//)) {
+    fail($0 ": its folder is no module of docs/modules.txt")
+  }
   next
 }
 

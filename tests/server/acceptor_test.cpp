@@ -17,10 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "clock/manual_clock.h"
 #include "descriptors_left.h"
 #include "failing_allocations.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
+#include "runtime/manual_clock.h"
 
 using namespace talus::server;
 using asio::ip::tcp;

@@ -1,5 +1,5 @@
 // Key files, rights, reloads, and the command that makes tokens.
-#include "access/access_control.h"
+#include "config/access/access_control.h"
 
 #include <sys/stat.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "access/token_command.h"
+#include "config/access/token_command.h"
 #include "scratch_directory.h"
 #include "signed_tokens.h"
 

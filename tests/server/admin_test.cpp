@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "admin/operators_page.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 using namespace talus::server;
 using asio::ip::tcp;

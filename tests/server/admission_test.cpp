@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "clock/manual_clock.h"
+#include "runtime/manual_clock.h"
 
 using namespace talus::server;
 

@@ -1,9 +1,9 @@
-#include "generation/answer_batcher.h"
+#include "chunks/generation/answer_batcher.h"
 
 #include <catch2/catch.hpp>
 #include <new>
 
-#include "clock/manual_clock.h"
+#include "runtime/manual_clock.h"
 
 using namespace talus;
 using namespace talus::server;

@@ -1,4 +1,4 @@
-#include "view/area_of_interest.h"
+#include "player/view/area_of_interest.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "generation/background_thread.h"
+#include "chunks/generation/background_thread.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

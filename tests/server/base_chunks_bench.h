@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "chunks/generation/base_chunks.h"
 #include "fake_generator.h"
-#include "generation/base_chunks.h"
 
 namespace talus::server::base_chunks_test {
 

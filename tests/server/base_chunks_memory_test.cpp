@@ -1,5 +1,5 @@
 // Full queues and short memory: who is refused, and who is told when there is room.
-#include "generation/base_chunks.h"
+#include "chunks/generation/base_chunks.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

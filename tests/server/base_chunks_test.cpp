@@ -1,5 +1,5 @@
 // With generator threads, which a gate holds where a test must be sure of what they do.
-#include "generation/base_chunks.h"
+#include "chunks/generation/base_chunks.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "base_chunks_bench.h"
+#include "chunks/generation/background_thread.h"
 #include "failing_allocations.h"
 #include "fake_generator.h"
-#include "generation/background_thread.h"
 
 namespace talus::server::base_chunks_test {
 

@@ -1,5 +1,5 @@
 // Heights, and what is dear: patches and heights that give way to others midway.
-#include "generation/base_chunks.h"
+#include "chunks/generation/base_chunks.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
-#include "access/blocked_flows.h"
+#include "config/access/blocked_flows.h"
 
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "access/access_control.h"
+#include "config/access/access_control.h"
 #include "scratch_directory.h"
 
 using namespace talus::server;

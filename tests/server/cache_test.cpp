@@ -1,4 +1,4 @@
-#include "cache/chunk_cache.h"
+#include "chunks/cache/chunk_cache.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 #include <rapidcheck.h>
 
-#include "cache/clock_cache.h"
+#include "chunks/cache/clock_cache.h"
 #include "failing_allocations.h"
 
 using namespace talus;

@@ -10,7 +10,7 @@
 
 #include <talus/voxel/view_shape.h>
 
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 using namespace talus;
 using namespace talus::server;

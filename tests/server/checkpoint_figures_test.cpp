@@ -8,8 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "checkpoint/checkpoint_download.h"
-#include "checkpoint/take_checkpoint.h"
+#include "cluster/checkpoint/checkpoint_download.h"
+#include "cluster/checkpoint/take_checkpoint.h"
 #include "edits_of_tests.h"
 #include "store/data_directory.h"
 #include "store/store_builder.h"

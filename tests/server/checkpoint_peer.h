@@ -10,9 +10,9 @@
 #include <asio/write.hpp>
 
 #include "admin/admin_server.h"
-#include "checkpoint/checkpoint_download.h"
-#include "checkpoint/checkpoint_service.h"
 #include "checkpoint_store.h"
+#include "cluster/checkpoint/checkpoint_download.h"
+#include "cluster/checkpoint/checkpoint_service.h"
 #include "signed_tokens.h"
 
 namespace talus::server::testing {

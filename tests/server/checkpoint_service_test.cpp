@@ -2,8 +2,8 @@
 #include <asio/ip/tcp.hpp>
 #include <catch2/catch.hpp>
 
-#include "checkpoint/from_peers.h"
 #include "checkpoint_peer.h"
+#include "cluster/checkpoint/from_peers.h"
 #include "store/store_swap.h"
 
 namespace talus::server {

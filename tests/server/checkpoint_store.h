@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "checkpoint/checkpoint_tar.h"
+#include "cluster/checkpoint/checkpoint_tar.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/data_directory.h"

@@ -7,8 +7,8 @@
 #include <archive_entry.h>
 #include <catch2/catch.hpp>
 
-#include "checkpoint/take_checkpoint.h"
 #include "checkpoint_store.h"
+#include "cluster/checkpoint/take_checkpoint.h"
 #include "store/read_only_store.h"
 #include "store/whole_store.h"
 

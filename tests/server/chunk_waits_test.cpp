@@ -1,4 +1,4 @@
-#include "session/chunk_waits.h"
+#include "player/session/chunk_waits.h"
 
 #include <catch2/catch.hpp>
 

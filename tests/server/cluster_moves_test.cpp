@@ -5,16 +5,16 @@
 #include <catch2/catch.hpp>
 
 #include "../failing_renames.h"
+#include "cluster/join/enter_cluster.h"
 #include "cluster/message.h"
+#include "commands/store/cluster_moves.h"
+#include "commands/store/opened_store.h"
+#include "commands/store/rename.h"
+#include "commands/store/transfer.h"
 #include "edits_of_tests.h"
-#include "join/enter_cluster.h"
 #include "scratch_directory.h"
 #include "shared_stream.h"
 #include "store/whole_store.h"
-#include "store_command/cluster_moves.h"
-#include "store_command/opened_store.h"
-#include "store_command/rename.h"
-#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "clock/clock.h"
 #include "cluster/cluster_log.h"
 #include "cluster/log_stream.h"
 #include "cluster/message.h"
 #include "edits/edit_state.h"
+#include "runtime/clock.h"
 #include "store/edit_database.h"
 #include "unsafe_disk.h"
 

@@ -1,4 +1,4 @@
-#include "column_cache/column_cache.h"
+#include "chunks/column_cache/column_cache.h"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 
 #include <spdlog/sinks/ostream_sink.h>
 
-#include "clock/manual_clock.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 
 using namespace talus;

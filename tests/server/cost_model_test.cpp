@@ -1,8 +1,8 @@
-#include "generation/cost_model.h"
+#include "chunks/generation/cost_model.h"
 
 #include <catch2/catch.hpp>
 
-#include "generation/recent_flows.h"
+#include "chunks/generation/recent_flows.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;

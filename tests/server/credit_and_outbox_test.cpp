@@ -5,8 +5,8 @@
 #include <rapidcheck.h>
 
 #include "frames.h"
-#include "view/credit.h"
-#include "view/outbox.h"
+#include "player/view/credit.h"
+#include "player/view/outbox.h"
 
 using namespace talus;
 using namespace talus::server;

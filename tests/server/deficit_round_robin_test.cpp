@@ -1,4 +1,4 @@
-#include "flows/deficit_round_robin.h"
+#include "limits/flows/deficit_round_robin.h"
 
 #include <catch2/catch.hpp>
 #include <map>

@@ -15,7 +15,7 @@
 #include <talus/voxel/codec.h>
 
 #include "chunks/client_ids.h"
-#include "clock/manual_clock.h"
+#include "runtime/manual_clock.h"
 #include "scripted_source.h"
 
 namespace talus::server {

@@ -1,5 +1,5 @@
 // Which edits a token and the server's settings forbid, and what is said of it.
-#include "session/edit_rules.h"
+#include "player/session/edit_rules.h"
 
 #include <catch2/catch.hpp>
 

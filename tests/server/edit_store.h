@@ -13,9 +13,9 @@
 
 #include <rocksdb/env.h>
 
-#include "clock/clock.h"
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
+#include "runtime/clock.h"
 #include "store/edit_database.h"
 #include "store/store_identity.h"
 

@@ -9,8 +9,8 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/codec.h>
 
+#include "chunks/generation/terrain_generator.h"
 #include "fake_generator.h"
-#include "generation/terrain_generator.h"
 
 using namespace talus;
 using namespace talus::server;

@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "session/session.h"
+#include "player/session/session.h"
 #include "session_bench.h"
 
 namespace talus::server {

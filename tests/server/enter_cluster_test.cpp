@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "checkpoint_store.h"
+#include "cluster/join/enter_cluster.h"
 #include "cluster_node.h"
-#include "join/enter_cluster.h"
 #include "sealed_again.h"
 #include "shared_stream.h"
 #include "store/store_identity.h"

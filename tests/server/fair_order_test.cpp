@@ -1,4 +1,4 @@
-#include "flows/fair_order.h"
+#include "limits/flows/fair_order.h"
 
 #include <catch2/catch.hpp>
 #include <map>

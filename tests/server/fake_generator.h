@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "clock/manual_clock.h"
-#include "generation/base_chunks.h"
-#include "generation/generator.h"
+#include "chunks/generation/base_chunks.h"
+#include "chunks/generation/generator.h"
+#include "runtime/manual_clock.h"
 
 namespace talus::server {
 

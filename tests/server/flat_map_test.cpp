@@ -1,4 +1,4 @@
-#include "cache/flat_map.h"
+#include "chunks/cache/flat_map.h"
 
 #include <cstdint>
 #include <map>

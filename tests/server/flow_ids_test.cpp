@@ -1,4 +1,4 @@
-#include "flows/flow_ids.h"
+#include "limits/flows/flow_ids.h"
 
 #include <array>
 #include <catch2/catch.hpp>

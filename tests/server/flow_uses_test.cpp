@@ -1,4 +1,4 @@
-#include "flows/flow_uses.h"
+#include "limits/flows/flow_uses.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>

@@ -9,7 +9,7 @@
 #include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 
-#include "view/output.h"
+#include "player/view/output.h"
 
 namespace talus::server {
 

@@ -1,4 +1,4 @@
-#include "generation/generator_memory.h"
+#include "chunks/generation/generator_memory.h"
 
 #include <barrier>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 #include <spdlog/logger.h>
 
-#include "generation/patch_size.h"
+#include "chunks/generation/patch_size.h"
 
 using namespace talus::server;
 

@@ -20,10 +20,10 @@
 #include <spdlog/sinks/sink.h>
 
 #include "certificates.h"
-#include "clock/manual_clock.h"
 #include "descriptors_left.h"
 #include "net/descriptors.h"
 #include "net/stream.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 
 using namespace talus;

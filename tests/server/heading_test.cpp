@@ -1,4 +1,4 @@
-#include "view/heading.h"
+#include "player/view/heading.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "flows/heavy_hitters.h"
+#include "limits/flows/heavy_hitters.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

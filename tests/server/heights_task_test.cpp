@@ -1,4 +1,4 @@
-#include "generation/heights_task.h"
+#include "chunks/generation/heights_task.h"
 
 #include <catch2/catch.hpp>
 #include <set>

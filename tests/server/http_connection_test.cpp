@@ -1,13 +1,13 @@
 // HTTP over a stream in memory and a clock that stands still until the test moves it.
-#include "http/connection.h"
+#include "net/http/connection.h"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
 
-#include "clock/manual_clock.h"
-#include "http/connections.h"
 #include "loopback_stream.h"
+#include "net/http/connections.h"
+#include "runtime/manual_clock.h"
 
 #include <asio/executor_work_guard.hpp>
 

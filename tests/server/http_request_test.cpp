@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "http/request_parser.h"
+#include "net/http/request_parser.h"
 
 using namespace talus::server::http;
 

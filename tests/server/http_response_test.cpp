@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "http/response.h"
+#include "net/http/response.h"
 
 using namespace talus::server::http;
 

@@ -6,10 +6,10 @@
 #include <catch2/catch.hpp>
 
 #include "checkpoint_peer.h"
+#include "cluster/join/prepare_store.h"
+#include "cluster/join/start_plan.h"
 #include "cluster/message.h"
 #include "cluster/server_number.h"
-#include "join/prepare_store.h"
-#include "join/start_plan.h"
 #include "sealed_again.h"
 #include "store/read_only_store.h"
 

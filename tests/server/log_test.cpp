@@ -6,11 +6,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "log/escape.h"
-#include "log/json_lines.h"
-#include "log/program_line.h"
-#include "log/text_lines.h"
-#include "log/utc_time.h"
+#include "runtime/log/escape.h"
+#include "runtime/log/json_lines.h"
+#include "runtime/log/program_line.h"
+#include "runtime/log/text_lines.h"
+#include "runtime/log/utc_time.h"
 
 using namespace talus::server;
 

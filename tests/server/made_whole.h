@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "generation/generator.h"
+#include "chunks/generation/generator.h"
 
 namespace talus::server {
 

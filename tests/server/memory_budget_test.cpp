@@ -1,4 +1,4 @@
-#include "memory/memory_budget.h"
+#include "limits/memory/memory_budget.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 #include <rapidcheck.h>
 
-#include "memory/memory_reservation.h"
+#include "limits/memory/memory_reservation.h"
 
 using namespace talus::server;
 

@@ -1,5 +1,5 @@
 // Counters, and the page that operators read.
-#include "metrics/metrics_page.h"
+#include "runtime/metrics/metrics_page.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include "log/non_blocking_sink.h"
+#include "runtime/log/non_blocking_sink.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "generation/patch_size.h"
+#include "chunks/generation/patch_size.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 #include <talus/terrain/world.h>
 
-#include "clock/clock.h"
+#include "runtime/clock.h"
 
 using namespace talus;
 using namespace talus::server;

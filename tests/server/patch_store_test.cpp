@@ -1,5 +1,5 @@
 // Without threads: every call returns when its work is done.
-#include "generation/patch_store.h"
+#include "chunks/generation/patch_store.h"
 
 #include <array>
 #include <catch2/catch.hpp>

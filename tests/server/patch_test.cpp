@@ -1,5 +1,5 @@
 // Patches up to the last chunk that a coordinate can name.
-#include "generation/patch.h"
+#include "chunks/generation/patch.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "generation/column_rows.h"
-#include "generation/terrain_generator.h"
+#include "chunks/generation/column_rows.h"
+#include "chunks/generation/terrain_generator.h"
 #include "made_whole.h"
 
 using namespace talus;

@@ -1,4 +1,4 @@
-#include "session/pending_requests.h"
+#include "player/session/pending_requests.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include "access/access_control.h"
-#include "clock/manual_clock.h"
-#include "http/connection.h"
+#include "config/access/access_control.h"
 #include "loopback_stream.h"
+#include "net/http/connection.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 #include "scripted_source.h"
 #include "session_limits_of_tests.h"

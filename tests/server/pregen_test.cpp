@@ -1,11 +1,11 @@
-#include "pregen/pregen.h"
+#include "chunks/pregen.h"
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
-#include "clock/manual_clock.h"
 #include "fake_generator.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 
 using namespace talus;

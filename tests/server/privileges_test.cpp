@@ -1,5 +1,5 @@
 // Dropping privileges. What changes the process runs in a child process.
-#include "privileges/privileges.h"
+#include "runtime/privileges/privileges.h"
 
 #include <sys/prctl.h>
 #include <sys/syscall.h>

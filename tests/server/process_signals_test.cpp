@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "threads/signals.h"
+#include "runtime/signals.h"
 
 using namespace talus::server;
 

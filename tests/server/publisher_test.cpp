@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "clock/manual_clock.h"
 #include "cluster/message_pace.h"
+#include "runtime/manual_clock.h"
 
 namespace talus::server::cluster {
 namespace {

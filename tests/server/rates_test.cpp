@@ -1,4 +1,4 @@
-#include "rates/rates.h"
+#include "limits/rates/rates.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "generation/refused_clients.h"
+#include "chunks/generation/refused_clients.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,11 +1,11 @@
-#include "access/revoked_tokens.h"
+#include "config/access/revoked_tokens.h"
 
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "access/access_control.h"
+#include "config/access/access_control.h"
 #include "scratch_directory.h"
 #include "signed_tokens.h"
 

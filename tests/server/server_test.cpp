@@ -14,10 +14,10 @@
 
 #include <talus/terrain/world.h>
 
-#include "access/access_control.h"
 #include "app/settings.h"
+#include "config/access/access_control.h"
 #include "in_child.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 
 using namespace talus;
 using namespace talus::server;

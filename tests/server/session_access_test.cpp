@@ -1,7 +1,7 @@
 // What a session lets a client do by its token.
 #include <catch2/catch.hpp>
 
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 #include "scratch_directory.h"
 #include "session_bench.h"
 

@@ -14,11 +14,11 @@
 #include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
-#include "access/access_control.h"
-#include "clock/manual_clock.h"
+#include "config/access/access_control.h"
 #include "frames.h"
+#include "player/session/session.h"
+#include "runtime/manual_clock.h"
 #include "scripted_source.h"
-#include "session/session.h"
 #include "session_limits_of_tests.h"
 
 namespace talus::server {

@@ -1,5 +1,5 @@
 // What a session's edits cost: rates of voxels, of new chunks and of editors, and memory.
-#include "session/session.h"
+#include "player/session/session.h"
 
 #include <array>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <talus/voxel/codec.h>
 
 #include "editing_bench.h"
-#include "session/edit_check.h"
+#include "player/session/edit_check.h"
 #include "session_bench.h"
 
 namespace talus::server {

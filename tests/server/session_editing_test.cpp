@@ -1,16 +1,16 @@
 // Edits of a session, as far as the session decides: rights, order, bounds, and what each answer becomes.
 // What they cost is session_edit_rates_test.cpp's.
-#include "session/session.h"
+#include "player/session/session.h"
 
 #include <array>
 #include <limits>
 
 #include <talus/voxel/codec.h>
 
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 #include "editing_bench.h"
+#include "player/session/edit_check.h"
 #include "scratch_directory.h"
-#include "session/edit_check.h"
 #include "session_bench.h"
 
 namespace talus::server {

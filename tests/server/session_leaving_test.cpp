@@ -1,5 +1,5 @@
 // Sessions that are told to go away, and those whose client sends no more.
-#include "session/session.h"
+#include "player/session/session.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "session/session_limits.h"
+#include "player/session/session_limits.h"
 
 namespace talus::server {
 

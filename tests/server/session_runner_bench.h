@@ -10,9 +10,9 @@
 #include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
-#include "access/access_control.h"
-#include "clock/manual_clock.h"
+#include "config/access/access_control.h"
 #include "loopback_stream.h"
+#include "runtime/manual_clock.h"
 
 #include <asio/executor_work_guard.hpp>
 #include "net/session_runner_impl.h"

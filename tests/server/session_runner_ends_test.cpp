@@ -1,8 +1,8 @@
 // How connections end: who closes, shuts one side, is silent, reads nothing, or is told to go away.
 #include <catch2/catch.hpp>
 
+#include "net/websocket/stream.h"
 #include "session_runner_bench.h"
-#include "websocket/stream.h"
 #include "websocket_frames.h"
 
 namespace talus::server::session_runner_test {

@@ -1,5 +1,5 @@
 // The protocol: states, requests and their answers, errors.
-#include "session/session.h"
+#include "player/session/session.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -12,9 +12,9 @@
 
 #include "admin/admin_server.h"
 #include "app/readiness.h"
+#include "chunks/generation/patch.h"
 #include "config/fields.h"
 #include "edits/local_log.h"
-#include "generation/patch.h"
 
 using namespace talus;
 using namespace talus::server;

@@ -1,5 +1,5 @@
 // Who gets signals.
-#include "threads/signals.h"
+#include "runtime/signals.h"
 
 #include <signal.h>
 

@@ -1,5 +1,5 @@
 // Signed tokens: which are read, and that no others are.
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "access/base64url.h"
+#include "config/access/base64url.h"
 #include "signed_tokens.h"
 
 using namespace talus::server;

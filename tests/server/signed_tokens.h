@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "access/signed_token.h"
+#include "config/access/signed_token.h"
 
 namespace talus::server {
 

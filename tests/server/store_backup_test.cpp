@@ -8,12 +8,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "commands/store/backup.h"
+#include "commands/store/store_figures.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/store_swap.h"
 #include "store/whole_store.h"
-#include "store_command/backup.h"
-#include "store_command/store_figures.h"
 
 namespace talus::server {
 namespace {

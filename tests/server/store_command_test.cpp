@@ -6,14 +6,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "commands/store/local_writer.h"
+#include "commands/store/moments.h"
+#include "commands/store/opened_store.h"
+#include "commands/store/store_command.h"
 #include "config/parse_flags.h"
 #include "scratch_directory.h"
 #include "store/data_directory.h"
 #include "store/edit_database.h"
-#include "store_command/local_writer.h"
-#include "store_command/moments.h"
-#include "store_command/opened_store.h"
-#include "store_command/store_command.h"
 
 namespace talus::server {
 namespace {

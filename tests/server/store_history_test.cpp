@@ -10,12 +10,12 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "commands/store/history_report.h"
+#include "commands/store/store_figures.h"
+#include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/data_directory.h"
-#include "store_command/history_report.h"
-#include "store_command/store_figures.h"
-#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {

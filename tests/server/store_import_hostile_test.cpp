@@ -13,13 +13,13 @@
 
 #include <talus/terrain/world.h>
 
+#include "commands/store/portable_file.h"
+#include "commands/store/store_commands.h"
+#include "commands/store/transfer.h"
 #include "scratch_directory.h"
 #include "store/edit_database.h"
 #include "store/read_only_store.h"
 #include "store/store_builder.h"
-#include "store_command/portable_file.h"
-#include "store_command/store_commands.h"
-#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {

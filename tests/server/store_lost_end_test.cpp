@@ -5,13 +5,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "commands/store/backup.h"
+#include "commands/store/opened_store.h"
+#include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/acknowledged_file.h"
 #include "store/whole_store.h"
-#include "store_command/backup.h"
-#include "store_command/opened_store.h"
-#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {

@@ -11,10 +11,10 @@
 
 #include <talus/terrain/extraction.h>
 
+#include "commands/store/rename.h"
+#include "commands/store/transfer.h"
 #include "scratch_directory.h"
 #include "store/edit_database.h"
-#include "store_command/rename.h"
-#include "store_command/transfer.h"
 #include "whole_stores.h"
 
 namespace talus::server {

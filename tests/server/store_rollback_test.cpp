@@ -10,14 +10,14 @@
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
+#include "commands/store/history.h"
+#include "commands/store/local_writer.h"
+#include "commands/store/rollback.h"
+#include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "store/read_only_store.h"
 #include "store/rocks.h"
-#include "store_command/history.h"
-#include "store_command/local_writer.h"
-#include "store_command/rollback.h"
-#include "store_command/transfer.h"
 
 namespace talus::server {
 namespace {

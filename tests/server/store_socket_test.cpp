@@ -8,15 +8,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "commands/store/backup.h"
+#include "edits/store_socket/store_connection.h"
+#include "edits/store_socket/store_socket.h"
+#include "edits/store_socket/unix_address.h"
 #include "edits_of_tests.h"
-#include "log/logger.h"
+#include "runtime/log/logger.h"
 #include "scratch_directory.h"
 #include "store/bytes.h"
 #include "store/read_only_store.h"
-#include "store_command/backup.h"
-#include "store_socket/store_connection.h"
-#include "store_socket/store_socket.h"
-#include "store_socket/unix_address.h"
 
 namespace talus::server {
 namespace {

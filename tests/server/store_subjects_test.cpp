@@ -7,13 +7,13 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "commands/store/history_report.h"
+#include "commands/store/store_command.h"
+#include "commands/store/subjects.h"
 #include "edits_of_tests.h"
-#include "log/escape.h"
+#include "runtime/log/escape.h"
 #include "scratch_directory.h"
 #include "store/data_directory.h"
-#include "store_command/history_report.h"
-#include "store_command/store_command.h"
-#include "store_command/subjects.h"
 
 namespace talus::server {
 namespace {

@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include "commands/store/portable_file.h"
+#include "commands/store/store_figures.h"
+#include "commands/store/transfer.h"
 #include "scratch_directory.h"
 #include "store/edit_database.h"
 #include "store/store_builder.h"
-#include "store_command/portable_file.h"
-#include "store_command/store_figures.h"
-#include "store_command/transfer.h"
 #include "whole_stores.h"
 
 namespace talus::server {

@@ -1,4 +1,4 @@
-#include "generation/terrain_generator.h"
+#include "chunks/generation/terrain_generator.h"
 
 #include <catch2/catch.hpp>
 #include <random>

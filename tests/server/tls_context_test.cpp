@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "certificates.h"
-#include "clock/clock.h"
+#include "runtime/clock.h"
 #include "scratch_directory.h"
 
 using namespace talus::server;

@@ -1,4 +1,4 @@
-#include "rates/token_bucket.h"
+#include "limits/rates/token_bucket.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

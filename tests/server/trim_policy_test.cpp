@@ -1,4 +1,4 @@
-#include "memory/trim_policy.h"
+#include "limits/memory/trim_policy.h"
 
 #include <catch2/catch.hpp>
 

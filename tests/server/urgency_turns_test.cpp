@@ -1,4 +1,4 @@
-#include "generation/urgency_turns.h"
+#include "chunks/generation/urgency_turns.h"
 
 #include <catch2/catch.hpp>
 #include <map>

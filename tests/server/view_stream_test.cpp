@@ -1,4 +1,4 @@
-#include "view/view_stream.h"
+#include "player/view/view_stream.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

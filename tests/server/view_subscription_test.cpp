@@ -1,4 +1,4 @@
-#include "view/view_subscription.h"
+#include "player/view/view_subscription.h"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 
 #include <asio/io_context.hpp>
 
-#include "clock/manual_clock.h"
+#include "runtime/manual_clock.h"
 
 using namespace talus::server;
 using namespace std::chrono_literals;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "view/view_stream.h"
+#include "player/view/view_stream.h"
 
 namespace talus::server {
 

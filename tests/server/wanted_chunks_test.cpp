@@ -1,4 +1,4 @@
-#include "generation/wanted_chunks.h"
+#include "chunks/generation/wanted_chunks.h"
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "loopback_stream.h"
-#include "websocket/handshake.h"
-#include "websocket/stream.h"
+#include "net/websocket/handshake.h"
+#include "net/websocket/stream.h"
 #include "websocket_frames.h"
 
 #include <asio/co_spawn.hpp>

@@ -12,9 +12,9 @@
 
 #include <talus/progress/progress_bar.h>
 
+#include "commands/store/store_figures.h"
 #include "store/read_only_store.h"
 #include "store/store_builder.h"
-#include "store_command/store_figures.h"
 
 namespace talus::server {
 

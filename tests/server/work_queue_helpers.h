@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "generation/work_queue.h"
+#include "chunks/generation/work_queue.h"
 
 namespace talus::server {
 

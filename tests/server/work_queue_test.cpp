@@ -1,4 +1,4 @@
-#include "generation/work_queue.h"
+#include "chunks/generation/work_queue.h"
 
 #include <algorithm>
 #include <array>

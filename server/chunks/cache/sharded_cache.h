@@ -1,0 +1,100 @@
+// A map bounded in bytes that evicts by CLOCK. Callable from any thread; a call locks one shard.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "chunks/cache/clock_cache.h"
+
+namespace talus::server {
+
+template <typename Key, typename Value>
+class ShardedCache {
+ public:
+  static constexpr std::size_t kShards = 16;
+
+  explicit ShardedCache(std::size_t capacity_bytes)
+      : shards_{make_shards(capacity_bytes / kShards, std::make_index_sequence<kShards>{})} {}
+
+  [[nodiscard]] std::optional<Value> find(const Key& key) {
+    const std::size_t hash = std::hash<Key>{}(key);
+    Shard& shard = shard_of(hash);
+    const std::lock_guard lock{shard.mutex};
+    const Value* const value = shard.values.find(key, hash);
+    return value == nullptr ? std::nullopt : std::optional{*value};
+  }
+
+  /// Not a use.
+  [[nodiscard]] bool holds(const Key& key) {
+    Shard& shard = shard_of(std::hash<Key>{}(key));
+    const std::lock_guard lock{shard.mutex};
+    return shard.values.holds(key);
+  }
+
+  /// `value_bytes` is what the value holds beside itself.
+  void put(const Key& key, Value value, std::size_t value_bytes) {
+    Shard& shard = shard_of(std::hash<Key>{}(key));
+    const std::lock_guard lock{shard.mutex};
+    shard.values.put(key, std::move(value), value_bytes);
+  }
+
+  /// Takes no time: call fit() until all fits.
+  void set_capacity(std::size_t capacity_bytes) {
+    for (Shard& shard : shards_) {
+      const std::lock_guard lock{shard.mutex};
+      shard.values.set_capacity(capacity_bytes / kShards);
+    }
+  }
+
+  /// ClockCache's. Never holds a lock for more than kLooksPerLock entries.
+  [[nodiscard]] bool fit(std::size_t& looks) {
+    return std::all_of(shards_.begin(), shards_.end(), [&](Shard& shard) { return shard.fit(looks); });
+  }
+
+  /// Bytes held now, overhead included. What set_capacity() made too much is among them until fit() has
+  /// evicted it; else no more than the capacity.
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const Shard& shard : shards_) {
+      const std::lock_guard lock{shard.mutex};
+      sum += shard.values.bytes();
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t kLooksPerLock = 64;
+
+  struct Shard {
+    explicit Shard(std::size_t capacity_bytes) : values{capacity_bytes} {}
+    [[nodiscard]] bool fit(std::size_t& looks) {
+      for (;;) {
+        const std::size_t most = std::min(looks, kLooksPerLock);
+        std::size_t left = most;
+        const std::lock_guard lock{mutex};
+        const bool fits = values.fit(left);
+        looks -= most - left;
+        if (fits || looks == 0) return fits;
+      }
+    }
+    mutable std::mutex mutex;
+    ClockCache<Key, Value> values;
+  };
+
+  template <std::size_t... kShard>
+  static std::array<Shard, kShards> make_shards(std::size_t capacity_bytes, std::index_sequence<kShard...>) {
+    return {((void)kShard, Shard{capacity_bytes})...};
+  }
+
+  // The map inside the shard uses the low bits of the same hash.
+  [[nodiscard]] Shard& shard_of(std::size_t hash) { return shards_[(hash >> 40) % kShards]; }
+
+  std::array<Shard, kShards> shards_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,21 @@
+// A patch that was begun, and waits for a thread to go on with it.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include <talus/terrain/stacks.h>
+
+#include "chunks/generation/generator.h"
+
+namespace talus::server {
+
+struct BegunPatch {
+  std::unique_ptr<PatchMaking> making;
+  std::unique_ptr<terrain::Stacks> stacks;  // where it goes when it is made
+  std::chrono::nanoseconds spent{};         // thread time so far
+};
+/// Null where nothing was begun.
+using BegunPatchPtr = std::unique_ptr<BegunPatch>;
+
+}  // namespace talus::server

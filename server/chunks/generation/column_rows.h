@@ -1,0 +1,50 @@
+// Which rows of chunks of a column are mixed, of columns whose terrain was generated. Bounded in bytes;
+// callable from any thread, a call locks one shard.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <talus/terrain/extraction.h>
+#include <talus/voxel/coords.h>
+
+#include "chunks/cache/sharded_cache.h"
+#include "chunks/chunk_source.h"
+#include "chunks/generation/generator.h"
+
+namespace talus::server {
+
+class ColumnRows {
+ public:
+  /// `generator` outlives this.
+  ColumnRows(const Generator& generator, int patch_tiles, std::size_t capacity_bytes)
+      : generator_{generator}, patch_tiles_{patch_tiles}, rows_{capacity_bytes} {}
+
+  /// Exactly, of the key's column; none where it was not generated, or was evicted.
+  [[nodiscard]] std::optional<MixedRows> exact(ChunkKey key) { return rows_.find(column_of(key)); }
+  /// For all that is known of the key's column.
+  [[nodiscard]] MixedRows known(ChunkKey key) {
+    const auto rows = exact(key);
+    return rows ? *rows : generator_.mixed_rows_anywhere(key.lod);
+  }
+  /// Notes all columns of the patch. Throws std::bad_alloc, and then has noted some.
+  void note(const PatchKey& patch, const terrain::Stacks& stacks) {
+    for_each_column(patch, patch_tiles_,
+                    [&](ChunkKey column) { rows_.put(column, generator_.mixed_rows(stacks, column), 0); });
+  }
+
+  /// Of one column, from where they are kept. `column` is a column_of().
+  void note(ChunkKey column, const MixedRows& rows) { rows_.put(column, rows, 0); }
+
+  /// As those of ShardedCache.
+  void set_capacity(std::size_t capacity_bytes) { rows_.set_capacity(capacity_bytes); }
+  [[nodiscard]] bool fit(std::size_t& looks) { return rows_.fit(looks); }
+  [[nodiscard]] std::size_t bytes() const { return rows_.bytes(); }
+
+ private:
+  const Generator& generator_;
+  const int patch_tiles_;
+  ShardedCache<ChunkKey, MixedRows> rows_;  // by column_of()
+};
+
+}  // namespace talus::server

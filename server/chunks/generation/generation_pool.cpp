@@ -1,0 +1,428 @@
+#include "chunks/generation/generation_pool.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+#include <variant>
+
+#include "chunks/generation/answer_batcher.h"
+#include "chunks/generation/background_thread.h"
+#include "runtime/signals.h"
+
+namespace talus::server {
+namespace {
+
+// A job with its place in each map, one waiter.
+constexpr std::int64_t kJobBytes = 384;
+
+// A thread works on one thing for so long before it gives way to others.
+constexpr std::chrono::milliseconds kLongestPiece{25};
+
+// While something dear is made, so long passes between looks at whether anybody still wants it.
+constexpr std::chrono::milliseconds kLookAgain{5};
+
+// Jobs that are begun and ended under one lock: a lock costs little beside so many, and few wait for long.
+constexpr std::size_t kChunksAtOnce = 8;
+
+// Of those that were refused, so many flows are looked at whenever a piece of work ends.
+constexpr std::size_t kFlowsToTell = 16;
+
+// After no memory was left to begin anything.
+constexpr std::chrono::milliseconds kMemoryRetry{100};
+
+const GenerationFailed kOutOfMemory{"out of memory"};
+
+void add_time(Counter& counter, std::chrono::nanoseconds time) {
+  counter.add(static_cast<std::uint64_t>(time.count()));
+}
+
+}  // namespace
+
+GenerationPool::GenerationPool(const Parts& parts, const Settings& settings, Logger log)
+    : parts_{parts},
+      settings_{settings},
+      log_{std::move(log)},
+      queue_{settings.patch_tiles, settings.max_jobs, settings.own_jobs} {}
+
+void GenerationPool::start() {
+  while (threads_.size() < settings_.threads) {
+    threads_.emplace_back([this] { work(); });
+  }
+}
+
+GenerationPool::~GenerationPool() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopping_ = true;
+  }
+  work_waits_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+                                   Urgency urgency) {
+  std::size_t accepted = 0;
+  std::int64_t job_bytes = 0;
+  {
+    const std::lock_guard lock{mutex_};
+    accepted = queue_.add(mailbox, keys, urgency, parts_.memory.takes_jobs());
+    if (accepted < keys.size()) {
+      parts_.metrics.jobs_refused.add(keys.size() - accepted);
+      if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
+    }
+    if (accepted > 0) recent_flows_.asked(mailbox->flow(), parts_.clock.now());
+    job_bytes = job_bytes_change();
+  }
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  if (accepted > 0) work_waits_.notify_one();
+  return accepted;
+}
+
+void GenerationPool::hasten(ClientId client, std::span<const ChunkKey> keys) {
+  const std::lock_guard lock{mutex_};
+  for (const ChunkKey key : keys) queue_.hasten(client, key);
+}
+
+void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
+  std::size_t cancelled = 0;
+  std::int64_t job_bytes = 0;
+  std::ptrdiff_t begun = 0;
+  BegunPatchPtr dropped;
+  std::vector<MailboxPtr> with_room;
+  {
+    const std::lock_guard lock{mutex_};
+    const std::size_t jobs = queue_.jobs();
+    for (const ChunkKey key : keys) queue_.cancel(client, key);
+    cancelled = jobs - queue_.jobs();
+    if (cancelled == 0) return;
+    job_bytes = job_bytes_change();
+    begun = begun_change();
+    dropped = queue_.take_dropped();
+    with_room = clients_with_room();
+  }
+  parts_.generator_memory.add_begun(begun);
+  parts_.metrics.jobs_cancelled.add(cancelled);
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  tell_of_room(with_room);
+}
+
+void GenerationPool::submit_heights(HeightsTask task) {
+  {
+    const std::lock_guard lock{mutex_};
+    recent_flows_.asked(task.mailbox()->flow(), parts_.clock.now());
+    queue_.add(std::move(task));
+  }
+  work_waits_.notify_one();
+}
+
+void GenerationPool::cancel_heights(ClientId client, std::uint64_t ticket) {
+  std::ptrdiff_t begun = 0;
+  {
+    const std::lock_guard lock{mutex_};
+    queue_.cancel_heights(client, ticket);
+    begun = begun_change();
+  }
+  parts_.generator_memory.add_begun(begun);
+}
+
+void GenerationPool::jobs_resume() {
+  std::vector<MailboxPtr> with_room;
+  {
+    const std::lock_guard lock{mutex_};
+    with_room = clients_with_room();
+  }
+  tell_of_room(with_room);
+}
+
+GenerationPool::Status GenerationPool::status() {
+  const std::lock_guard lock{mutex_};
+  return {queue_.jobs(), queue_.clients()};
+}
+
+void GenerationPool::work() {
+  lower_priority();
+  block_signals();
+  std::unique_lock lock{mutex_};
+  while (!stopping_) {
+    std::optional<WorkQueue::Work> work;
+    try {
+      work = queue_.take(costs());
+    } catch (const std::exception&) {
+      work_waits_.wait_for(lock, kMemoryRetry);
+      continue;
+    }
+    if (!work) {
+      work_waits_.wait(lock);
+      continue;
+    }
+    lock.unlock();
+    MeasuredWork measured;
+    const auto began = parts_.clock.thread_cpu();
+    try {
+      std::visit([&](auto& piece) { run(piece, *work, measured); }, work->what);
+    } catch (const std::exception& error) {
+      log_->error("a piece of work failed: {}", error.what());
+      std::visit([&](auto& piece) { fail(piece); }, work->what);
+    }
+    const auto took = parts_.clock.thread_cpu() - began;
+    count(measured);
+    work->flow_use->add(FlowMeasure::generator, static_cast<std::uint64_t>(took.count()));
+    end(*work, measured, took);
+    lock.lock();
+  }
+}
+
+void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took) {
+  std::int64_t job_bytes = 0;
+  std::vector<MailboxPtr> with_room;
+  std::ptrdiff_t begun = 0;
+  BegunPatchPtr dropped;
+  {
+    const std::lock_guard lock{mutex_};
+    measured_costs_.add(measured);
+    put_back(work);
+    queue_.reconcile(work, static_cast<std::uint64_t>(took.count()));
+    begun = begun_change();
+    dropped = queue_.take_dropped();
+    job_bytes = job_bytes_change();
+    with_room = clients_with_room();
+  }
+  parts_.generator_memory.add_begun(begun);
+  // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
+  work_waits_.notify_one();
+  parts_.memory.add(MemoryUse::jobs, job_bytes);
+  tell_of_room(with_room);
+}
+
+void GenerationPool::put_back(WorkQueue::Work& work) {
+  if (auto* const heights = std::get_if<HeightsTask>(&work.what)) {
+    try {
+      if (heights->left() > 0) queue_.put_back(std::move(*heights));
+    } catch (const std::bad_alloc&) {
+      heights->mailbox()->lose_mail();
+    }
+    return;
+  }
+  auto& batch = std::get<WorkQueue::Batch>(work.what);
+  try {
+    if (batch.begun != nullptr) return queue_.put_back(std::move(batch), work.turn);
+  } catch (const std::bad_alloc&) {
+    lose(batch);
+  }
+  queue_.release(batch.patch);
+}
+
+void GenerationPool::lose(const WorkQueue::Batch& batch) {
+  for (const ChunkKey key : batch.keys) {
+    if (!queue_.begin(key)) continue;
+    for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose_mail();
+  }
+}
+
+void GenerationPool::fail(const WorkQueue::Batch& batch) {
+  try {
+    answer(batch.keys, [](std::size_t) -> ChunkAnswer { return tl::make_unexpected(kOutOfMemory); });
+  } catch (const std::exception& error) {
+    log_->error("{} chunks are not answered: {}", batch.keys.size(), error.what());
+    const std::lock_guard lock{mutex_};
+    lose(batch);
+  }
+}
+
+void GenerationPool::fail(HeightsTask& task) {
+  deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(kOutOfMemory)}, log_);
+  task.give_up();
+}
+
+void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, MeasuredWork& measured) {
+  bool dropped = false;
+  BegunPatchPtr begun = std::move(batch.begun);
+  const auto spent = begun == nullptr ? std::chrono::nanoseconds{} : begun->spent;
+  const AskAfterStep after_step = after_step_of(work, spent, [&] {
+    dropped = queue_.drop_unwanted(batch);
+    if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
+    return !dropped;
+  });
+  // Those that were made since they were asked for wait for nothing.
+  std::vector<ChunkKey> to_make = answer_known(batch.keys);
+  if (begun == nullptr && parts_.patches.read_columns(batch.patch, to_make)) to_make = answer_known(to_make);
+  if (to_make.empty()) return;
+  PatchStore::Loan loan = parts_.patches.obtain(batch.patch, to_make, std::move(begun), after_step, measured);
+  batch.begun = std::move(loan.begun);
+  if (batch.begun != nullptr || dropped || loan.given_up) return;
+  const auto began = parts_.clock.thread_cpu();
+  answer(to_make, [&](std::size_t index) -> ChunkAnswer {
+    if (EncodedChunkPtr chunk = parts_.maker.known(to_make[index])) return chunk;
+    ++measured.chunks;
+    return parts_.maker.chunk(loan.stacks.get(), to_make[index]);
+  });
+  measured.chunk_time += parts_.clock.thread_cpu() - began;
+  parts_.patches.finish(loan, measured, [this] { return stopping_.load(); });
+}
+
+std::vector<ChunkKey> GenerationPool::answer_known(std::span<const ChunkKey> keys) {
+  std::vector<ChunkKey> found;
+  std::vector<EncodedChunkPtr> known;
+  std::vector<ChunkKey> others;
+  for (const ChunkKey key : keys) {
+    if (EncodedChunkPtr chunk = parts_.maker.known(key)) {
+      found.push_back(key);
+      known.push_back(std::move(chunk));
+    } else {
+      others.push_back(key);
+    }
+  }
+  answer(found, [&](std::size_t index) { return known[index]; });
+  return others;
+}
+
+template <typename Chunk>
+void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
+  struct Answered {
+    std::size_t index = 0;
+    ChunkAnswer answer;
+    std::vector<MailboxPtr> waiters{};
+  };
+  AnswerBatcher answers{log_, parts_.clock};
+  std::vector<Answered> some;
+  some.reserve(std::min(keys.size(), kChunksAtOnce));
+  for (std::size_t next = 0; next < keys.size();) {
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopping_) return;
+      for (std::size_t looks = 0; looks < kChunksAtOnce && next < keys.size(); ++looks, ++next) {
+        if (queue_.begin(keys[next])) {
+          some.push_back({next, nullptr});
+        } else {
+          parts_.metrics.jobs_cancelled.add();
+        }
+      }
+    }
+    std::size_t made = 0;
+    for (Answered& each : some) {
+      if (stopping_) break;  // a chunk may take long, and nobody waits for it any more
+      each.answer = chunk(each.index);
+      ++made;
+    }
+    {
+      const std::lock_guard lock{mutex_};
+      for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
+    }
+    some.resize(made);
+    for (Answered& each : some) {
+      const ChunkKey key = keys[each.index];
+      const std::size_t edited = edits_seen_from(each.waiters);
+      const std::span<const MailboxPtr> waiters{each.waiters};
+      answers.add(waiters.first(edited), key, each.answer);
+      if (edited < waiters.size()) answers.add(waiters.subspan(edited), key, with_edits(key, each.answer));
+    }
+    some.clear();
+  }
+}
+
+std::size_t GenerationPool::edits_seen_from(std::vector<MailboxPtr>& waiters) const {
+  if (parts_.overlay == nullptr) return waiters.size();
+  const auto as_generated = [](const MailboxPtr& waiter) { return !waiter->sees_edits(); };
+  return static_cast<std::size_t>(std::partition(waiters.begin(), waiters.end(), as_generated) -
+                                  waiters.begin());
+}
+
+ChunkAnswer GenerationPool::with_edits(ChunkKey key, const ChunkAnswer& base) const {
+  if (!base || parts_.overlay->revision(key) == kBaseRevision) return base;
+  return parts_.overlay->merged(key, *base);
+}
+
+void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {
+  const auto began = parts_.clock.thread_cpu();
+  const auto took = [&] { return parts_.clock.thread_cpu() - began; };
+  const AskAfterStep after_step = after_step_of(work, {}, [&] { return queue_.is_wanted(task); });
+  std::optional<GenerationFailed> failure;
+  const std::size_t left = task.left();
+  do {
+    auto next = parts_.maker.heights(task, after_step);
+    if (!next) failure = std::move(next.error());
+    if (!next || *next != AfterStep::go_on) break;
+  } while (task.left() > 0 && took() < kLongestPiece && !stopping_);
+  if (task.tile()) {
+    measured.map_time += took();  // counts for no mean: what a map costs is put right when it is made
+  } else {
+    measured.height_time += took();
+    measured.heights += left - task.left();
+  }
+  if (failure) {
+    deliver(task.mailbox(), HeightsReady{task.ticket(), tl::make_unexpected(*std::move(failure))}, log_);
+    task.give_up();
+  } else if (task.left() == 0) {
+    deliver(task.mailbox(), HeightsReady{task.ticket(), task.take_found()}, log_);
+  }
+}
+
+AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
+                                           std::function<bool()> is_wanted) {
+  return [this, &work, spent, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
+          next = parts_.clock.now() + kLookAgain, piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
+    if (stopping_) return AfterStep::give_up;
+    const auto now = parts_.clock.now();
+    if (now < next) return AfterStep::go_on;
+    next = now + kLookAgain;
+    const std::chrono::nanoseconds took = parts_.clock.thread_cpu() - began;
+    const bool long_enough = took >= piece;
+    const std::lock_guard lock{mutex_};
+    if (!is_wanted()) return AfterStep::give_up;
+    if (!long_enough) return AfterStep::go_on;
+    piece += kLongestPiece;  // a look at all who wait is not for nothing
+    const auto all = static_cast<std::uint64_t>((spent + took).count());
+    return queue_.should_give_way(work.turn, all, costs()) ? AfterStep::pause : AfterStep::go_on;
+  };
+}
+
+void GenerationPool::count(const MeasuredWork& measured) {
+  add_time(parts_.metrics.patch_ns, measured.patch_time);
+  add_time(parts_.metrics.chunk_ns, measured.chunk_time);
+  add_time(parts_.metrics.heights_ns, measured.height_time);
+  add_time(parts_.metrics.map_ns, measured.map_time);
+}
+
+WorkCosts GenerationPool::costs() const {
+  WorkCosts costs = measured_costs_.costs();
+  costs.in_memory = [this](const PatchKey& patch) { return parts_.patches.holds(patch); };
+  costs.longest_piece = std::chrono::nanoseconds{kLongestPiece}.count();
+  costs.max_begun = parts_.generator_memory.max_begun();
+  costs.max_begun_of_flow = (costs.max_begun + 3) / 4;  // so that several flows find room
+  // One flow gets all threads only while nobody else asks: whoever asks next should find one.
+  const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
+  costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
+  return costs;
+}
+
+std::ptrdiff_t GenerationPool::begun_change() {
+  const std::size_t before = std::exchange(begun_told_, queue_.begun());
+  return static_cast<std::ptrdiff_t>(begun_told_) - static_cast<std::ptrdiff_t>(before);
+}
+
+std::int64_t GenerationPool::job_bytes_change() {
+  const std::size_t before = std::exchange(jobs_told_, queue_.jobs());
+  jobs_.store(jobs_told_, std::memory_order_relaxed);
+  return (static_cast<std::int64_t>(jobs_told_) - static_cast<std::int64_t>(before)) * kJobBytes;
+}
+
+// While jobs wait, each piece of work that ends comes by here again. Where none does all are told, and the
+// first who come fill the queue. But where memory is so short that one after the other is served, so few are
+// told that the others need not be refused again; housekeeping comes by for those who had nothing to ask.
+std::vector<MailboxPtr> GenerationPool::clients_with_room() {
+  if (refused_.empty() || !parts_.memory.takes_jobs()) return {};
+  try {
+    if (queue_.jobs() == 0 && parts_.memory.takes_work()) return refused_.take_all();
+    if (queue_.jobs() == 0) return refused_.take(kFlowsToTell, [](FlowId) { return true; });
+    return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
+  } catch (const std::bad_alloc&) {
+    return {};  // they are told when the next piece of work ends
+  }
+}
+
+void GenerationPool::tell_of_room(const std::vector<MailboxPtr>& mailboxes) {
+  for (const MailboxPtr& mailbox : mailboxes) deliver(mailbox, QueueHasRoom{}, log_);
+}
+
+}  // namespace talus::server

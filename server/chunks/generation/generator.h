@@ -1,0 +1,61 @@
+// What generator threads call to make terrain. Any function may be called by several threads at once, and may
+// throw std::bad_alloc. Equal arguments give equal chunks, for ever: nothing made from them needs to be
+// invalidated.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
+#include <talus/terrain/stacks.h>
+#include <talus/voxel/coords.h>
+
+#include "chunks/chunk_source.h"
+#include "chunks/encoded_chunk.h"
+#include "chunks/generation/patch.h"
+
+namespace talus::server {
+
+/// Something in the making, step by step. For one thread at a time, whichever it is; a destructor gives it
+/// up. Steps may throw std::bad_alloc, and then only the destructor may be called.
+template <typename Made>
+class Making {
+ public:
+  virtual ~Making() = default;
+  /// Some milliseconds of work; false when nothing is left.
+  [[nodiscard]] virtual bool step() = 0;
+  /// Once step() has returned false.
+  [[nodiscard]] virtual Made take() = 0;
+};
+using PatchMaking = Making<terrain::Stacks>;
+using HeightsMaking = Making<HeightsFound>;
+
+/// What becomes of it after a step.
+enum class AfterStep { go_on, pause, give_up };
+using AskAfterStep = std::function<AfterStep()>;
+
+class Generator {
+ public:
+  virtual ~Generator() = default;
+
+  /// The chunk where it costs nothing to know it; else null.
+  [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
+  /// The chunk that is of one material, air among them.
+  [[nodiscard]] virtual EncodedChunkPtr uniform(MaterialId material) const = 0;
+  /// Of any column of the level, for all that is known without looking.
+  [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
+  /// Of the key's column over this patch, exactly.
+  [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
+  /// `memory` is reused. The generator outlives what it makes.
+  [[nodiscard]] virtual std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
+                                                                 terrain::Stacks memory) const = 0;
+  /// `stacks` is the patch over which the chunk stands.
+  [[nodiscard]] virtual EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const = 0;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,54 @@
+// The memory of generators at work, as a MemoryBudget is told of it. Callable from any thread.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+#include "limits/memory/memory_budget.h"
+#include "runtime/log/logger.h"
+
+namespace talus::server {
+
+/// Estimates by the largest patch so far, as what a generator allocates grows with what it makes.
+class GeneratorMemory {
+ public:
+  /// A generator at work holds this many times the bytes of a patch: fields of the patch and its halo, planes
+  /// for the next, the patch itself, and one to spare.
+  static constexpr std::size_t kPatchesAtWork = 5;
+  /// At most this part of the budget counts as the generators': more would lock everybody out for good.
+  static constexpr std::uint64_t kLargestShare = 8;
+
+  /// `piece_bytes`: what a patch in the making takes with its halo, as far as is known; 0: nothing is.
+  /// `ground_bytes`: what they keep together.
+  GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log, std::size_t piece_bytes = 0,
+                  std::size_t ground_bytes = 0);
+
+  /// With so many that were begun and wait no more give way: as many as are an eighth of the budget. None
+  /// where memory is that short: then each is made whole.
+  [[nodiscard]] std::size_t max_begun() const;
+  static constexpr std::size_t kMostBegun = 16;
+  /// So many more are, or fewer.
+  void add_begun(std::ptrdiff_t change);
+
+  /// A patch of `bytes` was made. Where the generators need a quarter more than their share, which is as much
+  /// as patches differ, the log says so, once.
+  void note_patch(std::size_t bytes);
+
+ private:
+  /// Of a patch in the making.
+  [[nodiscard]] std::uint64_t each_bytes() const;
+  /// As they count in the budget.
+  [[nodiscard]] std::uint64_t bytes();
+  void tell_budget();
+
+  MemoryBudget& budget_;
+  const std::size_t threads_;
+  const std::size_t piece_bytes_;
+  const std::size_t ground_bytes_;
+  const Logger log_;
+  std::atomic<std::size_t> largest_patch_bytes_{0};
+  std::atomic<std::ptrdiff_t> begun_{0};  // below 0 where a change is told before the one before it
+  std::atomic<bool> warned_{false};
+};
+
+}  // namespace talus::server

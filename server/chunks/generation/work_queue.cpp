@@ -1,0 +1,515 @@
+#include "chunks/generation/work_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace talus::server {
+namespace {
+
+auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
+  return std::find_if(waiters.begin(), waiters.end(),
+                      [&](const MailboxPtr& each) { return each->owner() == client; });
+}
+
+}  // namespace
+
+WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs)
+    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, own_jobs_{own_jobs} {}
+
+bool WorkQueue::may_add(const Mailbox& mailbox) const {
+  const std::size_t jobs = of(mailbox.flow()).jobs;
+  return jobs < free_jobs() && waiting_of(mailbox.owner()) < free_jobs() - jobs;
+}
+
+WorkQueue::Job* WorkQueue::Jobs::find(ChunkKey key) {
+  for (std::size_t from = first;; ++from) {
+    const auto begin = keys.begin() + static_cast<std::ptrdiff_t>(from);
+    from = static_cast<std::size_t>(std::find(begin, keys.end(), key) - keys.begin());
+    if (from == keys.size()) return nullptr;
+    if (!jobs[from].ended) return &jobs[from];
+  }
+}
+
+void WorkQueue::Jobs::reserve(std::size_t more) {
+  const std::size_t needed = keys.size() + more;
+  if (needed <= std::min(keys.capacity(), jobs.capacity())) return;
+  keys.reserve(std::max(needed, 2 * keys.size()));
+  jobs.reserve(std::max(needed, 2 * jobs.size()));
+}
+
+void WorkQueue::Jobs::add(ChunkKey key, Job job) {
+  reserve(1);
+  jobs.push_back(std::move(job));
+  keys.push_back(key);
+  ++open;
+}
+
+// Those that are ended go when they are more than the others: in all each moves once.
+void WorkQueue::Jobs::end(Job& job) {
+  job.ended = true;
+  --open;
+  while (first < jobs.size() && jobs[first].ended) ++first;
+  if (jobs.size() < 32 || 2 * open > jobs.size()) return;
+  std::size_t kept = 0;
+  for (std::size_t i = first; i < jobs.size(); ++i) {
+    if (jobs[i].ended) continue;
+    if (kept != i) {
+      jobs[kept] = std::move(jobs[i]);
+      keys[kept] = keys[i];
+    }
+    ++kept;
+  }
+  jobs.erase(jobs.begin() + static_cast<std::ptrdiff_t>(kept), jobs.end());
+  keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(kept), keys.end());
+  first = 0;
+}
+
+std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+                           bool new_jobs) {
+  // Whose far chunks wait is not refused the near ones.
+  const auto found = clients_.find(mailbox->owner());
+  const bool own = own_jobs_ > (found == clients_.end() ? 0 : found->second.waiting[urgency]);
+  std::size_t added = 0;
+  auto patch = patches_.end();
+  try {
+    for (const ChunkKey key : keys) {
+      const PatchKey patch_key = patch_of(key, patch_tiles_);
+      if (patch == patches_.end() || patch->first != patch_key) patch = patches_.find(patch_key);
+      const bool known = patch != patches_.end();
+      Job* const taken = known ? patch->second.taken.find(key) : nullptr;
+      Job* const waiting = known && taken == nullptr ? patch->second.waiting.find(key) : nullptr;
+      if (taken != nullptr) {
+        if (urgency == Urgency::soon) patch->second.hastened = true;
+        if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) {
+          taken->waiters.push_back(mailbox);
+        }
+      } else {
+        if (waiting == nullptr && (!new_jobs || !(own || may_add(*mailbox)))) break;
+        if (!known) patch = patches_.try_emplace(patch_key).first;
+        add(mailbox, key, urgency, patch->first, patch->second, waiting);
+      }
+      ++added;
+    }
+  } catch (const std::bad_alloc&) {
+    if (patch != patches_.end()) drop_if_unused(patch);
+  }
+  return added;
+}
+
+void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch,
+                    PatchWork& work, Job* waiting) {
+  Client& client = enter(*mailbox, urgency);
+  if (urgency == Urgency::soon) hasten(client, mailbox->owner(), patch);
+  if (waiting != nullptr && waiter_of(waiting->waiters, mailbox->owner()) != waiting->waiters.end()) return;
+  const bool first_of_patch = !client.jobs.contains(patch);
+  try {
+    // What may throw comes first.
+    Flow& flow = flows_[mailbox->flow()];
+    JobsOfPatch& jobs = client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).first->second;
+    Job added{mailbox->flow(), {mailbox}};
+    waiting == nullptr ? work.waiting.reserve(1) : waiting->waiters.reserve(waiting->waiters.size() + 1);
+    if (first_of_patch) client.order[urgency].push_back(patch);
+    if (waiting == nullptr) {
+      work.waiting.add(key, std::move(added));
+      ++flow.jobs;
+      ++jobs_;
+    } else {
+      waiting->waiters.push_back(mailbox);
+    }
+    ++jobs.count;
+    ++client.waiting[jobs.urgency];
+  } catch (...) {
+    if (first_of_patch) client.jobs.erase(patch);
+    drop_if_unused(mailbox->flow());
+    drop_if_done(clients_.find(mailbox->owner()));
+    throw;
+  }
+}
+
+void WorkQueue::hasten(ClientId client, ChunkKey key) {
+  const PatchKey patch = patch_of(key, patch_tiles_);
+  if (const auto found = clients_.find(client); found != clients_.end()) hasten(found->second, client, patch);
+  const auto work = patches_.find(patch);
+  if (work == patches_.end()) return;
+  Job* const taken = work->second.taken.find(key);
+  if (taken != nullptr && waiter_of(taken->waiters, client) != taken->waiters.end())
+    work->second.hastened = true;
+}
+
+void WorkQueue::hasten(Client& client, ClientId id, const PatchKey& patch) {
+  const auto jobs = client.jobs.find(patch);
+  if (jobs == client.jobs.end() || jobs->second.urgency == Urgency::soon) return;
+  turns_.enter({client.flow, id, Urgency::soon});
+  client.order[Urgency::soon].push_back(patch);
+  std::deque<PatchKey>& later = client.order[Urgency::later];
+  later.erase(std::find(later.begin(), later.end(), patch));
+  client.waiting[Urgency::later] -= jobs->second.count;
+  client.waiting[Urgency::soon] += jobs->second.count;
+  jobs->second.urgency = Urgency::soon;
+}
+
+void WorkQueue::add(HeightsTask task) {
+  const ClientId owner = task.mailbox()->owner();
+  Client& client = enter(*task.mailbox(), Urgency::later);
+  try {
+    client.heights.push_back(std::move(task));
+  } catch (...) {
+    drop_if_done(clients_.find(owner));
+    throw;
+  }
+}
+
+void WorkQueue::cancel(ClientId client, ChunkKey key) {
+  const auto patch = patches_.find(patch_of(key, patch_tiles_));
+  if (patch == patches_.end()) return;
+  PatchWork& work = patch->second;
+  Job* const taken = work.taken.find(key);
+  Job* const job = taken != nullptr ? taken : work.waiting.find(key);
+  if (job == nullptr) return;
+  const auto waiter = waiter_of(job->waiters, client);
+  if (waiter == job->waiters.end()) return;
+  const auto stays = [&](const MailboxPtr& each) { return each->owner() != client; };
+  const auto counts = [&](const MailboxPtr& each) { return stays(each) && each->flow() == job->flow; };
+  if (std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
+    const auto other = std::find_if(job->waiters.begin(), job->waiters.end(), stays);
+    if (other != job->waiters.end()) move(*job, (*other)->flow());  // which may throw
+  }
+  job->waiters.erase(waiter);
+  if (taken != nullptr) return;  // begin() or finish() ends it
+
+  leave(client, patch->first);
+  if (!job->waiters.empty()) return;
+  (void)erase(work.waiting, *job);
+  drop_if_unused(patch);
+}
+
+void WorkQueue::cancel_heights(ClientId client, std::uint64_t ticket) {
+  const auto found = clients_.find(client);
+  if (found == clients_.end()) return;
+  std::erase_if(found->second.heights, [&](const HeightsTask& task) {
+    if (task.ticket() != ticket) return false;
+    if (task.is_begun()) count_begun(found->second.flow, false);
+    return true;
+  });
+  std::erase(found->second.taken_heights, ticket);
+  drop_if_done(found);
+}
+
+void WorkQueue::put_back(HeightsTask&& task) {
+  Client& client = enter(*task.mailbox(), Urgency::later);
+  const auto taken = std::find(client.taken_heights.begin(), client.taken_heights.end(), task.ticket());
+  if (taken == client.taken_heights.end()) return;
+  // First what may throw.
+  client.heights.emplace_front(task.mailbox(), task.ticket(), HeightsQuery{});
+  client.heights.front() = std::move(task);
+  client.taken_heights.erase(taken);
+  if (client.heights.front().is_begun()) count_begun(client.flow, true);
+}
+
+void WorkQueue::put_back(Batch&& batch, const UrgencyTurns::Turn& turn) {
+  const auto found = patches_.find(batch.patch);
+  PatchWork& work = found->second;
+  // First what may throw.
+  work.waiting.reserve(work.taken.open);
+  enter_waiters(found->first, work, work.hastened ? Urgency::soon : turn.urgency);
+  while (!work.taken.empty()) {
+    const std::size_t first = work.taken.first;
+    Job& job = work.taken.jobs[first];
+    if (job.waiters.empty()) {
+      (void)erase(work.taken, job);
+      continue;
+    }
+    for (const MailboxPtr& waiter : job.waiters) {
+      Client& client = clients_.at(waiter->owner());
+      JobsOfPatch& jobs = client.jobs.at(found->first);
+      ++jobs.count;
+      ++client.waiting[jobs.urgency];
+    }
+    work.waiting.add(work.taken.keys[first], std::move(job));
+    work.taken.end(job);
+  }
+  work.taken = {};
+  work.is_taken = false;
+  work.hastened = false;
+  if (!work.waiting.empty()) {
+    work.begun = std::move(batch.begun);
+    work.begun_by = turn.flow;
+    count_begun(turn.flow, true);
+  }
+  if (batch.begun != nullptr && dropped_ == nullptr) dropped_ = std::move(batch.begun);
+  drop_if_unused(found);
+}
+
+void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency) {
+  try {
+    for (const Job& job : work.taken.jobs) {
+      for (const MailboxPtr& waiter : job.waiters) {
+        Client& client = enter(*waiter, urgency);
+        if (!client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).second) continue;
+        client.order[urgency].push_front(patch);
+      }
+    }
+  } catch (...) {
+    leave_where_none_waits(patch, work);
+    throw;
+  }
+}
+
+void WorkQueue::leave_where_none_waits(const PatchKey& patch, const PatchWork& work) {
+  for (const Job& job : work.taken.jobs) {
+    for (const MailboxPtr& waiter : job.waiters) {
+      const auto client = clients_.find(waiter->owner());
+      if (client == clients_.end()) continue;
+      const auto jobs = client->second.jobs.find(patch);
+      if (jobs != client->second.jobs.end() && jobs->second.count == 0) {
+        std::erase(client->second.order[jobs->second.urgency], patch);
+        client->second.jobs.erase(jobs);
+      }
+      drop_if_done(client);
+    }
+  }
+}
+
+void WorkQueue::count_begun(FlowId flow, bool more) {
+  std::size_t& of_flow = flows_.at(flow).begun;
+  more ? ++of_flow : --of_flow;
+  more ? ++begun_ : --begun_;
+  if (!more) drop_if_unused(flow);
+}
+
+std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
+  const auto next = turns_.next(
+      static_cast<std::int64_t>(std::min(costs.patch, costs.longest_piece)),
+      [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
+      [&](ClientId id, Urgency urgency) {
+        const auto client = clients_.find(id);
+        return client != clients_.end() && can_begin(client->second, urgency);
+      },
+      [&](ClientId id, Urgency urgency) {
+        const auto client = clients_.find(id);
+        return client != clients_.end() && (client->second.wants(urgency) || client->second.in_flight > 0);
+      });
+  if (!next) return std::nullopt;
+  Work work = take_of(*next, costs);
+  turns_.charge(*next, static_cast<std::int64_t>(work.price));
+  return work;
+}
+
+void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
+  turns_.charge(work.turn, static_cast<std::int64_t>(cost) - static_cast<std::int64_t>(work.price));
+  --flows_.at(work.turn.flow).in_flight;
+  drop_if_unused(work.turn.flow);
+  const auto client = clients_.find(work.turn.client);
+  --client->second.in_flight;
+  if (const auto* task = std::get_if<HeightsTask>(&work.what)) {
+    std::erase(client->second.taken_heights, task->ticket());
+  }
+  drop_if_done(client);
+}
+
+WorkQueue::Work WorkQueue::take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs) {
+  Client& client = clients_.at(turn.client);
+  const auto patch = free_patch(client, turn.urgency);
+  const bool heights =
+      turn.urgency == Urgency::later && !client.heights.empty() && (client.heights_next || !patch);
+  // What it takes may be the last that the client and its flow have, which these keep.
+  Flow& flow = flows_[turn.flow];
+  ++flow.in_flight;
+  ++client.in_flight;
+  try {
+    if (heights) {
+      client.taken_heights.push_back(client.heights.front().ticket());
+      HeightsTask task = std::move(client.heights.front());
+      client.heights.pop_front();
+      client.heights_next = false;
+      if (task.is_begun()) count_begun(turn.flow, false);
+      const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
+      return {std::move(task), turn, price, client.flow_use};
+    }
+    Batch batch = take_patch(*patch, turn.client);
+    client.heights_next = true;
+    const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
+    const std::uint64_t price =
+        (in_memory ? 0 : std::min(costs.patch, costs.longest_piece)) + costs.chunk * batch.keys.size();
+    return {std::move(batch), turn, price, client.flow_use};
+  } catch (...) {
+    --client.in_flight;
+    --flow.in_flight;
+    drop_if_unused(turn.flow);
+    throw;
+  }
+}
+
+std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency) const {
+  for (const PatchKey& patch : client.order[urgency]) {
+    if (!patches_.at(patch).is_taken) return patch;
+  }
+  return std::nullopt;
+}
+
+bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
+  return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
+}
+
+bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t most, const WorkCosts& costs) const {
+  if (!client.heights.empty() && costs.height * client.heights.front().left() < most) return true;
+  for (const Urgency urgency : {Urgency::soon, Urgency::later}) {
+    const auto patch = free_patch(client, urgency);
+    if (!patch) continue;
+    if (costs.patch < most || (costs.in_memory && costs.in_memory(*patch))) return true;
+  }
+  return false;
+}
+
+bool WorkQueue::should_give_way(const UrgencyTurns::Turn& turn, std::uint64_t spent,
+                                const WorkCosts& costs) const {
+  if (begun_ >= costs.max_begun || of(turn.flow).begun >= costs.max_begun_of_flow) return false;
+  // What takes longer than most is likely to take as long again.
+  const std::uint64_t left = spent < costs.patch ? costs.patch - spent : spent;
+  return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
+    return each.first != turn.client && can_begin_for_less(each.second, left, costs);
+  });
+}
+
+std::size_t WorkQueue::clients() const {
+  return static_cast<std::size_t>(
+      std::count_if(clients_.begin(), clients_.end(), [](const auto& each) { return !each.second.idle(); }));
+}
+
+bool WorkQueue::begin(ChunkKey key) {
+  Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
+  Job* const job = taken.find(key);
+  if (job == nullptr) return false;
+  if (!job->waiters.empty()) return true;
+  (void)erase(taken, *job);
+  return false;
+}
+
+bool WorkQueue::drop_unwanted(const Batch& batch) {
+  PatchWork& work = patches_.at(batch.patch);
+  if (!work.waiting.empty()) return false;
+  for (const Job& job : work.taken.jobs) {
+    if (!job.waiters.empty()) return false;
+  }
+  end_taken(work);
+  return true;
+}
+
+void WorkQueue::end_taken(PatchWork& work) {
+  while (!work.taken.empty()) (void)erase(work.taken, work.taken.jobs[work.taken.first]);
+}
+
+bool WorkQueue::is_wanted(const HeightsTask& task) const {
+  const auto& taken = clients_.at(task.mailbox()->owner()).taken_heights;
+  return std::find(taken.begin(), taken.end(), task.ticket()) != taken.end();
+}
+
+std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
+  Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
+  return erase(taken, *taken.find(key));
+}
+
+void WorkQueue::move(Job& job, FlowId flow) {
+  ++flows_[flow].jobs;
+  --flows_.at(job.flow).jobs;
+  drop_if_unused(job.flow);
+  job.flow = flow;
+}
+
+std::vector<MailboxPtr> WorkQueue::erase(Jobs& jobs, Job& job) {
+  --flows_.at(job.flow).jobs;
+  drop_if_unused(job.flow);
+  --jobs_;
+  std::vector<MailboxPtr> waiters = std::move(job.waiters);
+  jobs.end(job);
+  return waiters;
+}
+
+void WorkQueue::release(const PatchKey& patch) {
+  const auto found = patches_.find(patch);
+  end_taken(found->second);
+  found->second.taken = {};
+  found->second.is_taken = false;
+  found->second.hastened = false;
+  drop_if_unused(found);
+}
+
+WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox, Urgency urgency) {
+  turns_.enter({mailbox.flow(), mailbox.owner(), urgency});
+  Client& client = clients_[mailbox.owner()];
+  client.flow = mailbox.flow();
+  client.flow_use = mailbox.flow_use();
+  return client;
+}
+
+std::size_t WorkQueue::waiting_of(ClientId client) const {
+  const auto found = clients_.find(client);
+  return found == clients_.end() ? 0 : found->second.all_waiting();
+}
+
+WorkQueue::Flow WorkQueue::of(FlowId flow) const {
+  const auto found = flows_.find(flow);
+  return found == flows_.end() ? Flow{} : found->second;
+}
+
+void WorkQueue::leave(ClientId client, const PatchKey& patch) {
+  const auto found = clients_.find(client);
+  Client& state = found->second;
+  const auto jobs = state.jobs.find(patch);
+  const Urgency urgency = jobs->second.urgency;
+  --state.waiting[urgency];
+  if (--jobs->second.count > 0) return;
+  state.jobs.erase(jobs);
+  std::deque<PatchKey>& order = state.order[urgency];
+  order.erase(std::find(order.begin(), order.end(), patch));
+  drop_if_done(found);
+}
+
+void WorkQueue::drop_if_done(Clients::iterator client) {
+  if (client->second.idle() && client->second.in_flight == 0) clients_.erase(client);
+}
+
+WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
+  PatchWork& work = patches_.at(patch);
+  Jobs& waiting = work.waiting;
+  work.taken.reserve(waiting.open);
+  Batch batch{patch, {}};
+  batch.keys.reserve(waiting.open);
+  if (work.begun != nullptr) {
+    batch.begun = std::move(work.begun);
+    count_begun(work.begun_by, false);
+  }
+  // First those for which the turn's client waits.
+  for (const bool is_clients : {true, false}) {
+    for (std::size_t i = waiting.first; i < waiting.jobs.size(); ++i) {
+      Job& job = waiting.jobs[i];
+      if (job.waiters.empty()) continue;  // it is ended, or was among the first
+      if (is_clients && waiter_of(job.waiters, client) == job.waiters.end()) continue;
+      for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
+      work.taken.add(waiting.keys[i], std::move(job));
+      job.waiters.clear();
+    }
+  }
+  batch.keys.assign(work.taken.keys.begin(), work.taken.keys.end());
+  waiting = {};
+  work.is_taken = true;
+  return batch;
+}
+
+void WorkQueue::drop_if_unused(Patches::iterator patch) {
+  if (patch->second.is_taken || !patch->second.waiting.empty()) return;
+  if (patch->second.begun != nullptr) {
+    count_begun(patch->second.begun_by, false);
+    if (dropped_ == nullptr) dropped_ = std::move(patch->second.begun);
+  }
+  patches_.erase(patch);
+}
+
+void WorkQueue::drop_if_unused(FlowId flow) {
+  const auto found = flows_.find(flow);
+  if (found != flows_.end() && found->second.jobs == 0 && found->second.in_flight == 0 &&
+      found->second.begun == 0)
+    flows_.erase(found);
+}
+
+}  // namespace talus::server

@@ -1,0 +1,513 @@
+#include "cluster/jetstream/inbox.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cluster/jetstream/stream_info.h"
+#include "cluster/jetstream/stream_settings.h"
+#include "runtime/random_number.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using Kind = StreamFailure::Kind;
+
+constexpr auto kBetweenQuestions = 1s;  // to the leader
+constexpr auto kBetweenUrgent = 100ms;  // where something does not fit
+constexpr auto kSureOfLess = 15s;       // a leader that was deposed may say so until it knows
+constexpr auto kDenied = 3s;            // until replicas are asked again: NATS does not say that they may be
+constexpr auto kBetweenDenials = 60s;   // of one kind, in the log
+/// Who waits for one of the tail and of the other threads sees so late what comes by the others.
+constexpr auto kBetweenLooks = 20ms;
+constexpr std::int64_t kNsInMs = 1'000'000;
+constexpr int kPendingMessages = 4096;
+constexpr int kPendingBytes = 32 << 20;
+/// Answers have messages as base64 in JSON.
+constexpr int kPendingAnswerBytes =
+    static_cast<int>(Reading::kMostRequests * (kStreamMessageBytes / 3 * 4 + 4096));
+
+std::string new_reply_subject() {
+  natsInbox* made = nullptr;
+  if (natsInbox_Create(&made) != NATS_OK) return {};
+  const NatsInbox inbox{made};
+  return inbox.get();
+}
+
+/// The number at the end of a subject; 0 where there is none.
+std::uint64_t number_at_end(std::string_view subject) {
+  const std::size_t dot = subject.rfind('.');
+  const std::string_view digits = subject.substr(dot == std::string_view::npos ? subject.size() : dot + 1);
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+}  // namespace
+
+Inbox::Inbox(StreamNames names, Logger log)
+    : names_{std::move(names)},
+      log_{std::move(log)},
+      reply_{new_reply_subject()},
+      reading_{Clock::now(), random_number()} {}
+
+tl::expected<void, StreamFailure> Inbox::listen(Connection& connection) {
+  auto tail = connection.open_source(names_.tail, kPendingMessages, kPendingBytes);
+  if (!tail) return tl::unexpected{tail.error()};
+  {
+    const std::lock_guard lock{mutex_};
+    tail_ = *std::move(tail);
+  }
+  const auto come = [inbox = shared_from_this(), kind = reply_.size() + 1](const Arrived& arrived) {
+    switch (arrived.subject()[kind]) {
+      case 'i':
+        return inbox->info(number_at_end(arrived.subject()), arrived.text());
+      case 'r':
+        return inbox->message_of_replica(arrived);
+      default:
+        return inbox->message(arrived);
+    }
+  };
+  return connection.subscribe(reply_ + ".*.*", come, kPendingMessages, kPendingAnswerBytes);
+}
+
+bool Inbox::renew(Connection& connection) {
+  using Due = RefusedSubscription::Due;
+  Due tail = Due::nothing;
+  Due answers = Due::nothing;
+  {
+    const std::lock_guard lock{mutex_};
+    if (!connected_) return false;
+    const auto now = Clock::now();
+    tail = refused_tail_.due(now);
+    answers = refused_answers_.due(now);
+  }
+  if (tail == Due::restored) log_->info("NATS: {} may be subscribed to again", names_.tail);
+  if (tail == Due::try_again) {
+    if (auto again = connection.open_source(names_.tail, kPendingMessages, kPendingBytes); again && *again) {
+      const std::lock_guard lock{mutex_};
+      tail_ = *std::move(again);
+    }
+  }
+  if (answers == Due::try_again) {
+    if (auto probe = connection.open_source(reply_ + ".probe", 1, 1)) probe_ = *std::move(probe);
+  }
+  if (answers != Due::restored) return false;
+  probe_.reset();
+  return true;
+}
+
+RefusedSubscription* Inbox::subscription_of(std::string_view denial) {
+  if (denial.find("for Subscription to") == std::string_view::npos) return nullptr;
+  return denial.find(names_.tail) == std::string_view::npos ? &refused_answers_ : &refused_tail_;
+}
+
+std::string Inbox::without_answers() const {
+  const std::lock_guard lock{mutex_};
+  return refused_answers_.why();
+}
+
+void Inbox::connected(bool now) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (connected_ == now) return;
+    connected_ = now;
+    refused_tail_.disconnected();
+    refused_answers_.disconnected();
+    replicas_denied_at_.reset();
+    question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
+  }
+  changed_.notify_all();
+  if (now) {
+    log_->info("NATS: connected");
+  } else {
+    log_->warn("NATS: the connection broke; trying all servers of cluster.nats");
+  }
+}
+
+void Inbox::closed(const StreamFailure& why) {
+  bool wanted = false;
+  {
+    const std::lock_guard lock{mutex_};
+    if (stopped_) return;
+    closed_ = why;
+    wanted = std::exchange(leaves_, false);
+  }
+  changed_.notify_all();
+  if (!wanted) log_->error("{}; trying again", why.reason);
+}
+
+void Inbox::leaves(std::string_view why) {
+  {
+    const std::lock_guard lock{mutex_};
+    leaves_ = true;
+  }
+  log_->warn("NATS: {}", why);
+}
+
+void Inbox::denied(std::string_view what) {
+  bool is_news = false;
+  {
+    const std::lock_guard lock{mutex_};
+    const auto now = Clock::now();
+    std::string reason = fmt::format("NATS: {}", what);
+    if (auto* const subscription = subscription_of(what)) {
+      is_news = subscription->refused(std::move(reason), now);
+    } else {
+      // Which is a help, and no more.
+      const bool of_replicas = what.find(names_.direct_get()) != std::string_view::npos;
+      if (of_replicas) replicas_denied_at_ = now;
+      is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
+      if (is_news) {
+        denial_told_ = reason;
+        denial_told_at_ = now;
+      }
+      if (!of_replicas) trouble_ = StreamFailure{Kind::refused, std::move(reason)};
+    }
+  }
+  changed_.notify_all();
+  // Questions for messages are asked again many times a second.
+  if (is_news)
+    log_->error("NATS: {}; see \"Many machines\" in OPERATIONS.md for what talusd must be allowed", what);
+}
+
+void Inbox::tail(const Arrived& arrived) {
+  if (arrived.bytes().empty()) return;  // of "talusd cluster check"
+  if (arrived.header("Nats-Stream") != names_.stream) return count_false();
+  if (arrived.bytes().size() > kStreamMessageBytes) return count_false();
+  {
+    const std::lock_guard lock{mutex_};
+    reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
+  }
+}
+
+void Inbox::message(const Arrived& arrived) {
+  const std::uint64_t sequence = number_at_end(arrived.subject());
+  // More than a message has nobody need keep: cut it is no message either.
+  constexpr std::size_t kMost = kStreamMessageBytes + 1;
+  const bool too_long = arrived.bytes().size() > kMostAnswerBytes;
+  auto stored = too_long
+                    ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMost}, 0}
+                    : parse_stored_message(arrived.text());
+  {
+    const std::lock_guard lock{mutex_};
+    const auto now = Clock::now();
+    if (too_long || is_of_messages(stored)) unanswered_since_.reset();
+    if (!stored || stored->sequence != sequence) {
+      reading_.not_found(sequence, now);
+      question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
+    } else {
+      if (stored->bytes.size() > kMost) stored->bytes.resize(kMost);
+      reading_.answered(sequence, stored->bytes, now, stored->time_ns / kNsInMs);
+    }
+  }
+  changed_.notify_all();
+}
+
+void Inbox::message_of_replica(const Arrived& arrived) {
+  const std::uint64_t sequence = number_at_end(arrived.subject());
+  const auto time_ns = nanoseconds_of(std::string{arrived.header("Nats-Time-Stamp")});
+  const bool is_stored =
+      time_ns && arrived.header("Nats-Stream") == names_.stream && arrived.sequence() == sequence;
+  {
+    const std::lock_guard lock{mutex_};
+    if (led_) return;
+    // No talusd has published more; and it could not be confirmed.
+    if (is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
+      reading_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
+    } else {
+      reading_.not_found(sequence, Clock::now());
+    }
+  }
+  changed_.notify_all();
+}
+
+void Inbox::leader_answers(bool does) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (led_ == does) return;
+    led_ = does;
+    if (!does) lacks_since_.reset();  // it may be another leader that speaks next
+    reading_.leader_answers(does);
+  }
+  changed_.notify_all();
+}
+
+bool Inbox::awaits_confirmation() const {
+  const std::lock_guard lock{mutex_};
+  return reading_.unconfirmed().has_value();
+}
+
+std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uint64_t last) {
+  std::unique_lock lock{mutex_};
+  const auto now = Clock::now();
+  (void)ask(connect, lock, now);
+  look_for_forged();
+  if (fault_) return fault_;
+  const auto sequence = reading_.unconfirmed();
+  if (!sequence || *sequence <= last) lacks_since_.reset();
+  if (!sequence) return std::nullopt;
+  if (*sequence <= last) {
+    return StreamFailure{
+        Kind::unavailable,
+        fmt::format("messages up to {} are replicas', and the log's leader has not confirmed all",
+                    *sequence)};
+  }
+  // Then the stream has lost its end, which whoever applies it finds out in time.
+  if (!reading_.is_unconfirmed_after(last)) return std::nullopt;
+  if (!lacks_since_) lacks_since_ = now;
+  if (now - *lacks_since_ < kSureOfLess) {
+    return StreamFailure{Kind::unavailable,
+                         fmt::format("a replica has message {}, and the log's leader not yet", *sequence)};
+  }
+  fault_ = StreamFailure{
+      Kind::false_message,
+      fmt::format("a replica had message {} of {}, which was applied, and the leader has it not", *sequence,
+                  names_.stream)};
+  return fault_;
+}
+
+void Inbox::look_for_forged() {
+  const auto sequence = reading_.forged();
+  if (!sequence || fault_) return;
+  fault_ = StreamFailure{
+      Kind::false_message,
+      fmt::format("message {} of {} that was applied is not the stream's: somebody else publishes to {}; "
+                  "forbid it in NATS' permissions; or a replica has other messages, which \"talusd cluster "
+                  "check\" finds",
+                  *sequence, names_.stream, names_.tail)};
+}
+
+void Inbox::asks() {
+  const std::lock_guard lock{mutex_};
+  if (!unanswered_since_) unanswered_since_ = Clock::now();
+}
+
+void Inbox::answers() {
+  const std::lock_guard lock{mutex_};
+  unanswered_since_.reset();
+}
+
+bool Inbox::is_unanswered() const {
+  const std::lock_guard lock{mutex_};
+  return unanswered_since_ && Clock::now() - *unanswered_since_ >= kAnswerPatience;
+}
+
+void Inbox::info(std::uint64_t after, std::string_view text) {
+  const auto parsed = parse_stream_info(text);
+  {
+    const std::lock_guard lock{mutex_};
+    if (parsed) {
+      (void)judge(parsed->state, after);
+    } else {
+      trouble_ = failure_of(parsed.error(), names_.stream);
+    }
+  }
+  changed_.notify_all();
+}
+
+tl::expected<void, StreamFailure> Inbox::told(std::uint64_t after, const StreamState& state) {
+  const std::lock_guard lock{mutex_};
+  if (fault_) return tl::unexpected{*fault_};
+  return judge(state, after);
+}
+
+std::optional<StreamFailure> Inbox::fault() const {
+  const std::lock_guard lock{mutex_};
+  return fault_;
+}
+
+tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Connect& connect,
+                                                                      std::uint64_t after, TimePoint until) {
+  std::unique_lock lock{mutex_};
+  reading_.move_to(after, Clock::now());
+  for (;;) {
+    if (waits_for_answers()) read_tail(lock);
+    if (stopped_) return stream_failure(Kind::unavailable, "stopped");
+    look_for_forged();
+    if (fault_) return tl::unexpected{*fault_};
+    if (auto message = reading_.take()) return message;
+    if (const auto gone = check_kept()) return tl::unexpected{*gone};
+    const auto now = Clock::now();
+    if (trouble_ && trouble_->kind == Kind::refused) return tl::unexpected{*std::exchange(trouble_, {})};
+    if (std::exchange(woken_, false)) return std::optional<StreamMessage>{};
+    if (now >= until) {
+      if (connected_) return std::optional<StreamMessage>{};
+      return stream_failure(Kind::unavailable, "no connection to NATS");
+    }
+    if (closed_) {
+      lock.unlock();
+      const auto again = connect();
+      lock.lock();
+      if (!again) {
+        if (!stopped_) changed_.wait_until(lock, std::min(until, now + kAnswerPatience));
+        if (Clock::now() >= until) return tl::unexpected{again.error()};
+      }
+      continue;
+    }
+    if (connected_ && ask(connect, lock, now)) continue;  // something may have come meanwhile
+    TimePoint wake = until;
+    if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
+    wait(lock, wake);
+  }
+}
+
+void Inbox::ask_again() {
+  const std::lock_guard lock{mutex_};
+  reading_.ask_again(Clock::now());
+}
+
+StreamFailure Inbox::failed_for_good(std::string reason) {
+  StreamFailure failure{Kind::other, std::move(reason)};
+  {
+    const std::lock_guard lock{mutex_};
+    if (!fault_) fault_ = failure;
+    failure = *fault_;
+  }
+  changed_.notify_all();
+  return failure;
+}
+
+void Inbox::learned(std::uint64_t sequence) {
+  {
+    const std::lock_guard lock{mutex_};
+    if (!reading_.learned(sequence, Clock::now())) return;
+  }
+  changed_.notify_all();
+}
+
+std::uint64_t Inbox::after() const {
+  const std::lock_guard lock{mutex_};
+  return reading_.after();
+}
+
+LeaderScout::Wanted Inbox::wanted_stream() const {
+  const std::lock_guard lock{mutex_};
+  return {created_ns_, reading_.unconfirmed() ? 0 : reading_.after()};
+}
+
+bool Inbox::asks_replicas(TimePoint now) const {
+  const bool denied = replicas_denied_at_ && now - *replicas_denied_at_ < kDenied;
+  return !led_ && !denied && created_ns_ != 0;
+}
+
+std::optional<StreamFailure> Inbox::why_closed() const {
+  const std::lock_guard lock{mutex_};
+  return closed_;
+}
+
+void Inbox::reopened() {
+  const std::lock_guard lock{mutex_};
+  closed_.reset();
+}
+
+void Inbox::wake() {
+  {
+    const std::lock_guard lock{mutex_};
+    woken_ = true;
+  }
+  changed_.notify_all();
+}
+
+void Inbox::stop() {
+  {
+    const std::lock_guard lock{mutex_};
+    stopped_ = true;
+  }
+  changed_.notify_all();
+}
+
+bool Inbox::stopped() const {
+  const std::lock_guard lock{mutex_};
+  return stopped_;
+}
+
+StreamFigures Inbox::figures() const {
+  const std::lock_guard lock{mutex_};
+  return {connected_, reading_.gaps(), false_messages_ + reading_.false_messages(), refused_tail_.why()};
+}
+
+void Inbox::count_false() {
+  const std::lock_guard lock{mutex_};
+  ++false_messages_;
+}
+
+tl::expected<void, StreamFailure> Inbox::judge(const StreamState& state, std::uint64_t after) {
+  if (created_ns_ == 0) created_ns_ = state.created_ns;
+  if (state.created_ns != created_ns_) {
+    fault_ = StreamFailure{Kind::other, fmt::format("{} was deleted and made anew", names_.stream)};
+    return tl::unexpected{*fault_};
+  }
+  first_ = state.first;
+  reading_.starts_at(state.first);
+  // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
+  if (state.last < after) return {};
+  (void)reading_.learned(state.last, Clock::now());
+  if (after > 0) reading_.ends_at(state.last);
+  return {};
+}
+
+std::optional<StreamFailure> Inbox::check_kept() const {
+  if (first_ <= reading_.after() + 1) return std::nullopt;
+  return StreamFailure{Kind::gone, fmt::format("{} keeps messages from {} on, and message {} is wanted",
+                                               names_.stream, first_, reading_.after() + 1)};
+}
+
+void Inbox::read_tail(std::unique_lock<std::mutex>& lock) {
+  const auto source = tail_;
+  if (source == nullptr) return;
+  lock.unlock();
+  while (source->take(0ms, [this](const Arrived& arrived) { tail(arrived); }) ==
+         Connection::Source::Taken::message) {
+  }
+  lock.lock();
+}
+
+void Inbox::wait(std::unique_lock<std::mutex>& lock, TimePoint until) {
+  const auto source = tail_;
+  if (source != nullptr && connected_) {
+    until = std::min(until, Clock::now() + kBetweenLooks);
+    if (!waits_for_answers()) {
+      lock.unlock();
+      const auto patience = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+      const auto taken =
+          source->take(std::max(patience, 0ms), [this](const Arrived& arrived) { tail(arrived); });
+      lock.lock();
+      if (taken != Connection::Source::Taken::closed) return;
+    }
+  }
+  changed_.wait_until(lock, until);
+}
+
+bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, TimePoint now) {
+  const std::vector<std::uint64_t> messages = reading_.wanted(now);
+  if (reading_.claims_more()) question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
+  const bool question = now >= question_due_;
+  if (question) {
+    asked_at_ = now;
+    question_due_ = now + kBetweenQuestions;
+  }
+  const bool of_replicas = asks_replicas(now);
+  if (!messages.empty() && !of_replicas && !unanswered_since_) unanswered_since_ = now;
+  if (messages.empty() && !question) return false;
+  const std::uint64_t after = reading_.after();
+  lock.unlock();
+  if (const auto connection = connect()) {
+    if (question) (void)(*connection)->send(names_.info(), fmt::format("{}.i.{}", reply_, after), "");
+    const std::string subject = of_replicas ? names_.direct_get() : names_.message_get();
+    for (const std::uint64_t sequence : messages) {
+      (void)(*connection)
+          ->send(subject, fmt::format("{}.{}.{}", reply_, of_replicas ? 'r' : 'm', sequence),
+                 StreamNames::by_number(sequence));
+    }
+  }
+  lock.lock();
+  return true;
+}
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,113 @@
+#include "cluster/jetstream/leader_scout.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "cluster/jetstream/connection.h"
+#include "cluster/jetstream/leader_questions.h"
+#include "runtime/random_number.h"
+#include "runtime/signals.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What was found before says nothing of now.
+constexpr std::chrono::seconds kIsNews{5};
+constexpr std::chrono::seconds kBetweenScouts{1};
+constexpr std::chrono::seconds kBetweenManyScouts{5};
+constexpr std::size_t kManyLooks = 120;
+/// libnats is not to be used while the program ends. A look takes less, but for a server that says nothing.
+constexpr std::chrono::seconds kLastWait{2};
+
+bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
+                       const StreamNames& names, const LeaderScout::Wanted& wanted) {
+  const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
+  if (!connection) return false;
+  const auto info = ask_info(**connection, names);
+  if (!info || !has_majority(*info) || info->state.last < wanted.last) return false;
+  if (wanted.created_ns != 0 && info->state.created_ns != wanted.created_ns) return false;
+  return ask_message(**connection, names, std::max<std::uint64_t>(info->state.last, 1)).has_value();
+}
+
+}  // namespace
+
+/// It lives until the thread that looks has ended, whatever becomes of the scout.
+struct LeaderScout::Look {
+  ServerUrls urls;
+  std::size_t first = 0;
+  std::shared_ptr<const Credentials> credentials;
+  StreamNames names;
+  Wanted wanted;
+
+  std::mutex mutex;
+  std::condition_variable ended;
+  std::optional<Clock::time_point> ended_at;
+  std::optional<ServerUrls> found;
+
+  void run() {
+    std::optional<ServerUrls> server;
+    for (std::size_t i = 0; i < urls.size() && !server; ++i) {
+      ServerUrls next = urls.just((first + i) % urls.size());
+      try {
+        if (leader_answers_by(next, credentials, names, wanted)) server = std::move(next);
+      } catch (const std::exception&) {  // no memory: another time
+      }
+    }
+    {
+      const std::lock_guard lock{mutex};
+      found = std::move(server);
+      ended_at = Clock::now();
+    }
+    ended.notify_all();
+  }
+};
+
+LeaderScout::LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> credentials, StreamNames names)
+    : urls_{std::move(urls)},
+      credentials_{std::move(credentials)},
+      names_{std::move(names)},
+      next_{static_cast<std::size_t>(random_number() % urls_.size())} {}  // not all go to one
+
+LeaderScout::~LeaderScout() {
+  const auto look = look_;
+  if (look == nullptr) return;
+  std::unique_lock lock{look->mutex};
+  (void)look->ended.wait_for(lock, kLastWait, [&] { return look->ended_at.has_value(); });
+}
+
+std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience, Wanted wanted) {
+  if (look_ == nullptr) {
+    const auto now = Clock::now();
+    if (now - looked_at_ < (looks_ < kManyLooks ? kBetweenScouts : kBetweenManyScouts)) return std::nullopt;
+    looked_at_ = now;
+    ++looks_;
+    auto look = std::make_shared<Look>();
+    look->urls = urls_;
+    look->first = next_++ % urls_.size();
+    look->credentials = credentials_;
+    look->names = names_;
+    look->wanted = wanted;
+    const SignalsBlocked blocked;
+    try {
+      std::thread{[look] { look->run(); }}.detach();
+    } catch (const std::system_error&) {
+      return std::nullopt;  // there is no thread to be had; another time
+    }
+    look_ = std::move(look);
+  }
+  const auto look = look_;
+  std::unique_lock lock{look->mutex};
+  if (!look->ended.wait_for(lock, patience, [&] { return look->ended_at.has_value(); })) return std::nullopt;
+  look_.reset();
+  if (Clock::now() - *look->ended_at > kIsNews) return std::nullopt;
+  return std::move(look->found);
+}
+
+}  // namespace talus::server::jetstream

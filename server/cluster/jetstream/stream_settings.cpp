@@ -1,0 +1,76 @@
+#include "cluster/jetstream/stream_settings.h"
+
+#include <fmt/format.h>
+
+#include "cluster/jetstream/json_member.h"
+
+namespace talus::server::jetstream {
+namespace {
+
+constexpr std::int64_t kMaxAgeNs = 7LL * 24 * 3600 * 1'000'000'000;
+constexpr std::int64_t kMaxBytes = 16LL << 30;
+
+/// ASCII in one line, whatever NATS was told.
+std::string shown(const nlohmann::json& value) {
+  constexpr std::size_t kMost = 200;
+  std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  if (text.size() > kMost) text.replace(kMost, text.npos, "...");
+  return text;
+}
+
+}  // namespace
+
+nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas) {
+  return {
+      {"name", names.stream},
+      {"subjects", {names.log}},
+      {"retention", "limits"},
+      {"storage", "file"},
+      {"num_replicas", replicas},
+      {"discard", "old"},
+      {"max_age", kMaxAgeNs},
+      {"max_bytes", kMaxBytes},
+      {"max_msgs", -1},
+      {"max_msgs_per_subject", -1},
+      {"max_msg_size", kStreamMessageBytes},
+      {"allow_direct", true},
+      {"deny_delete", true},
+      {"deny_purge", true},
+      {"republish", {{"src", names.log}, {"dest", names.tail}}},
+  };
+}
+
+std::vector<SettingDifference> differences(const nlohmann::json& present, const nlohmann::json& wanted) {
+  std::vector<SettingDifference> found;
+  for (const auto& [name, should] : wanted.items()) {
+    // NATS leaves out what is false.
+    const nlohmann::json is =
+        present.value(name, should.is_boolean() ? nlohmann::json(false) : nlohmann::json());
+    if (is != should) found.push_back({name, shown(is), shown(should)});
+  }
+  // What else takes messages away, or makes them others.
+  for (const char* const name : {"sealed", "allow_rollup_hdrs", "no_ack"}) {
+    if (json_member<bool>(present, name)) found.push_back({name, "true", "false"});
+  }
+  for (const char* const name : {"mirror", "sources", "subject_transform"}) {
+    if (present.contains(name) && !present[name].is_null()) {
+      found.push_back({name, shown(present[name]), "null"});
+    }
+  }
+  return found;
+}
+
+std::optional<std::string> other_settings(const nlohmann::json& present, const StreamNames& names,
+                                          std::uint64_t replicas) {
+  const auto others = differences(present, wanted_settings(names, replicas));
+  if (others.empty()) return std::nullopt;
+  return fmt::format("{} is there with other settings: {}; change {} by the program nats", names.stream,
+                     to_string(others.front()),
+                     others.front().name == "num_replicas" ? "cluster.replicas, or it" : "it");
+}
+
+std::string to_string(const SettingDifference& difference) {
+  return fmt::format("{} is {} and should be {}", difference.name, difference.is, difference.should);
+}
+
+}  // namespace talus::server::jetstream

@@ -1,0 +1,44 @@
+// A store's log without a server: for edits of commands.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "edits/edit_state.h"
+#include "edits/local_log.h"
+#include "edits/store_socket/restorer.h"
+#include "runtime/clock.h"
+#include "store/edit_database.h"
+#include "store/store_identity.h"
+
+namespace talus::server {
+
+class LocalWriter {
+ public:
+  /// `directory` is locked, and nobody has its database open. An error is one line.
+  [[nodiscard]] static tl::expected<std::unique_ptr<LocalWriter>, std::string> open(
+      const std::filesystem::path& directory, const StoreIdentity& identity);
+  /// Writes all that is dirty.
+  ~LocalWriter() {
+    if (log_ != nullptr) log_->stop();
+  }
+
+  [[nodiscard]] tl::expected<Restorer::Restored, Restorer::Failure> restore(
+      const std::vector<edits::ChunkChanges>& changes) {
+    return restorer_->restore(changes);
+  }
+
+ private:
+  LocalWriter() = default;
+
+  SystemClock clock_;
+  std::unique_ptr<EditDatabase> database_;
+  std::unique_ptr<EditState> state_;
+  std::unique_ptr<LocalLog> log_;
+  std::unique_ptr<Restorer> restorer_;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,67 @@
+#include "config/access/key_file.h"
+
+#include <openssl/crypto.h>
+#include <sys/stat.h>
+
+#include <fmt/format.h>
+
+#include <talus/files/secret_file.h>
+
+#include "runtime/log/escape.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 8192;  // of any file that is read as a key
+
+std::string_view without_newline(std::string_view text) {
+  if (text.ends_with('\n')) text.remove_suffix(1);
+  if (text.ends_with('\r')) text.remove_suffix(1);
+  return text;
+}
+
+/// A file that was filled up, or never written, and that anybody guesses. Short passwords are not judged.
+bool holds_no_secret(std::string_view bytes) {
+  constexpr std::size_t kShort = 16;
+  const bool blank = bytes.find_first_not_of(std::string_view{"\0 \t\r\n", 5}) == std::string_view::npos;
+  return blank || (bytes.size() >= kShort && bytes.find_first_not_of(bytes[0]) == std::string_view::npos);
+}
+
+std::optional<std::string> permission_warning(const std::filesystem::path& file, mode_t mode) {
+  if ((mode & (S_IROTH | S_IWOTH | S_IWGRP)) == 0) return std::nullopt;
+  return fmt::format("{}: other users may read or change it (mode {:03o}); run chmod 600 or chmod 640 on it",
+                     escaped(file.string(), 500), mode & 0777U);
+}
+
+}  // namespace
+
+std::optional<std::string> open_to_others(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? permission_warning(file, status.st_mode) : std::nullopt;
+}
+
+Secret::~Secret() {
+  OPENSSL_cleanse(bytes_.data(), bytes_.size());
+}
+
+tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file, KeyBounds bounds) {
+  const auto wrong = [&](const std::string& what) {
+    return tl::make_unexpected(fmt::format("{}: {}", escaped(file.string(), 500), what));
+  };
+  const auto read = files::SecretFile::read(file, kMaxFileBytes);
+  if (!read)
+    return wrong(read.error().reason +
+                 "; name a file that holds the secret and that the user of talusd may read");
+  const std::string_view bytes = without_newline(read->text());
+  if (bytes.size() < bounds.min_bytes || bytes.size() > bounds.max_bytes) {
+    return wrong(fmt::format("has {} bytes; it must have {} to {}, as {}", bytes.size(), bounds.min_bytes,
+                             bounds.max_bytes, bounds.as));
+  }
+  if (holds_no_secret(bytes)) {
+    return wrong(fmt::format(
+        "has no secret: it is blank, or one character again and again; give it one, as {}", bounds.as));
+  }
+  return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
+}
+
+}  // namespace talus::server

@@ -1,0 +1,19 @@
+// The fields of the frames of a pregen: socket_frames.h has them.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "chunks/pregen.h"
+#include "store/records.h"
+
+namespace talus::server {
+
+// Both replace what `out` holds.
+void encode(const PregenPlan& plan, Bytes& out);
+void encode(const PregenProgress& progress, Bytes& out);
+
+[[nodiscard]] std::optional<PregenPlan> decode_pregen_plan(std::span<const std::byte> fields);
+[[nodiscard]] std::optional<PregenProgress> decode_pregen_progress(std::span<const std::byte> fields);
+
+}  // namespace talus::server

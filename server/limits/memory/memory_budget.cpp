@@ -1,0 +1,77 @@
+#include "limits/memory/memory_budget.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace talus::server {
+
+MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
+    : limit_{limit_bytes},
+      jobs_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 8 * 7},
+      work_{limit_bytes / 4 * 3, limit_bytes / 8 * 5, limit_bytes / 16 * 13},
+      connections_{limit_bytes / 8 * 5, limit_bytes / 2, limit_bytes / 8 * 5} {
+  set(MemoryUse::program, program_bytes(threads));
+}
+
+std::uint64_t MemoryBudget::used(MemoryUse use) const {
+  const std::int64_t bytes = used_[static_cast<std::size_t>(use)].load();
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(0, bytes));
+}
+
+std::uint64_t MemoryBudget::beside_caches() const {
+  return used(MemoryUse::program) + used(MemoryUse::sessions) + used(MemoryUse::jobs) +
+         used(MemoryUse::generators) + used(MemoryUse::edits) + used(MemoryUse::store);
+}
+
+std::uint64_t MemoryBudget::used() const {
+  return beside_caches() + used(MemoryUse::chunk_cache) + used(MemoryUse::patch_cache) +
+         used(MemoryUse::edit_cache) + used(MemoryUse::column_cache);
+}
+
+void MemoryBudget::add(MemoryUse use, std::int64_t bytes) {
+  used_[static_cast<std::size_t>(use)].fetch_add(bytes);
+  update_gates();
+}
+
+void MemoryBudget::set(MemoryUse use, std::uint64_t bytes) {
+  used_[static_cast<std::size_t>(use)].store(static_cast<std::int64_t>(bytes));
+  update_gates();
+}
+
+void MemoryBudget::update_gates() {
+  if (limit_ == 0) return;
+  const auto level = [this] { return beside_caches(); };
+  const auto settled = [this] { return used(MemoryUse::jobs) == 0; };
+  // Sessions end some time; what edits take stays.
+  connections_.update(level, [this] { return used(MemoryUse::sessions) == 0; });
+  work_.update(level, settled);
+  if (!jobs_.update(level, settled)) return;
+  const std::lock_guard lock{resumed_mutex_};
+  if (resumed_) resumed_();
+}
+
+void MemoryBudget::when_jobs_resume(std::function<void()> resumed) {
+  const std::lock_guard lock{resumed_mutex_};
+  resumed_ = std::move(resumed);
+}
+
+std::uint64_t MemoryBudget::left_by(std::uint64_t bytes) const {
+  const std::uint64_t most = limit_ / 8 * 7;
+  return most - std::min(most, bytes);
+}
+
+std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
+  if (limit_ == 0) return wanted;
+  const std::uint64_t edits = used(MemoryUse::edit_cache);
+  const std::uint64_t columns = used(MemoryUse::column_cache);
+  // The least that all caches have is a 16th, of which those of edits and of columns have their 64ths.
+  const std::uint64_t least = limit_ / 16 - std::min(edits, limit_ / 64) - std::min(columns, limit_ / 64);
+  return std::min(wanted, std::max(left_by(beside_caches() + edits + columns), least));
+}
+
+std::uint64_t MemoryBudget::for_edit_cache(std::uint64_t wanted) const {
+  if (limit_ == 0) return wanted;
+  return std::min(wanted, std::max(left_by(beside_caches()) / 8, limit_ / 64));
+}
+
+}  // namespace talus::server

@@ -1,0 +1,426 @@
+// An HTTP connection over a stream: reads requests, has them answered one after the other, and closes in
+// time. Answers to requests that came together leave together. All on the stream's executor; nothing is
+// locked. It lives as long as something is in flight.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <asio/awaitable.hpp>
+#include <asio/buffer.hpp>
+#include <asio/co_spawn.hpp>
+#include <asio/detached.hpp>
+#include <asio/execution/context.hpp>
+#include <asio/post.hpp>
+#include <asio/query.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/use_awaitable.hpp>
+
+#include "net/http/handler.h"
+#include "net/http/read_rounds.h"
+#include "net/http/request_parser.h"
+#include "net/http/response.h"
+#include "net/http/service.h"
+#include "net/stream.h"
+#include "net/timed_event.h"
+#include "runtime/clock.h"
+#include "runtime/log/escape.h"
+
+namespace talus::server::http {
+
+template <Stream S>
+class Connection : public ReadRounds::Reader, public std::enable_shared_from_this<Connection<S>> {
+ public:
+  /// Takes the stream over after a response with status 101 is written, with what has been read already.
+  using TakeOver = std::function<void(S stream, std::span<const std::byte> unread)>;
+
+  Connection(S stream, const Service& service, std::shared_ptr<Handler> handler, TakeOver take_over = {})
+      : stream_{std::move(stream)},
+        service_{service},
+        handler_{std::move(handler)},
+        take_over_{std::move(take_over)},
+        parser_{service.bounds},
+        read_rounds_{
+            asio::use_service<ReadRounds>(asio::query(stream_.get_executor(), asio::execution::context))},
+        watch_waits_{stream_.get_executor(), service.clock},
+        now_{service.clock.now()},
+        last_active_{now_} {}
+
+  /// Once, on the stream's executor.
+  void start() {
+    deadline_ = last_active_ + service_.request_timeout;
+    go_on(Next::input);
+    asio::co_spawn(
+        stream_.get_executor(), [self = this->shared_from_this()] { return self->watch(); },
+        keeping(&Connection::ended));
+  }
+
+  /// At once, whatever is in flight. On the stream's executor, as all that follows.
+  void close() {
+    if (!std::exchange(open_, false)) return;
+    stream_.close();
+    watch_waits_.notify();
+    handler_->closed();
+  }
+  /// Closes after the request that has begun and the responses that wait: no further request is answered.
+  void finish() {
+    finishing_ = true;
+    if (between_requests_) close();
+  }
+  [[nodiscard]] bool open() const { return open_; }
+  /// When the client last sent or took something.
+  [[nodiscard]] Clock::time_point last_active() const { return last_active_; }
+  /// Looks at the clock again: for who moves a ManualClock.
+  void clock_moved() { watch_waits_.notify(); }
+
+ private:
+  // Responses wait for each other up to so many bytes.
+  static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
+  // After so many responses others of the thread have their turn.
+  static constexpr int kTurn = 32;
+  // How often a connection whose request waits is looked at: its work is dropped where nobody takes the
+  // answer.
+  static constexpr std::chrono::milliseconds kHangUpCheck{250};
+
+  // Whether the stream takes what it can at once, without a coroutine's turn. Then what is in memory is
+  // answered without any: each would cost as much as finding the chunk.
+  static constexpr bool kWritesNow = requires(S & stream) { stream.write_now(asio::const_buffer{}); };
+
+  /// What has to come before the connection goes on; `request`: nothing, if what was read has another.
+  enum class Next : std::uint8_t { request, input, room, response, body, turn, hand_over, end };
+
+  void go_on(Next next) {
+    if constexpr (kWritesNow) {
+      // After those whose requests wait: a client that answers soon has sent its next by then. At once the
+      // read would mostly find nothing, and cost a system call.
+      if (next == Next::input) return read_rounds_.enter(this->shared_from_this(), stream_.get_executor());
+      if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
+    }
+    asio::co_spawn(
+        stream_.get_executor(), [self = this->shared_from_this(), next] { return self->serve(next); },
+        keeping(&Connection::ended));
+  }
+  void read() noexcept override {
+    if (!open_) return;
+    try {
+      if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
+      begin_reading();
+      between_requests_ = !parser_.mid_request();
+      stream_.async_read_some(asio::buffer(input_), keeping(&Connection::take_input));
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+  }
+  void take_input(std::error_code failed, std::size_t bytes) {
+    read_error_ = failed;
+    end_reading(bytes);
+    between_requests_ = false;
+    take_turn();
+  }
+  void take_turn() {
+    if (!open_) return;
+    try {
+      go_on(read_error_ ? Next::end : answer());
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+  }
+  void fail(const std::exception& error) {
+    service_.log->error("a connection failed: {}", error.what());
+    close();
+  }
+
+  /// As serve() and watch() have it.
+  void ended(const std::exception_ptr& failed) {
+    if (failed) close();
+  }
+  /// A completion handler that keeps the connection.
+  template <typename Result, typename... Arguments>
+  [[nodiscard]] auto keeping(Result (Connection::*call)(Arguments...)) {
+    return [self = this->shared_from_this(), call](auto&&... arguments) { ((*self).*call)(arguments...); };
+  }
+
+  /// All that the stream does not do at once.
+  [[nodiscard]] asio::awaitable<void> serve(Next next) {
+    while (open_) {
+      switch (next) {
+        case Next::request:
+          next = answer();
+          break;
+        case Next::input:
+          if (kWritesNow) co_return go_on(next);
+          begin_reading();
+          between_requests_ = !parser_.mid_request();
+          end_reading(co_await stream_.async_read_some(
+              asio::buffer(input_), asio::redirect_error(asio::use_awaitable, read_error_)));
+          between_requests_ = false;
+          next = read_error_ ? Next::end : answer();
+          break;
+        case Next::room:
+          co_await write({});
+          next = answer();
+          break;
+        case Next::response:
+          response_ = co_await wait_for_response(parser_.request());
+          next = take_response();
+          break;
+        case Next::body:
+          co_await write_body(*response_);
+          next = after_response();
+          break;
+        case Next::turn:
+          co_await asio::post(stream_.get_executor(), asio::use_awaitable);
+          next = answer();
+          break;
+        case Next::hand_over:
+          co_return co_await hand_over();
+        case Next::end:
+          if (!output_.empty()) co_await write({});
+          if (open_) co_await end();
+          close();
+          break;
+      }
+    }
+    response_.reset();  // who keeps the closed connection for a while keeps no checkpoint with it
+  }
+
+  /// Answers what has been read, as far as nobody has to be waited for.
+  [[nodiscard]] Next answer() {
+    while (open_) {
+      const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
+      if (!taken) {
+        response_ = handler_->refuse(taken.error());
+        more_ = false;
+        return add(*response_, false, false) ? Next::end : Next::body;
+      }
+      read_ += *taken;
+      if (!parser_.has_request()) {
+        if (!output_.empty() && !write_now()) return Next::room;
+        return finishing_ && !parser_.mid_request() ? Next::end : Next::input;
+      }
+      response_ = respond_now(parser_.request());
+      if (!response_) return Next::response;
+      if (const Next next = take_response(); next != Next::request) return next;
+    }
+    return Next::end;
+  }
+
+  [[nodiscard]] Next take_response() {
+    if (!open_) return Next::end;
+    const Request& request = parser_.request();
+    upgraded_ = response_->status == 101;
+    // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
+    // it.
+    more_ = request.keep_alive && !request.upgrade && !response_->last && !finishing_;
+    return add(*response_, request.method == Method::head, more_) ? after_response() : Next::body;
+  }
+  [[nodiscard]] Next after_response() {
+    response_.reset();  // a checkpoint, or a chunk, is not kept while the client rests
+    if (open_ && upgraded_) return Next::hand_over;
+    if (!open_ || !more_) return Next::end;
+    parser_.pop();
+    if (++in_turn_ < kTurn) return Next::request;
+    in_turn_ = 0;
+    return Next::turn;
+  }
+
+  /// Where the connection is closed then, it is no response.
+  [[nodiscard]] asio::awaitable<Response> wait_for_response(const Request& request) {
+    if (!output_.empty()) co_await write({});
+    if (!open_) co_return Response{};
+    deadline_ = Clock::time_point::max();  // the handler keeps to times of its own
+    waiting_ = true;
+    watch_waits_.notify();
+    Response response = co_await respond(request);
+    waiting_ = false;
+    now_ = service_.clock.now();
+    deadline_ = now_ + service_.response_timeout;
+    co_return response;
+  }
+
+  [[nodiscard]] asio::awaitable<void> hand_over() {
+    co_await write({});
+    if (!open_) co_return;
+    open_ = false;
+    watch_waits_.notify();
+    take_over_(std::move(stream_), std::span{input_}.subspan(read_, filled_ - read_));
+  }
+
+  [[nodiscard]] std::optional<Response> respond_now(const Request& request) {
+    try {
+      return handler_->respond_now(request, now_);
+    } catch (const std::exception& error) {
+      return failed(request, error);
+    }
+  }
+
+  [[nodiscard]] asio::awaitable<Response> respond(const Request& request) {
+    std::optional<Response> response;
+    try {
+      response = co_await handler_->respond(request);
+    } catch (const std::exception& error) {
+      response = failed(request, error);
+    }
+    co_return *std::move(response);
+  }
+
+  [[nodiscard]] Response failed(const Request& request, const std::exception& error) const {
+    service_.log->error("{} failed: {}", escaped(std::string{request.path()}, 200), error.what());
+    return {500, kPlainText, "the server failed to answer this; its log says more\n"};
+  }
+
+  void begin_reading() {
+    reads_next_ = answered_ && !parser_.mid_request();
+    if (reads_next_) deadline_ = last_active_ + service_.idle_timeout;
+    read_ = 0;
+  }
+  void end_reading(std::size_t bytes) {
+    filled_ = bytes;
+    last_active_ = now_ = service_.clock.now();
+    if (reads_next_) deadline_ = last_active_ + service_.request_timeout;
+  }
+
+  /// Puts a response to those that wait for the next write; false: all but its body, which is too long.
+  [[nodiscard]] bool add(const Response& response, bool head_only, bool keep_alive) {
+    append_head(output_, response, keep_alive, service_.clock.wall());
+    answered_ = true;
+    if (head_only) return true;
+    if (response.source != nullptr || output_.size() + response.content().size() > kBatchBytes) return false;
+    output_ += response.content();
+    return true;
+  }
+
+  /// Whether the stream took all that waits.
+  [[nodiscard]] bool write_now() {
+    if constexpr (kWritesNow) {
+      output_.erase(0, stream_.write_now(asio::buffer(output_)));
+      if (!output_.empty()) return false;
+      last_active_ = now_;
+      deadline_ = last_active_ + service_.request_timeout;
+      handler_->sent();
+      return true;
+    }
+    return false;
+  }
+
+  /// What waits, and `body` after it.
+  [[nodiscard]] asio::awaitable<void> write(std::string_view body) {
+    std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
+    std::error_code failed;
+    deadline_ = service_.clock.now() + service_.response_timeout;
+    while (!failed && pieces[0].size() + pieces[1].size() > 0) {
+      auto token = asio::redirect_error(asio::use_awaitable, failed);
+      std::size_t sent = 0;
+      if (pieces[1].size() == 0 || pieces[0].size() == 0) {  // a cheaper system call
+        sent = co_await stream_.async_write_some(pieces[pieces[0].size() == 0 ? 1 : 0], token);
+      } else {
+        sent = co_await stream_.async_write_some(pieces, token);
+      }
+      const std::size_t of_first = std::min(sent, pieces[0].size());
+      pieces[0] += of_first;
+      pieces[1] += sent - of_first;
+      last_active_ = now_ = service_.clock.now();
+      deadline_ = last_active_ + service_.response_timeout;
+    }
+    output_.clear();
+    if (output_.capacity() > kBatchBytes) output_.shrink_to_fit();
+    if (failed) co_return close();
+    handler_->sent();
+    deadline_ = last_active_ + service_.request_timeout;
+  }
+
+  [[nodiscard]] asio::awaitable<void> write_body(const Response& response) {
+    if (response.source == nullptr) co_return co_await write(response.content());
+    while (open_) {
+      deadline_ = Clock::time_point::max();  // the source keeps to times of its own
+      waiting_ = true;
+      watch_waits_.notify();
+      const std::string_view piece = co_await next_piece(*response.source);
+      waiting_ = false;
+      if (piece.empty() || !open_) co_return;
+      co_await write(piece);
+    }
+  }
+
+  /// Where the source fails, who reads sees a body that is cut.
+  [[nodiscard]] asio::awaitable<std::string_view> next_piece(BodySource& source) {
+    std::string_view piece;
+    try {
+      piece = co_await source.next();
+    } catch (const std::exception& error) {
+      service_.log->warn("a response was cut: {}", error.what());
+      close();
+    }
+    co_return piece;
+  }
+
+  /// Closing over unread bytes would reset the connection, and could take the response with it.
+  [[nodiscard]] asio::awaitable<void> end() {
+    deadline_ = service_.clock.now() + service_.response_timeout;
+    co_await stream_.say_end();
+    if (!open_) co_return;
+    stream_.shutdown();
+    answered_ = false;  // what is read now begins no request
+    while (open_ && !read_error_) {
+      begin_reading();
+      end_reading(co_await stream_.async_read_some(asio::buffer(input_),
+                                                   asio::redirect_error(asio::use_awaitable, read_error_)));
+    }
+  }
+
+  /// Sleeps no longer than the shortest time-out, so nobody who brings the deadline forward has to wake it.
+  /// Nothing is read while the handler works, so whether the client is still there is asked for.
+  [[nodiscard]] asio::awaitable<void> watch() {
+    const auto nap = std::min({service_.idle_timeout, service_.request_timeout, service_.response_timeout});
+    for (auto now = service_.clock.now(); open_ && now < deadline_; now = service_.clock.now()) {
+      if (waiting_ && peer_hung_up()) break;
+      const auto longest = waiting_ ? std::min(nap, kHangUpCheck) : nap;
+      co_await watch_waits_.wait_until(std::min(deadline_, now + longest));
+    }
+    close();
+  }
+
+  [[nodiscard]] bool peer_hung_up() {
+    if constexpr (requires { stream_.peer_hung_up(); }) return stream_.peer_hung_up();
+    return false;
+  }
+
+  S stream_;
+  const Service& service_;
+  const std::shared_ptr<Handler> handler_;
+  const TakeOver take_over_;
+  RequestParser parser_;
+  ReadRounds& read_rounds_;  // of the stream's context
+  TimedEvent watch_waits_;
+  Clock::time_point now_;  // when it last waited for something
+  Clock::time_point last_active_;
+  Clock::time_point deadline_;
+  bool open_ = true;
+  bool finishing_ = false;
+  bool waiting_ = false;              // for the handler
+  bool between_requests_ = false;     // and reading
+  bool answered_ = false;             // some request
+  std::optional<Response> response_;  // to the parser's request
+  bool more_ = true;                  // requests are answered after it
+  bool upgraded_ = false;
+  int in_turn_ = 0;
+  bool reads_next_ = false;  // between two requests
+  std::error_code read_error_;
+  std::size_t read_ = 0;  // of input_
+  std::size_t filled_ = 0;
+  std::string output_;  // responses that wait for the next write, or what is left of them
+  std::array<std::byte, 4096> input_;
+};
+
+}  // namespace talus::server::http

@@ -1,0 +1,48 @@
+#include "net/websocket/handshake.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include <talus/protocol/header_fields.h>
+#include <talus/websocket/handshake.h>
+
+namespace talus::server::websocket {
+namespace {
+
+constexpr std::size_t kKeyCharacters = 24;  // of 16 bytes
+
+bool is_key(const std::string* key) {
+  if (key == nullptr || key->size() != kKeyCharacters || !key->ends_with("==")) return false;
+  return std::all_of(key->begin(), key->end() - 2, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/';
+  });
+}
+
+}  // namespace
+
+http::Response answer_handshake(const http::Request& request) {
+  const std::string* const upgrade = request.field("Upgrade");
+  if (!request.upgrade || upgrade == nullptr || !protocol::has_word(*upgrade, "websocket")) {
+    return {426,
+            http::kPlainText,
+            "this is a WebSocket; ask with Connection: Upgrade and Upgrade: websocket\n",
+            {{"Upgrade", "websocket"}}};
+  }
+  if (const std::string* const version = request.field("Sec-WebSocket-Version");
+      version == nullptr || *version != "13") {
+    return {426,
+            http::kPlainText,
+            "only version 13 of the WebSocket protocol is spoken here\n",
+            {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}}};
+  }
+  const std::string* const key = request.field("Sec-WebSocket-Key");
+  if (request.method != http::Method::get || !is_key(key)) {
+    return {400, http::kPlainText,
+            "a WebSocket begins with GET and a Sec-WebSocket-Key of 16 bytes in base64\n"};
+  }
+  return {
+      101, "", "", {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", talus::websocket::accept_key(*key)}}};
+}
+
+}  // namespace talus::server::websocket

@@ -1,0 +1,485 @@
+#include "player/session/delivery.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <unordered_set>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include <talus/protocol/limits.h>
+
+namespace talus::server {
+
+using wire::ErrorCode;
+
+void Delivery::speaks(std::uint16_t protocol) {
+  broadcasts_ = protocol >= protocol::kEditsProtocol;
+}
+
+void Delivery::request_heights(std::uint32_t id, HeightsQuery query) {
+  constexpr std::size_t kTaskBytes = 256;
+  const std::uint64_t ticket = (++heights_asked_ << 32) | id;
+  const std::size_t column_bytes = sizeof(terrain::BaseColumn) + 2 * sizeof(std::int32_t) +
+                                   sizeof(std::uint8_t) + query.fields.size() * sizeof(float);
+  requests_.add_heights(id, ticket, kTaskBytes + query.columns.size() * column_bytes);
+  context_.chunks.submit_heights(mailbox_, ticket, std::move(query));
+}
+
+void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
+  std::unordered_set<std::uint32_t> cancelled;
+  for (const std::uint32_t id : ids) {
+    if (const auto* request = requests_.chunk(id)) {
+      if (waits_.leave(request->key, id)) {
+        context_.chunks.cancel(mailbox_->owner(), {&request->key, 1});
+        queue_full_ = false;  // it may have been the last for which mail would come
+      }
+    } else if (const auto ticket = requests_.heights_ticket(id)) {
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
+    } else {
+      continue;  // answered already, or never asked
+    }
+    requests_.erase(id);
+    cancelled.insert(id);
+    replies_.error(about_request(id), ErrorCode::cancelled, "cancelled");
+  }
+  if (cancelled.empty()) return;
+  outbox_.drop_chunks([&](const Outbox::Entry& entry) { return cancelled.contains(entry.request_id); });
+}
+
+std::size_t Delivery::apply_view() {
+  if (!view_.waits()) return 0;
+  queue_full_ = false;  // the new View may need no place in the queue
+  view_.apply();
+  const std::size_t dropped = drop_what_left_view();
+  const auto came_near = waits_.hasten_where([this](ChunkKey key) { return view_.stream().is_near(key); });
+  if (!came_near.empty()) context_.chunks.hasten(mailbox_->owner(), came_near);
+  context_.chunks.set_wanted(mailbox_, view_.ahead());
+  return dropped;
+}
+
+void Delivery::end_view() {
+  view_.clear();
+  drop_what_left_view();
+  context_.chunks.set_wanted(mailbox_, {});
+}
+
+std::size_t Delivery::drop_what_left_view() {
+  const auto left = [this](ChunkKey key) { return !view_.stream().in_flight(key); };
+  const std::vector<ChunkKey> unwanted = waits_.leave_view_where(left);
+  if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
+  drop_updates();
+  return outbox_.drop_chunks(
+      [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
+}
+
+void Delivery::drop_updates() {
+  const auto gone = [this](ChunkKey key) { return !view_.stream().is_done(key); };
+  const std::vector<ChunkKey> unwanted = waits_.leave_updates_where(gone);
+  if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
+  outbox_.drop_updates(gone);
+  pauses_.drop(gone);
+  updates_.drop(gone);
+}
+
+void Delivery::take_mail(Editing& editing) {
+  constexpr std::size_t kKept = 8;
+  std::vector<Mail> mail = mailbox_->take(std::move(read_mail_));
+  for (Mail& each : mail) {
+    std::visit(
+        [&]<typename Letter>(Letter& letter) {
+          if constexpr (std::is_same_v<Letter, AttachAnswer> || std::is_same_v<Letter, EditAnswer>) {
+            editing.receive(std::move(letter));
+          } else {
+            // An answer of the generators shows as well that their queue moves.
+            if constexpr (!std::is_same_v<Letter, ChunksChanged>) queue_full_ = false;
+            receive(std::move(letter));
+          }
+        },
+        each);
+  }
+  mail.clear();
+  if (mail.capacity() <= kKept) read_mail_ = std::move(mail);
+}
+
+void Delivery::receive(ChunkReady&& mail) {
+  auto& [key, answer] = mail;
+  if (answer) expected_chunk_bytes_ = std::max(expected_chunk_bytes_, Outbox::cost(**answer));
+  const auto waiters = waits_.take(key);
+  if (!waiters) return;  // the last one left while the answer came
+  context_.metrics.cold_latency.add(context_.clock.now() - waiters->since);
+  for (const std::uint32_t id : waiters->requests) {
+    answer ? answer_request(id, *requests_.chunk(id), *answer) : fail_request(id, answer.error());
+  }
+  if (waiters->update) answer_update(key, answer);
+  if (waiters->view) answer_view(key, std::move(answer));
+}
+
+void Delivery::receive(ChunksChanged&& mail) {
+  const ViewStream& stream = view_.stream();
+  if (mail.changes == nullptr) {
+    // What the client has of each is not known any more, but it has at least the chunk as generated.
+    stream.for_each_done([this](ChunkKey key) {
+      if (context_.chunks.revision(key) != kBaseRevision) add_update(key, kBaseRevision);
+    });
+    return;
+  }
+  for (const ChunkChange& change : *mail.changes) {
+    if (stream.is_done(change.key)) add_update(change.key, change.previous);
+  }
+}
+
+void Delivery::receive(HeightsReady&& mail) {
+  const auto id = static_cast<std::uint32_t>(mail.ticket);
+  if (requests_.heights_ticket(id) != mail.ticket) return;  // cancelled while the answer came
+  if (mail.answer) {
+    replies_.heights(id, *mail.answer);
+  } else {
+    replies_.error(about_request(id), ErrorCode::internal,
+                   fmt::format("the heights failed: {}", mail.answer.error().reason), retry_after::kFailed);
+  }
+  requests_.erase(id);
+}
+
+std::size_t Delivery::start_work() {
+  found_ = 0;
+  // Between the two the client takes what comes, or goes on being held back by its link or its rates.
+  const std::size_t unsent = outbox_.chunks(Outbox::Lane::view);
+  held_back_ = unsent >= kMaxViewInFlight || (held_back_ && unsent > 0);
+  ask_for_updates();
+  while (has_room()) {
+    if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
+      start_request(*requests_.next_unstarted());
+    } else if (view_may_start()) {
+      start_view_chunk();
+    } else {
+      break;
+    }
+  }
+  if (!credit_.may_send()) tell_columns();
+  if (const auto number = view_.completed()) replies_.view_complete(*number);
+  return found_;
+}
+
+bool Delivery::requests_hold_less() const {
+  using Lane = Outbox::Lane;
+  const std::size_t view_waits = view_.stream().in_flight_count() - outbox_.chunks(Lane::view);
+  const std::size_t request_waits = waits_.size() - view_waits;  // without those that both wait for
+  return outbox_.chunk_bytes(Lane::requests) + request_waits * expected_chunk_bytes_ <=
+         outbox_.chunk_bytes(Lane::view) + view_waits * expected_chunk_bytes_;
+}
+
+void Delivery::tell_columns() {
+  while (view_.stream().to_send() > 0 && outbox_.control_bytes() < kMaxColumnBytes) {
+    const auto column = view_.stream().next_column();
+    if (!column) return;
+    tell_column(*column, context_.chunks.column(*column), nullptr);
+  }
+}
+
+bool Delivery::has_room() const {
+  const std::size_t waits = waits_.size() + to_submit_.size();
+  const std::size_t to_come = waits * expected_chunk_bytes_;
+  const std::size_t queued = outbox_.chunk_bytes() + updates_.chunk_bytes();
+  return waits < kMaxWaits && queued + to_come < context_.limits.queued_bytes;
+}
+
+EncodedChunkPtr Delivery::find(ChunkKey key) {
+  EncodedChunkPtr chunk = context_.chunks.find(key);
+  if (chunk != nullptr) ++found_;
+  return chunk;
+}
+
+void Delivery::start_request(std::uint32_t id) {
+  const PendingRequests::ChunkRequest& request = *requests_.chunk(id);
+  if (EncodedChunkPtr chunk = find(request.key)) {
+    answer_request(id, request, std::move(chunk));
+  } else if (ChunkWaits::Waiters* const waiters = waits_.find(request.key)) {
+    waiters->requests.push_back(id);
+  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later) == 1) {
+    waits_.add(request.key, context_.clock.now()).requests.push_back(id);
+  } else {
+    replies_.error(about_request(id), ErrorCode::overloaded,
+                   context_.memory.takes_jobs() ? "too many chunks wait to be generated" : kNoMemory,
+                   retry_after::kBusy);
+    requests_.erase(id);
+  }
+}
+
+void Delivery::start_view_chunk() {
+  const ChunkKey nearest = *view_.stream().nearest();
+  if (answer_by_column(nearest)) return;
+  view_.stream().start(nearest);
+  if (EncodedChunkPtr chunk = find(nearest)) {
+    send_view_chunk(nearest, std::move(chunk));
+  } else {
+    to_submit_ = {nearest};
+    add_those_beside(nearest);
+    wait_for_view();
+    to_submit_.clear();
+  }
+}
+
+void Delivery::add_those_beside(ChunkKey nearest) {
+  ViewStream& stream = view_.stream();
+  const int edge = context_.chunks.columns_together();
+  const std::size_t most = goes_ahead() ? kMaxViewAlone : kMaxViewWaits;
+  stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
+    tell_column(column, context_.chunks.column(column), nullptr);
+    stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
+      if (!has_room() || waits_.size() + to_submit_.size() >= most) return;
+      stream.start(key);
+      to_submit_.push_back(key);
+    });
+  });
+}
+
+void Delivery::wait_for_view() {
+  const bool soon = view_.stream().is_near(to_submit_.front());
+  // Those for which a request waits are submitted already; and a column that was told meanwhile may have
+  // ended some.
+  const auto submitted = [&](ChunkKey key) {
+    if (!view_.stream().in_flight(key)) return true;
+    ChunkWaits::Waiters* const waiters = waits_.find(key);
+    if (waiters == nullptr) return false;
+    waiters->view = true;
+    if (soon && !std::exchange(waiters->soon, true)) context_.chunks.hasten(mailbox_->owner(), {&key, 1});
+    return true;
+  };
+  const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
+  to_submit_.erase(news, to_submit_.end());
+  const std::size_t accepted =
+      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later);
+  for (std::size_t i = 0; i < to_submit_.size(); ++i) {
+    if (i < accepted) {
+      ChunkWaits::Waiters& waiters = waits_.add(to_submit_[i], context_.clock.now());
+      waiters.view = true;
+      waiters.soon = soon;
+    } else {
+      view_.stream().put_back(to_submit_[i]);
+    }
+  }
+  queue_full_ = accepted < to_submit_.size();
+}
+
+void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
+                              EncodedChunkPtr chunk) {
+  if (confirm_request(id, request, *chunk)) return;
+  if (chunk->uniform()) {
+    credit_.sent(chunk->frame_bytes());  // the client counts every Chunk that comes
+    replies_.small_chunk(id, request.key, *chunk);
+    requests_.erase(id);
+    return;
+  }
+  outbox_.push_chunk({id, request.key, std::move(chunk)});  // pending until it is written
+}
+
+void Delivery::fail_request(std::uint32_t id, const GenerationFailed& failure) {
+  replies_.error(about_request(id), ErrorCode::internal, fmt::format("the chunk failed: {}", failure.reason),
+                 retry_after::kFailed);
+  requests_.erase(id);
+}
+
+void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
+  if (!answer) {
+    replies_.error(about_view_chunk(view_.number(), key), ErrorCode::internal,
+                   fmt::format("chunk {} of the View failed: {}", to_string(key), answer.error().reason),
+                   retry_after::kFailed);
+    view_.done(key);
+    return;
+  }
+  // The column may be known now, and not have been when the chunk was submitted.
+  if (!answer_by_column(key)) send_view_chunk(key, *std::move(answer));
+}
+
+void Delivery::send_view_chunk(ChunkKey key, EncodedChunkPtr chunk) {
+  if (!confirm_view(key, *chunk)) outbox_.push_chunk({0, key, std::move(chunk)});
+}
+
+bool Delivery::confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
+                               const EncodedChunk& chunk) {
+  if (chunk.revision() != kBaseRevision || request.known != chunk.hash()) return false;
+  replies_.unchanged(id, request.key, chunk);
+  requests_.erase(id);
+  return true;
+}
+
+bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
+  if (chunk.revision() != kBaseRevision || !view_.knows(key, chunk.hash())) return false;
+  replies_.unchanged(0, key, chunk);
+  sent_to_view(key, kBaseRevision, context_.chunks.revision(key));
+  return true;
+}
+
+bool Delivery::answer_by_column(ChunkKey key) {
+  const MixedRows rows = context_.chunks.column(key);
+  if (!rows.uniform_at(key.coord.y)) return false;
+  tell_column(key, rows, &key);
+  return true;
+}
+
+void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered) {
+  std::vector<wire::UniformRun> runs;
+  view_.stream().done_in_column(column, [&](ChunkKey chunk, bool in_flight) {
+    const std::int32_t y = chunk.coord.y;
+    const auto uniform = rows.uniform_at(y);
+    if (!uniform) return false;
+    const bool here = answered != nullptr && chunk == *answered;
+    if (in_flight && !here && !waits_.end_view(chunk)) return false;  // it waits for the client
+    const auto material = to_integer(*uniform);
+    const bool goes_on = !runs.empty() && runs.back().last_y() == y - 1 && runs.back().material() == material;
+    const std::int32_t first = goes_on ? runs.back().first_y() : y;
+    if (goes_on) runs.pop_back();
+    runs.emplace_back(first, y, material);
+    return true;
+  });
+  if (!runs.empty()) replies_.column(column, runs);
+}
+
+std::optional<protocol::Frame> Delivery::write(Outbox::Entry& entry) {
+  std::uint64_t newest = context_.chunks.revision(entry.key);
+  if (newest > entry.chunk->revision()) {
+    if (EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision())) {
+      entry.chunk = std::move(newer);
+      newest = context_.chunks.revision(entry.key);
+    }
+  }
+  const EncodedChunk& chunk = *entry.chunk;
+  std::optional<protocol::Frame> unchanged;
+  if (chunk.revision() != kBaseRevision) {
+    const bool held = entry.request_id != 0 ? requests_.chunk(entry.request_id)->known == chunk.hash()
+                                            : view_.knows(entry.key, chunk.hash());
+    if (held) unchanged = unchanged_frame(entry.request_id, entry.key, chunk);
+  }
+  if (unchanged) context_.metrics.unchanged_sent.add();
+  if (entry.request_id != 0) {
+    requests_.erase(entry.request_id);
+  } else {
+    sent_to_view(entry.key, chunk.revision(), newest);
+  }
+  return unchanged;
+}
+
+void Delivery::sent_to_view(ChunkKey key, std::uint64_t revision, std::uint64_t newest) {
+  view_.done(key);
+  if (newest > revision) add_update(key, revision);
+}
+
+Outbox::Update Delivery::write_update(ChunkKey key) {
+  const std::uint64_t has = updates_.at(key).has;
+  if (context_.chunks.revision(key) <= has) {
+    updates_.erase(key);
+    return {};
+  }
+  const EncodedChunkPtr chunk = newest_of_update(key);
+  const auto changed =
+      broadcasts_ ? context_.chunks.changes_since(key, has, kMaxBroadcastVoxels) : std::nullopt;
+  if (changed) {
+    protocol::Frame frame = edit_broadcast_frame(key, has, *changed);
+    if (chunk == nullptr || frame.size() < chunk->frame_bytes()) {
+      context_.metrics.broadcasts_sent.add();
+      updated(key, changed->revision);
+      return {.frame = std::move(frame)};
+    }
+  }
+  if (chunk != nullptr && (changed || chunk->frame_bytes() <= kMaxSmallUpdateBytes)) {
+    updated(key, chunk->revision());
+    return {.chunk = chunk};
+  }
+  if (pauses_.holds(key, context_.clock.now())) return {};
+  if (chunk == nullptr) updates_.want(key);
+  return {.whole = chunk != nullptr};
+}
+
+EncodedChunkPtr Delivery::write_resend(ChunkKey key) {
+  EncodedChunkPtr chunk = newest_of_update(key);
+  if (chunk != nullptr) {
+    pauses_.resent(key, context_.clock.now());
+    updated(key, chunk->revision());
+  } else if (context_.chunks.revision(key) > updates_.at(key).has) {
+    updates_.want(key);  // it was in memory when its turn was asked for
+  } else {
+    updates_.erase(key);
+  }
+  return chunk;
+}
+
+EncodedChunkPtr Delivery::newest_of_update(ChunkKey key) {
+  const PendingUpdates::Update& update = updates_.at(key);
+  EncodedChunkPtr chunk = context_.chunks.newer(key, update.has);
+  const EncodedChunkPtr& given = update.chunk;
+  if (given != nullptr && (chunk == nullptr || chunk->revision() < given->revision())) chunk = given;
+  return chunk;
+}
+
+void Delivery::resume_updates() {
+  if (pauses_.next() == Clock::time_point::max()) return;
+  const Clock::time_point now = context_.clock.now();
+  while (const auto key = pauses_.take_ended(now)) outbox_.push_update(*key);
+}
+
+void Delivery::updated(ChunkKey key, std::uint64_t revision) {
+  updates_.erase(key);
+  if (context_.chunks.revision(key) > revision) add_update(key, revision);
+}
+
+void Delivery::ask_for_updates() {
+  while (const auto key = updates_.next_wanted()) {
+    if (context_.chunks.newer(*key, updates_.at(*key).has) != nullptr) {
+      outbox_.push_update(*key);
+      updates_.found();
+      continue;
+    }
+    const bool half = updates_.under_way() >= kMaxUpdatesUnderWay ||
+                      updates_.chunk_bytes() > context_.limits.queued_bytes / 2;
+    if (half || queue_full_ || !has_room()) {
+      return;
+    } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
+      waiters->update = true;
+    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon) == 1) {
+      waits_.add(*key, context_.clock.now()).update = true;
+    } else {
+      queue_full_ = true;
+      return;
+    }
+    updates_.asked();
+  }
+}
+
+void Delivery::answer_update(ChunkKey key, ChunkAnswer answer) {
+  if (!answer) {
+    replies_.error(
+        about_view_chunk(view_.number(), key), ErrorCode::internal,
+        fmt::format("chunk {} of the View was edited, and failed: {}", to_string(key), answer.error().reason),
+        retry_after::kFailed);
+    updates_.erase(key);
+  } else if ((*answer)->revision() > updates_.at(key).has) {
+    updates_.give(key, *std::move(answer));
+    outbox_.push_update(key);
+  } else {
+    updates_.want(key);  // it was made before the edit
+  }
+}
+
+void Delivery::abandon() {
+  context_.chunks.cancel(mailbox_->owner(), waits_.clear());
+  for (const std::uint32_t id : requests_.ids()) {
+    if (const auto ticket = requests_.heights_ticket(id)) {
+      context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
+    }
+  }
+  requests_.clear();
+  view_.clear();
+  context_.chunks.set_wanted(mailbox_, {});
+  outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
+  drop_updates();
+}
+
+std::size_t Delivery::bytes() const {
+  constexpr std::size_t kPerRequest = 128;  // in the source's queue
+  return view_.bytes() + requests_.bytes() + updates_.bytes() + pauses_.bytes() +
+         (requests_.size() + waits_.size()) * kPerRequest;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,106 @@
+#include "player/session/edit_check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <talus/edits/editors.h>
+#include <talus/edits/settle.h>
+#include <talus/voxel/codec.h>
+
+#include "runtime/log/escape.h"
+
+namespace talus::server {
+namespace {
+
+constexpr std::uint8_t kFillOfAny = 1;
+constexpr std::uint8_t kFillAsGenerated = 2;
+
+VoxelPos voxel_of(const wire::Voxel& at) {
+  return {at.x(), at.y(), at.z()};
+}
+
+std::vector<edits::VoxelWrite> writes_of(const flatbuffers::Vector<const wire::VoxelWrite*>* wire) {
+  std::vector<edits::VoxelWrite> writes;
+  if (wire == nullptr) return writes;
+  writes.reserve(wire->size());
+  for (const wire::VoxelWrite* each : *wire) {
+    writes.push_back({voxel_of(each->voxel()), MaterialId{each->material()}});
+  }
+  return writes;
+}
+
+std::size_t bytes_as_it_came(const edits::Edit& edit) {
+  constexpr std::size_t kAnyEdit = 512;
+  return kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
+         (edit.guards.size() + edit.writes.size()) * sizeof(edits::VoxelWrite) +
+         (edit.paste ? sizeof(DenseVoxels) : 0);
+}
+
+std::size_t bytes_prepared(std::uint64_t voxels, bool settles) {
+  if (settles) voxels += edits::kSettleVoxels;
+  constexpr std::size_t kChunk = 256;  // its places in the lists of what is touched and looked up
+  // Which voxels of which chunks it touches, and their materials as generated.
+  constexpr std::size_t kVoxel = sizeof(std::uint16_t) + sizeof(Override);
+  return std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * kVoxel;
+}
+
+}  // namespace
+
+tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool settles) {
+  CheckedEdit checked;
+  if (wire.subject() != nullptr) checked.subject = wire.subject()->str();
+  if (checked.subject.size() > edits::kMaxSubjectBytes) {
+    return rejected(wire::ErrorCode::too_large, fmt::format("Edit.subject has {} bytes, over the limit {}",
+                                                            checked.subject.size(), edits::kMaxSubjectBytes));
+  }
+  // History shows it in a terminal, and who rolls it back types it.
+  if (on_one_line(checked.subject) != checked.subject) {
+    return rejected(wire::ErrorCode::out_of_range,
+                    "Edit.subject has control characters, or is no UTF-8; give a name that can be printed");
+  }
+  edits::Edit& edit = checked.edit;
+  edit.guards = writes_of(wire.guards());
+  edit.writes = writes_of(wire.writes());
+  if (wire.fills() != nullptr) {
+    edit.fills.reserve(wire.fills()->size());
+    for (const wire::Fill* each : *wire.fills()) {
+      if ((each->flags() & ~(kFillOfAny | kFillAsGenerated)) != 0) {
+        return rejected(wire::ErrorCode::malformed,
+                        fmt::format("Edit.fills: flags {} are not known; 1 and 2 are", each->flags()));
+      }
+      edits::Fill fill{voxel_of(each->first()), voxel_of(each->last()), std::nullopt, std::nullopt};
+      if ((each->flags() & kFillAsGenerated) == 0) fill.material = MaterialId{each->material()};
+      if ((each->flags() & kFillOfAny) == 0) fill.only = MaterialId{each->only()};
+      edit.fills.push_back(fill);
+    }
+  }
+  if (const wire::Paste* const paste = wire.paste()) {
+    if (paste->origin() == nullptr || paste->payload() == nullptr) {
+      return rejected(wire::ErrorCode::malformed, "Edit.paste: it needs origin and payload");
+    }
+    auto chunk =
+        decode({reinterpret_cast<const std::byte*>(paste->payload()->data()), paste->payload()->size()});
+    if (!chunk) {
+      return rejected(wire::ErrorCode::malformed,
+                      fmt::format("Edit.paste: its payload is no chunk: {}", describe(chunk.error())));
+    }
+    edit.paste = edits::Paste{voxel_of(*paste->origin()), *std::move(chunk), paste->with_air()};
+  }
+  checked.voxels = named_voxels(edit);
+  if (checked.voxels > edits::kMaxVoxels) {
+    return rejected(
+        wire::ErrorCode::too_large,
+        fmt::format("the edit names {} or more voxels, over the limit {}",
+                    std::min<std::uint64_t>(checked.voxels, edits::kMaxVoxels + 1), edits::kMaxVoxels));
+  }
+  if (checked.voxels == 0) {
+    return rejected(wire::ErrorCode::out_of_range, "the edit names no voxel; give writes, fills or a paste");
+  }
+  checked.bytes = bytes_as_it_came(edit);
+  checked.prepared_bytes = bytes_prepared(checked.voxels, settles);
+  return checked;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,70 @@
+// A session's requests that are not answered yet, by their id. No I/O.
+//
+// A chunk request is unstarted until next_unstarted() returns it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <talus/voxel/content_hash.h>
+#include <talus/voxel/coords.h>
+
+#include "player/session/id_map.h"
+
+namespace talus::server {
+
+class PendingRequests {
+ public:
+  struct ChunkRequest {
+    ChunkKey key;
+    std::optional<ContentHash> known;  // of what the client holds there
+  };
+
+  [[nodiscard]] bool contains(std::uint32_t id) const { return requests_.find(id) != nullptr; }
+  [[nodiscard]] std::size_t size() const { return requests_.size(); }
+  [[nodiscard]] bool empty() const { return requests_.empty(); }
+
+  /// REQUIRES: no request `id` is pending.
+  void add_chunk(std::uint32_t id, const ChunkRequest& request);
+  /// REQUIRES: no request `id` is pending. `bytes` is the memory of the request and its answer.
+  void add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes);
+
+  [[nodiscard]] bool has_unstarted() const { return !unstarted_.empty(); }
+  /// The oldest unstarted chunk request, which is started now.
+  [[nodiscard]] std::optional<std::uint32_t> next_unstarted();
+
+  /// Null where `id` is not pending, or is a request for heights. Valid until the next change.
+  [[nodiscard]] const ChunkRequest* chunk(std::uint32_t id) const {
+    const auto* const request = requests_.find(id);
+    return request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);
+  }
+  /// None where `id` is not pending, or is a request for a chunk.
+  [[nodiscard]] std::optional<std::uint64_t> heights_ticket(std::uint32_t id) const;
+
+  /// The request is answered. No effect where `id` is not pending.
+  void erase(std::uint32_t id);
+  void clear();
+  [[nodiscard]] std::vector<std::uint32_t> ids() const;
+
+  [[nodiscard]] std::size_t heights_bytes() const { return heights_bytes_; }
+  /// The memory of the requests themselves.
+  [[nodiscard]] std::size_t bytes() const {
+    return requests_.bytes() + unstarted_.size() * sizeof(std::uint32_t);
+  }
+
+ private:
+  struct HeightsRequest {
+    std::uint64_t ticket = 0;
+    std::size_t bytes = 0;
+  };
+
+  IdMap<std::variant<ChunkRequest, HeightsRequest>> requests_;
+  std::deque<std::uint32_t> unstarted_;  // oldest first; each is in requests_
+  std::size_t heights_bytes_ = 0;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,28 @@
+// Why a message is not accepted.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+#include <talus/protocol/message.h>
+
+#include "config/access/auth_failure.h"
+
+namespace talus::server {
+
+struct Rejection {
+  wire::ErrorCode code{};
+  std::string text;                           // for the client
+  std::string why{};                          // more, for the log alone
+  std::optional<AuthFailure> auth_failure{};  // where the token is the reason
+  bool repeated = false;                      // the log need not say it again
+};
+
+[[nodiscard]] inline tl::unexpected<Rejection> rejected(wire::ErrorCode code, std::string text) {
+  return tl::make_unexpected(Rejection{code, std::move(text)});
+}
+
+}  // namespace talus::server

@@ -1,0 +1,72 @@
+// Puts control frames into a session's outbox, and counts them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <talus/protocol/message.h>
+#include <talus/voxel/coords.h>
+
+#include "player/session/reply_frames.h"
+#include "player/view/outbox.h"
+#include "runtime/metrics/metrics.h"
+
+namespace talus::server {
+
+class Replies {
+ public:
+  Replies(Outbox& outbox, Metrics& metrics) : outbox_{outbox}, metrics_{metrics} {}
+
+  void welcome(const Greeting& greeting, const WorldInfo& world, const SessionLimits& limits,
+               const RateLimits& rates) {
+    outbox_.push_control(welcome_frame(greeting, world, limits, rates));
+  }
+  void error(const Subject& subject, wire::ErrorCode code, std::string_view text,
+             std::chrono::milliseconds retry_after = retry_after::kNever) {
+    metrics_.error(code).add();
+    if (code == wire::ErrorCode::overloaded || code == wire::ErrorCode::too_many_requests) ++refusals_;
+    outbox_.push_control(error_frame(code, text, subject, retry_after));
+  }
+  /// A Chunk among control frames: for chunks that are smaller than an Error. The caller notes its credit.
+  void small_chunk(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+    metrics_.chunks_sent.add();
+    metrics_.chunk_bytes_sent.add(chunk.frame_bytes());
+    outbox_.push_control(chunk_frame(request_id, key, chunk));
+  }
+  /// `request_id` 0: for the View.
+  void unchanged(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
+    metrics_.unchanged_sent.add();
+    outbox_.push_control(unchanged_frame(request_id, key, chunk));
+  }
+  void column(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
+    metrics_.columns_sent.add();
+    outbox_.push_control(column_frame(column, runs));
+  }
+  void view_complete(std::uint32_t number) { outbox_.push_control(view_complete_frame(number)); }
+  void heights(std::uint32_t request_id, const HeightsFound& found) {
+    outbox_.push_control(heights_frame(request_id, found));
+  }
+  void attached(const EditorSession& editor, std::uint64_t voxels_per_second) {
+    outbox_.push_control(attached_frame(editor, voxels_per_second));
+  }
+  void edit_result(std::uint32_t request_id, const edits::EditResult& result) {
+    outbox_.push_control(edit_result_frame(request_id, result));
+  }
+  void pong(std::uint64_t nonce) { outbox_.push_control(pong_frame(nonce)); }
+  void go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
+    outbox_.push_control(go_away_frame(reason, retry_after));
+  }
+
+  /// How often the client asked too much or too fast, since the last call.
+  [[nodiscard]] std::uint64_t take_refusals() { return std::exchange(refusals_, 0); }
+
+ private:
+  Outbox& outbox_;
+  Metrics& metrics_;
+  std::uint64_t refusals_ = 0;
+};
+
+}  // namespace talus::server

@@ -1,0 +1,27 @@
+// What a session needs of the configuration. app/ fills it.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "player/session/edit_rules.h"
+
+namespace talus::server {
+
+/// The types are those of the wire where Welcome says the limit.
+struct SessionLimits {
+  std::uint32_t frame_bytes = 0;  // of a frame from the client, prefix included
+  std::uint32_t requests_in_flight = 0;
+  std::uint32_t heights_per_request = 0;
+  std::uint64_t height_tiles_per_request = 0;  // tiles of 32 x 32 columns in one GetHeights; not in Welcome
+  std::uint16_t view_horizontal_radius = 0;    // chunks
+  std::uint16_t view_vertical_radius = 0;      // chunks
+  std::uint32_t view_chunks = 0;
+  std::uint64_t window_bytes = 0;
+  std::size_t queued_bytes = 0;  // of chunks that wait for the client; not in Welcome
+  std::chrono::milliseconds idle_timeout{};
+  EditRules edits{};  // not in Welcome
+};
+
+}  // namespace talus::server

@@ -1,0 +1,19 @@
+// Checks a View message against the rules of PROTOCOL.md and the limits. Pure.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <talus/protocol/message.h>
+
+#include "player/session/rejection.h"
+#include "player/session/session_limits.h"
+#include "player/view/area_of_interest.h"
+
+namespace talus::server {
+
+/// The View in a world of these heights, or what is wrong: `malformed` (the connection closes), `too_large`
+/// or `out_of_range`. A View that lies outside the world is right, and has no chunks.
+[[nodiscard]] tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
+                                                       HeightRange heights);
+
+}  // namespace talus::server

@@ -1,0 +1,20 @@
+#include "runtime/log/program_line.h"
+
+#include <fmt/format.h>
+
+#include "runtime/log/escape.h"
+#include "runtime/log/json_lines.h"
+
+namespace talus::server {
+
+std::string program_line(std::string_view format, spdlog::level::level_enum level, std::string_view text) {
+  const std::string safe = on_one_line(text);
+  if (format == "json") {
+    spdlog::memory_buf_t line;
+    JsonLines{}.format({"talusd", level, safe}, line);
+    return {line.data(), line.size()};
+  }
+  return fmt::format("talusd: {}{}\n", level == spdlog::level::warn ? "warning: " : "", safe);
+}
+
+}  // namespace talus::server

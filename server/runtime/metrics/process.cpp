@@ -1,0 +1,86 @@
+#include "runtime/metrics/process.h"
+
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace talus::server {
+namespace {
+
+/// Fields of /proc/self/stat after the program's name, which may hold blanks and brackets: the first is the
+/// one that proc(5) numbers 3.
+class StatFields {
+ public:
+  StatFields() {
+    std::ifstream file{"/proc/self/stat"};
+    const std::string text{std::istreambuf_iterator<char>{file}, {}};
+    const std::size_t name_end = text.rfind(')');
+    if (name_end == std::string::npos) return;
+    std::istringstream rest{text.substr(name_end + 1)};
+    fields_.assign(std::istream_iterator<std::string>{rest}, {});
+  }
+
+  [[nodiscard]] std::uint64_t number(std::size_t proc_field) const {
+    const std::size_t at = proc_field - 3;
+    return at < fields_.size() ? std::strtoull(fields_[at].c_str(), nullptr, 10) : 0;
+  }
+
+ private:
+  std::vector<std::string> fields_;
+};
+
+double seconds_of(clockid_t clock) {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// Since 1970. Without /proc/stat, which a hardened unit may hide.
+double start_of(const StatFields& stat) {
+  constexpr std::size_t kStartTicks = 22;
+  const auto ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  const double after_boot = static_cast<double>(stat.number(kStartTicks)) / ticks_a_second;
+  return seconds_of(CLOCK_REALTIME) - (seconds_of(CLOCK_BOOTTIME) - after_boot);
+}
+
+std::uint64_t open_descriptors() {
+  std::error_code failed;
+  const std::filesystem::directory_iterator descriptors{"/proc/self/fd", failed};
+  if (failed) return 0;
+  const auto listed = static_cast<std::uint64_t>(std::distance(begin(descriptors), end(descriptors)));
+  return listed - std::min<std::uint64_t>(listed, 1);  // one is this listing's own
+}
+
+}  // namespace
+
+ProcessReading read_process() {
+  constexpr std::size_t kThreads = 20;
+  constexpr std::size_t kVirtualBytes = 23;
+  constexpr std::size_t kResidentPages = 24;
+
+  ProcessReading reading;
+  reading.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+
+  const StatFields stat;
+  // Once: it must not seem to change when the clock is set, or by what lies between two readings of it.
+  static const double start = start_of(stat);
+  reading.start_seconds = start;
+  reading.threads = stat.number(kThreads);
+  reading.virtual_bytes = stat.number(kVirtualBytes);
+  reading.resident_bytes = stat.number(kResidentPages) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  reading.open_descriptors = open_descriptors();
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) reading.max_descriptors = files.rlim_cur;
+  return reading;
+}
+
+}  // namespace talus::server

@@ -1,0 +1,30 @@
+#include "runtime/signals.h"
+
+#include <signal.h>
+
+namespace talus::server {
+namespace {
+
+sigset_t all_signals() {
+  sigset_t all;
+  ::sigfillset(&all);
+  return all;
+}
+
+}  // namespace
+
+void block_signals() {
+  const sigset_t all = all_signals();
+  ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+SignalsBlocked::SignalsBlocked() {
+  const sigset_t all = all_signals();
+  ::pthread_sigmask(SIG_BLOCK, &all, &before_);
+}
+
+SignalsBlocked::~SignalsBlocked() {
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+}  // namespace talus::server
