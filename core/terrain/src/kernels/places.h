@@ -15,7 +15,7 @@ namespace talus::terrain {
 /// Inputs for ragged borders, one value per column; see regions.h.
 struct JitterRow {
   const float* noise = nullptr;  // the borders' own noise
-  const float* small = nullptr;  // of small hills
+  const float* small = nullptr;  // noise of small hills
   const float* height = nullptr;
 };
 

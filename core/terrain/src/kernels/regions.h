@@ -107,7 +107,7 @@ struct SampleRows {
   std::array<float, 4> share{};
   std::size_t count = 0;    // number of rows
   std::size_t samples = 0;  // samples of each row
-  std::size_t stride = 0;   // of the output rows
+  std::size_t stride = 0;   // distance between output rows
 };
 
 /// Interpolation over groups of four samples: `columns` (1, 2, 4, 8 or 16) columns between the middle two.

@@ -37,7 +37,7 @@ struct LinedLayer {
 /// A row of it: the line at or before it, and its place in the layer's plane, both as element offsets.
 struct RowBetween {
   std::size_t line = 0;
-  float share = 0;  // of the way to the next line
+  float share = 0;  // share of the way to the next line
   std::size_t top = 0;
 };
 

@@ -78,7 +78,7 @@ class PlaceFields {
   int width_ = 0;
   int depth_ = 0;
   std::vector<QuantityNumber> asked_;    // quantities used by looks and early ramps
-  std::vector<ValueRange> ranges_;       // of the current row, by quantity
+  std::vector<ValueRange> ranges_;       // in the current row, by quantity
   bool late_ = false;                    // true if any share has ramps of slope or cliff
   std::vector<NarrowedCases> narrowed_;  // by looks
   std::vector<LookField> looks_;

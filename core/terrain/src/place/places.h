@@ -35,8 +35,8 @@ struct Places {
     }
   };
   struct Share {
-    std::vector<Ramp> early;  // of quantities known with the height
-    std::vector<Ramp> late;   // of slope and cliff
+    std::vector<Ramp> early;  // ramps of quantities known with the height
+    std::vector<Ramp> late;   // ramps of slope and cliff
     std::uint64_t looks = ~std::uint64_t{0};
   };
 

@@ -108,11 +108,11 @@ class StrataBuilder {
   Field lift_;                                // sum of all deformations
   Field reach_;                               // the limit minus the lift
   FbmRows noise_;
-  std::vector<Layer> layers_;  // of the world
+  std::vector<Layer> layers_;  // all layers of the world
   std::vector<std::int64_t> lines_;
   std::vector<BetweenLines> rows_;
   bool keeps_lines_ = false;
-  std::vector<LinesOfLayer> kept_;  // of all layers, or of the current one
+  std::vector<LinesOfLayer> kept_;  // for all layers, or for the current one
   const StrataKernels& kernels_;
   std::vector<std::uint8_t> open_rows_;      // 1 if a column of the row has not reached the limit
   std::vector<std::uint8_t> open_segments_;  // the same for kSegment columns of a row

@@ -72,8 +72,8 @@ struct ShareRule {
 
 struct PlacesSpec {
   std::vector<FieldSpec> fields;  // fields[i] is quantity kQuantities + i
-  std::vector<LookRules> looks;   // of the cover, of other materials, of all strata, of water
-  std::vector<ShareRule> shares;  // of loose materials and objects
+  std::vector<LookRules> looks;   // rules for the cover, other materials, all strata, and water
+  std::vector<ShareRule> shares;  // rules for loose materials and objects
   double lapse = 230;             // rise in terrain units that lowers the temperature by 1
 
   [[nodiscard]] bool any() const { return !looks.empty() || !shares.empty(); }

@@ -57,12 +57,12 @@ struct RegionsSpec {
 
   double river_wavelength = 4600;
   double tributary_wavelength = 1900;
-  std::array<double, 2> half_width{13, 9};  // of rivers and tributaries, on the plain; wider in lowlands
+  std::array<double, 2> half_width{13, 9};  // rivers, tributaries; on the plain, wider in lowlands
   std::array<double, 2> valley{240, 130};   // from the river's middle to the valley's end
   std::array<double, 2> carve{45, 26};      // land higher than this is cut less
   double bed = 5.5;                         // depth
 
-  double shape_wavelength = 1400;  // of the largest hills
+  double shape_wavelength = 1400;  // wavelength of the largest hills
   double shape_gain = 0.47;
 };
 

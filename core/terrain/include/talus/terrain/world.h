@@ -118,8 +118,8 @@ struct ErodedSpec {
 struct TalusSpec {
   std::size_t of = 0;    // index of its eroded material; walls are steeper than that material's max_slope
   double thickness = 8;  // maximum thickness of an apron
-  double share = 0.75;   // of the height of the surrounding rock above its foot
-  double reach = 8;      // maximum distance from a wall to the foot of its apron
+  double share = 0.75;   // thickness as a part of the height of surrounding rock above its foot
+  double reach = 8;      // maximum distance from a wall to its foot
   double cliff = 12;     // range of the quantity `cliff` around a wall
 };
 
