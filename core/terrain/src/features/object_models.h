@@ -25,7 +25,8 @@ struct ModelVoxel {
 /// Sorted by part, then y, z and x; each position once, with the lowest part that has it.
 using ObjectModel = std::vector<ModelVoxel>;
 
-/// Maximum distance from the foot along x or z, height, and depth for ground that falls away.
+/// Maximum distance of a voxel from the foot along x or z; maximum height; maximum depth, for ground that
+/// falls away.
 inline constexpr int kObjectReach = 10;
 inline constexpr int kObjectTop = 32;
 inline constexpr int kObjectRoot = 4;

@@ -55,7 +55,7 @@ struct CaveKernels {
                 std::int32_t* floor_fx, std::int32_t* roof_fx);
   /// REQUIRES width > 0.
   std::int32_t (*lowest)(const std::int32_t* heights_fx, std::size_t width);
-  /// Sets bits, and clears no bits.
+  /// Only sets bits.
   void (*judge)(const RoofRules& rules, const HeightsAround& heights, std::size_t width,
                 const JudgedRows& rows);
   /// Sets the bits of columns in which rows a and b of JudgedRows have a common row of roof rock.

@@ -18,7 +18,7 @@ struct RotatedNoise {
   std::int64_t period = 0;  // wavelength of octave 0 in columns, 2^octaves to 2^24
   int octaves = 0;          // 1 to 16
   double gain = 0.5;        // octave k has weight gain^k
-  int turn = 0;             // index of octave 0's angle
+  int turn = 0;             // index of octave 0's angle, modulo kLatticeAngles
 
   /// The standard deviation of the sum.
   [[nodiscard]] double deviation() const;

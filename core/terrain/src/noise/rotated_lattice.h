@@ -2,7 +2,8 @@
 //
 // A position in the lattice is a number of 2^-32 cells, linear in the column and computed modulo 2^64. It is
 // exact for every column, without bounds, divisions or remainders. Octaves have different angles, none within
-// 11 degrees of an axis: an octave's artifacts lie on its own axes, and no two octaves share axes.
+// 11 degrees of an axis: an octave's tail, the waves longer than its own, lies on its own
+// axes, and no two octaves share axes.
 //
 // Gradient noise alone is 0 at each lattice point, which keeps high ground away from lattice points. Here a
 // value is added at each corner, with the variance that makes the noise vary as much at corners as in the

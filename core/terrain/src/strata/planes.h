@@ -32,7 +32,7 @@ class Planes {
   [[nodiscard]] std::vector<Field>& tops() { return tops_; }
   [[nodiscard]] Field& top() { return tops_.back(); }
 
-  /// Adds a plane on top; its size and values are leftovers.
+  /// Adds a plane on top; its size and values are unspecified.
   Field& add(MaterialId material) {
     materials_.push_back(material);
     if (spare_.empty()) return tops_.emplace_back();

@@ -158,9 +158,9 @@ void SlowLines::draw_rivers(std::int64_t z, SlopedLine& line) {
 }
 
 // Nothing is interpolated between these samples, so values without effect on their own sample are omitted:
-// tributaries on the other side of a river, and rivers where the maximum land, with every hill and ridge, is
-// deep under the sea. Rivers cut only land above their flood plain, which is above 0, the sea's floor has no
-// beds, and no terraces are there whose field a valley could lower.
+// tributaries on the other side of a river, and rivers where the highest possible land, with every hill and
+// ridge, is deep under the sea. Rivers cut only land above their flood plain, which is above 0; the sea's
+// floor has no beds; and no terraces are there whose field a valley could lower.
 void SlowLines::draw_rivers_in_parts(std::int64_t z, SlopedLine& line) {
   constexpr float kFar = 1000;
   constexpr float kDeep = -11;  // beds end at -9
