@@ -26,8 +26,8 @@ class CoverLooks {
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// The colour of level ground, as light, at one column of the samples. Its rock is the topmost layer.
   [[nodiscard]] glm::vec3 level_ground(const ColumnSamples& samples, std::size_t column) const;
-  /// The colour of ground with a slope in subvoxels per column. Its rock is the layer at that height if all
-  /// layers are even.
+  /// The colour of ground with a slope in subvoxels per column. Its rock is the layer at that height, for
+  /// even layers.
   [[nodiscard]] glm::vec3 ground(const ColumnSamples& samples, std::size_t column,
                                  std::int32_t slope_fx) const;
   /// The colour of the sea over the column, or of its ice.

@@ -13,7 +13,7 @@ namespace talus::map {
 namespace {
 
 constexpr std::array kReach{1, 2, 4, 7, 11, 16, kReliefRing};
-constexpr float kSunTangent = 0.9F;  // of its elevation angle
+constexpr float kSunTangent = 0.9F;  // tangent of its elevation angle
 constexpr float kDiagonal = 1.41421356F;
 
 struct Direction {
@@ -24,8 +24,7 @@ constexpr std::array kCompass{Direction{-1, -1}, Direction{0, -1}, Direction{1, 
                               Direction{1, 0},   Direction{-1, 1}, Direction{0, 1},  Direction{1, 1}};
 constexpr Direction kNorthWest = kCompass[0];
 
-// Rises count less with distance: the ring ends where the real horizon does not, and shadows must not break
-// off.
+// Rises count less with distance, so that shadows do not break off where the ring ends.
 float horizon_tangent(const terrain::Field& surface, int x, int z, Direction direction) {
   const float here = static_cast<float>(surface.at(x, z));
   const float stride = direction.x != 0 && direction.z != 0 ? kDiagonal : 1.0F;

@@ -197,8 +197,7 @@ class Feature {
   /// their list. `survey` covers the site's stacks, or is null.
   virtual void add_overlays(const ChunkSite& /*site*/, const Field* /*survey*/,
                             std::vector<Overlay>& /*overlays*/) const {}
-  /// Returns true if place() must be called and its objects kept in Stacks::objects. At most one feature
-  /// stands.
+  /// True if place() must be called and its objects kept in Stacks::objects. At most one feature stands.
   [[nodiscard]] virtual bool stands() const { return false; }
   [[nodiscard]] virtual std::vector<ObjectKindName> object_kinds() const { return {}; }
   /// Does one piece of the work, which starts from Placement{}: about as much as `columns` columns of ground,

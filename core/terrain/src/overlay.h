@@ -1,5 +1,4 @@
-// Overlays: in each column of a chunk one interval becomes another material, which height planes cannot
-// represent.
+// Overlays: in each column of a chunk one interval becomes another material, which planes cannot represent.
 #pragma once
 
 #include <array>

@@ -213,8 +213,7 @@ class SpawnSearch {
     int tried = 0;
     for (const Candidate& place : candidates) {
       if (slope_at(place.x, place.z) > steepest_fx) continue;
-      // Erosion may have lowered the ground since, by no more than its loose material; a cave's entrance is
-      // deeper.
+      // Erosion may have lowered the ground by no more than its loose material; a cave's entrance is deeper.
       const BaseColumn column{place.x, place.z};
       const std::int32_t ground_fx = surface_heights(world_, {&column, 1}).front();
       if (ground_fx < place.height_fx - loose_fx_) continue;

@@ -1,5 +1,4 @@
-// The shape of caves before their roofs are checked: one interval of air in each column. Private to
-// core/terrain.
+// The shape of caves before roofs are checked: one interval of air per column. Private to core/terrain.
 #pragma once
 
 #include <cstddef>

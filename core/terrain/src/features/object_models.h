@@ -1,4 +1,4 @@
-// The shapes of objects: trees, boulders and the like from integer formulas, and authors' models. Private to
+// Shapes of objects: trees, boulders and so on by integer formulas, and authors' models. Private to
 // core/terrain.
 #pragma once
 

@@ -272,8 +272,7 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
     return visit_shown(height ? rows.at(front, -foot_y, *height - foot_y)
                               : rows.at(front, -kObjectRoot, kObjectTop));
   }
-  // The foot modulo the level's step, in the model's orientation: voxels with these remainders lie on the
-  // level's planes.
+  // The foot modulo the level's step, in the model's orientation: such voxels lie on the level's planes.
   const ModelVoxel low{static_cast<std::int8_t>(-foot_x & mask), 0, static_cast<std::int8_t>(-foot_z & mask)};
   const Turned back{4 - object.turn};
   visit_shown(kind.levels[object.variant].at(front, level, back.x(low), -foot_y, back.z(low)));

@@ -58,8 +58,7 @@ Columns columns_of(const OreLobe& lobe, ChunkKey key) {
           column(lobe.z_fx - lobe.reach_fx, origin.z), column(lobe.z_fx + lobe.reach_fx + edge, origin.z)};
 }
 
-// Cuts a lobe to the rows of rock in its columns; `highest` is the highest row of rock. Returns true if any
-// row is left.
+// Cuts a lobe to the rows of rock in its columns; `highest` is the highest row of rock. True if any is left.
 bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkPlane& rock, int highest,
          Overlay& overlay) {
   const int shift = key.lod.value();

@@ -58,8 +58,7 @@ void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* s
   });
 }
 
-// A row may be added to itself, shifted: reads are ahead of writes. For this reason no vector may be
-// processed twice.
+// A row may be added to itself, shifted: reads are ahead of writes, so no vector may be processed twice.
 void add_row(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
   const Columns d;
   std::size_t x = 0;

@@ -41,8 +41,7 @@ struct ApronKernels {
   /// sum += other.
   void (*add)(const std::int32_t* other, std::size_t width, std::int32_t* sum);
   void (*halve)(std::size_t width, int times, std::int32_t* sum);
-  /// Starts aprons from `mean`, the means of H around. Returns the range of columns that contains all their
-  /// starts.
+  /// Starts aprons from `mean`, the means of H around. Returns the range of columns with starts.
   ColumnRange (*begin)(const std::int32_t* height, const std::int32_t* slope, const std::int32_t* foot,
                        const std::int32_t* mean, std::size_t width, const ApronSupply& supply,
                        const ApronRows& out);

@@ -36,8 +36,7 @@ void round_displacements(const float* noise, float reach_fx, std::size_t width, 
   }
 }
 
-// Positions of the columns along one axis of an octave. `inside` and `key` give the undisplaced positions of
-// vector i.
+// Positions of the columns along one axis of an octave. `inside` and `key` give undisplaced ones.
 template <class Inside, class Key>
 HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, double period_fx,
                        const float* displacements, std::size_t width, float* t, std::uint32_t* low_hash,

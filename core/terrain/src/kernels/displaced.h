@@ -20,8 +20,7 @@ struct DisplacedOctave {
   std::uint64_t z_key = 0;
 };
 
-/// A row's displacements in subvoxels, integers of at most 2^22, and the displaced positions in one octave.
-/// Padded.
+/// A row's displacements in subvoxels, integers of at most 2^22, and the positions in one octave. Padded.
 struct DisplacedScratch {
   std::vector<float> east;
   std::vector<float> south;

@@ -1,5 +1,4 @@
-// The gradients of lattice corners from their hashes. Included once per instruction set, hence this include
-// guard:
+// Gradients of lattice corners from hashes. Included once per instruction set, hence this include guard:
 #if defined(TALUS_GRADIENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_GRADIENTS_INL
 #undef TALUS_GRADIENTS_INL

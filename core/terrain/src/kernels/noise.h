@@ -55,8 +55,7 @@ struct NoiseKernels {
   /// `gradients` is scratch: 4 * padded(runs) floats.
   void (*draw_line)(const LatticeColumns& columns, std::uint32_t z_hash, float weight, float* gradients,
                     LatticeLine& line);
-  /// Sums the octaves of columns [first, last) into out[first, last). May write kPadding elements past the
-  /// end.
+  /// Sums the octaves of columns [first, last) into out[first, last). May write kPadding past the end.
   void (*blend)(const OctaveRow* octaves, std::size_t count, std::size_t first, std::size_t last, float* out);
   /// heights_fx = clamp(0.5 + gain * noise, 0, 1)^exponent * highest_fx, rounded to even.
   void (*shape)(const float* noise, std::size_t width, float gain, int exponent, float highest_fx,

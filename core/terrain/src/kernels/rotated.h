@@ -54,8 +54,7 @@ struct RotatedSums {
 };
 
 struct RotatedKernels {
-  /// Sums `count` octaves by weight, at least one, at `width` columns. May write kPadding elements past the
-  /// end.
+  /// Sums `count` >= 1 octaves by weight at `width` columns. May write kPadding elements past the end.
   void (*sum)(const RotatedOctave* octaves, std::size_t count, const Displacements& displaced,
               std::size_t width, const RotatedSums& out);
 };

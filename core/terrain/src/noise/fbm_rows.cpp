@@ -99,8 +99,7 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
       run_cell = cell;
       ++columns.runs;
     }
-    // A range of columns that surely lie in the same cell: all of them if columns are evenly spaced and
-    // close.
+    // Columns that surely lie in the same cell: all of them if columns are evenly spaced and close.
     const std::int64_t step = step_ * (std::int64_t{1} << k);
     const bool close = step > 0 && kLeastRun * step <= fbm_.period;
     const std::size_t end =

@@ -24,8 +24,7 @@ class FbmRows {
   /// The following rows are of this noise over these ascending base columns.
   void start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights = Weights::halving);
 
-  /// The noise at (xs[i], z) for every i, valid until the next call. Cheapest for rows close to the previous
-  /// one.
+  /// The noise at (xs[i], z) for every i, valid until the next call. Cheapest close to the previous row.
   [[nodiscard]] const float* row(std::int64_t z) { return row(z, 0, width_); }
   /// Computes only `first` <= i < `last`, at those indices.
   [[nodiscard]] const float* row(std::int64_t z, std::size_t first, std::size_t last);

@@ -11,8 +11,8 @@
 namespace talus::terrain {
 
 /// Most rows lie in one or two biomes of the world, and most of their ranges lie on the same sides of all
-/// limits as the ranges of the row before, so the last result is cached. The list of cases must outlive this.
-/// Not thread-safe.
+/// limits as the ranges of the row before, so the last result is cached. Not thread-safe; the list must
+/// outlive it.
 class NarrowedCases {
  public:
   explicit NarrowedCases(std::span<const Places::Case> all) : all_{all}, cases_(all.size()) {}

@@ -32,8 +32,7 @@ class PlaceFields {
   /// of only the region's columns.
   void set_row(int z, std::span<const float* const> quantities, std::size_t first, std::size_t step,
                std::span<const std::int32_t> heights_fx);
-  /// Fills a tile of ground whose corner is column (x, z) of the region. All of it must lie inside the
-  /// region.
+  /// Fills a tile of ground whose corner is column (x, z). All of it must lie inside the region.
   void fill(int x, int z, GroundTile& tile) const;
   /// Takes the columns of a tile, which may extend past the region. Tiles replace set_row() for all columns.
   void take(int x, int z, const GroundTilePtr& tile);
@@ -42,8 +41,7 @@ class PlaceFields {
   void thin_late(const Field& slope, const Field* cliff);
 
   [[nodiscard]] const std::vector<LookField>& looks() const { return looks_; }
-  /// 0 to kWholeShare. Empty if 0 in the whole region. REQUIRES that the share is not read only by
-  /// share_at().
+  /// 0 to kWholeShare. Empty if 0 in the whole region. REQUIRES !at_points[i] for share i.
   [[nodiscard]] const std::vector<Field>& shares() const { return shares_; }
   /// Returns true if share i is known to be kWholeShare along row z. Valid for shares() after thin_late().
   [[nodiscard]] bool is_whole(std::size_t i, int z) const {

@@ -25,8 +25,7 @@ struct RockIds {
 };
 
 /// Reads both kinds of sections in the order of the file, looks first. Adds their materials to `materials`
-/// and `names`, and their rules to `rules`. `materials` must already contain air, water, strata and loose
-/// materials.
+/// and `names`, and their rules to `rules`. `materials` must contain air, water, strata and loose materials.
 [[nodiscard]] LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
                                     const RockIds& rock, std::set<std::string>& names,
                                     std::vector<Material>& materials);

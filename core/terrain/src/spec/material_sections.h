@@ -16,8 +16,7 @@ namespace talus::terrain {
 /// order, have no depths, and at least one is a band.
 [[nodiscard]] std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, bool repeat,
                                                           std::set<std::string>& names);
-/// REQUIRES that spec.resolution and spec.method are read: the slope method bounds the halo that a material
-/// needs.
+/// REQUIRES that spec.resolution and spec.method are read: the slope method bounds halos.
 [[nodiscard]] std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
                                                   PlacesReader& places, std::set<std::string>& names);
 

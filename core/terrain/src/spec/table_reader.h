@@ -67,8 +67,7 @@ class TableReader {
 
   /// `note` follows the range in the error.
   double real(const std::string& key, Range range, std::string_view note = {});
-  /// A length in terrain units that must also be within a range in voxels. The error shows one range for
-  /// both.
+  /// A length in terrain units that must also be within a range in voxels. The error shows one range.
   double length(const std::string& key, Range units, const Voxels& voxels);
   std::int64_t integer(const std::string& key, std::int64_t min, std::int64_t max);
   bool boolean(const std::string& key);

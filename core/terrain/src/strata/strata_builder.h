@@ -21,8 +21,7 @@ namespace talus::terrain {
 /// Reuses its memory from region to region. Not thread-safe; the world must outlive it.
 class StrataBuilder {
  public:
-  /// `until_full` omits planes that lie completely at the limit because those below have reached it; `all`
-  /// builds them too.
+  /// `until_full` omits planes that lie completely at the limit, as lower ones have reached it.
   enum class Extent { until_full, all };
 
   StrataBuilder(const World& world, InstructionSet set);

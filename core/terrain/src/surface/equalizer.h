@@ -1,5 +1,4 @@
-// Makes a noise uniform, so that an author can read shares of land off a field's values: 40 % of the world
-// lie below -0.2.
+// Makes a noise uniform, so that authors read shares of land off a field's values: 40 % lie below -0.2.
 #pragma once
 
 #include "noise/rotated_fbm.h"

@@ -14,7 +14,7 @@ namespace talus::map {
 struct EditedTop {
   std::int64_t x = 0;
   std::int64_t z = 0;
-  MaterialId material{};       // of the topmost voxel that is neither air nor water
+  MaterialId material{};       // the topmost voxel that is neither air nor water
   std::int32_t row = 0;        // the row above it
   MaterialId water = kAir;     // the water above it; kAir: no water
   std::int32_t water_row = 0;  // the row above the water

@@ -19,8 +19,7 @@ class WaterLight;
 /// Source of a pixel's colour.
 enum class GridColours : std::uint8_t {
   /// Uses the colour of the column's look and of the loose material on level ground if columns are at least
-  /// 16 base columns apart and the world has looks. Otherwise generates the top of the stack at the nearest
-  /// level of detail.
+  /// 16 base columns apart and the world has looks. Otherwise generates the stack at the nearest level.
   exact,
   /// Uses the colour of the column's look and of the loose material that lies on ground as steep as the
   /// column's. Generates nothing.

@@ -18,8 +18,7 @@ namespace talus::map {
 class WaterLight;
 
 /// Paints one pixel per column of a level. A pixel's colour is the mean of the topmost base voxel of its
-/// stack, so rock shows through thin soil, and the sea's bed through shallow water. Any number of threads may
-/// paint.
+/// stack, so rock shows through thin soil, and the sea's bed through shallow water. Thread-safe.
 class RegionPainter {
  public:
   /// `relief`: factor for heights when shading. `edits`: null to paint the land as generated. `world` and

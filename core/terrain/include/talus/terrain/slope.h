@@ -7,8 +7,7 @@
 
 namespace talus::terrain {
 
-/// Returns the slope of all columns of `heights` except the outermost ring: voxels of rise per voxel of run,
-/// in 1/256.
+/// Slope of all columns of `heights` except the outermost ring: voxels of rise per voxel of run, in 1/256.
 [[nodiscard]] Field slope_inside(const Field& heights);
 
 }  // namespace talus::terrain

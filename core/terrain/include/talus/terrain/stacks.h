@@ -22,8 +22,7 @@ struct Stacks {
   CaveAir caves;
   /// Number of planes of loose material, on top of all others.
   std::size_t loose_planes = 0;
-  /// Per-column data that features keep: one field for each of World::features(), empty if the feature keeps
-  /// no data.
+  /// Per-column data of features: one field for each of World::features(), empty if it keeps no data.
   std::vector<Field> surveys;
   /// The look of each column, one field for each of PlacesSpec::looks.
   std::vector<LookField> looks;

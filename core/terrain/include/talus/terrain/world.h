@@ -219,8 +219,7 @@ class World {
                                                             std::span<const FeatureKind> kinds);
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// Folds, caves and so on: one for each section of the spec that is of a known kind, in the order of the
-  /// known kinds.
+  /// Folds, caves and so on: one for each section of a known kind, in the order of the known kinds.
   [[nodiscard]] const std::vector<std::shared_ptr<const Feature>>& features() const { return features_; }
   /// Returns true if a feature carves air out of the ground.
   [[nodiscard]] bool has_caves() const;
@@ -228,8 +227,7 @@ class World {
   [[nodiscard]] bool has_objects() const;
   /// PlacedObject::kind is an index into it.
   [[nodiscard]] std::vector<ObjectKindName> object_kinds() const;
-  /// In order: air, water, stratified, eroded, then features' materials. materials()[to_integer(id)] has that
-  /// id.
+  /// Air, water, stratified, eroded, then features' materials. materials()[to_integer(id)] has that id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   /// Further materials that may be placed, in the order of the spec; all names are unique.
   [[nodiscard]] const std::vector<Placeable>& placeables() const { return placeables_; }

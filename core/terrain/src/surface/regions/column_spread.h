@@ -35,8 +35,7 @@ class ColumnSpread {
   [[nodiscard]] std::size_t columns_a_cell() const { return columns_a_cell_; }
   [[nodiscard]] const float* fractions() const { return fractions_.data(); }
 
-  /// Interpolates values at the samples, padded, to the columns, with their rise per column eastward, which
-  /// may be null.
+  /// Interpolates values at the samples, padded, to the columns. `rise`: per column eastward, or null.
   void row(const RegionKernels& kernels, const float* values, float* out, float* rise);
 
  private:

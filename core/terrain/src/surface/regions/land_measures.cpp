@@ -84,8 +84,7 @@ Displacement displacement_at(const SlowFields& fields, std::int64_t x, std::int6
   return {along(fields.warp_east), along(fields.warp_south)};
 }
 
-/// Distance from a position to the nearest lattice point, or middle of a cell, along one axis, in 2^-32
-/// cells.
+/// Distance along one axis to the nearest lattice point, or middle of a cell, in 2^-32 cells.
 double to_nearest(std::uint64_t position, ShapingLattices::Spot spot) {
   constexpr std::uint64_t kHalf = std::uint64_t{1} << 31U;
   const std::uint64_t to_middle = kHalf - static_cast<std::uint32_t>(position);

@@ -148,8 +148,8 @@ void RegionRows::spread_row(std::int64_t z) {
   }
 }
 
-/// Computes all slow rows at the samples of row z. Separate from their readers, whose loads would wait for
-/// the stores.
+/// Computes all slow rows at the samples of row z. Separate from its readers, which would wait for the
+/// stores.
 void RegionRows::blend_lines(std::int64_t z) {
   lines_from_.reset();  // lines_ may overwrite them
   const std::int64_t inside = floor_mod(z, kSampleStep);

@@ -24,12 +24,10 @@ enum class InstructionSet : std::uint8_t { scalar, sse4, avx2, avx512 };
 inline constexpr const char* kInstructionSetVariable = "TALUS_INSTRUCTION_SET";
 
 /// Returns the set named by TALUS_INSTRUCTION_SET or, if that is unset or empty, the fastest that runs here.
-/// Fails with a one-line message if the name is unknown or the set does not run here. Programs call it at
-/// startup.
+/// Fails with one line if the name is unknown or the set does not run here. Programs call it at startup.
 [[nodiscard]] tl::expected<InstructionSet, std::string_view> forced_instruction_set();
 
-/// The set that all kernels use, fixed at the first call: the forced one, or the fastest if the forced one is
-/// invalid.
+/// The set that all kernels use, fixed at the first call: the forced one, or the fastest if that is invalid.
 [[nodiscard]] InstructionSet instruction_set();
 
 }  // namespace talus

@@ -24,7 +24,6 @@ inline constexpr std::size_t kPadding = 32;
 
 }  // namespace talus
 
-// The table's address for each InstructionSet, null if this build has no code for it. Use only inside
-// HWY_ONCE.
+// The table's address for each InstructionSet, null if this build has no code for it. For use in HWY_ONCE.
 #define TALUS_TABLES(table) \
   { HWY_CHOOSE_FALLBACK(table), HWY_CHOOSE_SSE4(table), HWY_CHOOSE_AVX2(table), HWY_CHOOSE_AVX3(table) }
