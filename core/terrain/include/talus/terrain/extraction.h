@@ -46,11 +46,11 @@ struct MixedRange {
 [[nodiscard]] MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x,
                                      std::int32_t chunk_z);
 
-/// The range that holds for every column of a level, whatever the surface. O(1).
+/// The range that holds for every column of a level, whatever the surface. Cheap: reads no columns.
 [[nodiscard]] MixedRange mixed_range(const World& world, Lod lod);
 
 /// Returns the material of a chunk that is uniform whatever the surface: below the lowest or above the
-/// highest that this world can have. O(1).
+/// highest that this world can have. Cheap: reads no columns.
 [[nodiscard]] std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key);
 
 /// Returns the voxel row of a level at and above which everything is air.

@@ -12,13 +12,13 @@
 
 namespace talus::terrain {
 
-/// Returns the ground of base columns in subvoxels: H, or the floor of a cave that is open to the sky. With
-/// the erosion method each tile of 32 x 32 columns that holds a requested column costs a region with its
-/// halo; with caves or talus it costs the ground around the requested columns.
 struct BaseColumn {
   std::int64_t x = 0;
   std::int64_t z = 0;
 };
+/// Returns the ground of base columns in subvoxels: H, or the floor of a cave that is open to the sky. With
+/// the erosion method each tile of 32 x 32 columns that holds a requested column costs a region with its
+/// halo; with caves or talus it costs the ground around the requested columns.
 [[nodiscard]] std::vector<std::int32_t> surface_heights(const World& world,
                                                         std::span<const BaseColumn> columns);
 

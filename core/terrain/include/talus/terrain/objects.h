@@ -21,7 +21,7 @@ struct PlacedObject {
   std::int64_t y = 0;
   std::int64_t z = 0;
   std::uint64_t hash = 0;  // random bits drawn from its place in the endless plane
-  /// At levels 3 and up, the base column that shows the object; columns search their surroundings.
+  /// At levels 3 and up, the base column that shows the object; each column finds the objects around it.
   std::int64_t seen_x = 0;
   std::int64_t seen_z = 0;
   bool operator==(const PlacedObject&) const = default;

@@ -24,7 +24,7 @@ enum class Quantity : std::uint8_t {
   ranges,       // 0 to 1: strength of a mountain range
   base,         // height of the plain without hills, terrain units
   terraces,     // 0 to 1: relative height on a mesa
-  slope,        // eq. 1, subvoxels a column
+  slope,        // eq. 1, subvoxels per column
   cliff,        // 0 to 1: 1 at a wall
 };
 inline constexpr std::size_t kQuantities = 9;
@@ -51,7 +51,7 @@ struct PlaceRamp {
   double all = 1;
 };
 
-/// All conditions must hold. They do not include slope and cliff.
+/// All conditions must hold. Slope and cliff are not allowed.
 struct LookCase {
   std::vector<PlaceCondition> conditions;
   std::uint8_t look = 0;  // 1 to kMaxLooks
@@ -63,8 +63,8 @@ struct LookRules {
   std::vector<LookCase> cases;
 };
 
-/// A column's share of something: the product of the ramps, or 0 if the column's look is not in `looks`.
 inline constexpr std::int32_t kWholeShare = 4096;  // a share of everything
+/// A column's share of something: the product of the ramps, or 0 if the column's look is not in `looks`.
 struct ShareRule {
   std::vector<PlaceRamp> ramps;
   std::uint64_t looks = ~std::uint64_t{0};  // bit k: look k of the first rules

@@ -17,7 +17,7 @@ namespace talus::terrain {
 struct Warp {
   Fbm east;
   Fbm south;
-  float reach_fx = 0;  // at most 2^22, so that a displacement needs no rounding of its own
+  float reach_fx = 0;  // at most 2^22, so that adding 1.5 * 2^23 rounds a displacement
 };
 
 /// A height map placed in the endless plane. `_q16`: integers of 2^-16 voxel.
