@@ -10,7 +10,7 @@
 namespace talus::map {
 namespace {
 
-constexpr int kSampledRows = 16;  // a step
+constexpr int kSampledRows = 16;  // per step
 
 std::int64_t inside_world(std::int64_t base) {
   const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
@@ -35,7 +35,7 @@ ColumnSampling::ColumnSampling(const terrain::World& world, const ColumnGrid& gr
       sampler_{sampler_of(world, names)},
       has_looks_{world.look_names().size() > 1},
       place_of_(static_cast<std::size_t>(grid.width)) {
-  // The sampler takes ascending columns, each once.
+  // The sampler takes strictly ascending columns.
   std::vector<std::int64_t> xs;
   for (int i = 0; i < grid.width; ++i) {
     const std::int64_t x = inside_world(grid.x_of(i));
@@ -45,7 +45,7 @@ ColumnSampling::ColumnSampling(const terrain::World& world, const ColumnGrid& gr
   sampler_.start(xs);
   samples_.heights_fx.reshape(grid.width, grid.depth);
   samples_.looks.reshape(grid.width, grid.depth);
-  // Without looks the sampler's first rules are those of provinces.
+  // Without looks the sampler's first rules are the provinces'.
   if (!has_looks_) std::fill(samples_.looks.values.begin(), samples_.looks.values.end(), std::uint8_t{0});
   samples_.values.assign(names.size(), std::vector<float>(grid.columns()));
 }
@@ -68,7 +68,7 @@ bool ColumnSampling::step() {
 
 SlopeSampling::SlopeSampling(const terrain::World& world, const ColumnGrid& grid)
     : grid_{grid}, sampler_{sampler_of(world, {})}, slopes_fx_{grid.width, grid.depth} {
-  assert(grid.every > 1);  // pairs of neighbours, so that columns ascend
+  assert(grid.every > 1);  // a column and its eastern neighbour, still ascending
   std::vector<std::int64_t> xs;
   for (int i = 0; i < grid.width; ++i) {
     for (const int east : {0, 1}) xs.push_back(grid.x_of(i) + east);

@@ -11,7 +11,7 @@ using terrain::number_of;
 using terrain::Quantity;
 using terrain::QuantityNumber;
 
-// Level ground has neither.
+// Level ground has neither a slope nor a cliff.
 bool of_slopes(QuantityNumber quantity) {
   return quantity == number_of(Quantity::slope) || quantity == number_of(Quantity::cliff);
 }
@@ -97,7 +97,7 @@ MaterialId CoverLooks::rock_at(std::int32_t height_fx) const {
 
 glm::vec3 CoverLooks::covered(const Place& place, MaterialId rock) const {
   glm::vec3 sum{0};
-  float left = 1;  // of the topmost voxel
+  float left = 1;  // still uncovered part of the topmost voxel
   for (const Cover& cover : covers_) {
     const float part = std::min(left, voxels_of(place, cover));
     if (part > 0) sum += part * lights_[to_integer(shown(place, cover.material))];

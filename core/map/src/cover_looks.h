@@ -1,4 +1,4 @@
-// What covers a column, told from its quantities alone, without the stacks of its neighbourhood.
+// Computes a column's colour from its own quantities, without the stacks around it.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace talus::map {
 
-/// The looks of the cover, of other loose material and of water, and the shares of loose material, of ground
-/// of a slope that the caller knows. No wall is near: from afar none is as wide as a pixel.
+/// Colours of the cover and of water: looks, and shares of loose material, for ground of a given slope.
+/// Assumes that no wall is near: from afar no wall is as wide as a pixel.
 class CoverLooks {
  public:
   explicit CoverLooks(const terrain::World& world);
 
-  /// What sample_columns() must give.
+  /// Names that sample_columns() must sample.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  /// The colour of level ground, as light, at one column of the samples; the rock is the topmost.
+  /// The colour of level ground, as light, at one column of the samples. Its rock is the topmost layer.
   [[nodiscard]] glm::vec3 level_ground(const ColumnSamples& samples, std::size_t column) const;
-  /// The same of ground of a slope, in subvoxels a column, with the rock that lies that high where layers are
-  /// even.
+  /// The colour of ground with a slope in subvoxels per column. Its rock is the layer at that height, for
+  /// even layers.
   [[nodiscard]] glm::vec3 ground(const ColumnSamples& samples, std::size_t column,
                                  std::int32_t slope_fx) const;
-  /// Of the sea over it, or its ice.
+  /// The colour of the sea over the column, or of its ice.
   [[nodiscard]] glm::vec3 water(const ColumnSamples& samples, std::size_t column) const;
 
  private:
@@ -57,9 +57,9 @@ class CoverLooks {
   const terrain::World& world_;
   std::vector<glm::vec3> lights_;
   std::vector<Cover> covers_;                // top down
-  std::vector<std::int64_t> layer_tops_fx_;  // of World::strata(), where all are as thick as on average
+  std::vector<std::int64_t> layer_tops_fx_;  // tops of World::strata() at their mean thicknesses
   std::vector<std::string> names_;
-  std::vector<std::optional<std::size_t>> place_of_;  // in names_, by quantity
+  std::vector<std::optional<std::size_t>> place_of_;  // index in names_, by quantity
 };
 
 }  // namespace talus::map

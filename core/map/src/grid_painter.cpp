@@ -18,10 +18,10 @@
 namespace talus::map {
 namespace {
 
-constexpr std::int64_t kFar = 16;  // base columns from which on no wall is as wide as a pixel
-// Columns of a level that are generated for one of the grid, along a side, at most.
+constexpr std::int64_t kFar = 16;  // base columns; from this distance on no wall is as wide as a pixel
+// Maximum number of columns of the level, along a side, generated per column of the grid.
 constexpr std::int64_t kDensest = 2;
-constexpr int kStackPatch = 128;  // columns of a level
+constexpr int kStackPatch = 128;  // columns of the level
 
 Lod level_of(std::int64_t every) {
   return Lod::of(
@@ -103,7 +103,7 @@ class GridPainter::Work final : public Painting {
   std::optional<ColumnSampling> sampling_;
   std::optional<SlopeSampling> sloping_;
   ColumnSamples samples_;     // with the ring
-  terrain::Field slopes_fx_;  // without it
+  terrain::Field slopes_fx_;  // without the ring
   terrain::Field ground_;
   terrain::Field seen_;
   std::vector<glm::vec3> tops_;
@@ -127,7 +127,7 @@ std::unique_ptr<Painting> GridPainter::start(const ColumnGrid& grid, Image& imag
   return std::make_unique<Work>(*this, grid, image, x, y);
 }
 
-// In subvoxels of a voxel that is as large as a pixel's columns.
+// In subvoxels of a voxel as wide as the grid's spacing.
 terrain::Field GridPainter::lifted(const terrain::Field& heights_fx, bool sea) const {
   const auto every = static_cast<float>(every_);
   const float factor = exaggeration(every) / every;
@@ -140,7 +140,7 @@ terrain::Field GridPainter::lifted(const terrain::Field& heights_fx, bool sea) c
   return field;
 }
 
-// Over the grid in squares, or column by column where a square would be mostly what nobody asks for.
+// Generates the grid in squares, or column by column if most of a square would not be used.
 std::vector<glm::vec3> GridPainter::tops_of_stacks(const ColumnGrid& grid) const {
   const Lod lod = level_of(every_);
   const bool alone = every_ > kDensest << lod.value();

@@ -9,15 +9,15 @@ namespace {
 
 const glm::vec3 kMapSun{0.74F, 0.68F, 0.58F};
 const glm::vec3 kMapSky{0.27F, 0.33F, 0.43F};
-// Depth of water, in terrain units, that leaves 1/e of the light. Red is lost first.
+// Depth of water, in terrain units, at which 1/e of the light is left. Red is absorbed first.
 const glm::vec3 kClearWater{0.012F, 0.024F, 0.032F};
-// The light that the water's surface lets through, so that a shore shows even where the water is shallow.
+// Share of light that passes the water's surface; below 1 so that shores show even in shallow water.
 constexpr float kThroughSurface = 0.62F;
-constexpr float kThroughRivers = 0.42F;  // of regions: rivers are shallow, and must show from afar
-// A terrain unit of regions is about a metre; of other surfaces it is as large as a mountain.
+constexpr float kThroughRivers = 0.42F;  // with regions: rivers are shallow but must show from afar
+// A terrain unit is about a metre with regions; with other surfaces it is as large as a mountain.
 constexpr float kUnitsOfRegions = 110;
-// The seas of regions have shelves and deeps: water grows darker over so many terrain units, down to that
-// light.
+// With regions seas have shelves and deeps: water darkens with an e-folding depth of kDeepUnits terrain
+// units, down to kDeepest of the light.
 constexpr float kDeepUnits = 28;
 constexpr float kDeepest = 0.42F;
 

@@ -1,4 +1,4 @@
-// How maps show colours: sun and sky on them, water over them.
+// Light on maps: sun and sky on the ground, and water over it.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace talus::map {
 
-/// A colour of the ground under that light.
+/// The colour of ground under `light`.
 [[nodiscard]] glm::vec3 lit(glm::vec3 colour, Light light);
 
-/// Water over its bed. Red light is lost first.
+/// Light through water over its bed. Red is absorbed first.
 class WaterLight {
  public:
   explicit WaterLight(const terrain::World& world);
-  /// What is seen of a lit bed through so many subvoxels, of level 0, of water of a colour; `light` falls on
-  /// the water's surface.
+  /// The light that leaves water of colour `water` over a lit bed. `depth_fx`: its depth in subvoxels of
+  /// level 0. `light` falls on the water's surface.
   [[nodiscard]] glm::vec3 over(glm::vec3 bed, glm::vec3 water, std::int64_t depth_fx, Light light) const;
 
  private:
@@ -27,8 +27,8 @@ class WaterLight {
   float through_surface_ = 0;
 };
 
-/// As a picture shows it: bright light is compressed, so that slopes keep their colour instead of clipping,
-/// and strong colours are softened.
+/// Tone-maps light for display: compresses bright light, so that slopes keep their colour instead of
+/// clipping, and softens strong colours.
 [[nodiscard]] glm::vec3 developed(glm::vec3 light);
 
 }  // namespace talus::map

@@ -33,17 +33,17 @@ void lift(terrain::Field& field, float factor) {
 
 }  // namespace
 
-/// What is seen over a patch and its ring.
+/// The visible surfaces of a patch and its ring.
 struct RegionPainter::Scene {
   terrain::Stacks stacks;
   std::vector<MaterialId> ore;
-  std::vector<MaterialId> objects;  // by column: of what stands on the ground, or of ground that was edited
-  std::vector<MaterialId> water;    // by column, where edits put some; empty: nowhere
-  terrain::Field depth_fx;          // of the water; 0 and less where it is dry
-  // Heights as light falls on them.
+  std::vector<MaterialId> objects;  // by column: objects on the ground, or the top of edited ground
+  std::vector<MaterialId> water;    // by column: water placed by edits; empty if no edit placed any
+  terrain::Field depth_fx;          // depth of the water; 0 or less if dry
+  // Heights used for shading.
   terrain::Field ground;
   terrain::Field canopy;
-  terrain::Field seen;  // the sea's surface where it covers the ground
+  terrain::Field seen;  // the sea's surface if it covers the ground
 };
 
 class RegionPainter::Work final : public Painting {
@@ -157,7 +157,7 @@ glm::vec3 RegionPainter::pixel(const Scene& scene, int x, int z) const {
   return water_->over(pixel, lights_[to_integer(water)], depth_base_fx, light_at(scene.seen, x, z));
 }
 
-// Ice where there is some.
+// Returns ice if the column's look shows ice.
 MaterialId RegionPainter::water_at(const terrain::Stacks& stacks, int x, int z) const {
   const terrain::World::ShownBy* const by = world_.shown_by(kWater);
   return by == nullptr ? kWater : by->by_look[stacks.looks[by->looks].at(x, z)];

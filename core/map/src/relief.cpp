@@ -13,7 +13,7 @@ namespace talus::map {
 namespace {
 
 constexpr std::array kReach{1, 2, 4, 7, 11, 16, kReliefRing};
-constexpr float kSunTangent = 0.9F;  // of its height over the horizon
+constexpr float kSunTangent = 0.9F;  // tangent of its elevation angle
 constexpr float kDiagonal = 1.41421356F;
 
 struct Direction {
@@ -24,7 +24,7 @@ constexpr std::array kCompass{Direction{-1, -1}, Direction{0, -1}, Direction{1, 
                               Direction{1, 0},   Direction{-1, 1}, Direction{0, 1},  Direction{1, 1}};
 constexpr Direction kNorthWest = kCompass[0];
 
-// Rises count less with distance: the ring ends where a real horizon would not, and no shadow may break off.
+// Rises count less with distance, so that shadows do not break off where the ring ends.
 float horizon_tangent(const terrain::Field& surface, int x, int z, Direction direction) {
   const float here = static_cast<float>(surface.at(x, z));
   const float stride = direction.x != 0 && direction.z != 0 ? kDiagonal : 1.0F;
@@ -38,7 +38,7 @@ float horizon_tangent(const terrain::Field& surface, int x, int z, Direction dir
   return steepest;
 }
 
-// Rise eastward and southward, for each column of run, seen over `reach` columns by Sobel's weights.
+// Eastward and southward rise per column of run, by Sobel weights over `reach` columns.
 glm::vec2 gradient_at(const terrain::Field& surface, int x, int z, int reach) {
   const auto h = [&](int dx, int dz) {
     return static_cast<float>(surface.at(x + dx * reach, z + dz * reach));
@@ -48,7 +48,7 @@ glm::vec2 gradient_at(const terrain::Field& surface, int x, int z, int reach) {
   return glm::vec2{east, south} / static_cast<float>(8 * terrain::kSubvoxels * reach);
 }
 
-// Fine relief alone looks like crumpled foil; the mountain's own shape gives it body.
+// Fine relief alone looks like crumpled foil; the coarse gradient adds the mountain's shape.
 glm::vec3 normal_at(const terrain::Field& surface, int x, int z) {
   const glm::vec2 gradient = 0.55F * gradient_at(surface, x, z, 1) + 0.45F * gradient_at(surface, x, z, 9);
   return glm::normalize(glm::vec3{-gradient.x, 1, -gradient.y});

@@ -13,7 +13,7 @@ glm::vec3 top_colour(const terrain::World& world, const terrain::Stacks& stacks,
   const std::int32_t bottom = top - base_voxel_fx;
   glm::vec3 sum{0};
   for (std::size_t k = stacks.tops.size(); k-- > 0 && top > bottom;) {
-    // Under the lowest plane its material goes on without end.
+    // The lowest plane's material extends downward without end.
     const std::int32_t under = k == 0 ? bottom : std::max(bottom, stacks.tops[k - 1].at(x, z));
     if (under >= top) continue;
     sum += static_cast<float>(top - under) *

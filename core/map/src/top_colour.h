@@ -1,4 +1,4 @@
-// The colour of the ground as it is seen from above.
+// The colour of the ground as seen from above.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace talus::map {
 
-/// The mean over the topmost base voxel of a column of the stacks, so that thin soil lets the rock shine
-/// through. `outcrops` are exposed_overlays() of the stacks, `lights` the world's material_lights().
+/// Returns the mean over the topmost base voxel of a column, so that rock shows through thin soil. `outcrops`
+/// are exposed_overlays() of the stacks, `lights` the world's material_lights().
 [[nodiscard]] glm::vec3 top_colour(const terrain::World& world, const terrain::Stacks& stacks,
                                    std::span<const MaterialId> outcrops, std::span<const glm::vec3> lights,
                                    int x, int z);

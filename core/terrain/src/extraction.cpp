@@ -23,7 +23,7 @@ namespace {
 
 using Rows = std::array<std::int32_t, kChunkArea>;
 
-// No surface and no sea lies farther from y = 0, and differences with it fit 32 bits.
+// Farther from y = 0 than any surface or sea, yet differences with it fit 32 bits.
 constexpr std::int32_t kFarRow = 1 << 24;
 
 // The boundary rows of 32 x 32 columns, plane by plane, in the region's level.
@@ -45,11 +45,11 @@ class TileRows {
 
   [[nodiscard]] std::size_t planes() const { return stacks_.tops.size(); }
   [[nodiscard]] MaterialId material(std::size_t plane) const { return stacks_.materials[plane]; }
-  /// Row z of the looks of the tile's columns, by some rules.
+  /// Row z of the looks of the tile's columns, by rules `rules`.
   [[nodiscard]] const std::uint8_t* looks(std::size_t rules, int z) const {
     return stacks_.looks[rules].row(z_ + z).data() + x_;
   }
-  /// From a row of looks to the next.
+  /// Stride between rows of looks.
   [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(stacks_.region.width); }
 
   [[nodiscard]] std::int32_t lowest(std::size_t plane) const {
@@ -59,11 +59,11 @@ class TileRows {
     return extreme(plane, [](std::int32_t a, std::int32_t b) { return std::max(a, b); });
   }
 
-  /// The boundary rows of a field over the stacks, counted from `floor_row` and cut to a chunk.
+  /// The boundary rows of a field over the stacks, relative to `floor_row` and clamped to a chunk.
   void cut(const Field& field, std::int32_t floor_row, ChunkPlane& rows) const {
     kernels_.cut(field.row(z_).data() + x_, static_cast<std::size_t>(field.width), floor_row, rows.data());
   }
-  /// The same of a plane, with the surface caps of coarse levels.
+  /// The boundary rows of a plane, with the surface caps of coarse levels.
   void cut(std::size_t plane, std::int32_t floor_row, ChunkPlane& rows) const {
     if (!coarse_) return cut(stacks_.tops[plane], floor_row, rows);
     const Rows whole = read(plane);
@@ -74,10 +74,10 @@ class TileRows {
     return static_cast<std::uint8_t>(std::clamp(row - floor_row, 0, kChunkSize));
   }
 
-  /// Water stands from the ground up to here; far below all where there is none.
+  /// The top of the sea's water; far below everything if there is no sea.
   [[nodiscard]] std::int32_t sea_row() const { return sea_row_; }
 
-  /// The lowest row of a cave; far above all where there is none.
+  /// The lowest row of a cave; far above everything if there is no cave.
   [[nodiscard]] std::int32_t lowest_cave() const {
     std::int32_t lowest = kFarRow;
     if (stacks_.caves.none()) return lowest;
@@ -91,7 +91,7 @@ class TileRows {
   }
 
  private:
-  /// The boundary row of a plane that `pick` keeps of all.
+  /// The boundary row of the column of a plane that `pick` selects.
   template <typename Pick>
   [[nodiscard]] std::int32_t extreme(std::size_t plane, Pick&& pick) const {
     if (coarse_) {
@@ -106,8 +106,8 @@ class TileRows {
     return boundary_row(kept_fx);
   }
 
-  /// Boundary rows of a plane of a coarse level. Far hills keep their grass: the topmost solid voxel takes
-  /// the material near the top of the stack, even where that is too thin to reach the voxel's centre.
+  /// Boundary rows of a plane of a coarse level. To keep far hills green, the topmost solid voxel takes the
+  /// material near the top of the stack, even if its layer is too thin to reach the voxel's centre.
   [[nodiscard]] Rows read(std::size_t plane) const {
     Rows rows;
     for (int z = 0; z < kChunkSize; ++z) {
@@ -154,12 +154,12 @@ class TileRows {
   bool coarse_;
   std::int32_t wet_fx_;
   std::int32_t sea_row_ = -kFarRow;
-  std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane that the topmost solid voxel shows
+  std::array<std::size_t, kChunkArea> cap_plane_{};  // the plane shown by the topmost solid voxel
   Rows ground_{};
 };
 
-// The layers of a chunk, bottom up. No plane lies below the one before, so where two are cut alike, so are
-// all between them, and need not be looked at: of most chunks that is more than half.
+// Builds the layers of a chunk, bottom up. Planes are ordered, so if two have equal cuts, so do all between
+// them, which can be skipped: in most chunks that is more than half.
 class LayerPicker {
  public:
   LayerPicker(const World& world, const TileRows& tile, std::int32_t floor_row, Layers memory)
@@ -168,7 +168,7 @@ class LayerPicker {
     layers_.tops.clear();
   }
 
-  /// All planes; `top` becomes the last of them.
+  /// Adds all planes and stores the cut of the last in `top`.
   void add_planes(ChunkPlane& top) {
     const std::size_t last = tile_.planes() - 1;
     ChunkPlane bottom;
@@ -178,14 +178,14 @@ class LayerPicker {
     add_between(0, bottom, last, top);
     add(tile_.material(last), top);
   }
-  /// Where it does not lie on the plane before, in all columns.
+  /// Adds the plane unless it equals the plane before in all columns.
   void add(MaterialId material, const ChunkPlane& plane) {
     if (std::equal(plane.begin(), plane.end(), below())) return;
     const World::ShownBy* const shown = world_.shown_by(material);
     if (shown == nullptr || material == kWater) return push(material, plane);
     add_shown(*shown, plane);
   }
-  /// `plane` is the sea's, whose topmost voxel may show another material, such as ice.
+  /// Adds the sea's plane, whose topmost voxel may show another material, such as ice.
   void add_water(const ChunkPlane& plane, bool shows_top) {
     const World::ShownBy* const shown = world_.shown_by(kWater);
     if (shown == nullptr || !shows_top || std::equal(plane.begin(), plane.end(), below())) {
@@ -225,8 +225,8 @@ class LayerPicker {
     layers_.tops.insert(layers_.tops.end(), plane.begin(), plane.end());
   }
 
-  /// A layer for each material that shows: each ends at the plane where it shows, and where it does not, or
-  /// one before it did, at the layer below.
+  /// Adds a layer for each shown material. Its plane equals `plane` in columns that show it or an earlier
+  /// one, and the layer below in the others.
   void add_shown(const World::ShownBy& shown, const ChunkPlane& plane) {
     const std::uint64_t present = looks_in_tile(shown.looks);
     std::array<MaterialId, kMaxLooks + 1> found{};
@@ -253,7 +253,7 @@ class LayerPicker {
     if (!std::equal(plane.begin(), plane.end(), below())) push(materials.back(), plane);
   }
 
-  /// Bit k: some column of the tile has look k.
+  /// Bit k is set if a column of the tile has look k.
   [[nodiscard]] std::uint64_t looks_in_tile(std::size_t rules) {
     for (const Present& known : present_) {
       if (known.looks != 0 && known.rules == rules) return known.looks;
@@ -261,7 +261,7 @@ class LayerPicker {
     std::uint64_t looks = 0;
     for (int z = 0; z < kChunkSize; ++z) {
       const std::uint8_t* const row = tile_.looks(rules, z);
-      unsigned others = 0;  // most rows have one look
+      unsigned others = 0;  // nonzero if the row has several looks; most rows have one
       for (int x = 1; x < kChunkSize; ++x) others |= row[x] ^ unsigned { row[0] };
       looks |= std::uint64_t{1} << row[0];
       if (others == 0) continue;
@@ -281,7 +281,7 @@ class LayerPicker {
   const ChunkPlaneKernels& kernels_ = chunk_plane_kernels(instruction_set());
   std::int32_t floor_row_;
   Layers layers_;
-  std::array<Present, 8> present_{};  // the last that were asked for
+  std::array<Present, 8> present_{};  // a cache of the last queries
   std::size_t next_present_ = 0;
 };
 
@@ -310,7 +310,7 @@ const Field* survey_of(const Stacks& stacks, std::size_t feature) {
   return kept ? &stacks.surveys[feature] : nullptr;
 }
 
-// Of features whose overlays rise above the ground; objects count where they stand, or anywhere.
+// The rows that overlays rise above the ground, without objects unless `objects` is true.
 int above_ground(const World& world, Lod lod, bool objects) {
   int rows = 0;
   for (const auto& feature : world.features()) {
@@ -319,7 +319,7 @@ int above_ground(const World& world, Lod lod, bool objects) {
   return rows;
 }
 
-// Where the highest object ends that may stand over a tile, whichever tile its foot is in.
+// The top row of the highest object that may reach over a tile, whichever tile its foot is in.
 std::int64_t highest_object_row(const World& world, const Stacks& stacks, std::int32_t chunk_x,
                                 std::int32_t chunk_z) {
   std::int64_t highest = std::numeric_limits<std::int32_t>::min();
@@ -338,7 +338,7 @@ std::int64_t highest_object_row(const World& world, const Stacks& stacks, std::i
   return highest;
 }
 
-// Of all features together.
+// The union over all features.
 OverlayRows overlay_rows(const World& world, Lod lod) {
   OverlayRows all;
   for (const auto& feature : world.features()) {

@@ -1,14 +1,14 @@
-// What a kind of feature is made of: folds, faults, ores and caves each are one file in features/, and so is
-// the next (docs/DESIGN.md, "Adding a feature"). Private to core/terrain.
+// The interface of features: folds, faults, ores and caves each are one file in features/, and so is a new
+// one (docs/DESIGN.md, "Adding a feature"). Private to core/terrain.
 //
-// A feature is a section of world.toml. It takes part in any of five stages, by the functions it overrides:
+// A feature is a section of world.toml. It takes part in any of five stages, by overriding functions:
 //   strata   make_deformation()  moves the strata of a column up or down
-//   ground   survey()            looks at the ground around a region and keeps a number a column
-//   air      make_carver()       carves air out of columns, and says where it opens to the sky
+//   ground   survey()            reads the ground around a region and keeps a number per column
+//   air      make_carver()       carves air out of columns and reports where it opens to the sky
 //   chunks   add_overlays()      puts material into a chunk's voxels
-//   objects  place()             stands on the ground of a region, and add_overrides() gives its voxels
-// Everything that it does is a pure function of the world and of positions: whatever region, chunk or thread
-// computes them, the voxels are the same.
+//   objects  place()             puts objects on the ground of a region; add_overrides() gives their voxels
+// Everything it computes is a pure function of the world and of positions: the voxels do not depend on the
+// region, chunk or thread.
 #pragma once
 
 #include <cstddef>
@@ -38,38 +38,38 @@
 
 namespace talus::terrain {
 
-/// Moves strata. Keeps its memory from region to region. For one thread at a time.
+/// Moves strata. Reuses its memory from region to region; not thread-safe.
 class Deformation {
  public:
   virtual ~Deformation() = default;
   /// Adds the lift in subvoxels of level 0 at all (x, z) of two ascending lists of base columns; `lift_fx`
-  /// has their size. A pure function of the column: no halo.
+  /// has their size. A pure function of the column, so it needs no halo.
   virtual void add(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, Field& lift_fx) = 0;
 };
 
-/// Carves one interval of air into columns. Keeps its memory from region to region. For one thread at a time.
+/// Carves one interval of air into columns. Reuses its memory from region to region; not thread-safe.
 class Carver {
  public:
   virtual ~Carver() = default;
 
-  /// Columns around a column that decide whether it opens to the sky. 0 where a level has no air.
+  /// Columns around a column that decide whether it opens to the sky. 0 if a level has no air.
   [[nodiscard]] virtual int entrance_halo(Lod lod) const = 0;
 
   /// `height` is level 0's H over region.expanded(around), and exact there. Entrances are found over
-  /// region.expanded(open_ring), REQUIRES around >= open_ring + entrance_halo(). The air over the region is
-  /// exact where around >= Feature::halo(); with less it may differ.
+  /// region.expanded(open_ring). The air over the region is exact if around >= Feature::halo(); otherwise it
+  /// may differ. REQUIRES around >= open_ring + entrance_halo().
   void compute(const Region& region, int around, int open_ring, const Field& height) {
     start(region, around, open_ring);
     while (pending()) compute_rows(region.depth + 2 * around, height);
   }
-  /// The same in pieces; `height` is that of the whole region for each of them.
+  /// compute() in pieces; `height` is the whole region's in each piece.
   virtual void start(const Region& region, int around, int open_ring) = 0;
   [[nodiscard]] virtual bool pending() const = 0;
-  /// About `count` rows, or what takes as long. REQUIRES pending() and count > 0.
+  /// Computes about `count` rows, or work of the same duration. REQUIRES pending() and count > 0.
   virtual void compute_rows(int count, const Field& height) = 0;
 
-  /// Where a column is open to the sky: the ground there, in subvoxels of the level, over
-  /// region.expanded(open_ring); kClosed elsewhere. Empty where all are closed.
+  /// The ground in columns that are open to the sky, in subvoxels of the level, over
+  /// region.expanded(open_ring); kClosed in other columns. Empty if all are closed.
   [[nodiscard]] virtual const Field& entrances() const = 0;
   static constexpr std::int32_t kClosed = std::numeric_limits<std::int32_t>::min();
 
@@ -77,20 +77,20 @@ class Carver {
   virtual void take(CaveAir& air) const = 0;
 };
 
-/// A chunk whose stacks are voxels already, for features that put material into it. Valid during the call.
+/// A chunk whose stacks are already voxels, for features that put material into it. Valid during the call.
 class ChunkSite {
  public:
   virtual ~ChunkSite() = default;
 
   [[nodiscard]] const World& world() const { return world_; }
-  /// Of a region that holds the chunk.
+  /// The stacks of a region that contains the chunk.
   [[nodiscard]] const Stacks& stacks() const { return stacks_; }
   [[nodiscard]] ChunkKey key() const { return key_; }
-  /// Columns from the corner of the stacks' region to that of the chunk.
+  /// Columns from the corner of the stacks' region to the corner of the chunk.
   [[nodiscard]] int x() const { return x_; }
   [[nodiscard]] int z() const { return z_; }
 
-  /// The rows of the chunk at which a field over the stacks lies: the first whose centre is not below it.
+  /// The chunk's boundary rows of a field over the stacks: the first row whose centre is not below it.
   virtual void cut(const Field& field, ChunkPlane& rows) const = 0;
   /// The rows at which rock ends, under loose material.
   [[nodiscard]] virtual const ChunkPlane& rock() const = 0;
@@ -106,71 +106,71 @@ class ChunkSite {
   int z_;
 };
 
-/// Rows of a level that a feature's overlays change.
+/// The rows of a level that a feature's overlays may change.
 struct OverlayRows {
-  /// None below this row.
+  /// The lowest row.
   std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
-  /// As many rows above the ground or the sea, whichever is higher.
+  /// Number of rows above the higher of ground and sea.
   int above_ground = 0;
 };
 
-/// The ground of a region on which objects stand. Columns count from the region's corner; those of
-/// Feature::halo() around it are known, too.
+/// The ground of a region on which objects stand. Columns count from the region's corner and extend
+/// Feature::halo() columns around it.
 struct StandingGround {
   Region region;
-  int around = 0;                       // columns around the region that `height` and `places` have
-  const Field* height = nullptr;        // level 0's subvoxels
-  const PlaceFields* places = nullptr;  // or null where the world has no shares
+  int around = 0;                       // columns around the region in `height` and `places`
+  const Field* height = nullptr;        // in level 0's subvoxels
+  const PlaceFields* places = nullptr;  // null if the world has no shares
   const Field* entrances = nullptr;     // Carver::entrances(), or null
-  int open_ring = 0;                    // columns around the region that those have
+  int open_ring = 0;                    // columns around the region in `entrances`
   std::optional<std::int32_t> sea_fx;
 
   [[nodiscard]] std::int32_t height_fx(int x, int z) const { return height->at(x + around, z + around); }
   [[nodiscard]] bool none(const std::optional<std::size_t>& rule) const {
     return rule && !places->has_share(*rule);
   }
-  /// Of kWholeShare. REQUIRES !none(rule).
+  /// 0 to kWholeShare. REQUIRES !none(rule).
   [[nodiscard]] std::int32_t share(const std::optional<std::size_t>& rule, int x, int z) const {
     return rule ? places->share_at(*rule, x + around, z + around) : kWholeShare;
   }
-  /// Whether there is dry ground, or any where water may be, and no cave opens.
+  /// Returns true if the ground is dry, or water is allowed, and no cave opens.
   [[nodiscard]] bool carries(int x, int z, bool in_water) const {
     if (entrances != nullptr && entrances->at(x + open_ring, z + open_ring) != Carver::kClosed) return false;
     return in_water || !sea_fx || height_fx(x, z) >= *sea_fx;
   }
 };
 
-/// How far the objects of a region are placed.
+/// Progress of placing the objects of a region.
 struct Placement {
-  std::size_t kind = 0;               // whose turn it is
-  std::int64_t row = 0;               // of its cells, or of the region's columns
-  std::vector<std::uint8_t> seen_in;  // how many objects a column shows, where each looks for its own
+  std::size_t kind = 0;               // next kind
+  std::int64_t row = 0;               // next row of the kind's cells, or of the region's columns
+  std::vector<std::uint8_t> seen_in;  // objects shown by each column, if columns search for their own
 };
 
-/// A feature of one world. Immutable; threads may share it.
+/// A feature of one world. Immutable; thread-safe.
 class Feature {
  public:
   virtual ~Feature() = default;
 
-  /// Where its lines stand in the canonical form: after the strata's, or after those of loose material.
+  /// Position of its lines in the canonical form: after the strata's, or after the loose materials'.
   enum class Stage : std::uint8_t { strata, voxels };
   [[nodiscard]] virtual Stage stage() const { return Stage::voxels; }
 
-  /// Writes everything that decides a voxel as lines of text, in the numbers that it is computed with, so
-  /// that equal voxels have equal text. Names and colours are not written. It must not change for a world
-  /// that is in use: the fingerprint is its hash.
+  /// Writes everything that decides a voxel as lines of text, in the numbers used to compute it, so that
+  /// equal voxels have equal text. Excludes names and colours. It must not change for a world that is in use:
+  /// the fingerprint is its hash.
   virtual void write_canonical_form(std::ostream& form) const = 0;
 
   /// Columns of H around a region that its survey and its carver read at a level.
   [[nodiscard]] virtual int halo(Lod /*lod*/) const { return 0; }
 
-  /// No column's strata are lifted or sunk farther than `q16`, in 2^-16 terrain unit. The rest is for the
-  /// error where all lifts and the surface's amplitude come to too many voxels.
+  /// Maximum distance by which strata are lifted or sunk, in 2^-16 terrain unit. The other members are for
+  /// the error that all lifts and the surface's amplitude sum to too many voxels.
   struct MaxLift {
     std::int64_t q16 = 0;
-    std::string terms;  // of the sum, as "half of every throw"; empty where the feature moves no strata
-    std::string key;    // "faults[0].throw": the one that adds most
-    int line = 0;       // of that key
+    std::string terms;  // of the sum, e.g. "half of every throw"; empty if the feature moves no strata
+    std::string key;    // key of the largest term, e.g. "faults[0].throw"
+    int line = 0;       // line of that key
   };
   [[nodiscard]] virtual MaxLift max_lift() const { return {}; }
   [[nodiscard]] virtual std::unique_ptr<Deformation> make_deformation(InstructionSet /*set*/) const {
@@ -185,40 +185,40 @@ class Feature {
     return nullptr;
   }
 
-  /// Whether survey() is called and its result kept in Stacks::surveys.
+  /// Returns true if survey() must be called and its result kept in Stacks::surveys.
   [[nodiscard]] virtual bool surveys() const { return false; }
-  /// What the feature wants to know of each column of `region` when chunks are cut, into `survey` of the
-  /// region's size. `height` is level 0's H over region.expanded(around); exact where around >= halo().
+  /// Writes to `survey`, of the region's size, the number per column that the feature needs when chunks are
+  /// cut. `height` is level 0's H over region.expanded(around); exact if around >= halo().
   virtual void survey(const Region& /*region*/, int /*around*/, const Field& /*height*/,
                       Field& /*survey*/) const {}
 
   [[nodiscard]] virtual OverlayRows overlay_rows(Lod /*lod*/) const { return {}; }
-  /// Adds what becomes another material in a chunk, in the order in which it is applied; features are asked
-  /// in the order of their list. `survey` is that of the site's stacks, or null.
+  /// Adds the overlays of a chunk, in the order in which they apply. Features are called in the order of
+  /// their list. `survey` covers the site's stacks, or is null.
   virtual void add_overlays(const ChunkSite& /*site*/, const Field* /*survey*/,
                             std::vector<Overlay>& /*overlays*/) const {}
-  /// Whether place() is called and its objects are kept in Stacks::objects. At most one feature stands.
+  /// True if place() must be called and its objects kept in Stacks::objects. At most one feature stands.
   [[nodiscard]] virtual bool stands() const { return false; }
   [[nodiscard]] virtual std::vector<ObjectKindName> object_kinds() const { return {}; }
-  /// One piece of the work, which begins with Placement{}: about what `columns` columns of ground take, a row
-  /// at least. False when nothing is left. REQUIRES columns > 0.
+  /// Does one piece of the work, which starts from Placement{}: about as much as `columns` columns of ground,
+  /// at least one row. False when nothing is left. REQUIRES columns > 0.
   virtual bool place(const StandingGround& /*ground*/, int /*columns*/, Placement& /*at*/,
                      std::vector<PlacedObject>& /*objects*/) const {
     return false;
   }
-  /// The voxels of Stacks::objects in a chunk, by rising index, each once.
+  /// Adds the voxels of Stacks::objects in a chunk, by ascending index, each once.
   virtual void add_overrides(const ChunkSite& /*site*/, std::vector<Override>& /*overrides*/) const {}
-  /// What they show from above: of the columns of the stacks' region that they cover, where the topmost voxel
-  /// ends, if that is not under `rows`, and its material.
+  /// Adds the objects as seen from above: in each column of the stacks' region that they cover, unless their
+  /// topmost voxel ends below `rows`, sets its material and the row at which it ends.
   virtual void add_tops(const Stacks& /*stacks*/, std::span<MaterialId> /*materials*/,
                         std::span<std::int32_t> /*rows*/) const {}
-  /// What it puts at the top of the rock of each column of the stacks' region, at the topmost voxel of bare
-  /// ground, for maps; other columns stay as they are. z slowest, then x.
+  /// Sets the material that the feature puts at the topmost voxel of bare rock in columns of the stacks'
+  /// region, for maps; other columns are unchanged. z slowest, then x.
   virtual void add_exposed(const Stacks& /*stacks*/, const Field* /*survey*/,
                            std::span<MaterialId> /*exposed*/) const {}
 };
 
-/// A feature's section as it is read. spec() holds everything but features, read and checked.
+/// A feature's section while it is read. spec() holds everything except features, read and checked.
 class FeatureSection {
  public:
   FeatureSection(TableReader& root, std::string_view name, const WorldSpec& spec,
@@ -234,18 +234,18 @@ class FeatureSection {
         look_names_{look_names} {}
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// [name]; none where the key is no table, which is an error.
+  /// Returns [name]; nullopt, with an error, if the key is not a table.
   [[nodiscard]] std::optional<TableReader> table() { return root_.table(name_); }
-  /// All [[name]].
+  /// Returns all [[name]].
   [[nodiscard]] std::vector<TableReader> tables() { return root_.tables(name_); }
 
-  /// Reads `name` and `colour` of a table as a new material of the world. Ids go up in the order of calls.
+  /// Reads `name` and `colour` of a table as a new material of the world. Ids ascend in the order of calls.
   MaterialId add_material(TableReader& table, MaterialKind kind);
-  /// One that the world has already, of any kind but air and water.
+  /// Returns an existing material of any kind except air and water.
   [[nodiscard]] std::optional<MaterialId> material_named(std::string_view name) const;
-  /// For `where` and looks of the section's tables.
+  /// Reads `where` and looks of the section's tables.
   [[nodiscard]] PlacesReader& places() const { return places_; }
-  /// What the spec may name.
+  /// Loaders of the files that the spec may name.
   [[nodiscard]] const WorldFiles& files() const { return files_; }
   /// World::look_names(); empty for kinds that are read before looks.
   [[nodiscard]] std::span<const std::string> look_names() const { return look_names_; }
@@ -261,21 +261,21 @@ class FeatureSection {
   std::span<const std::string> look_names_;
 };
 
-/// A kind of feature: what a section of world.toml becomes.
+/// A kind of feature, read from one section of world.toml.
 struct FeatureKind {
   /// The key of the section in world.toml.
   std::string_view section;
-  /// Reads and checks the section, which is there. Faults go to its tables' fail(); what is returned after
-  /// one is not used.
+  /// Reads and checks the section, which exists. Reports errors through its tables' fail(); the result after
+  /// an error is not used.
   std::unique_ptr<const Feature> (*read)(FeatureSection& section) = nullptr;
-  /// Whether it asks for looks by name; its materials come after theirs.
+  /// True if it refers to looks by name; its materials then come after theirs.
   bool after_looks = false;
 };
 
 /// The kinds that ship with the library, as core/terrain/CMakeLists.txt lists them.
 [[nodiscard]] std::span<const FeatureKind> shipped_features();
 
-/// The one carver of a world, if it has any.
+/// Makes the carver of a world; null if it has none.
 [[nodiscard]] std::unique_ptr<Carver> make_carver(const World& world, InstructionSet set);
 
 }  // namespace talus::terrain

@@ -34,7 +34,7 @@ void lower(const ColumnKernels& kernels, std::span<const std::int32_t> top, cons
   kernels.lower_int32(top.data(), thickness, top.size(), lowered.data());
 }
 
-// A slope on which nothing stays.
+// A slope on which no material stays.
 constexpr std::int32_t kSheer_fx = 1 << 30;
 
 void shift_right(Field& field, int shift) {
@@ -66,16 +66,16 @@ struct Generator::Scratch {
   const ColumnKernels& columns;
   std::unique_ptr<Carver> carver;
   Region region;
-  int ring = 0;                // columns around it that loose material needs
-  int around = 0;              // and that `ground` covers
-  int open_ring = 0;           // and whose entrances are known
-  std::vector<Field> surveys;  // one a feature; empty where it keeps nothing
-  std::size_t survey = 0;      // whose turn it is
-  Field slope;                 // for loose material, where it is not `ground`'s
-  Field entrances;             // with less around
+  int ring = 0;                // columns around the region that loose material needs
+  int around = 0;              // columns around it that `ground` covers
+  int open_ring = 0;           // columns around it whose entrances are known
+  std::vector<Field> surveys;  // one per feature; empty if it does not survey
+  std::size_t survey = 0;      // next feature to survey
+  Field slope;                 // for loose material, if it differs from `ground`'s
+  Field entrances;             // cropped to a smaller ring
   std::vector<Field> most;     // of loose materials, bottom up, for erosion
   const Field* loose_slope = nullptr;
-  int slope_ring = 0;  // of it that lies around what loose material needs
+  int slope_ring = 0;  // columns of it outside of what loose material needs
   std::vector<std::int64_t> xs;
   std::vector<std::int64_t> zs;
   Field limit;
@@ -85,16 +85,16 @@ struct Generator::Scratch {
   Field surface;  // H with its halo, before erosion
   LooseGround loose_ground;
   std::vector<LooseRules> rules;  // bottom up
-  int erosion_steps = 0;          // still to go
-  std::size_t erosion_piece = 0;  // of the step: each material is looked at and then moved
+  int erosion_steps = 0;          // steps left
+  std::size_t erosion_piece = 0;  // of the step: see_surface() of each material, then step_material()
   bool moved = false;             // in this step
 
   enum class Stage : std::uint8_t { none, ground, loose, strata, objects };
   Stage stage = Stage::none;
-  std::size_t unsettled = 0;  // materials
+  std::size_t unsettled = 0;  // number of materials left
   Stacks stacks;
-  std::optional<Planes> planes;       // of `stacks`, while strata are built
-  const Feature* standing = nullptr;  // whose objects are placed
+  std::optional<Planes> planes;       // view of `stacks` while strata are built
+  const Feature* standing = nullptr;  // the feature whose objects are placed
   Placement placement;
 };
 
@@ -131,7 +131,7 @@ void Generator::compute_ground(const Region& region, int ring, int halo) {
 
 void Generator::start_ground(const Region& region, int ring, int halo) {
   Scratch& s = *scratch_;
-  s.stage = Scratch::Stage::none;  // whatever was begun before ends here
+  s.stage = Scratch::Stage::none;  // cancels earlier work
   s.planes.reset();
   s.region = region;
   s.ring = ring;
@@ -168,7 +168,7 @@ bool Generator::step_ground(int columns) {
   return false;
 }
 
-/// Empty where all columns are closed.
+/// Empty if all columns are closed.
 const Field& Generator::entrances_around(int ring) {
   Scratch& s = *scratch_;
   const Field& all = s.carver->entrances();
@@ -177,7 +177,7 @@ const Field& Generator::entrances_around(int ring) {
   return s.entrances;
 }
 
-/// Over the region and `ring` columns around it: nothing stays where a cave opens.
+/// Over the region and `ring` columns around it. In entrances the slope is kSheer_fx.
 void Generator::find_loose_slope(int ring) {
   Scratch& s = *scratch_;
   const Field& ground = s.ground.slope();
@@ -216,7 +216,7 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
     return;
   }
 
-  // The outermost column of the halo serves the slope alone.
+  // The halo's outermost column is used only for the slope.
   const int ring = std::clamp(loose_halo(*world_, region.lod), 1, halo) - 1;
   compute_ground(region, ring, halo);
   take_places(terrain);
@@ -239,7 +239,7 @@ void Generator::generate_with_halo(const Region& region, int halo, Terrain& terr
   add_aprons(terrain);
 }
 
-/// The material of aprons reaches down to the ground without them, under all that is lighter.
+/// The aprons' material reaches down to the bare ground, under all lighter materials.
 void Generator::add_aprons(Terrain& terrain) {
   if (!world_->spec().talus) return;
   Field top = terrain.surface;
@@ -254,7 +254,7 @@ void Generator::add_aprons(Terrain& terrain) {
   }
 }
 
-/// `surface` is in subvoxels of level 0, and of the region's level from then on.
+/// Converts `surface` from subvoxels of level 0 to the region's level.
 void Generator::build_strata(Terrain& terrain) {
   Scratch& s = *scratch_;
   const Region& region = terrain.region;
@@ -365,7 +365,7 @@ void Generator::finish() {
 void Generator::start_loose() {
   Scratch& s = *scratch_;
   if (world_->spec().method == Method::erosion) return set_loose_over_ground();
-  // `limit` walks down from H: the top of the loose material whose turn it is, lightest first, then of rock.
+  // `limit` descends from H: first the top of the lightest loose material, and finally the top of rock.
   s.ground.height().crop_into(s.around, s.limit);
   shift_right(s.limit, s.region.lod.value());
   find_loose_slope(s.ring);
@@ -457,7 +457,7 @@ void Generator::set_loose_over_ground() {
   }
 }
 
-/// To the thickness of their material, over the region and its ring.
+/// Adds the aprons to the thickness of their material, over the region and its ring.
 void Generator::add_aprons(Field& thickness) {
   const Scratch& s = *scratch_;
   const int ring = s.around - s.ring;
@@ -498,7 +498,7 @@ void Generator::take_caves(int ring, const Field& surface, CaveAir& air) {
   s.carver->take(air);
   const Field& entrances = entrances_around(ring);
   if (air.none() || entrances.values.empty() || world_->spec().method != Method::erosion) return;
-  // What has slid into an entrance lies on its floor.
+  // Material that has slid into an entrance lies on its floor.
   for (int z = 0; z < surface.depth; ++z) {
     for (int x = 0; x < surface.width; ++x) {
       if (entrances.at(x + ring, z + ring) != Carver::kClosed) air.floor.at(x, z) = surface.at(x, z);
@@ -510,7 +510,7 @@ bool Generator::is_talus(std::size_t place) const {
   return world_->spec().talus && world_->spec().talus->of == world_->loose_bottom_up()[place];
 }
 
-/// Aprons are of one loose material down to the ground without them. `top` in the level's subvoxels.
+/// Aprons consist of one loose material down to the bare ground. `top` is in the level's subvoxels.
 void Generator::cut_at_bare(Field& top) const {
   const Scratch& s = *scratch_;
   const int ring = s.around + s.ground.bare_ring();
@@ -520,7 +520,7 @@ void Generator::cut_at_bare(Field& top) const {
   }
 }
 
-/// The thickness before settling, by slope and place, over the region and `ring` columns around it.
+/// Starts the thickness before settling, by slope and place, over the region and `ring` columns around it.
 void Generator::start_grid(const LooseSpec& loose, int ring) {
   Scratch& s = *scratch_;
   const Lod lod = s.region.lod;
@@ -552,7 +552,7 @@ void Generator::crop_share(std::size_t rule, int ring, Field& share) const {
   std::fill(share.values.begin(), share.values.end(), 0);
 }
 
-/// All that is known with the ground.
+/// Takes the results that are known with the ground.
 void Generator::take_places(Terrain& terrain) {
   Scratch& s = *scratch_;
   s.ground.bare().crop_into(s.around + s.ground.bare_ring(), terrain.bare);

@@ -37,7 +37,7 @@ class HeightsWork::Pieces {
   std::vector<std::int32_t> heights_;
 };
 
-/// H is a function of the column alone.
+/// For worlds whose H depends on the column alone.
 class HeightsWork::ByColumns final : public HeightsWork::Pieces {
  public:
   ByColumns(const World& world, std::vector<BaseColumn> columns)
@@ -57,7 +57,7 @@ class HeightsWork::ByColumns final : public HeightsWork::Pieces {
   std::size_t next_ = 0;
 };
 
-/// Columns by the tile of 32 x 32 that holds them.
+/// Groups columns by the tile of 32 x 32 that contains them.
 class ColumnsByTile {
  public:
   explicit ColumnsByTile(const std::vector<BaseColumn>& columns) {
@@ -68,7 +68,7 @@ class ColumnsByTile {
   using Tile = std::pair<std::int64_t, std::int64_t>;
   [[nodiscard]] bool empty() const { return tiles_.empty(); }
   [[nodiscard]] const Tile& tile() const { return tiles_.begin()->first; }
-  /// The places of its columns.
+  /// Indices of the tile's columns.
   [[nodiscard]] const std::vector<std::size_t>& places() const { return tiles_.begin()->second; }
   void next() { tiles_.erase(tiles_.begin()); }
 
@@ -76,7 +76,7 @@ class ColumnsByTile {
   std::map<Tile, std::vector<std::size_t>> tiles_;
 };
 
-/// Talus and the openings of caves take the ground around a column to know: of a tile's columns, once.
+/// For worlds with talus or caves, which need the ground around a column: computes it once per tile.
 class HeightsWork::ByGround final : public HeightsWork::Pieces {
  public:
   ByGround(const World& world, std::vector<BaseColumn> columns)
@@ -86,7 +86,7 @@ class HeightsWork::ByGround final : public HeightsWork::Pieces {
         carver_{make_carver(world, instruction_set())} {}
 
   bool step(std::size_t columns) override {
-    // The ground around it makes a tile as dear as many columns.
+    // The ground around it makes a tile as expensive as many columns.
     if (columns > 0 && !tiles_.empty()) {
       make_tile();
       tiles_.next();
@@ -122,7 +122,7 @@ class HeightsWork::ByGround final : public HeightsWork::Pieces {
   std::unique_ptr<Carver> carver_;
 };
 
-/// The erosion method moves the ground: a region for each tile that holds a column.
+/// For the erosion method, which moves the ground: generates each tile that contains a column.
 class HeightsWork::ByTiles final : public HeightsWork::Pieces {
  public:
   ByTiles(const World& world, std::vector<BaseColumn> columns)
@@ -151,7 +151,7 @@ class HeightsWork::ByTiles final : public HeightsWork::Pieces {
                      std::move(stacks_));
   }
 
-  ColumnsByTile tiles_;  // to come, the first in work
+  ColumnsByTile tiles_;  // remaining tiles; the first is in work
   Generator generator_;
   Stacks stacks_;
 };

@@ -22,7 +22,7 @@ constexpr ChunkPlane plane_of(std::uint8_t row) {
 constexpr ChunkPlane kFloor = plane_of(0);
 constexpr ChunkPlane kCeiling = plane_of(kChunkSize);
 
-// Adds planes to a list from the bottom up and leaves out what bounds nothing.
+// A list of layers, built from the bottom up. Skips empty layers and merges adjacent ones of one material.
 class LayerList {
  public:
   explicit LayerList(std::size_t planes) {
@@ -30,7 +30,7 @@ class LayerList {
     layers_.tops.resize(planes * kChunkArea);
   }
 
-  /// Where the next layer's plane is to be written, before it is added.
+  /// Memory for the next layer's plane, to be written before add().
   [[nodiscard]] std::uint8_t* next() { return layers_.tops.data() + count() * kChunkArea; }
 
   void add(MaterialId material) {
@@ -44,7 +44,7 @@ class LayerList {
     }
   }
 
-  /// The last plane is the chunk's ceiling, which no list holds.
+  /// Drops the last plane: it is the chunk's ceiling, which lists do not hold.
   [[nodiscard]] Layers take() && {
     layers_.tops.resize(layers_.plane_count() * kChunkArea);
     return std::move(layers_);
@@ -59,7 +59,7 @@ const std::uint8_t* top_of(const Layers& layers, std::size_t layer) {
   return layer == layers.plane_count() ? kCeiling.data() : layers.plane(layer).data();
 }
 
-// The layer inside which most of the overlay's columns lie.
+// The layer that contains the most of the overlay's columns.
 std::size_t host_of(const ChunkPlaneKernels& kernels, const Layers& layers, const Overlay& overlay) {
   std::size_t host = 0;
   std::size_t most_hosted = 0;
@@ -98,15 +98,15 @@ void write(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
 
 void apply(const Overlay& overlay, Layers& layers) {
   const ChunkPlaneKernels& kernels = chunk_plane_kernels(instruction_set());
-  // Most chunks of a patch with caves have none.
+  // Most chunks of a patch with caves have no cave.
   if (!kernels.any(overlay.from.data(), overlay.to.data())) return;
-  // In a column without an interval the list is cut in two at a row of choice. At the host's top the layers
-  // above the host are whole above the cut and the host is whole below it.
+  // In a column without an interval the list may be cut in two at any row. At the host's top the layers above
+  // the host stay whole above the cut, and the host stays whole below it.
   const std::uint8_t* const host_top = top_of(layers, host_of(kernels, layers, overlay));
   ChunkPlane from;
   ChunkPlane to;
   kernels.interval(overlay.from.data(), overlay.to.data(), host_top, from.data(), to.data());
-  // Each layer at most twice, and the overlay's.
+  // Each layer appears at most twice, the overlay's once.
   LayerList list{2 * layers.materials.size() + 2};
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
     kernels.lower_of(top_of(layers, layer), from.data(), list.next());
@@ -127,7 +127,7 @@ Chunk chunk_with(Layers layers, std::span<const Overlay> overlays) {
     overlays = overlays.subspan(1);
   }
   if (layers.materials.size() <= Layers::kMaxMaterials) return Chunk::from_layers(std::move(layers));
-  // More layers than the boundary view holds: thinner than a voxel each, so dense voxels say it shorter.
+  // More layers than the boundary view can hold are thinner than a voxel each; dense voxels are smaller then.
   std::vector<MaterialId> voxels(kChunkVolume);
   const std::span<MaterialId, kChunkVolume> all{voxels};
   write(layers, all);

@@ -1,5 +1,4 @@
-// Overlays: in each column of a chunk an interval becomes another material, which planes of height cannot
-// hold.
+// Overlays: in each column of a chunk one interval becomes another material, which planes cannot represent.
 #pragma once
 
 #include <array>
@@ -15,19 +14,19 @@ namespace talus::terrain {
 /// A row of the chunk, 0 to 32, for each column (column_index).
 using ChunkPlane = std::array<std::uint8_t, kChunkArea>;
 
-/// In columns with from < to the voxels from..to - 1 become `material`; all other columns stay.
+/// In columns with from < to, voxels from..to - 1 become `material`; other columns are unchanged.
 struct Overlay {
   MaterialId material{};
   ChunkPlane from{};
   ChunkPlane to{};
 };
 
-/// Puts the overlay into `layers`, which must be in order, and may be more than Layers::kMaxMaterials before
-/// and after. What comes out has no plane equal to the one below it and no neighbours of one material. An
-/// overlay that stays inside one layer costs two planes.
+/// Applies the overlay to `layers`, which must be ordered and may exceed Layers::kMaxMaterials before and
+/// after. The result has no plane equal to the one below it and no adjacent layers of one material. An
+/// overlay inside one layer costs two planes.
 void apply(const Overlay& overlay, Layers& layers);
 
-/// The chunk of `layers` with all overlays in turn: dense where the boundary view cannot hold it.
+/// The chunk of `layers` with all overlays applied in order; dense if the boundary view cannot hold it.
 [[nodiscard]] Chunk chunk_with(Layers layers, std::span<const Overlay> overlays);
 
 }  // namespace talus::terrain

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kReach = 32;                              // candidates on each side of the origin, per step
 constexpr std::array<int, 4> kSteps{4, 32, 256, 2048};  // columns between candidates
-constexpr std::int32_t kGentle_fx = 90;                 // rise a column, about 19 degrees
+constexpr std::int32_t kGentle_fx = 90;                 // rise per column, about 19 degrees
 constexpr std::int32_t kSteep_fx = 256 * 64;            // any slope
 
-// A view is looked for on a coarse grid: so far as one walks, and so far as one sees from there.
+// The search for a view uses a coarse grid: its reach is a walk, and kSeen is the range of sight.
 constexpr std::int64_t kViewStep = 64;
 constexpr int kViewReach = 48;
 constexpr int kSeen = 8;
@@ -28,11 +28,11 @@ constexpr int kShore = 4;
 constexpr std::int32_t kHighestView_fx = 220 * kSubvoxels;
 constexpr std::int32_t kShoreWorth_fx = 60 * kSubvoxels;
 constexpr std::int32_t kStepWorth_fx = 2 * kSubvoxels;
-// A slope close by hides what lies behind it.
-constexpr std::int32_t kLevel_fx = 10 * kSubvoxels;  // rise or fall to the next place of the grid
-constexpr std::int32_t kSlopeWorth = -5;             // for each block more
-// Of the best views the greenest: trees in sight, and none so close that one sees nothing else. Views that
-// lie side by side see the same trees.
+// A nearby slope hides the land behind it.
+constexpr std::int32_t kLevel_fx = 10 * kSubvoxels;  // rise or fall to the next grid point
+constexpr std::int32_t kSlopeWorth = -5;             // per further block
+// Of the best views the greenest is chosen: with trees in sight, but none close enough to block the view.
+// Adjacent views see the same trees.
 constexpr std::size_t kViewsLookedAt = 32;
 constexpr std::int64_t kViewsApart = 3 * kViewStep;
 constexpr std::int64_t kPaces = 16;  // columns
@@ -44,8 +44,8 @@ constexpr std::int32_t kTreeWorth_fx = 6 * kSubvoxels;
 constexpr std::int32_t kCloseTreeWorth_fx = -24 * kSubvoxels;
 constexpr std::array<std::string_view, 4> kTreeModels{"broadleaf", "conifer", "jungle_tree", "acacia"};
 
-constexpr std::int64_t kFreeOfObjects = 5;  // columns to the next one's foot
-constexpr int kMaxOvergrown = 64;           // places that are looked at before one is taken all the same
+constexpr std::int64_t kFreeOfObjects = 5;  // columns to the foot of the nearest object
+constexpr int kMaxOvergrown = 64;           // places tried before an overgrown one is accepted
 
 struct Candidate {
   std::int64_t x;
@@ -123,7 +123,7 @@ class SpawnSearch {
                      [](const View& a, const View& b) { return a.worth_fx > b.worth_fx; });
   }
 
-  /// Gentle ground below summits, beside water and among trees, not too far away.
+  /// Finds gentle ground below summits, next to water and among trees, not too far away.
   [[nodiscard]] std::optional<VoxelPos> with_a_view() const {
     const Grid around = grid(kViewReach + kSeen, kViewStep);
     std::vector<View> views;
@@ -163,7 +163,7 @@ class SpawnSearch {
     return first_good(best, kGentle_fx);
   }
 
-  /// The place and those a few paces away: one of them may be gentle and free where the place itself is not.
+  /// Adds the place and its neighbours a few paces away, which may be gentle and free if the place is not.
   void add_around(std::vector<Candidate>& places, const Candidate& middle) const {
     places.push_back(middle);
     const std::array xs{middle.x - kPaces, middle.x, middle.x + kPaces};
@@ -176,7 +176,7 @@ class SpawnSearch {
     }
   }
 
-  /// The first of the views that are not near one before.
+  /// Selects the best views that are not near a better one.
   [[nodiscard]] static std::vector<View> some_apart(std::span<const View> views) {
     std::vector<View> taken;
     for (const View& view : views) {
@@ -206,15 +206,14 @@ class SpawnSearch {
     return std::min(trees, kEnoughTrees) * kTreeWorth_fx + close * kCloseTreeWorth_fx;
   }
 
-  /// In a world full of objects the first good place, though one stands there.
+  /// If objects stand at all tried places, returns the first good one anyway.
   [[nodiscard]] std::optional<VoxelPos> first_good(std::span<const Candidate> candidates,
                                                    std::int32_t steepest_fx) const {
     std::optional<VoxelPos> overgrown_place;
     int tried = 0;
     for (const Candidate& place : candidates) {
       if (slope_at(place.x, place.z) > steepest_fx) continue;
-      // Erosion may have changed the ground since, by no more than what was loose; a cave's entrance lies
-      // deeper.
+      // Erosion may have lowered the ground by no more than its loose material; a cave's entrance is deeper.
       const BaseColumn column{place.x, place.z};
       const std::int32_t ground_fx = surface_heights(world_, {&column, 1}).front();
       if (ground_fx < place.height_fx - loose_fx_) continue;
@@ -226,7 +225,7 @@ class SpawnSearch {
     return overgrown_place;
   }
 
-  /// Whether an object stands so near that one would stand in it.
+  /// Returns true if an object is so near that a player would stand inside it.
   [[nodiscard]] bool overgrown(std::int64_t x, std::int64_t z) const {
     if (!world_.has_objects()) return false;
     const Stacks around = generate_stacks(world_, {x, z, 1, 1, Lod{}});
@@ -248,7 +247,7 @@ class SpawnSearch {
   const World& world_;
   Surface surface_;
   std::int32_t sea_fx_;
-  std::int32_t dry_fx_;  // feet stay dry beside the shore
+  std::int32_t dry_fx_;  // keeps feet dry next to the shore
   std::int32_t loose_fx_ = 0;
   std::vector<bool> is_tree_;  // by PlacedObject::kind
 };

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kNames{std::string_view{"scalar"}, std::string_view{"sse4"}, std::string_view{"avx2"},
                             std::string_view{"avx512"}};
 
-/// Highway's targets for a set, of those that are compiled; 0 for none.
+/// Highway's targets for a set, as a bit mask; 0 if the build does not have it.
 std::int64_t targets_of(InstructionSet set) {
   constexpr std::array kTargets{std::int64_t{HWY_STATIC_TARGET}, std::int64_t{HWY_SSE4},
                                 std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}};

@@ -38,8 +38,8 @@ void CarriedRoofs::link(int z) {
   }
 }
 
-// A line of links that grows column by column: its every part is such a line too, so that what is kept is
-// carried by what is kept.
+// Extends lines of links column by column. Every part of such a line is such a line too, so carried roofs are
+// carried only by carried roofs.
 std::uint64_t CarriedRoofs::carried_along_row(int z, int word, int span) const {
   const auto i = static_cast<std::size_t>(word);
   std::uint64_t carried = 0;

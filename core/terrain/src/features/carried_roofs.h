@@ -1,4 +1,4 @@
-// Which roofs of caves hold (docs/DESIGN.md, "Caves"). Private to core/terrain.
+// Decides which roofs of caves hold (docs/DESIGN.md, "Caves"). Private to core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -7,28 +7,29 @@
 
 namespace talus::terrain {
 
-/// Of a rectangle of columns, each solid, roofed or open. Keeps its memory. For one thread at a time.
+/// A rectangle of columns, each solid, roofed or open. Reuses its memory; not thread-safe.
 class CarriedRoofs {
  public:
-  /// All columns are solid and no two touch.
+  /// Resets: all columns are solid and no two touch.
   void start(int width, int depth);
 
   [[nodiscard]] ColumnBits& roofed() { return roofed_; }
   [[nodiscard]] const ColumnBits& roofed() const { return roofed_; }
   [[nodiscard]] ColumnBits& open() { return open_; }
   [[nodiscard]] const ColumnBits& open() const { return open_; }
-  /// Columns that touch the next one in their row, and in the next row. Of columns neither of which is roofed
-  /// the bits have no meaning.
+  /// Columns that touch the next column in their row, and the column in the next row. The bit has no meaning
+  /// if neither column is roofed.
   [[nodiscard]] ColumnBits& touches_east() { return touches_east_; }
   [[nodiscard]] ColumnBits& touches_south() { return touches_south_; }
 
-  /// In rows first_z <= z < last_z, once all of the above is set: a roof is carried where a straight line of
-  /// at most `span` roofed columns, each touching the next, ends beside a solid one that the last touches.
+  /// Finds the carried roofs in rows first_z <= z < last_z, after all of the above is set. A roof is carried
+  /// if a straight line of at most `span` roofed columns, each touching the next, ends at a solid column that
+  /// the last one touches.
   void find(int first_z, int last_z, int span);
   [[nodiscard]] const ColumnBits& carried() const { return carried_; }
 
  private:
-  /// In each of four directions: columns that are roofed and touch the next one.
+  /// By direction: columns that are roofed and touch the next one.
   struct Links {
     ColumnBits west, east, north, south;
   };

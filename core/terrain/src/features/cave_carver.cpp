@@ -24,7 +24,7 @@ void CaveCarver::start(const Region& region, int around, int open_ring) {
   span_ = plan_.span_at(region.lod);
   loose_fx_ = 0;
   for (const std::int32_t t_fx : loose_thickness_fx_) loose_fx_ += t_fx >> level;
-  // Two rows at least, so that the topmost can be of loose material and rock is under it.
+  // At least two rows, so that the topmost can be loose material with rock under it.
   least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
   const std::int32_t lowest = boundary_row(std::max(kSubvoxels, shape_.lowest_floor_fx() >> level));
   least_fx_ = (lowest + least_rows_ - 1) * kSubvoxels + loose_fx_;
@@ -61,8 +61,8 @@ void CaveCarver::compute_rows(int count, const Field& height) {
   if (any_) judge_all(height);
 }
 
-// Columns of the row between which ground is high enough for a cave and its roof: many worlds' seas and
-// plains are not.
+// The range of columns of the row whose ground is high enough for a cave and its roof: in many worlds seas
+// and plains are not.
 ColumnRange CaveCarver::thick_enough(int z, const Field& height) const {
   const auto row = height.row(z + shore_).subspan(static_cast<std::size_t>(shore_));
   const int level = region_.lod.value();
@@ -130,7 +130,7 @@ void CaveCarver::judge_row(int z, const Field& height) {
                   roofs_.roofed().row(z), roofs_.open().row(z)});
 }
 
-// Columns of row z, and of the next one.
+// Finds columns of row z that touch the next column, or the next row's.
 void CaveCarver::find_touching(int z) {
   const auto width = static_cast<std::size_t>(floor_.width);
   const std::int32_t* const roof = roof_row_.row(z).data();
@@ -140,7 +140,7 @@ void CaveCarver::find_touching(int z) {
   kernels_.touch(roof, rock, roof + width, rock + width, width, roofs_.touches_south().row(z));
 }
 
-// Whether even the lowest column of the row and of those beside it is over the sea.
+// Returns true if even the lowest column of the row and the adjacent rows is above the sea.
 bool CaveCarver::all_dry(int z) const {
   const auto first = lowest_.begin() + z;
   const int level = region_.lod.value();

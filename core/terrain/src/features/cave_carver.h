@@ -1,4 +1,5 @@
-// Keeps of a cave's shape what leaves nothing hanging (docs/DESIGN.md, "Caves"). Private to core/terrain.
+// Removes the parts of a cave's shape that would leave rock hanging (docs/DESIGN.md, "Caves"). Private to
+// core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +22,9 @@ class CaveCarver final : public Carver {
  public:
   CaveCarver(const CavePlan& plan, const World& world, InstructionSet set);
 
-  /// Where there is a sea, the columns beside a column decide whether it may open to the sky.
+  /// With a sea, the adjacent columns decide whether a column may open to the sky.
   [[nodiscard]] int entrance_halo(Lod lod) const override { return plan_.span_at(lod) == 0 ? 0 : shore_; }
-  /// With less around than Caves::halo() some roofs that hold are taken for unsafe.
+  /// With less around than Caves::halo(), some roofs that hold are considered unsafe.
   void start(const Region& region, int around, int open_ring) override;
   [[nodiscard]] bool pending() const override { return pending_; }
   void compute_rows(int count, const Field& height) override;
@@ -50,20 +51,20 @@ class CaveCarver final : public Carver {
   int judged_ = 0;  // columns around the region that are judged
   int open_ring_ = 0;
   int span_ = 0;
-  std::int32_t loose_fx_ = 0;    // all that can be loose, at the region's level
-  std::int32_t least_rows_ = 0;  // of a roof that holds
-  std::int32_t least_fx_ = 0;    // where less ground than that stands, all is solid
+  std::int32_t loose_fx_ = 0;    // total thickness of loose material, at the region's level
+  std::int32_t least_rows_ = 0;  // minimum rows of a roof that holds
+  std::int32_t least_fx_ = 0;    // columns with less ground are solid
   bool any_ = false;
   bool pending_ = false;
-  int next_ = 0;  // row of floors and roofs that is not computed yet
+  int next_ = 0;  // next row of floors and roofs to compute
   std::vector<std::int64_t> xs_;
   // Over the judged columns.
   Field floor_;
   Field roof_;
-  Field roof_row_;  // JudgedRows says what these are
+  Field roof_row_;  // see JudgedRows
   Field rock_row_;
-  std::vector<std::uint8_t> airy_;    // rows that have air before they are judged
-  std::vector<std::int32_t> lowest_;  // ground of each row of heights, at level 0; where there is a shore
+  std::vector<std::uint8_t> airy_;    // by row: 1 if it has air before it is judged
+  std::vector<std::int32_t> lowest_;  // lowest ground of each row of heights, at level 0; only with a shore
   CarriedRoofs roofs_;
   Field entrances_;  // over region_.expanded(open_ring_)
 };

@@ -1,4 +1,4 @@
-// Caves in the numbers they are computed with. Private to core/terrain.
+// The plan of caves, in the numbers used to compute them. Private to core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace talus::terrain {
 
-/// Noise becomes an integer of this many parts.
+/// Noise is converted to integers of this many parts.
 inline constexpr std::int32_t kNoiseOne = 1 << 14;
 
 /// `_noise`: in kNoiseOne parts of noise.
@@ -25,7 +25,7 @@ struct CavePlan {
   std::int32_t roof_fx = 0;
   int span = 0;  // columns of level 0
 
-  /// Columns that a roof reaches at a level; none means that the level has no caves.
+  /// Maximum span of a roof in columns of a level; 0 means that the level has no caves.
   [[nodiscard]] int span_at(Lod lod) const { return span >> lod.value(); }
 };
 

@@ -1,5 +1,4 @@
-// The shape of caves before their roofs are checked: one interval of air in each column. Private to
-// core/terrain.
+// The shape of caves before roofs are checked: one interval of air per column. Private to core/terrain.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +13,20 @@
 
 namespace talus::terrain {
 
-/// A pure function of position, row after row. Keeps its memory from one start() to the next. For one thread
-/// at a time.
+/// A pure function of position, row by row. Reuses its memory from one start() to the next; not thread-safe.
 class CaveShape {
  public:
   CaveShape(const CavePlan& plan, InstructionSet set)
       : plan_{plan}, kernels_{cave_kernels(set)}, tunnels_{set}, chambers_{set}, climb_{set} {}
 
-  /// From here on rows are over these ascending base columns, in subvoxels of the level.
+  /// The following rows are over these ascending base columns, in subvoxels of the level.
   void start(std::span<const std::int64_t> xs, Lod lod);
 
-  /// The air at (xs[i], z), from floor_fx[i] to roof_fx[i]; both 0 where there is none, and outside of
-  /// `within`. Whether there is any.
+  /// Computes the air at (xs[i], z), from floor_fx[i] to roof_fx[i]; both 0 without air, and outside of
+  /// `within`. Returns true if there is air.
   bool row(std::int64_t z, ColumnRange within, std::int32_t* floor_fx, std::int32_t* roof_fx);
 
-  /// No floor lies lower, in subvoxels of level 0.
+  /// The lowest possible floor, in subvoxels of level 0.
   [[nodiscard]] std::int32_t lowest_floor_fx() const;
 
  private:

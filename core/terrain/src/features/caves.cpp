@@ -1,5 +1,5 @@
-// [caves]: tunnels and chambers (docs/DESIGN.md, "Caves"); cave_shape.h says where they would be,
-// cave_carver.h which of them may.
+// [caves]: tunnels and chambers (docs/DESIGN.md, "Caves"). cave_shape.h computes their shape, cave_carver.h
+// removes unsafe parts.
 #include "features/caves.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kOctaves = 2;
 constexpr std::uint64_t kCaveSeed = 0x4341564500000000U;
 
-// A length as it stands, and what it must come to in voxels.
+// The range of a length in terrain units and in voxels.
 struct Key {
   const char* name;
   Range units;
@@ -52,7 +52,7 @@ std::unique_ptr<const Feature> read_caves(FeatureSection& section) {
     return static_cast<std::int32_t>(rounded(units * world.resolution * kSubvoxels));
   };
   const auto noise = [&](std::uint64_t which, double wavelength) {
-    // Apart from the surface's octaves.
+    // Separated from the seeds of the surface's octaves.
     return Fbm{derived_seed(world.seed, kCaveSeed + which), rounded(wavelength * world.resolution), kOctaves};
   };
   const double low = length(kLow);
@@ -99,7 +99,7 @@ void Caves::write_canonical_form(std::ostream& form) const {
 
 int Caves::halo(Lod lod) const {
   const int span = plan_.span_at(lod);
-  // What water may reach is decided by the columns beside, too.
+  // Adjacent columns also decide where water may reach.
   return span == 0 ? 0 : span + (has_sea_ ? 1 : 0);
 }
 

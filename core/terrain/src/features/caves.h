@@ -6,7 +6,7 @@
 
 namespace talus::terrain {
 
-/// [caves]: tunnels and chambers, of which nothing is left hanging.
+/// [caves]: tunnels and chambers that leave no rock hanging.
 class Caves final : public Feature {
  public:
   Caves(const CavePlan& plan, bool has_sea) : plan_{plan}, has_sea_{has_sea} {}

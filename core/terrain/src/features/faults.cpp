@@ -41,7 +41,7 @@ void FaultDeformation::add_set(const FaultField& faults, std::span<const std::in
                                std::span<const std::int64_t> zs, Field& lift_fx) {
   const bool straight = faults.waviness_fx == 0;
   if (!straight) wander_.start(faults.wander, xs);
-  // The block of the column before, which most columns share: [start, end).
+  // The block [start, end) of the previous column; most columns share it.
   std::int64_t start = 0;
   std::int64_t end = 0;
   std::int32_t block_lift_fx = 0;

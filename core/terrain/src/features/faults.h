@@ -1,4 +1,4 @@
-// Faults in the numbers they are computed with. Private to core/terrain.
+// Faults in the numbers used to compute them. Private to core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace talus::terrain {
 struct FaultField {
   std::uint64_t seed = 0;
   Strike strike;
-  std::int64_t spacing_q16 = 0;  // of a column, from one fault to the next
-  std::int64_t throw_fx = 0;     // the most that two blocks are offset
+  std::int64_t spacing_q16 = 0;  // distance between faults, in 2^-16 column
+  std::int64_t throw_fx = 0;     // maximum offset between two blocks
   Fbm wander;
-  float waviness_fx = 0;  // how far a fault strays from a straight line
+  float waviness_fx = 0;  // maximum distance of a fault from a straight line
 
-  /// How far block `index` is lifted: -throw / 2 to throw / 2.
+  /// The lift of block `index`: -throw / 2 to throw / 2.
   [[nodiscard]] std::int32_t lift_fx(std::int64_t index) const;
 };
 

@@ -18,17 +18,18 @@
 namespace talus::terrain {
 namespace {
 
-// Folds are drawn at every eighth column along both axes, and straight lines between: they are far longer.
+// Folds are much longer than this step: they are computed at every eighth column along both axes and
+// interpolated linearly.
 constexpr std::int64_t kFoldStep = 8;
 constexpr double kMinWavelength = 16;  // voxels: twice that step
 constexpr std::uint64_t kFoldSeed = 0x464F4C4453000000U;
 
-// The folds of a world in the numbers they are computed with.
+// The folds of a world in the numbers used to compute them.
 struct FoldField {
   Fbm noise;
   Strike strike;
-  std::int64_t shrink_q16 = 0;  // of distances along the strike
-  float amplitude_fx = 0;       // the farthest that strata are lifted or sunk
+  std::int64_t shrink_q16 = 0;  // factor of distances along the strike
+  float amplitude_fx = 0;       // maximum lift or drop of strata
 };
 
 class FoldDeformation final : public Deformation {
@@ -38,8 +39,8 @@ class FoldDeformation final : public Deformation {
   void add(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, Field& lift_fx) override;
 
  private:
-  /// Columns along one axis among the lattice of folds: a column lies `past` eighths of the way from one
-  /// point to another.
+  /// Columns along one axis relative to the lattice of folds: a column lies `past` eighths of the way from
+  /// point `before` to point `after`.
   struct Lattice {
     struct Place {
       std::size_t before = 0;
@@ -47,7 +48,7 @@ class FoldDeformation final : public Deformation {
       std::int32_t past = 0;
     };
     std::vector<std::int64_t> points;  // base columns, ascending
-    std::vector<Place> places;         // one a column
+    std::vector<Place> places;         // one per column
     void compute(std::span<const std::int64_t> columns);
   };
 
@@ -58,7 +59,7 @@ class FoldDeformation final : public Deformation {
   Lattice east_;
   Lattice south_;
   Field coarse_;
-  std::vector<std::int32_t> between_;  // a row of the lattice's points, in eighths of a subvoxel
+  std::vector<std::int32_t> between_;  // a row at the lattice's points, in eighths of a subvoxel
 };
 
 void FoldDeformation::Lattice::compute(std::span<const std::int64_t> columns) {
@@ -77,7 +78,7 @@ void FoldDeformation::Lattice::compute(std::span<const std::int64_t> columns) {
   }
 }
 
-// Crests and troughs are rounded off where the noise is strong, so that the amplitude is never passed.
+// Crests and troughs are rounded off where the noise is strong, so that the amplitude is never exceeded.
 std::int32_t FoldDeformation::fold_at(std::int64_t x, std::int64_t z) {
   const std::int64_t across_fx = folds_.strike.across_q16(x, z) >> 8;
   const std::int64_t along_fx = ((folds_.strike.along_q16(x, z) >> 8) * folds_.shrink_q16) >> 16;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint8_t kTrunk = 0;
 constexpr std::uint8_t kCrown = 1;
 
-/// Numbers one after another; each by a statement of its own.
+/// A sequence of random numbers. Draw each in a statement of its own, as C++ does not order operands.
 class ModelDraws {
  public:
   explicit ModelDraws(std::uint64_t seed) : state_{seed} {}
@@ -44,16 +44,16 @@ class Sculptor {
   void pillar(int x, int z, int from, int to, std::uint8_t part) {
     for (int y = from; y < to; ++y) put(x, y, z, part);
   }
-  /// Whether a quarter of the ragged rim's voxels is left out here.
+  /// Returns true for a quarter of the ragged rim's voxels, which are left out.
   [[nodiscard]] bool frayed(int x, int y, int z) const {
     const auto place = static_cast<std::uint64_t>((x + 64) | (y + 64) << 8 | (z + 64) << 16);
     return mix64(seed_ ^ place * 0xD1B54A32D192ED03U) % 4 == 0;
   }
   struct Ellipsoid {
-    int x, y, z;        // its middle, quarter voxels
-    int width, height;  // half of either, quarter voxels
+    int x, y, z;        // centre, in quarter voxels
+    int width, height;  // half of either, in quarter voxels
   };
-  /// Of several: the voxels of any, the outermost ones ragged.
+  /// Puts the union of several ellipsoids, with outermost voxels frayed if `ragged`.
   void ellipsoids(const std::vector<Ellipsoid>& all, int lowest, bool ragged, std::uint8_t part) {
     for (int y = lowest; y < kObjectTop; ++y) {
       for (int z = -kObjectReach; z <= kObjectReach; ++z) {
@@ -75,7 +75,7 @@ class Sculptor {
 
   ModelDraws draws;
   ObjectModel model;
-  static constexpr int kRim = 170;  // of 256, of an ellipsoid
+  static constexpr int kRim = 170;  // an ellipsoid's rim begins here, in 256ths
 
  private:
   std::uint64_t seed_;
@@ -85,7 +85,7 @@ void conifer(Sculptor& tree) {
   const int height = tree.draws.whole(10, 22);
   const int tier = tree.draws.whole(3, 4);
   const int base = 2 + height / 8;
-  tree.pillar(0, 0, -kObjectRoot, base, kTrunk);  // above that needles hide it
+  tree.pillar(0, 0, -kObjectRoot, base, kTrunk);  // needles hide the trunk above
   for (int y = base; y < height + 2; ++y) {
     const int down = height + 2 - y;
     const int cone = 4 * down * (height / 5 + 2) / (height + 2 - base) + 2;
@@ -103,10 +103,10 @@ void conifer(Sculptor& tree) {
 
 struct Crown {
   int radius;  // voxels
-  int flat;    // quarters: how high it is, of its width
+  int flat;    // height relative to the width, in quarters
 };
 
-// A middle and three around it.
+// An ellipsoid in the middle and three around it.
 void crown(Sculptor& tree, int trunk, Crown form) {
   const int wide = 4 * form.radius;
   const auto high = [&](int width) { return std::max(4, width * form.flat / 4); };
@@ -151,7 +151,7 @@ void jungle_tree(Sculptor& tree) {
   for (int x = 0; x < 2; ++x) {
     for (int z = 0; z < 2; ++z) tree.pillar(x, z, -kObjectRoot, trunk, kTrunk);
   }
-  // Buttresses, each a step lower outward.
+  // Buttresses, lower toward the outside.
   const int turn = tree.draws.whole(0, 3);
   for (int k = 0; k < 3; ++k) {
     const auto& direction = kDirections[static_cast<std::size_t>(2 * ((turn + k) % 4))];
@@ -319,7 +319,7 @@ std::span<const ModelVoxel> ModelRows::at(bool front, std::int64_t from, std::in
 
 namespace {
 
-// Of x, y and z modulo 4. Groups that agree modulo 2 follow each other.
+// The group by x, y and z modulo 4. Groups that agree modulo 2 are adjacent.
 std::size_t group_of(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto bits = [&](int shift) {
     return static_cast<std::size_t>((x >> shift & 1) | (y >> shift & 1) << 1 | (z >> shift & 1) << 2);

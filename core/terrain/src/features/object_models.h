@@ -1,5 +1,5 @@
-// The shapes of objects: trees, boulders and the like by formulas, in integers, and authors' models. Private
-// to core/terrain.
+// Shapes of objects: trees, boulders and so on by integer formulas, and authors' models. Private to
+// core/terrain.
 #pragma once
 
 #include <array>
@@ -13,19 +13,20 @@
 
 namespace talus::terrain {
 
-/// A voxel of a model, from the object's foot: y = 0 is the first voxel above the ground.
+/// A voxel of a model, relative to the object's foot: y = 0 is the first voxel above the ground.
 struct ModelVoxel {
   std::int8_t x = 0;
   std::int8_t y = 0;
   std::int8_t z = 0;
-  std::uint8_t part = 0;  // of the kind's materials; 0 is in front where objects meet
+  std::uint8_t part = 0;  // index of the kind's material; part 0 is in front where objects intersect
   bool operator==(const ModelVoxel&) const = default;
 };
 
-/// By part, then y, then z, then x; each place once, of the lowest part that has it.
+/// Sorted by part, then y, z and x; each position once, with the lowest part that has it.
 using ObjectModel = std::vector<ModelVoxel>;
 
-/// No voxel is farther from the foot along x or z, or higher; nor deeper, where ground falls away.
+/// Maximum distance of a voxel from the foot along x or z; maximum height; maximum depth, for ground that
+/// falls away.
 inline constexpr int kObjectReach = 10;
 inline constexpr int kObjectTop = 32;
 inline constexpr int kObjectRoot = 4;
@@ -44,7 +45,7 @@ enum class ModelKind : std::uint8_t {
 inline constexpr std::size_t kModelKinds = 8;
 struct ModelForm {
   std::string_view name;
-  std::array<std::string_view, 2> parts;  // by part; the second may be empty
+  std::array<std::string_view, 2> parts;  // the second may be empty
 };
 inline constexpr std::array<ModelForm, kModelKinds> kModelForms{{{"conifer", {"wood", "leaves"}},
                                                                  {"broadleaf", {"wood", "leaves"}},
@@ -55,21 +56,21 @@ inline constexpr std::array<ModelForm, kModelKinds> kModelForms{{{"conifer", {"w
                                                                  {"boulder", {"stone", ""}},
                                                                  {"bush", {"leaves", ""}}}};
 
-/// One of the many of a kind: `seed` decides its size and every voxel.
+/// Makes one variant of a kind: `seed` decides its size and every voxel.
 [[nodiscard]] ObjectModel make_model(ModelKind kind, std::uint64_t seed);
 
-/// An author's model, its foot in the middle of its lowest layer, which goes on into the ground. `parts` is
-/// by colour.
+/// Converts an author's model. Its foot is in the middle of its lowest layer, which is extended into the
+/// ground. `parts` is indexed by colour.
 [[nodiscard]] ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts);
 
-/// How many levels show these models, level 0 among them: those at which two thirds of their voxels touch
-/// another that the level shows, or the ground. Others would be cubes in the air.
+/// Number of levels, from 0 on, that show these models: levels at which two thirds of the voxels touch
+/// another shown voxel, or the ground. At other levels models would be cubes in the air.
 [[nodiscard]] int levels_shown(const std::vector<ObjectModel>& models);
 
-/// Sorts, and drops what is said twice or out of bounds.
+/// Sorts, and drops duplicates.
 void tidy(ObjectModel& model);
 
-/// A model's voxels by column, for who looks at one alone.
+/// A model's voxels by column, for readers of a single column.
 class ModelColumns {
  public:
   explicit ModelColumns(const ObjectModel& model);
@@ -89,7 +90,7 @@ class ModelColumns {
 class ModelRows {
  public:
   explicit ModelRows(const ObjectModel& model);
-  /// Those from row `from` on and under row `to`; rows where there are none may be asked for.
+  /// The voxels in rows [from, to), which may extend past the model.
   [[nodiscard]] std::span<const ModelVoxel> at(bool front, std::int64_t from, std::int64_t to) const;
 
  private:
@@ -98,18 +99,18 @@ class ModelRows {
   std::array<std::uint16_t, 2 * kRows + 1> starts_{};
 };
 
-/// The same for levels 1 and 2: those that a level shows stand together.
+/// A model's voxels for levels 1 and 2, grouped by the voxels that a level shows.
 class ModelLevels {
  public:
   static constexpr int kCoarsest = 2;
 
   explicit ModelLevels(const ObjectModel& model);
-  /// Those whose x, y and z are the given ones modulo 1 << level. REQUIRES 1 <= level <= kCoarsest.
+  /// The voxels with the given x, y and z modulo 1 << level. REQUIRES 1 <= level <= kCoarsest.
   [[nodiscard]] std::span<const ModelVoxel> at(bool front, int level, std::int64_t x, std::int64_t y,
                                                std::int64_t z) const;
 
  private:
-  static constexpr std::size_t kGroups = 64;  // by x, y and z modulo 4; first by their lowest bits
+  static constexpr std::size_t kGroups = 64;  // by x, y and z modulo 4, ordered by their lowest bits first
   std::vector<ModelVoxel> voxels_;
   std::array<std::uint16_t, 2 * kGroups + 1> starts_{};
 };

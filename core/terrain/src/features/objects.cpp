@@ -23,17 +23,17 @@ namespace {
 
 constexpr std::size_t kMaxKinds = 32;
 constexpr int kLeastSpacing = 4;
-constexpr std::uint8_t kMaxSeen = 32;  // objects that a column of level 3 to 6 shows
+constexpr std::uint8_t kMaxSeen = 32;  // maximum number of objects shown by a column of level 3 to 6
 constexpr std::size_t kMaxModelNameBytes = 200;
-constexpr int kVariants = 32;        // shapes of a formula; objects draw one of them and a quarter turn
-constexpr double kMaxDensity = 256;  // voxels of objects on a column, on average, where all kinds stand
-constexpr int kGap = 2;              // of a cell stay free, so that no two trunks touch across its border
+constexpr int kVariants = 32;        // shapes per formula; objects draw one of them and a quarter turn
+constexpr double kMaxDensity = 256;  // object voxels per column, on average, if all kinds stand there
+constexpr int kGap = 2;              // free margin of a cell, so that trunks in adjacent cells never touch
 constexpr Lod kLastEnumerated = Lod::of(ModelLevels::kCoarsest);
 constexpr double kClumpWavelength = 260;  // voxels
 constexpr int kClumpOctaves = 3;
 constexpr double kClumpGain = 0.6;
 
-/// Quarter turns about the foot.
+/// Rotates voxels by quarter turns about the foot.
 struct Turned {
   int cos;
   int sin;
@@ -120,7 +120,7 @@ OverlayRows Objects::overlay_rows(Lod lod) const {
   return rows;
 }
 
-/// The candidate of a cell; none where its own draw keeps it away everywhere.
+/// The candidate of a cell; nullopt if its own draw excludes it everywhere.
 std::optional<Objects::Candidate> Objects::candidate(std::size_t kind, std::int64_t cell_x,
                                                      std::int64_t cell_z) const {
   const ObjectKind& of = kinds_[kind];
@@ -136,7 +136,7 @@ std::optional<Objects::Candidate> Objects::candidate(std::size_t kind, std::int6
   return candidate;
 }
 
-/// Where there is so much of its kind, of kWholeShare.
+/// Returns true if the candidate stands at a place where its kind has `share` of kWholeShare.
 bool Objects::present(const Candidate& candidate, std::int32_t share) const {
   const ObjectKind& kind = kinds_[candidate.kind];
   const auto limit_q16 = static_cast<std::int32_t>(std::int64_t{kind.chance_q16} * share / kWholeShare);
@@ -157,7 +157,7 @@ bool Objects::place(const StandingGround& ground, int columns, Placement& at,
   if (at.kind == kinds_.size()) return false;
   const bool in_cells = region.lod.value() <= kLastEnumerated.value();
   if (!in_cells && at.seen_in.size() != region.columns()) at.seen_in.assign(region.columns(), 0);
-  // A candidate takes as long as some columns of ground, and a column looks at those of some cells.
+  // A candidate costs as much as some columns of ground, and a column reads the candidates of some cells.
   constexpr std::int64_t kColumnsACandidate = 8;
   const std::int64_t spacing = kinds_[at.kind].spacing;
   const std::int64_t a_row =
@@ -173,7 +173,7 @@ bool Objects::place(const StandingGround& ground, int columns, Placement& at,
   return at.kind < kinds_.size();
 }
 
-// An object stands on the ground of the column of the level that holds its foot.
+// An object stands on the ground of the level's column that contains its foot.
 bool Objects::place_in_cells(const StandingGround& ground, std::int64_t rows, Placement& at,
                              std::vector<PlacedObject>& objects) const {
   const ObjectKind& of = kinds_[at.kind];
@@ -206,9 +206,9 @@ std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
   return kinds_[object.kind].columns[object.variant].at(back.x(column), back.z(column));
 }
 
-// Of kinds that come first, at most kMaxSeen a column, so that dense woods take a bounded memory.
-// A coarse column shows one base column. So many objects lie between the columns that each looks only for
-// those that reach it, and takes its own ground for theirs.
+// A coarse column shows one base column. Columns lie so far apart that enumerating all objects between them
+// would cost too much: each column searches only for objects that reach it, and uses its own ground as
+// theirs. A column shows at most kMaxSeen objects, earlier kinds first, to bound the memory of dense woods.
 bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, Placement& at,
                                std::vector<PlacedObject>& objects) const {
   const ObjectKind& of = kinds_[at.kind];
@@ -244,7 +244,7 @@ bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, 
   return last < ground.region.depth;
 }
 
-// Voxel (x, y, z) of level l shows the base voxel (x << l, (y << l) + half of a voxel, z << l).
+// Voxel (x, y, z) of level l shows base voxel (x << l, (y << l) + half of a voxel, z << l).
 template <class Visit>
 void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
                              std::optional<int> height, const Visit& visit) const {
@@ -272,7 +272,7 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
     return visit_shown(height ? rows.at(front, -foot_y, *height - foot_y)
                               : rows.at(front, -kObjectRoot, kObjectTop));
   }
-  // The foot as the model sees it: what is that far from it lies on the level's planes.
+  // The foot modulo the level's step, in the model's orientation: such voxels lie on the level's planes.
   const ModelVoxel low{static_cast<std::int8_t>(-foot_x & mask), 0, static_cast<std::int8_t>(-foot_z & mask)};
   const Turned back{4 - object.turn};
   visit_shown(kind.levels[object.variant].at(front, level, back.x(low), -foot_y, back.z(low)));
@@ -280,10 +280,10 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
 
 namespace {
 
-/// What the voxels of a chunk become.
+/// The new materials of a chunk's voxels.
 class ChangedVoxels {
  public:
-  /// Where `changes`; else a place that is no voxel's is written, as no processor foresees which it will be.
+  /// If `changes` is false, writes to a dummy element: the branch would be unpredictable.
   void set(bool changes, std::size_t voxel, MaterialId material) {
     const std::size_t at = changes ? voxel : kChunkVolume;
     materials_[at] = material;
@@ -300,11 +300,11 @@ class ChangedVoxels {
 
  private:
   static constexpr std::size_t kWords = kChunkVolume / 64;
-  std::array<MaterialId, kChunkVolume + 1> materials_;  // of voxels whose bit is set
+  std::array<MaterialId, kChunkVolume + 1> materials_;  // valid if the voxel's bit is set
   std::array<std::uint64_t, kWords + 1> changed_{};
 };
 
-/// The rows of a chunk from which on objects may have voxels.
+/// The lowest rows of a chunk in which objects may have voxels.
 struct ObjectFloors {
   ChunkPlane in_water;
   ChunkPlane dry;
@@ -342,7 +342,7 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
     const auto apart = [&](std::int64_t middle, std::int64_t below, std::int64_t above, std::int64_t from) {
       return middle + above < from << level || middle - below >= (from + kChunkSize) << level;
     };
-    // Most chunks lie under all that stands.
+    // Most chunks lie below all objects.
     return !apart(object.y, kObjectRoot, kObjectTop, origin.y) &&
            !apart(object.y, kObjectRoot, kind.top, origin.y) &&
            !apart(object.x, kind.reach, kind.reach, origin.x) &&
@@ -353,7 +353,7 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
   if (near.empty()) return;
   const ObjectFloors floors = floors_of(site);
   const auto changed = std::make_unique_for_overwrite<ChangedVoxels>();
-  // From back to front: what is written later stays. Crowns first, then stems, each from the last kind on.
+  // From back to front, as later writes win: first crowns, then stems, each from the last kind to the first.
   for (const bool front : {false, true}) {
     for (const PlacedObject& object : near) {
       const ChunkPlane& floor = kinds_[object.kind].in_water ? floors.in_water : floors.dry;
@@ -371,7 +371,7 @@ void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overri
 void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
                        std::span<std::int32_t> rows) const {
   const Region& region = stacks.region;
-  // As add_overrides(): what comes later is in front.
+  // As in add_overrides(), later writes are in front.
   for (const bool front : {false, true}) {
     for (auto object = stacks.objects.rbegin(); object != stacks.objects.rend(); ++object) {
       const bool in_water = kinds_[object->kind].in_water;
@@ -380,7 +380,7 @@ void Objects::add_tops(const Stacks& stacks, std::span<MaterialId> materials,
                        if (x < 0 || z < 0 || x >= region.width || z >= region.depth) return;
                        const auto i = static_cast<std::size_t>(z * region.width + x);
                        if (y < boundary_row(stacks.tops.back().values[i]) || y + 1 < rows[i]) return;
-                       // The row is the sea's topmost where no object has given it.
+                       // Without an object, the row is the sea's topmost.
                        if (y + 1 == rows[i] && materials[i] == kAir && !in_water) return;
                        materials[i] = material;
                        rows[i] = y + 1;
@@ -426,7 +426,7 @@ class ObjectReader {
     if (known) table.fail("name", "'" + kind.name + "' names another object already; names are unique");
     kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
     read_models(table, kind);
-    // So that few of an author's models, which may be full, reach any one column.
+    // Bounds the number of an author's models, which may be full, that reach any one column.
     const int closest = is_file(kind) ? std::max(kLeastSpacing, kind.reach) : kLeastSpacing;
     kind.spacing = static_cast<int>(table.integer("spacing", closest, 64));
     kind.chance_q16 = static_cast<std::int32_t>(rounded(table.real("chance", {0, 1}) * 65536));
@@ -437,7 +437,7 @@ class ObjectReader {
     return kind;
   }
 
-  // So that no chunk takes long, whatever stands in it.
+  // Bounds the time of a chunk.
   void check_density(TableReader& table, const ObjectKind& kind) {
     if (kind.models.empty() || kind.spacing == 0) return;
     std::size_t voxels = 0;
@@ -499,7 +499,7 @@ class ObjectReader {
     }
   }
 
-  /// Of a .vox file; its palette's entries are parts, the lowest number in front.
+  /// Reads a .vox file; its palette's entries are parts, the lowest number in front.
   void read_file(TableReader& table, ObjectKind& kind) {
     const auto refuse = [&](const std::string& why) {
       table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "': " + why);
@@ -534,7 +534,7 @@ class ObjectReader {
     for (const VoxelModel& model : *models) kind.models.push_back(model_of(model, part_of));
   }
 
-  /// A new material with a colour, or one that the world has.
+  /// Returns a new material with a colour, or an existing one.
   MaterialId read_part(TableReader& table, const std::string& key) {
     auto part = table.table(key);
     if (!part) return kAir;
@@ -552,7 +552,7 @@ class ObjectReader {
   FeatureSection& section_;
   std::map<std::string, tl::expected<std::vector<VoxelModel>, std::string>>
       files_;           // that were read, by name
-  double density_ = 0;  // voxels of the kinds read so far on a column
+  double density_ = 0;  // voxels per column of the kinds read so far
 };
 
 std::unique_ptr<const Feature> read_objects(FeatureSection& section) {

@@ -16,24 +16,24 @@ namespace talus::terrain {
 
 enum class Clumps : std::uint8_t { none, woods, groves };
 
-/// Where objects of a kind stand: one candidate in each square cell of the endless plane.
+/// The distribution of a kind's objects: one candidate in each square cell of the endless plane.
 struct ObjectKind {
   std::string name;
   std::string model;
   std::uint64_t seed = 0;
-  int spacing = 0;              // base columns: the edge of a cell
-  std::int32_t chance_q16 = 0;  // of a candidate
+  int spacing = 0;              // edge of a cell in base columns
+  std::int32_t chance_q16 = 0;  // probability of a candidate
   Clumps clumps = Clumps::none;
   bool in_water = false;
-  std::optional<std::size_t> share;     // of PlacesSpec::shares
+  std::optional<std::size_t> share;     // index in PlacesSpec::shares
   std::array<MaterialId, 256> parts{};  // by ModelVoxel::part
   std::vector<ObjectModel> models;      // a candidate draws one
-  std::vector<ModelColumns> columns;    // of each model
-  std::vector<ModelRows> rows;          // of each model
-  std::vector<ModelLevels> levels;      // of each model
-  int reach = 0;                        // of all models: columns from the foot
+  std::vector<ModelColumns> columns;    // one per model
+  std::vector<ModelRows> rows;          // one per model
+  std::vector<ModelLevels> levels;      // one per model
+  int reach = 0;                        // maximum over all models: columns from the foot
   int top = 0;                          // rows above the ground
-  int levels_shown = 0;                 // level 0 among them; coarser ones leave the kind out
+  int levels_shown = 0;                 // number of levels, from 0 on; coarser ones omit the kind
 };
 
 class Objects final : public Feature {
@@ -56,15 +56,15 @@ class Objects final : public Feature {
   [[nodiscard]] std::optional<Candidate> candidate(std::size_t kind, std::int64_t cell_x,
                                                    std::int64_t cell_z) const;
   [[nodiscard]] bool present(const Candidate& candidate, std::int32_t share) const;
-  /// `rows` of them at most. False where none is left of the kind.
+  /// Places at most `rows` rows of candidates. False when no rows of the kind are left.
   bool place_in_cells(const StandingGround& ground, std::int64_t rows, Placement& at,
                       std::vector<PlacedObject>& objects) const;
   [[nodiscard]] std::span<const ModelVoxel> seen(const PlacedObject& object) const;
   bool place_by_columns(const StandingGround& ground, std::int64_t rows, Placement& at,
                         std::vector<PlacedObject>& objects) const;
-  /// Calls visit(x, y, z, material) for the voxels of the level that show it, counted from `origin`, a voxel
-  /// of the level; for those of the part in front, or all others. At level 0 none at or above `height`, nor
-  /// below 0 where there is one; else the visitor leaves them out.
+  /// Calls visit(x, y, z, material) for the object's voxels at a level, relative to `origin`, a voxel of the
+  /// level: for its part in front, or for all others. At level 0 with a `height` only for 0 <= y < height;
+  /// otherwise the visitor must skip voxels outside.
   template <class Visit>
   void for_each_voxel(const PlacedObject& object, Lod lod, bool front, const VoxelPos& origin,
                       std::optional<int> height, const Visit& visit) const;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kOne_q15 = 1 << 15;
 
-// Sixteen directions of an axis, as 2^14 times their cosine; the sine is that of eight before.
+// Sixteen directions of an axis, as 2^14 times their cosine; the sine is the cosine of eight steps before.
 constexpr std::array<std::int32_t, 8> kCosine_q14{16384, 16069, 15137, 13623, 11585, 9102, 6270, 3196};
 
 std::int64_t cosine_q14(int sixteenth) {
@@ -28,21 +28,21 @@ std::int64_t sine_q14(int sixteenth) {
   return turn == 0 ? 0 : turn < 8 ? kCosine_q14[static_cast<std::size_t>(8 - turn)] : cosine_q14(turn - 8);
 }
 
-// Numbers for a body, one after another, from the hash of its cube. Never two of them in one expression: C++
-// leaves open which of its operands or arguments comes first.
+// A sequence of random numbers for a body, from the hash of its cube. Never draw two in one expression: C++
+// leaves the order of operands and arguments open.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : seed_{seed} {}
-  // least to most - 1.
+  // Returns `least` to `most` - 1.
   std::int64_t between(std::int64_t least, std::int64_t most) {
     const std::uint64_t draw = derived_seed(seed_, ++count_) >> 32;
     return least + static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(most - least)) >> 32);
   }
-  // least to most percent of a length.
+  // Returns `least` to `most` percent of a length.
   std::int32_t part(std::int64_t length, std::int64_t least, std::int64_t most) {
     return static_cast<std::int32_t>(length * between(least, most + 1) / 100);
   }
-  // A steep tilt to either side.
+  // Returns a steep tilt to either side.
   std::int64_t tilt_q12() {
     const std::int64_t steepness_q12 = between(1024, 7000);
     return between(0, 2) == 0 ? -steepness_q12 : steepness_q12;
@@ -67,7 +67,7 @@ void set_axes(OreLobe& lobe, int sixteenth, std::int32_t along_fx, std::int32_t 
   lobe.reach_fx = along_fx;
 }
 
-// A lump with up to three others that stick out of it.
+// Adds a lump with up to three others that stick out of it.
 void add_pocket(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, Draws& draws,
                 std::vector<OreLobe>& lobes) {
   const std::int32_t size_fx = draws.part(radius_fx, 60, 100);
@@ -92,14 +92,14 @@ void add_pocket(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, Draw
   }
 }
 
-// Thickness measured upright of a sheet that is tilted: near sqrt(1 + tilt^2).
+// The vertical thickness of a tilted sheet: about sqrt(1 + tilt^2) times its thickness.
 std::int32_t upright(std::int32_t thickness_fx, std::int64_t tilt_q12) {
   const std::int64_t tilt = std::abs(tilt_q12);
   return static_cast<std::int32_t>(
       thickness_fx * (std::max<std::int64_t>(4096, tilt) + std::min<std::int64_t>(4096, tilt) * 2 / 5) >> 12);
 }
 
-// A long tilted sheet, and three narrower ones that leave it at an angle.
+// Adds a long tilted sheet, and three narrower ones that leave it at an angle.
 void add_vein(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, std::int32_t thickness_fx,
               Draws& draws, std::vector<OreLobe>& lobes) {
   const std::int32_t along_fx = draws.part(radius_fx, 75, 98);
@@ -139,7 +139,7 @@ void add_vein(const Middle& middle, OreLobe lobe, std::int32_t radius_fx, std::i
 void add_body(const OreKind& kind, const Middle& middle, std::uint64_t seed, std::vector<OreLobe>& lobes) {
   OreLobe lobe;
   lobe.seed = seed;
-  // Some five grains from one end of a body to the other.
+  // About five grains along a body.
   lobe.grain_bits = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(kind.size_fx) / 5U)) - 1;
   Draws draws{seed};
   if (kind.shape == OreShape::pocket) {
@@ -149,7 +149,7 @@ void add_body(const OreKind& kind, const Middle& middle, std::uint64_t seed, std
   }
 }
 
-// Whether what reaches so far to both sides of a middle meets the box.
+// Returns true if the surroundings of `middle`, within the reaches, intersect the box.
 bool meets(const OreBox& box, const Middle& middle, std::int64_t reach_fx, std::int64_t rise_fx) {
   const auto apart = [](std::int64_t at, std::int64_t reach, std::int64_t first, std::int64_t end) {
     return at + reach < first || at - reach >= end;
@@ -167,7 +167,7 @@ std::int64_t place_in_grain_q15(const OreLobe& lobe, std::int64_t place_fx) {
   return ((place_fx & ((std::int64_t{1} << lobe.grain_bits) - 1)) << 15) >> lobe.grain_bits;
 }
 
-// From one grain to the next without a corner.
+// Blends smoothly from one grain to the next.
 std::int64_t weight_q15(std::int64_t t_q15) {
   return (t_q15 * t_q15 >> 15) * (3 * kOne_q15 - 2 * t_q15) >> 15;
 }
@@ -198,8 +198,8 @@ OreRow::GrainLine OreRow::grain_line(std::int64_t line) const {
   return {blend(0), blend(20)};
 }
 
-// What at() computes before it asks for the noise, as real numbers: where the row passes the ellipse and
-// where the tilted sheet passes the heights. What rounding may move is added to both.
+// The part of at() before its noise, in real numbers: the intersection of the row with the ellipse and of the
+// tilted sheet with the heights. Both are widened by the possible rounding.
 OreRow::Reach OreRow::reach() const {
   if (misses_) return {};
   const auto cos = static_cast<double>(lobe_.cos_q14);
@@ -207,7 +207,7 @@ OreRow::Reach OreRow::reach() const {
   const auto south = static_cast<double>(z_fx_ - lobe_.z_fx);
   const double per_along = static_cast<double>(lobe_.per_along_q40) * 0x1p-25;
   const double per_across = static_cast<double>(lobe_.per_across_q40) * 0x1p-25;
-  // (a, c) are rounded down twice, and out is below 1 where they lie within 2^15 of the middle.
+  // (a, c) are rounded down twice, and out is below 1 if they lie within 2^15 of the middle.
   const double radius = static_cast<double>(kOne_q15) + per_along + per_across + 2;
   const double u = per_along * 0x1p-14;
   const double v = per_across * 0x1p-14;
@@ -222,7 +222,7 @@ OreRow::Reach OreRow::reach() const {
 
   const auto tilt_along = static_cast<double>(lobe_.tilt_along_q12);
   const auto tilt_across = static_cast<double>(lobe_.tilt_across_q12);
-  const double rise = (cos * tilt_along - sin * tilt_across) * 0x1p-26;  // a subvoxel along the row
+  const double rise = (cos * tilt_along - sin * tilt_across) * 0x1p-26;  // per subvoxel along the row
   const double here =
       static_cast<double>(lobe_.y_fx) + south * (sin * tilt_along + cos * tilt_across) * 0x1p-26;
   const double most = static_cast<double>(lobe_.half_fx) + static_cast<double>(lobe_.sway_fx) +
@@ -239,7 +239,7 @@ OreRow::Reach OreRow::reach() const {
     return {};
   }
   if (from > to) return {};
-  // A subvoxel more to each side is more than doubles round off.
+  // One more subvoxel on each side exceeds the rounding of doubles.
   const auto at = [&](double east) {
     return floor_div(lobe_.x_fx + static_cast<std::int64_t>(std::floor(east)), kSubvoxels);
   };
@@ -274,7 +274,7 @@ std::optional<OreSpan> OreRow::at(std::int64_t column_x) {
   };
   out += (blend(west_.edge_q30, east_.edge_q30) * lobe_.ragged_q15) >> 15;
   if (out >= kOne_q15) return std::nullopt;
-  // Blunt at the rim, as an ellipsoid is.
+  // Blunt at the rim, like an ellipsoid.
   const std::int64_t half = lobe_.half_fx * (kOne_q15 - (out * out >> 15)) >> 15;
   const std::int64_t sway_q15 = 2 * blend(west_.sway_q30, east_.sway_q30) - kOne_q15;
   const std::int64_t middle = tilted + ((lobe_.sway_fx * sway_q15) >> 15);
@@ -289,7 +289,7 @@ void add_lobes(const OreKind& kind, const OreBox& box, std::vector<OreLobe>& lob
   const std::int64_t reach = kind.size_fx / 2;
   const auto first = [&](std::int64_t from_fx) { return floor_div(from_fx - reach, edge); };
   const auto last = [&](std::int64_t end_fx) { return floor_div(end_fx - 1 + reach, edge); };
-  // Bodies that would pass their range of heights are none, so that none is cut.
+  // Bodies that would exceed their range of heights are omitted, so that no body is cut.
   const std::int64_t lowest = kind.low_fx + reach;
   const std::int64_t highest = kind.high_fx - reach;
   const std::int64_t first_y = std::max(first(box.low_fx), floor_div(lowest, edge));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxOres = 16;
 constexpr std::uint64_t kOreSeed = 0x4F52450000000000U;
-// At least four voxels: a chunk looks at no more than (32 / 4 + 2)^3 cubes of a kind.
+// At least four voxels, so that a chunk reads at most (32 / 4 + 2)^3 cubes of a kind.
 constexpr Range kSizes{4, 1024};        // voxels
 constexpr Range kThicknesses{1, 1024};  // voxels
 
@@ -58,7 +58,7 @@ Columns columns_of(const OreLobe& lobe, ChunkKey key) {
           column(lobe.z_fx - lobe.reach_fx, origin.z), column(lobe.z_fx + lobe.reach_fx + edge, origin.z)};
 }
 
-// The rows of a lobe in its columns, of which rock ends at row `highest` at most. Whether there are any.
+// Cuts a lobe to the rows of rock in its columns; `highest` is the highest row of rock. True if any is left.
 bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkPlane& rock, int highest,
          Overlay& overlay) {
   const int shift = key.lod.value();
@@ -91,7 +91,7 @@ bool cut(const OreLobe& lobe, const Columns& columns, ChunkKey key, const ChunkP
   return any;
 }
 
-// Adds a lobe to what its ore has already, where both are one run in every column.
+// Merges a lobe into an overlay of its ore if both form one interval in every column.
 bool join(const Overlay& lobe, const Columns& columns, Overlay& overlay) {
   const bool one_run = columns.all_of([&](std::size_t i) {
     const bool both = lobe.from[i] < lobe.to[i] && overlay.from[i] < overlay.to[i];
@@ -182,8 +182,8 @@ OverlayRows Ores::overlay_rows(Lod lod) const {
   return rows;
 }
 
-// Where bodies overlap, the ore that comes first in the spec is what stays. Bodies of one ore that leave each
-// other's columns free share an overlay.
+// The ore that is first in the spec wins where bodies overlap. Bodies of one ore share an overlay if each
+// column has one interval of it.
 void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
                         std::vector<Overlay>& overlays) const {
   const ChunkPlane& rock = site.rock();

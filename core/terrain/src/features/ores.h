@@ -1,4 +1,4 @@
-// Ores in the numbers they are made with. Private to core/terrain.
+// Ores in the numbers used to compute them. Private to core/terrain.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace talus::terrain {
 
-/// [[veins]]: ore in bodies of which each lies wholly between two heights. It takes the place of rock alone.
+/// [[veins]]: ore in bodies, each completely between two heights. It replaces only rock.
 class Ores final : public Feature {
  public:
   explicit Ores(std::vector<OreKind> kinds) : kinds_{std::move(kinds)} {}

@@ -10,8 +10,8 @@
 
 namespace talus::terrain {
 
-/// Lines that run along a strike have `x cos + z sin` in common. In 2^-16, fixed when a world is read, so
-/// that no machine's cosine decides a voxel.
+/// Lines along a strike have a constant `x cos + z sin`. In 2^-16, fixed when a world is read, so that voxels
+/// do not depend on the machine's cosine.
 struct Strike {
   std::int64_t cos_q16 = 0;
   std::int64_t sin_q16 = 0;
@@ -25,13 +25,13 @@ struct Strike {
   }
 };
 
-/// Of a compass bearing: 0 is north (-z), 90 is east.
+/// Converts a compass bearing: 0 is north (-z), 90 is east.
 [[nodiscard]] inline Strike strike_of(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   return {rounded(std::cos(angle) * 65536), rounded(std::sin(angle) * 65536)};
 }
 
-/// As canonical forms have it.
+/// Formats for canonical forms.
 inline std::ostream& operator<<(std::ostream& form, const Strike& strike) {
   return form << " strike_q16 " << strike.cos_q16 << ' ' << strike.sin_q16;
 }

@@ -18,7 +18,7 @@ using talus::HWY_NAMESPACE::over_row;
 
 using Columns = hn::ScalableTag<std::int32_t>;
 
-// Widens a range by the vector at x where any lane of the mask is set.
+// Widens a range by the vector at x if any lane of the mask is set.
 template <class Tag, class Mask>
 HWY_INLINE void include_vector(Tag d, Mask mask, std::size_t x, ColumnRange& range) {
   if (hn::AllFalse(d, mask)) return;
@@ -58,8 +58,7 @@ void descend(const std::int32_t* feet, std::size_t stride, const std::int32_t* s
   });
 }
 
-// Rows overlap where a row is added to itself, shifted: what is read lies ahead of all that is written. So no
-// vector may come twice.
+// A row may be added to itself, shifted: reads are ahead of writes, so no vector may be processed twice.
 void add_row(const std::int32_t* other, std::size_t width, std::int32_t* sum) {
   const Columns d;
   std::size_t x = 0;
@@ -94,7 +93,7 @@ ColumnRange begin_aprons(const std::int32_t* height, const std::int32_t* slope, 
     const auto given = hn::Min(share, hn::Set(d, supply.most_fx));
     const auto leaning = hn::Add(low, given);
     const auto surface = hn::IfThenElse(above, hn::Min(own, leaning), own);
-    // A wall is free of scree where it stands over its apron, and where its foot is not in reach.
+    // A wall is bare above its apron, and if its foot is out of reach.
     const auto free = hn::Or(hn::AndNot(hn::Lt(own, leaning), above), hn::And(wall, hn::Eq(low, none)));
     const auto source = hn::And(above, hn::Gt(given, hn::Zero(d)));
     include_vector(d, source, x, begins);

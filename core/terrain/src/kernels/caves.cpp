@@ -22,8 +22,8 @@ using talus::HWY_NAMESPACE::over_row;
 
 using Ints = hn::ScalableTag<std::int32_t>;
 
-constexpr std::int32_t kOne = 1 << 16;               // of what a dome's shape is counted in
-constexpr std::int32_t kWall_noise = kNoiseOne / 6;  // noise from a chamber's wall to its full height
+constexpr std::int32_t kOne = 1 << 16;               // the unit of a dome's shape
+constexpr std::int32_t kWall_noise = kNoiseOne / 6;  // between a chamber's wall and its full height
 
 template <class D>
 HWY_INLINE hn::Vec<D> noise_at(D d, const float* values) {
@@ -31,7 +31,7 @@ HWY_INLINE hn::Vec<D> noise_at(D d, const float* values) {
   return hn::ConvertTo(d, hn::Mul(hn::LoadU(f, values), hn::Set(f, static_cast<float>(kNoiseOne))));
 }
 
-/// How far inside of tunnels and of chambers columns are; there is air where either is more than 0.
+/// Depth of columns inside tunnels and chambers; there is air if either is more than 0.
 template <class D>
 struct Depths {
   hn::Vec<D> in_tunnel;
@@ -46,8 +46,8 @@ struct Depths {
   }
 };
 
-/// whole * share / kOne, rounded down, for 0 <= whole < 2^23 + 256 and 0 <= share <= kOne: in halves, as a
-/// product has 40 bits.
+/// whole * share / kOne, rounded down, for 0 <= whole < 2^23 + 256 and 0 <= share <= kOne. Computed in two
+/// parts, as the product has 40 bits.
 template <class D>
 HWY_INLINE hn::Vec<D> part(D d, hn::Vec<D> whole, hn::Vec<D> share) {
   const hn::RebindToUnsigned<D> words;
@@ -58,7 +58,7 @@ HWY_INLINE hn::Vec<D> part(D d, hn::Vec<D> whole, hn::Vec<D> share) {
   return hn::BitCast(d, hn::ShiftRight<8>(hn::Add(high, low)));
 }
 
-/// A dome's height at `share` of the way in from its wall: steep beside the wall, level in the middle.
+/// A dome's height at `share` of the way in from its wall: steep near the wall, level in the middle.
 template <class D>
 HWY_INLINE hn::Vec<D> bulge(D d, hn::Vec<D> share) {
   const auto out = hn::Sub(hn::Set(d, kOne), share);
@@ -72,19 +72,19 @@ HWY_INLINE hn::Vec<D> share_of(D d, hn::Vec<D> depth, std::int32_t whole) {
   const auto product = hn::ShiftLeft<16>(depth);
   const auto quotient =
       hn::ConvertTo(d, hn::Div(hn::ConvertTo(f, product), hn::Set(f, static_cast<float>(whole))));
-  // A float may be rounded up to the next integer.
+  // The float quotient may be rounded up to the next integer.
   const auto past = hn::Lt(product, hn::Mul(quotient, hn::Set(d, whole)));
   return hn::Add(quotient, hn::VecFromMask(d, past));
 }
 
-/// How far air reaches up and down from the middle.
+/// Extent of air above and below the middle.
 template <class D>
 struct Reach {
   hn::Vec<D> rise;
   hn::Vec<D> drop;
 
-  /// Where `depth` is more than 0. Three quarters of a height lie above the middle. A floor is the flatter
-  /// half: a dome's dome.
+  /// Widens columns with `depth` > 0. Three quarters of the height lie above the middle. The floor is the
+  /// flatter part: a dome of a dome.
   HWY_INLINE void widen(D d, hn::Vec<D> depth, std::int32_t whole, std::int32_t height_fx) {
     const auto inside = hn::Gt(depth, hn::Zero(d));
     if (hn::AllFalse(d, inside)) return;
@@ -144,7 +144,7 @@ std::int32_t lowest(const std::int32_t* heights_fx, std::size_t width) {
   return least;
 }
 
-/// Sets the bits of columns from `i` on where the mask is set.
+/// Sets the bits of columns from `i` on that are set in the mask.
 template <class D>
 HWY_INLINE void set_bits(D d, hn::Mask<D> mask, std::size_t i, std::uint64_t* bits) {
   constexpr std::size_t kBytes = (hn::MaxLanes(D{}) + 7) / 8;
@@ -196,7 +196,7 @@ void judge(const RoofRules& rules, const HeightsAround& heights, std::size_t wid
       set_bits(d, open, x, rows.open);
       roof_row = hn::IfThenElse(roofed, own_roof_row, far_below);
       rock_row = hn::IfThenElse(open, far_below, rock_row);
-      // Of which columns that come twice stay open.
+      // Keeps open columns open if the last vector processes them twice.
       hn::StoreU(hn::IfThenElse(open, surface, roof), d, rows.roof_fx + x);
     }
     hn::StoreU(roof_row, d, rows.roof_row + x);

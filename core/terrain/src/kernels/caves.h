@@ -1,4 +1,4 @@
-// Caves, a row of columns at a time (docs/DESIGN.md, "Caves").
+// Caves, one row of columns at a time (docs/DESIGN.md, "Caves").
 #pragma once
 
 #include <cstddef>
@@ -18,18 +18,18 @@ struct CaveNoises {
   const float* climb = nullptr;
 };
 
-/// What decides whether a column with air is roofed, open or solid after all, at a level.
+/// Rules by which a column with air is roofed, open, or solid after all, at a level.
 struct RoofRules {
   int level = 0;
-  std::int32_t loose_fx = 0;    // all that can be loose
-  std::int32_t sunk_fx = 0;     // how far under H ground may come to lie, where water is near
-  std::int32_t least_rows = 0;  // of a roof that holds
-  bool shore = false;           // whether water is near the row
-  std::int32_t sea_fx = 0;      // at the level
+  std::int32_t loose_fx = 0;    // total thickness of loose material
+  std::int32_t sunk_fx = 0;     // maximum depth of ground below H if water is near
+  std::int32_t least_rows = 0;  // minimum rows of a roof that holds
+  bool shore = false;           // true if water is near the row
+  std::int32_t sea_fx = 0;      // in subvoxels of the level
 };
 
-/// Level 0's H over three rows. Those beside the row's own are null where there is no shore; else all three
-/// have a column before and one past the columns.
+/// Level 0's H over three rows. `north` and `south` are null without a shore; with one, all three rows also
+/// have a column before and one after the judged columns.
 struct HeightsAround {
   const std::int32_t* north = nullptr;
   const std::int32_t* own = nullptr;
@@ -39,26 +39,26 @@ struct HeightsAround {
 /// Rows of the judged columns.
 struct JudgedRows {
   const std::int32_t* floor_fx = nullptr;
-  std::int32_t* roof_fx = nullptr;   // 0 where there is no air; becomes the surface in an open column
-  std::int32_t* roof_row = nullptr;  // of a roofed column, else kFarBelow
-  std::int32_t* rock_row = nullptr;  // where solid rock surely ends; kFarBelow in an open one
-  std::uint64_t* roofed = nullptr;   // a bit a column, and room for 64 more
-  std::uint64_t* open = nullptr;     // likewise
+  std::int32_t* roof_fx = nullptr;   // 0 without air; judge() stores the surface in open columns
+  std::int32_t* roof_row = nullptr;  // boundary row of the roof in a roofed column, else kFarBelow
+  std::int32_t* rock_row = nullptr;  // row below which rock is surely solid; kFarBelow in an open column
+  std::uint64_t* roofed = nullptr;   // one bit per column, with room for 64 more
+  std::uint64_t* open = nullptr;     // one bit per column, with room for 64 more
 };
 inline constexpr std::int32_t kFarBelow = -(1 << 28);
 
 struct CaveKernels {
-  /// Columns of `within` between which all air is.
+  /// Returns the range of columns of `within` that contains all air.
   ColumnRange (*find)(const CavePlan& plan, const CaveNoises& noises, ColumnRange within);
-  /// The air of these columns, in subvoxels of the level; both 0 where there is none.
+  /// Computes the air of the columns, in subvoxels of the level; both 0 without air.
   void (*shape)(const CavePlan& plan, const CaveNoises& noises, ColumnRange columns, int level,
                 std::int32_t* floor_fx, std::int32_t* roof_fx);
   /// REQUIRES width > 0.
   std::int32_t (*lowest)(const std::int32_t* heights_fx, std::size_t width);
-  /// Sets bits, and clears none.
+  /// Only sets bits.
   void (*judge)(const RoofRules& rules, const HeightsAround& heights, std::size_t width,
                 const JudgedRows& rows);
-  /// The same where a row is rock in both roofs: of roof_row and rock_row of JudgedRows.
+  /// Sets the bits of columns in which rows a and b of JudgedRows have a common row of roof rock.
   void (*touch)(const std::int32_t* roof_a, const std::int32_t* rock_a, const std::int32_t* roof_b,
                 const std::int32_t* rock_b, std::size_t width, std::uint64_t* touching);
 };

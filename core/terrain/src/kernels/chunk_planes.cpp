@@ -16,7 +16,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Bytes = hn::ScalableTag<std::uint8_t>;
-// Rows are below 128, and every set compares bytes with a sign.
+// Rows are below 128, so signed comparisons work, which all instruction sets have.
 using Rows = hn::ScalableTag<std::int8_t>;
 
 auto load(const std::uint8_t* plane, std::size_t i) {

@@ -4,7 +4,7 @@
 
 namespace talus::terrain {
 
-/// Columns of a row, from the first to before the last; none where that is the first.
+/// Columns [first, last) of a row; empty if first == last.
 struct ColumnRange {
   std::size_t first = 0;
   std::size_t last = 0;

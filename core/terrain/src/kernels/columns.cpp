@@ -23,7 +23,7 @@ using Ints = hn::ScalableTag<std::int32_t>;
 void slope(const std::int32_t* north, const std::int32_t* own, const std::int32_t* south, std::size_t width,
            std::int32_t* out) {
   over_row(Ints{}, width, [=](auto d, std::size_t x) HWY_ATTR {
-    // The greatest difference is toward the lowest or the highest of the nine.
+    // The greatest difference is to the lowest or the highest of the nine.
     const auto height = hn::LoadU(d, own + x + 1);
     auto low = height;
     auto high = height;
@@ -47,8 +47,8 @@ void cut(const std::int32_t* tops, std::size_t stride, std::int32_t floor_row, s
   for (int z = 0; z < kChunkSize; ++z, tops += stride) {
     for (std::size_t x = 0; x < kChunkSize; x += hn::Lanes(d), rows += hn::Lanes(d)) {
       const auto row = hn::ShiftRight<8>(hn::Add(hn::LoadU(d, tops + x), rounding));
-      // What lies below the floor becomes 0 as it is made a byte. What lies above must be cut before: of
-      // numbers past 15 bits some targets drop the highest.
+      // DemoteTo clamps negative rows to 0. Rows above must be clamped before it: some targets drop the high
+      // bits of numbers of more than 15 bits.
       hn::StoreU(hn::DemoteTo(bytes, hn::Min(hn::Sub(row, floor), most)), bytes, rows);
     }
   }

@@ -26,7 +26,7 @@ HWY_INLINE hn::Vec<Keys> mixed(hn::Vec<Keys> key) {
   return hn::Xor(key, hn::ShiftRight<31>(key));
 }
 
-// To the nearest integer, ties to even: a float of this size has no fraction, so the sum rounds by itself.
+// Rounds to the nearest integer, ties to even: the sum is so large that it has no fraction.
 void round_displacements(const float* noise, float reach_fx, std::size_t width, float* displacements) {
   const Floats f;
   const auto no_fraction = hn::Set(f, 12582912.0F);  // 1.5 * 2^23
@@ -36,8 +36,7 @@ void round_displacements(const float* noise, float reach_fx, std::size_t width, 
   }
 }
 
-// Where the columns lie along one axis of an octave. `inside` and `key` give the undisplaced place of vector
-// i.
+// Positions of the columns along one axis of an octave. `inside` and `key` give undisplaced ones.
 template <class Inside, class Key>
 HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, double period_fx,
                        const float* displacements, std::size_t width, float* t, std::uint32_t* low_hash,
@@ -46,7 +45,7 @@ HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, d
   const Keys keys;
   const hn::Rebind<float, Doubles> f;
   const hn::Rebind<std::uint32_t, Doubles> w;
-  // A double this large ends in the bits of an integer.
+  // A double of this size holds an integer in its low bits.
   const auto no_fraction = hn::Set(d, 6755399441055744.0);  // 1.5 * 2^52
   const auto period = hn::Set(d, period_fx);
   const auto reciprocal = hn::Set(f, 1.0F / static_cast<float>(period_fx));
@@ -55,7 +54,7 @@ HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, d
   auto low = hn::Zero(w);
   auto high = hn::Zero(w);
   for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
-    // All numbers are integers below 2^39, so none of this rounds, and no quotient rounds past an integer.
+    // All numbers are integers below 2^39, so nothing here rounds, and no quotient rounds up to an integer.
     const auto displaced =
         hn::Add(inside(i), hn::Mul(hn::PromoteTo(d, hn::LoadU(f, displacements + i)), hn::Set(d, frequency)));
     const auto cells = hn::Floor(hn::Div(displaced, period));

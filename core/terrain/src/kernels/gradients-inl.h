@@ -1,5 +1,4 @@
-// The gradients of lattice corners from their hashes. Included once for each instruction set, hence no
-// include guard but this:
+// Gradients of lattice corners from hashes. Included once per instruction set, hence this include guard:
 #if defined(TALUS_GRADIENTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_GRADIENTS_INL
 #undef TALUS_GRADIENTS_INL
@@ -19,17 +18,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::ScalableTag<float>;
 using Words = hn::RebindToUnsigned<Floats>;
 
-// 16 directions of length sqrt(2), so that the noise spans -1 to 1; turned by half a step, so that none
-// lies along an axis or a diagonal, where the eye would find the lattice. The top two bits of a hash are the
-// quadrant, the next two the direction in it: of four magnitudes, sqrt(2) times the cosine of 11.25, 33.75,
-// 56.25 and 78.75 degrees, one is x and its complement z, the other way round in every second quadrant.
+// 16 directions of length sqrt(2), so that the noise spans -1 to 1. They are turned by half a step, so that
+// no direction lies along an axis or a diagonal, which would make the lattice visible. The top two bits of a
+// hash are the quadrant, the next two the direction in it: of four magnitudes, sqrt(2) times the cosine of
+// 11.25, 33.75, 56.25 and 78.75 degrees, one is x and its complement z, swapped in every second quadrant.
 HWY_ALIGN constexpr float kMagnitudes[4] = {1.38703985F, 1.17587560F, 0.78569496F, 0.27589938F};
 
 HWY_INLINE hn::Vec<Words> magnitude(hn::Vec<Words> index) {
 #if HWY_TARGET == HWY_SCALAR
   return hn::BitCast(Words{}, hn::Set(Floats{}, kMagnitudes[hn::GetLane(index)]));
 #else
-  // Four byte indices a lane: 4 k + 3, 4 k + 2, 4 k + 1, 4 k for magnitude k.
+  // Four byte indices per lane: 4 k + 3, 4 k + 2, 4 k + 1, 4 k for magnitude k.
   const auto bytes = hn::Add(hn::Mul(index, hn::Set(Words{}, 0x04040404U)), hn::Set(Words{}, 0x03020100U));
   return hn::TableLookupBytes(hn::BitCast(Words{}, hn::LoadDup128(Floats{}, kMagnitudes)), bytes);
 #endif
@@ -40,7 +39,8 @@ struct Gradient {
   hn::Vec<Floats> z;
 };
 
-/// Of the corners whose axes add `a` and `b`, as corner_hash() of lattice_hash.h has them: b turned by half.
+/// The gradients of the corners with axis hashes `a` and `b`, as in corner_hash() of lattice_hash.h; b is
+/// rotated by 16 bits.
 HWY_INLINE Gradient gradient_at(hn::Vec<Words> a, hn::Vec<Words> turned_b) {
   const Floats f;
   const Words w;

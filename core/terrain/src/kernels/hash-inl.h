@@ -1,5 +1,4 @@
-// The hashes of lattice_hash.h in vectors. Included once for each instruction set, hence no include guard but
-// this:
+// The hashes of lattice_hash.h in vectors. Included once per instruction set, hence this include guard:
 #if defined(TALUS_HASH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_HASH_INL
 #undef TALUS_HASH_INL

@@ -1,5 +1,5 @@
-// Interpolation between lattice corners, in vectors: noise/lattice_place.h has it for single numbers.
-// Included once for each instruction set, hence no include guard but this:
+// Interpolation between lattice corners, in vectors; noise/lattice_place.h has the scalar version. Included
+// once per instruction set, hence this include guard:
 #if defined(TALUS_INTERPOLATE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_INTERPOLATE_INL
 #undef TALUS_INTERPOLATE_INL

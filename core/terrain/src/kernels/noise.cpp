@@ -32,7 +32,7 @@ void place_columns(std::int32_t inside, std::int32_t apart, std::size_t count, f
   }
 }
 
-// As fade() of lattice_place.h.
+// The same as fade() of lattice_place.h.
 void fade_columns(const float* t, std::size_t width, float* faded) {
   const Floats f;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
@@ -68,7 +68,7 @@ void draw_line(const LatticeColumns& columns, std::uint32_t z_hash, float weight
   const auto w = hn::Set(f, weight);
   const auto one = hn::Set(f, 1.0F);
   for (std::size_t i = 0; i < columns.width; i += hn::Lanes(f)) {
-    // A vector of columns meets at most as many runs as it has lanes: they are loaded and spread.
+    // A vector of columns spans at most as many runs as it has lanes: one load, then a table lookup.
     const std::int32_t first = columns.run[i];
     const auto lanes =
         hn::IndicesFromVec(f, hn::Sub(hn::LoadU(ints, columns.run.data() + i), hn::Set(ints, first)));

@@ -1,5 +1,5 @@
-// The noise of octaves between their lines, in vectors: kernels/noise.h. Included once for each instruction
-// set, hence no include guard but this:
+// The noise of octaves between their lines, in vectors (kernels/noise.h). Included once per instruction set,
+// hence this include guard:
 #if defined(TALUS_OCTAVES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_OCTAVES_INL
 #undef TALUS_OCTAVES_INL
@@ -19,7 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of columns i on.
+/// The octave's noise at the columns from i on.
 template <class Tag>
 HWY_INLINE hn::Vec<Tag> noise_at(Tag f, const OctaveRow& octave, std::size_t i) {
   const auto line_0 = hn::Add(hn::Mul(hn::LoadU(f, octave.value_0 + i), hn::Set(f, octave.value_0_share)),
@@ -29,8 +29,8 @@ HWY_INLINE hn::Vec<Tag> noise_at(Tag f, const OctaveRow& octave, std::size_t i) 
   return hn::Add(line_0, line_1);
 }
 
-/// Calls use(v, sum of all octaves) for each vector v of kVectors from column `at` on: that many at once, so
-/// that an octave's shares are spread over them once.
+/// Calls use(v, sum of all octaves) for each vector v of kVectors from column `at` on. Several vectors share
+/// one broadcast of each octave's weights.
 template <std::size_t kVectors, class Tag, class Use>
 HWY_INLINE void with_noise(Tag f, const OctaveRow* octaves, std::size_t count, std::size_t at,
                            const Use& use) {

@@ -48,7 +48,7 @@ void look(std::span<const Places::Case> cases, std::span<const float* const> qua
   over_row(PlaceTag{}, width, [=](auto f, std::size_t i) HWY_ATTR {
     const hn::RebindToSigned<decltype(f)> ints;
     auto found = hn::Zero(ints);
-    auto open = hn::Eq(found, found);  // no case has held yet
+    auto open = hn::Eq(found, found);  // true while no case has held
     for (const Places::Case& one : cases) {
       auto holds = open;
       for (const Places::Condition& condition : one.conditions) {
@@ -132,7 +132,7 @@ void keep(std::uint64_t wanted, const std::uint8_t* looks, const std::int32_t* s
   });
 }
 
-// Truncated: what is not negative is rounded down so.
+// Truncates, which rounds non-negative numbers down.
 template <class F, class V>
 HWY_INLINE void thin_at(F f, V value, const Places::Ramp& ramp, const std::int32_t* share,
                         std::int32_t* thinned) {

@@ -1,5 +1,5 @@
-// Values between samples: cubics along a row, and lines between rows of samples. Included once for each
-// instruction set, hence no include guard but this:
+// Values between samples: cubics along a row, and straight lines between rows of samples. Included once per
+// instruction set, hence this include guard:
 #if defined(TALUS_REGION_CUBICS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_REGION_CUBICS_INL
 #undef TALUS_REGION_CUBICS_INL
@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
-/// The polynomials between samples, cell by cell: c[0] + t (c[1] + t (c[2] + t c[3])), t from 0 at the cell's
-/// west to 1 at its east. Each has the samples' own slopes, those of the lines through their neighbours.
+/// The polynomials between samples, by cell: c[0] + t (c[1] + t (c[2] + t c[3])), with t from 0 at the cell's
+/// west to 1 at its east. At each sample the slope is the slope of the line through the sample's neighbours.
 struct Cubics {
   const float* c[4];
 };
@@ -28,7 +28,7 @@ struct Cubic {
   RegionVector c[4];
 };
 
-/// Of the cells whose sample before is at `samples` and so on.
+/// The cubics of cells; the sample before the first cell is at `samples`.
 HWY_INLINE Cubic cubic_of(const float* samples) {
   const RegionTag f;
   const auto before = hn::LoadU(f, samples);
@@ -54,7 +54,7 @@ Cubics cubics_of(const float* samples, std::size_t count, float* scratch) {
   return {{scratch, scratch + row, scratch + 2 * row, scratch + 3 * row}};
 }
 
-// The last plane is what is summed: all rows of it before one is read, whose loads would wait for the stores.
+// Sums all rows into the last plane before any is read; otherwise loads would wait for the stores.
 void cubics_between(const SampleRows& rows, std::size_t plane, float* planes) {
   const RegionTag f;
   float* const blended = planes + 4 * plane;
@@ -83,7 +83,7 @@ void blend_lines(const SampleLines& lines, std::size_t width, float* out) {
   }
 }
 
-/// `kRises`: with how a row rises a column.
+/// `kRises`: also stores the rise of the row per column.
 template <bool kRises, class Tag, class V = hn::Vec<Tag>>
 HWY_INLINE void store_cubic(Tag f, const V (&c)[4], V t, float* out, float* rise) {
   hn::StoreU(hn::Add(c[0], hn::Mul(t, hn::Add(c[1], hn::Mul(t, hn::Add(c[2], hn::Mul(t, c[3])))))), f, out);
@@ -95,8 +95,8 @@ HWY_INLINE void store_cubic(Tag f, const V (&c)[4], V t, float* out, float* rise
   }
 }
 
-// Loads bound it. So a part of all cells, as wide as a vector, is written at a time, with its fractions in a
-// register: what is stored might else be the fractions, and they would be read anew for each product.
+// The loop is bound by loads. It writes one vector-wide part of all cells at a time, with the part's
+// fractions in a register; otherwise they might alias the stores and would be reloaded for each product.
 template <bool kRises, std::size_t kColumns>
 void spread_over(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
   const hn::CappedTag<float, kColumns> f;
@@ -115,7 +115,7 @@ void spread_over(const Cubics& cubics, std::size_t cells, const float* fractions
   }
 }
 
-/// The same where a vector has more columns than a cell.
+/// spread_over() also for vectors that are wider than a cell.
 template <bool kRises, std::size_t kColumns>
 void spread_cells(const Cubics& cubics, std::size_t cells, const float* fractions, float* out, float* rise) {
 #if HWY_TARGET == HWY_SCALAR

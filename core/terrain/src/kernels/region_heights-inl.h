@@ -1,6 +1,5 @@
-// What a column's height is composed of: ridges and hills, mesas in terraces, valleys that rivers cut,
-// beaches (docs/DESIGN.md, "Regions"). Included once for each instruction set, hence no include guard but
-// this:
+// The composition of a column's height: ridges and hills, terraced mesas, valleys cut by rivers, beaches
+// (docs/DESIGN.md, "Regions"). Included once per instruction set, hence this include guard:
 #if defined(TALUS_REGION_HEIGHTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_REGION_HEIGHTS_INL
 #undef TALUS_REGION_HEIGHTS_INL
@@ -20,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
-/// What is read of a row at some columns.
+/// Reads a row's values at some columns.
 struct PlainAt {
   using Number = RegionVector;
   const RegionRow& row;
@@ -54,7 +53,7 @@ struct SlopedAt {
   [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
 };
 
-/// Slow rows between their samples: to the bit what spread() writes.
+/// Reads slow rows between their samples, to the bit as spread() writes them.
 struct CellsAt {
   using Number = RegionVector;
   const RegionCells& row;
@@ -80,7 +79,7 @@ struct CellsAt {
   }
 };
 
-/// Two vectors of columns side by side.
+/// Two adjacent vectors of columns.
 template <class At>
 struct TwoAt {
   using Number = Two;
@@ -104,8 +103,9 @@ struct ShapeSums {
   N small;
 };
 
-// Ridges where an octave is near 0, rounded off there; each shows the more of the next the higher it is.
-// `kRidged`: whether any ridge stands here; where none does they cost nothing. Octave k: a loop is left one.
+// An octave has ridges, rounded off, where it is near 0; the higher a ridge, the more it shows of the next
+// octave. `kRidged`: false if no ridges stand here, which saves their cost. A recursion over k, because
+// compilers do not unroll the loop.
 template <bool kRidged, std::size_t k, class At, class N>
 HWY_INLINE void add_octaves_from(const At& at, const RegionShape& shape, N shown, ShapeSums<N>& sums) {
   constexpr float kRound = 0.045F;
@@ -135,14 +135,14 @@ HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
   return sums;
 }
 
-/// The land before rivers cut it, and what decides how they would.
+/// The land before rivers cut it, and the inputs of the cut.
 template <class N>
 struct Uncut {
   N base, belt, plain, toward_hills, land, lifted, mesa, terrace_field, small;
   N river, tributary;
 };
 
-/// What is read of a row whether places ask for it, too, or not.
+/// Values of a row that places may also need.
 template <class N>
 struct Country {
   N base, belt, mesa;
@@ -152,7 +152,7 @@ HWY_INLINE Country<N> country_at(const At& at) {
   return {at.load(&RegionRow::base), at.load(&RegionRow::belt), at.load(&RegionRow::mesa)};
 }
 
-/// How far a tributary is, on the side of the river where a column lies.
+/// Distance to the tributary on the column's side of the river.
 template <class At, class N = typename At::Number>
 HWY_INLINE N tributary_at(const At& at, N river) {
   if (all_above(river, at.number(0))) return at.load(&RegionRow::tributary_a);
@@ -161,12 +161,12 @@ HWY_INLINE N tributary_at(const At& at, N river) {
   return where_above(river, at.number(0), at.load(&RegionRow::tributary_a), other);
 }
 
-// What adds or takes away nothing at all of a vector's columns is not computed: each `if` here leaves the
-// numbers that the formula under it would give, to the bit.
+// Work that changes no column of a vector is skipped: each `if` here leaves exactly the numbers, to the bit,
+// of the formula under it.
 template <class At, class N = typename At::Number>
 HWY_INLINE Uncut<N> uncut_at(const At& at, const Country<N>& country, const RegionShape& shape) {
   const N base = country.base;
-  // Between samples a curve may pass a little beyond them.
+  // Between samples a curve may overshoot slightly.
   const N belt = unit(country.belt);
   const N hills = at.load(&RegionRow::hills);
   const N mesa = at_least(country.mesa, 0);
@@ -217,15 +217,15 @@ HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
           u.mesa.v, u.terrace_field.v, u.small.v, u.river.v,        u.tributary.v};
 }
 
-/// A river, or its tributaries, at a column.
+/// A river or its tributaries at a column.
 template <class N>
 struct Stream {
-  N share;  // 0 to 1, how much of it there is
-  N width;  // half of it
+  N share;  // 0 to 1: strength of the stream
+  N width;  // half its width
 };
-constexpr float kWidest = 0.8F + 0.8F;  // of its half width in the spec
+constexpr float kWidest = 0.8F + 0.8F;  // maximum factor of the spec's half width
 
-// Toward its spring a river narrows, and is dry where it is no wider than a brook.
+// A river narrows toward its spring and is dry where it is only as wide as a brook.
 template <class N>
 HWY_INLINE N wide_at(const Uncut<N>& u) {
   return plus(times(ramp(24, 3, u.base), 0.8F), 0.8F);
@@ -244,19 +244,19 @@ HWY_INLINE Stream<N> side_stream(const Uncut<N>& u, const RegionShape& shape) {
   return {ramp(low + 28, low, u.toward_hills), times(wide, shape.half_width[1])};
 }
 
-/// How a river or its tributaries cut the land at a column.
+/// The cut of a river or its tributaries into the land at a column.
 template <class N>
 struct Cut {
-  N left;               // of what stands over the flood plain: 0 in the bed, 1 outside the valley
-  N bed;                // how deep under the flood plain
-  N share;              // of Stream; 0 where it is not near
-  bool near = false;    // of all columns of a vector: else `left` is 1
-  bool in_bed = false;  // else `bed` is 0
+  N left;   // share of the land above the flood plain that is left: 0 in the bed, 1 outside the valley
+  N bed;    // depth below the flood plain
+  N share;  // Stream::share; 0 if the river is not near
+  bool near = false;    // false if no column of the vector is near; `left` is 1 then
+  bool in_bed = false;  // if false, `bed` is 0
 };
 
 template <class N>
 struct Valleys {
-  N main, side;  // as they are
+  N main, side;  // without widening
   N main_reach, side_reach;
 };
 template <class N>
@@ -268,8 +268,8 @@ HWY_INLINE Valleys<N> valleys_of(const Uncut<N>& u, const RegionShape& shape, fl
   return {main, side, at_least(main, at_most(0) + 2 * widened), at_least(side, at_most(1) + 2 * widened)};
 }
 
-/// `valley`, `reach`: of Valleys; `depth`: of its bed, where the river is wide enough; `widened`: how wide it
-/// is at least. At the rim of a valley and beyond the flank is 1 without rounding.
+/// `own_valley`, `reach`: from Valleys. `depth`: the bed's depth if the river is wide enough. `widened`:
+/// minimum half width. At the rim of a valley and beyond it the flank is exactly 1.
 template <class N, class StreamAt>
 HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stream_at, N lifted, float depth,
                          float widened) {
@@ -295,13 +295,13 @@ HWY_INLINE Cut<N> cut_by(N distance, N own_valley, N reach, const StreamAt& stre
 
 template <class N>
 struct Height {
-  N height;  // over the sea
+  N height;  // above the sea
   N terraces;
   N small;
-  N stepped;      // by how much terraces raise the land
-  N bed;          // by how much a river lowers it
-  N river;        // of what share of one that is
-  N flood_plain;  // the height of one
+  N stepped;      // rise of the land by terraces
+  N bed;          // depth by which a river lowers it
+  N river;        // Stream::share of that river
+  N flood_plain;  // height of the flood plain
 };
 
 HWY_INLINE Height<RegionVector> half_of(const Height<Two>& two, RegionVector Two::*half) {
@@ -332,7 +332,7 @@ HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float wide
   N bed = terraces;
   N river = terraces;
   if (!none(u.mesa)) {
-    // A valley lowers the field of the terraces, not the land: so canyons are stepped.
+    // A valley lowers the terraces' field instead of the land, so canyons are stepped.
     N field = plus(u.terrace_field, 0.1F);
     if (near) field = plus(sub(u.terrace_field, times(less(1, unit(times(left, 1.15F))), 0.6F)), 0.1F);
     terraces = on_spline(shape.terraces, field);
@@ -340,13 +340,13 @@ HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float wide
     if (near) stepped = mul(stepped, smooth(unit(times(left, 4))));
     height = add(height, stepped);
   }
-  // The floor of the sea has none.
+  // The sea's floor has no beds.
   if (main.in_bed || side.in_bed) {
     bed = mul(larger(main.bed, side.bed), ramp(-9, -1, u.land));
     river = where_above(side.bed, main.bed, side.share, main.share);
     height = sub(height, bed);
   }
-  // Beaches: at the shore the land is flatter.
+  // Beaches: near the shore the land is flatter.
   const N from_shore = times(size_of(height), 1.0F / 7);
   if (!all_at_least(from_shore, 1)) {
     height = mul(height, plus(times(smooth(unit(from_shore)), 0.7F), 0.3F));

@@ -1,6 +1,5 @@
-// The numbers that heights of regions are computed with: a vector's, two vectors' side by side, or a vector's
-// with their derivatives, all by the same functions. Included once for each instruction set, hence no include
-// guard but this:
+// Numbers for computing the heights of regions: one vector, two adjacent vectors, or a vector with its
+// derivatives, all with the same functions. Included once per instruction set, hence this include guard:
 #if defined(TALUS_REGION_NUMBERS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_REGION_NUMBERS_INL
 #undef TALUS_REGION_NUMBERS_INL
@@ -21,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using RegionTag = hn::ScalableTag<float>;
 using RegionVector = hn::Vec<RegionTag>;
 
-/// A number of each lane.
+/// The value in all lanes.
 HWY_INLINE RegionVector constant(float value) {
   return hn::Set(RegionTag{}, value);
 }
@@ -59,7 +58,7 @@ HWY_INLINE RegionVector less(float whole, RegionVector v) {
 HWY_INLINE RegionVector unit(RegionVector v) {
   return hn::Min(hn::Max(v, constant(0)), constant(1));
 }
-/// `yes` where a > b.
+/// Selects `yes` if a > b, else `no`.
 HWY_INLINE RegionVector where_above(RegionVector a, RegionVector b, RegionVector yes, RegionVector no) {
   return hn::IfThenElse(hn::Gt(a, b), yes, no);
 }
@@ -73,7 +72,7 @@ HWY_INLINE RegionVector value_of(RegionVector v) {
   return v;
 }
 
-/// A number, and how it rises a column eastward and southward: what is computed with it has its derivatives.
+/// A number with its rise per column eastward and southward. Results computed from it have their derivatives.
 struct Sloped {
   RegionVector v;
   RegionVector x;
@@ -94,7 +93,7 @@ HWY_INLINE Sloped quotient(Sloped a, Sloped b) {
   const auto q = hn::Div(a.v, b.v);
   return {q, hn::Div(hn::Sub(a.x, hn::Mul(q, b.x)), b.v), hn::Div(hn::Sub(a.z, hn::Mul(q, b.z)), b.v)};
 }
-/// Level where it is 0.
+/// The derivative is 0 where the number is 0.
 HWY_INLINE Sloped root(Sloped a) {
   const auto r = hn::Sqrt(a.v);
   const auto by = hn::IfThenElseZero(hn::Gt(r, constant(1e-6F)), hn::Div(constant(0.5F), r));
@@ -142,7 +141,7 @@ HWY_INLINE RegionVector value_of(Sloped a) {
   return a.v;
 }
 
-/// Two vectors' numbers. A height is one long chain of operations, and the other vector's runs beside it.
+/// Two vectors' numbers. A height is a long chain of dependent operations; two chains run in parallel.
 struct Two {
   RegionVector a;
   RegionVector b;
@@ -191,7 +190,7 @@ HWY_INLINE Two at_most(Two m, float most) {
   return {at_most(m.a, most), at_most(m.b, most)};
 }
 
-/// From 0 at `none` to 1 at `all`.
+/// 0 at `none` to 1 at `all`.
 template <class N>
 HWY_INLINE N ramp(float none, float all, N v) {
   return unit(times(plus(v, -none), 1 / (all - none)));
@@ -216,7 +215,7 @@ HWY_INLINE RegionVector equalized(const Equalizer& equalizer, RegionVector noise
   const auto half = on_spline(equalizer.half(), hn::Abs(times(noise, equalizer.reciprocal_deviation())));
   return hn::CopySign(half, noise);
 }
-/// Its curve is odd, so that its derivative is even.
+/// The curve is odd, so its derivative is even.
 HWY_INLINE Sloped equalized(const Equalizer& equalizer, Sloped noise) {
   const Sloped half = on_spline(equalizer.half(), size_of(times(noise, equalizer.reciprocal_deviation())));
   const auto negative = hn::Lt(noise.v, constant(0));
@@ -224,7 +223,7 @@ HWY_INLINE Sloped equalized(const Equalizer& equalizer, Sloped noise) {
           hn::IfThenElse(negative, hn::Neg(half.z), half.z)};
 }
 
-/// Whether all lanes are 0, derivatives too.
+/// Returns true if all lanes are 0, including derivatives.
 HWY_INLINE bool none(RegionVector v) {
   return hn::AllTrue(RegionTag{}, hn::Eq(v, constant(0)));
 }

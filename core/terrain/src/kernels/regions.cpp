@@ -29,7 +29,7 @@ void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<f
   const RegionTag f;
   const hn::RebindToSigned<RegionTag> ints;
   const auto most = constant(4194304);             // 2^22
-  const auto no_fraction = constant(12582912.0F);  // 1.5 * 2^23: a float of this size has none
+  const auto no_fraction = constant(12582912.0F);  // 1.5 * 2^23: floats of this size have no fraction
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const auto sum = [&](const float* w, const float* n) HWY_ATTR {
       return hn::Add(times(hn::LoadU(f, w + i), reach[0]), times(hn::LoadU(f, n + i), reach[1]));
@@ -45,7 +45,7 @@ void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<f
 void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
                float units_a_column, std::size_t width, const SlopedOut& out) {
   const RegionTag f;
-  const auto most = constant(1000);  // rivers are felt no further
+  const auto most = constant(1000);  // maximum distance at which rivers matter
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const auto load = [&](const float* values) HWY_ATTR { return hn::LoadU(f, values + i); };
     const auto n = load(noise.value);
@@ -60,7 +60,7 @@ void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south
     const auto units = times(hn::Div(n, hn::Sqrt(rounded_off)), units_a_column);
     hn::StoreU(hn::Max(hn::Min(units, most), hn::Neg(most)), f, out.value + i);
     if (out.east == nullptr) continue;
-    // Beside a river the distance rises by about a column a column across it.
+    // Near a river the distance rises by about one column per column across it.
     const auto rise = hn::Div(constant(units_a_column), hn::Sqrt(rounded_off));
     const auto near = hn::Lt(hn::Abs(units), most);
     hn::StoreU(hn::IfThenElseZero(near, hn::Mul(gx, rise)), f, out.east + i);
@@ -73,7 +73,7 @@ struct Land {
   N base, belt, hills, mesa, temperature, moisture;
 };
 
-/// `field(of)` is what a field says, made uniform.
+/// `field(of)` returns a field's values, made uniform.
 template <class N, class Field>
 HWY_INLINE Land<N> laid(const SlowFields& fields, const Field& field) {
   const N continent = field(fields.continents, &SlowNoises::continents);
@@ -194,7 +194,7 @@ HWY_INLINE void compose_by(const Row& row, const RegionShape& shape, std::size_t
     store_details(at, mesa, details, i);
     store_height(at.height, shape, highest_fx, heights_fx + i);
   };
-  // Processors with vectors of 16 columns have the registers for two.
+  // Processors with vectors of 16 columns have enough registers for two.
   static_assert(2 * hn::MaxLanes(RegionTag{}) <= kPadding);
   if (lanes == 16) {
     for (std::size_t i = 0; i < width; i += 2 * lanes) {
@@ -252,8 +252,8 @@ void compose_sloped(const SlopedRegionRow& row, const RegionShape& shape, float 
     const auto uncut = uncut_at(SlopedAt{row, i}, shape);
     const auto at = cut(uncut, shape, 0);
     store_details(at, uncut.mesa.v, details, i);
-    // A plane rises most toward a diagonal neighbour: by both of its slopes. Ground is rounder than that, and
-    // eq. 1 takes the steepest of its eight directions: kRounder was measured.
+    // A plane rises most toward a diagonal neighbour, by both of its slopes. Ground is more rounded, and eq.
+    // 1 takes the steepest of its eight directions; kRounder is measured.
     const auto slope =
         times(hn::Add(hn::Abs(at.height.x), hn::Abs(at.height.z)), kRounder * shape.subvoxels_a_unit);
     hn::StoreU(talus::HWY_NAMESPACE::round_to_even(f, hn::Min(slope, steepest)), ints, slopes_fx + i);

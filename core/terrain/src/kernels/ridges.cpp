@@ -22,7 +22,7 @@ void sum(const OctaveRow* octaves, const float* weights, std::size_t count, std:
   const auto one = hn::Set(f, 1.0F);
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     auto total = hn::Set(f, -0.5F);
-    auto shown = one;  // how much the octave before shows of this one
+    auto shown = one;  // weight of this octave by the signal of the one before
     for (std::size_t k = 0; k < count; ++k) {
       const auto ridge = hn::Sub(one, hn::Abs(noise_at(f, octaves[k], i)));
       const auto signal = hn::Mul(hn::Mul(ridge, ridge), shown);

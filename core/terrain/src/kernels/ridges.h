@@ -1,4 +1,4 @@
-// Ridged multifractal noise, a row at a time.
+// Ridged multifractal noise, one row at a time.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 namespace talus::terrain {
 
 struct RidgeKernels {
-  /// Sums the ridges of `count` octaves (ridged_rows.h), each times its weight, less 1/2, over [0, width);
-  /// may write up to kPadding further.
+  /// Sums the ridges of `count` octaves (ridged_rows.h), each times its weight, less 1/2, over [0, width).
+  /// May write kPadding elements past the end.
   void (*sum)(const OctaveRow* octaves, const float* weights, std::size_t count, std::size_t width,
               float feedback, float* out);
 };

@@ -24,7 +24,7 @@ using Words = hn::RebindToUnsigned<Floats>;
 using Integers = hn::RebindToSigned<Floats>;
 using Positions = hn::ScalableTag<std::uint64_t>;
 
-/// Of as many columns as Floats has lanes.
+/// Positions of one vector of columns.
 struct Place {
   hn::Vec<Words> cell;
   hn::Vec<Floats> inside;  // 0 to 1
@@ -42,7 +42,7 @@ HWY_INLINE hn::Vec<Floats> inside_of(hn::Vec<Words> low) {
                  hn::Set(f, 1.0F / 16777216.0F));
 }
 
-/// Where the columns from `i` on lie; `at(i)` gives as many positions as there are lanes of 64 bits.
+/// Positions of the columns from `i` on; `at(i)` gives one vector of 64-bit positions.
 template <class At>
 HWY_INLINE Place place_of(const At& at, std::size_t i) {
   const Words w;
@@ -81,7 +81,7 @@ HWY_INLINE hn::Vec<Floats> toward(const Corner& corner, hn::Vec<Floats> du, hn::
   return hn::Add(hn::Add(hn::Mul(corner.along_u, du), hn::Mul(corner.along_v, dv)), corner.value);
 }
 
-/// The corners of the cells that columns lie in.
+/// The corners of the columns' cells.
 struct Corners {
   Corner c00, c10, c01, c11;
 };
@@ -100,14 +100,14 @@ HWY_INLINE Corners corners_of(const RotatedLattice& lattice, hn::Vec<Words> u_ce
   return {corner_of(u_0, v_0), corner_of(u_1, v_0), corner_of(u_0, v_1), corner_of(u_1, v_1)};
 }
 
-/// `kFirst`: nothing was added before. It is added to 0 even so, which makes -0 a 0.
+/// `kFirst`: true for the first summand. It is still added to 0, which turns -0 into 0.
 template <bool kFirst>
 HWY_INLINE void add(Floats f, hn::Vec<Floats> more, float* sum) {
   const auto before = kFirst ? hn::Zero(f) : hn::LoadU(f, sum);
   hn::StoreU(hn::Add(before, more), f, sum);
 }
 
-/// Adds the octave's noise at columns that lie at `u` and `v` of their cells.
+/// Adds the octave's noise at positions `u` and `v` in the columns' cells.
 template <bool kSlopes, bool kFirst>
 HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec<Floats> u, hn::Vec<Floats> v,
                           const RotatedSums& out, std::size_t i) {
@@ -141,7 +141,7 @@ HWY_INLINE void add_noise(const RotatedOctave& octave, const Corners& c, hn::Vec
   }
 }
 
-/// Adds one octave; u_at and v_at give the columns' positions, as place_of() wants them.
+/// Adds one octave; u_at and v_at give the columns' positions as for place_of().
 template <bool kSlopes, bool kFirst, class UAt, class VAt>
 HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const VAt& v_at, std::size_t width,
                            const RotatedSums& out) {
@@ -165,7 +165,7 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
 }
 
 constexpr std::size_t kBlock = 256;  // columns whose runs are found at once
-// Of a quarter of a cell a column along u and v at most.
+// Maximum number of runs if columns are at most a quarter of a cell apart along u and v.
 constexpr std::size_t kMaxRuns = kBlock / 2 + kMaxLanes;
 constexpr std::uint64_t kMostInRuns = std::uint64_t{1} << 30;
 
@@ -173,20 +173,20 @@ std::uint32_t cell_of(std::uint64_t position) {
   return static_cast<std::uint32_t>(position >> 32);
 }
 
-/// The cells that evenly spaced columns come through from west to east, u rising and v falling. They are
-/// known by how many lines of the lattice were crossed: where a column crosses two, one cell holds none.
+/// The cells crossed by evenly spaced columns from west to east, with u rising and v falling. A run's index
+/// is the number of lattice lines crossed: if a column crosses two lines, the cell between holds no column.
 struct Runs {
   std::uint32_t u[kMaxRuns];
   std::uint32_t v[kMaxRuns];
   float corners[12][kMaxRuns + kMaxLanes];
 
-  /// REQUIRES that columns are at most kMostInRuns apart, and `crossed` < kMaxRuns.
+  /// REQUIRES that columns are at most kMostInRuns apart, and crossed < kMaxRuns.
   void find(const RotatedOctave& octave, std::uint64_t first_u, std::uint64_t first_v, std::size_t crossed) {
     const auto du = static_cast<std::int64_t>(octave.step_u);
     const auto dv = static_cast<std::int64_t>(octave.step_v);
     const auto to_next_u = (std::int64_t{1} << 32) - static_cast<std::uint32_t>(first_u);
     const auto to_next_v = static_cast<std::int64_t>(static_cast<std::uint32_t>(first_v));
-    // Which line is next: of u where this is below 0. A column on a line of u is past it, of v not.
+    // Selects the next line: of u if negative. A column on a line of u is past it, on a line of v it is not.
     std::int64_t order = to_next_u * dv - to_next_v * du - 1;
     std::uint32_t u_cell = cell_of(first_u);
     std::uint32_t v_cell = cell_of(first_v);
@@ -194,7 +194,7 @@ struct Runs {
       u[k] = u_cell;
       v[k] = v_cell;
       if (k == crossed) return;
-      const std::int64_t crosses_u = order >> 63;  // all bits, or none
+      const std::int64_t crosses_u = order >> 63;  // all bits or 0
       u_cell -= static_cast<std::uint32_t>(crosses_u);
       v_cell -= static_cast<std::uint32_t>(crosses_u + 1);
       order += ((dv & crosses_u) - (du & ~crosses_u)) * (std::int64_t{1} << 32);
@@ -228,14 +228,14 @@ struct Runs {
   }
 };
 
-/// As add_octave() of columns that are as far apart everywhere: hashes each cell once a row.
+/// add_octave() for evenly spaced columns: hashes each cell once per row.
 template <bool kSlopes, bool kFirst>
 void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
   const Floats f;
   const Words w;
   const std::size_t lanes = hn::Lanes(f);
   const LaneSteps& steps = *octave.lane_steps;
-  // In registers: what is stored might else be they.
+  // Copied to registers, because stores might alias them.
   const std::uint64_t vector_u = lanes * octave.step_u;
   const std::uint64_t vector_v = lanes * octave.step_v;
   const auto u_low = hn::LoadU(w, steps.u_low.data());
@@ -292,7 +292,7 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
   const hn::Rebind<std::int32_t, Positions> half;
   const auto du = hn::Set(p, octave.lattice->du);
   const auto dv = hn::Set(p, octave.lattice->dv);
-  // Both have 31 bits and a sign: P >= 2^(k+1) bounds du and dv.
+  // Both factors have 31 bits and a sign: P >= 2^(k+1) bounds du and dv.
   const auto product = [&](auto step, const std::int32_t* distances, std::size_t i) HWY_ATTR {
     const auto far = hn::PromoteTo(s, hn::LoadU(half, distances + i));
 #if HWY_TARGET == HWY_SCALAR
@@ -301,7 +301,7 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
     return hn::BitCast(p, hn::MulEven(hn::BitCast(Integers{}, step), hn::BitCast(Integers{}, far)));
 #endif
   };
-  // To columns from 2^-8 of them, rounded down.
+  // From 2^-8 columns to columns, rounded down.
   const auto moved = [&](auto sum)
                          HWY_ATTR { return hn::BitCast(p, hn::ShiftRight<8>(hn::BitCast(s, sum))); };
   add_octave<kSlopes, kFirst>(

@@ -31,9 +31,9 @@ HWY_INLINE Vec plus(Vec a, Vec b) {
   }
 }
 
-// The running minimum of a row: every cell at most `repose` above the one before, along one direction. Cells
-// come levelled: less what the repose adds up to from the vector's first to them, so that "at most repose
-// above" becomes "not above", and what is left is shifts and minima.
+// The running minimum of a row: every cell is at most `repose` above the previous one along one direction.
+// Input cells are levelled: reduced by the repose accumulated since the vector's first cell, so that "at most
+// repose above" becomes "not above", and only shifts and minima are left.
 #if HWY_TARGET == HWY_SCALAR
 template <class Cell, Direction kDirection>
 class RunningMinimum {
@@ -55,8 +55,7 @@ class RunningMinimum {
   Vec carried_;
 };
 #else
-/// In vectors: within blocks of 16 bytes by doubling steps, from block to block likewise, and from vector to
-/// vector by what is carried.
+/// Vector version: doubling steps within blocks of 16 bytes and between blocks, and a carry between vectors.
 template <class Cell, Direction kDirection>
 class RunningMinimum {
  public:
@@ -69,12 +68,12 @@ class RunningMinimum {
         unbounded_{hn::Set(Cells{}, kUnbounded<Cell>)},
         carried_{unbounded_} {}
 
-  /// By how much the lanes of a vector are levelled.
+  /// The amounts by which the lanes of a vector are levelled.
   [[nodiscard]] HWY_INLINE Vec ramp() const { return ramp_; }
 
   HWY_INLINE void begin_row() { carried_ = unbounded_; }
 
-  /// The next vector of the row, in the order of the direction, levelled; what comes out is not.
+  /// Takes the next vector of the row in the order of the direction, levelled; returns it not levelled.
   HWY_INLINE Vec next(Vec v) {
     v = hn::Min(v, shifted<1>(v));
     v = hn::Min(v, shifted<2>(v));
@@ -102,7 +101,7 @@ class RunningMinimum {
     }
     return hn::Load(Cells{}, lanes);
   }
-  /// Each lane takes the one that comes kCount before it in its block of 16 bytes.
+  /// Each lane takes the lane kCount before it in its block of 16 bytes.
   template <int kCount>
   HWY_INLINE Vec shifted(Vec v) const {
     constexpr int kBytes = kCount * static_cast<int>(sizeof(Cell));
@@ -124,7 +123,7 @@ class RunningMinimum {
     }();
     return hn::TableLookupBytes(v, hn::BitCast(Cells{}, hn::LoadDup128(Bytes{}, kLast.data())));
   }
-  /// Each block takes the one that comes kCount before it.
+  /// Each block takes the block kCount before it.
   template <int kCount>
   HWY_INLINE Vec blocks_before(Vec v) const {
     if constexpr (2 * kCount == kBlocks) {
@@ -142,7 +141,7 @@ class RunningMinimum {
       return hn::BitCast(Cells{}, hn::IfThenElse(exists, taken, hn::BitCast(words, unbounded_)));
     }
   }
-  /// The last block of what last_of_blocks gives, everywhere.
+  /// The last block of last_of_blocks()'s result, in all blocks.
   static HWY_INLINE Vec last_of_vector(Vec last) {
     if constexpr (kBlocks == 1) {
       return last;
@@ -158,8 +157,8 @@ class RunningMinimum {
 };
 #endif
 
-/// own = min(own, smallest of the three cells beside it in `other` + the rise to them), then the running
-/// minimum. One rise for all three where `kMetric` is the chessboard's.
+/// own = min(own, minimum over the three adjacent cells of `other` + the rise to them), then the running
+/// minimum. The chessboard metric has one rise for all three.
 template <Metric kMetric, class Cell, Direction kDirection>
 HWY_INLINE void settle_row(Cell* own, const Cell* other, std::size_t width, Rise rise,
                            RunningMinimum<Cell, kDirection>& minimum) {
@@ -204,10 +203,10 @@ void settle(const PaddedRows<Cell>& rows, Rise rise) {
   }
 }
 
-// The quotient as real numbers: t * room is exact below 2^53 in doubles and below 2^24 in floats. A quotient
-// that is no integer lies at least 1 / S from the next one, so half a unit more in the numerator leaves
-// rounding no way past it, by floats where t and S are few enough: twice rounded, (t + 0.5) / 2^23 is less
-// than 0.5 / S.
+// The quotient is computed in floating point: t * room is exact below 2^53 in doubles and below 2^24 in
+// floats. A quotient that is not an integer is at least 1 / S below the next one, so adding half a unit to
+// the numerator never rounds past it; in floats if t and S are small enough: rounded twice, (t + 0.5) / 2^23
+// is less than 0.5 / S.
 constexpr std::int32_t kMostInFloats_fx = 4095;  // a share of it is exact, too
 [[nodiscard]] bool fits_floats(std::int32_t thickness_fx, std::int32_t max_slope_fx) {
   return thickness_fx <= kMostInFloats_fx && max_slope_fx <= 1 << 20 &&
@@ -222,7 +221,7 @@ HWY_INLINE hn::VFromD<D> from_ints(D d, hn::VFromD<hn::Rebind<std::int32_t, D>> 
     return hn::PromoteTo(d, whole);
   }
 }
-/// Rounded down, where it is not negative.
+/// Rounds down non-negative numbers.
 template <class D>
 HWY_INLINE hn::VFromD<hn::Rebind<std::int32_t, D>> to_ints(D /*d*/, hn::VFromD<D> real) {
   const hn::Rebind<std::int32_t, D> ints;
@@ -233,7 +232,7 @@ HWY_INLINE hn::VFromD<hn::Rebind<std::int32_t, D>> to_ints(D /*d*/, hn::VFromD<D
   }
 }
 
-/// `thickness_at` gives t at a vector's columns.
+/// `thickness_at` returns t at a vector's columns.
 template <class Real, class Cell, class Thickness>
 HWY_INLINE void start_with(const std::int32_t* slope, std::size_t width, std::int32_t max_slope_fx,
                            const Thickness& thickness_at, Cell* cells) {
@@ -271,7 +270,7 @@ void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_
   }
 }
 
-// t * share is exact, and so is its part of a power of two.
+// t * share is exact, and so is its quotient by a power of two.
 template <class Real, class Cell>
 void start_shared_by(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
                      std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {

@@ -26,7 +26,7 @@ using Floats = hn::ScalableTag<float>;
 
 constexpr std::size_t kMostVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
 
-/// So many vectors of columns as the layers that are stacked on them know them.
+/// kVectors vectors of columns on which layers are stacked.
 template <class Tag, std::size_t kVectors>
 struct Stacked {
   using Ints = hn::RebindToSigned<Tag>;
@@ -41,7 +41,7 @@ struct Stacked {
     }
   }
 
-  /// A layer to those of vector v.
+  /// Adds a layer to vector v.
   template <bool kBounded>
   HWY_INLINE void add_uncut(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
     const Tag f;
@@ -51,7 +51,7 @@ struct Stacked {
     if constexpr (!kBounded) thickness = hn::Min(thickness, hn::Set(f, shape.max_fx));
     reached[v] = hn::Add(reached[v], round_to_even(f, thickness));
   }
-  /// The same, cut at the limit.
+  /// Adds a layer to vector v, cut at the limit.
   template <bool kBounded>
   HWY_INLINE void add(std::size_t v, const LayerShape& shape, hn::Vec<Tag> noise) {
     add_uncut<kBounded>(v, shape, noise);
@@ -63,7 +63,7 @@ struct Stacked {
     for (std::size_t v = 0; v < kVectors; ++v) hn::StoreU(reached[v], d, top + v * hn::Lanes(d));
   }
 
-  /// From what is reached to the limit, where that is least.
+  /// Minimum distance from the top to the limit.
   [[nodiscard]] HWY_INLINE std::int32_t room() const {
     const Ints d;
     auto least = hn::Sub(most[0], reached[0]);
@@ -71,7 +71,7 @@ struct Stacked {
     return hn::GetLane(hn::MinOfLanes(d, least));
   }
 
-  /// Whether a row of tops is at the limit.
+  /// Returns true if a row of tops is at the limit.
   HWY_INLINE bool is_full(const std::int32_t* top) const {
     const Ints d;
     auto differs = hn::Zero(d);
@@ -82,7 +82,7 @@ struct Stacked {
   }
 };
 
-/// Columns [x, end) of a row: `stack_at<kVectors>(f, x)` is for so many vectors of them, each of Tag `f`.
+/// Columns [x, end) of a row: `stack_at<kVectors>(f, x)` processes kVectors vectors of them with tag `f`.
 template <class StackAt>
 HWY_INLINE void over_columns(std::size_t x, std::size_t end, std::size_t width, const StackAt& stack_at) {
   const Floats f;
@@ -92,15 +92,16 @@ HWY_INLINE void over_columns(std::size_t x, std::size_t end, std::size_t width, 
   }
   for (; x + lanes <= end; x += lanes) stack_at.template operator()<1>(f, x);
   if (x < end && width >= lanes) {
-    // The last vector overlaps columns that are done already, and gives them the same.
+    // The last vector overlaps processed columns and gives the same results.
     stack_at.template operator()<1>(f, width - lanes);
   } else {
     for (; x < end; ++x) stack_at.template operator()<1>(hn::CappedTag<float, 1>{}, x);
   }
 }
 
-/// Over the open segments of a row: `stack_at<kVectors>(f, x)` says how many layers its columns take, and
-/// `fill(first, last)` is for those of closed ones. The most that any takes; 0 where none is open.
+/// Runs over the open segments of a row: `stack_at<kVectors>(f, x)` returns the number of layers that its
+/// columns take, and `fill(first, last)` fills the columns of closed segments. Returns the maximum number of
+/// layers; 0 if no segment is open.
 template <class StackAt, class Fill>
 HWY_INLINE std::size_t over_open(std::size_t width, std::size_t count, std::uint8_t* open,
                                  const StackAt& stack_at, const Fill& fill) {
@@ -131,7 +132,7 @@ void find_rises(const float* noise, std::size_t row, std::size_t count, float* r
 
 bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
            const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
-  // By value, as the compiler cannot tell that what is stored is not of the shape.
+  // Copied, because stores might alias the shape.
   const auto stack_at = [=, own = shape]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
     Stacked<Tag, kVectors> columns{limit + at, below + at};
     with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
@@ -146,7 +147,7 @@ bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape,
   return over_open(width, 1, open, stack_at, fill) > 1;
 }
 
-/// Of columns `at` on of a row, so many vectors of them.
+/// Calls `use` with the noise of kVectors vectors of a row from column `at` on.
 template <std::size_t kVectors, class Tag, class Use>
 HWY_INLINE void with_lined_noise(Tag f, const LinedLayer& layer, const RowBetween& row, std::size_t at,
                                  const Use& use) {
@@ -173,7 +174,7 @@ HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, 
       });
       columns.store(layer->top + own.top + at);
     }
-    // Columns that are full stay so with what comes on top. Few are.
+    // Full columns stay full with further layers. They are few.
     if (!columns.is_full(layers[count - 1].top + own.top + at)) return count + 1;
     std::size_t taken = 1;
     while (!columns.is_full(layers[taken - 1].top + own.top + at)) ++taken;

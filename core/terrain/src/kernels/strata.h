@@ -1,4 +1,4 @@
-// Layers of rock, a row at a time (thesis 3.4).
+// Layers of rock, one row at a time (thesis 3.4).
 #pragma once
 
 #include <cstddef>
@@ -8,26 +8,25 @@
 
 namespace talus::terrain {
 
-/// Columns that are looked at together: ground that is full pays for no more layers.
+/// Columns processed together; segments that are full skip further layers.
 inline constexpr std::size_t kSegment = 64;
 
-/// How the noise of a layer becomes its thickness: min(mean_fx * max(0, 1 + swing * noise), max_fx).
+/// A layer's thickness by noise: min(mean_fx * max(0, 1 + swing * noise), max_fx).
 struct LayerShape {
   float mean_fx = 0;
   float swing = 0;
   float max_fx = 0;
 
-  /// Whether no noise makes it less than 0 or cuts it at max_fx. Noise lies between -1 and 1: twice that is
-  /// more than enough for what is rounded.
+  /// Returns true if no noise makes it negative or cuts it at max_fx. Noise lies between -1 and 1; a factor
+  /// of two is more than enough for rounding.
   [[nodiscard]] bool is_bounded() const { return swing <= 0.5F && mean_fx * (1 + 2 * swing) <= max_fx; }
-  /// More than it comes to anywhere, where it is bounded; a noise's bound is a hundredth more than it needs.
+  /// Exceeds the thickness everywhere if is_bounded(); the bound of noise has a margin of a hundredth.
   [[nodiscard]] std::int32_t most_fx() const {
     return static_cast<std::int32_t>(mean_fx * (1 + 1.01F * swing)) + 2;
   }
 };
 
-/// A layer of many rows: its noise at lines of columns, what is added to it up to the next line, and its
-/// plane.
+/// A layer of many rows: its noise at lines of columns, the difference to the next line, and its plane.
 struct LinedLayer {
   LayerShape shape;
   const float* noise = nullptr;
@@ -35,32 +34,31 @@ struct LinedLayer {
   std::int32_t* top = nullptr;
 };
 
-/// A row of it: which line it lies at or past, and where its plane has it, both counted in numbers.
+/// A row of it: the line at or before it, and its place in the layer's plane, both as element offsets.
 struct RowBetween {
   std::size_t line = 0;
-  float share = 0;  // of the way to the next line
+  float share = 0;  // share of the way to the next line
   std::size_t top = 0;
 };
 
 struct StrataKernels {
-  /// LinedLayer's rise, of its noise at `count` lines of `row` numbers each: 0 at the last, past which no row
-  /// lies. REQUIRES count > 0.
+  /// Computes LinedLayer::rise from its noise at `count` lines of `row` elements each: 0 at the last line,
+  /// past which no row lies. REQUIRES count > 0.
   void (*find_rises)(const float* noise, std::size_t row, std::size_t count, float* rise);
-  /// Puts a layer on the segments of a row that are open: top = min(below + thickness, limit), in
-  /// subvoxels. `open` has a byte for each segment, 1 or 0; where it is 0 `below` is the limit already, and
-  /// `top` becomes it. Those which are full with this layer are open no more; a last one of fewer columns may
-  /// stay so as long as the one before it. Whether any is left. The three rows have `width` numbers and no
-  /// padding; `top` is none of the others, as columns near the row's end are computed twice.
+  /// Puts a layer on the open segments of a row: top = min(below + thickness, limit), in subvoxels. `open`
+  /// has a byte per segment, 1 or 0; if it is 0, `below` already equals the limit, and so does `top`. Closes
+  /// the segments that this layer fills; a shorter last segment may stay open as long as the one before it.
+  /// Returns true if a segment is still open. The three rows have `width` elements and no padding; `top` must
+  /// not alias the others, as columns near the row's end are computed twice.
   bool (*stack)(const OctaveRow* octaves, std::size_t count, const LayerShape& shape, std::size_t width,
                 const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top);
-  /// The same of `count` layers one upon the other, the first on `below`; more than one of them may be of one
-  /// plane. How many of them it takes until no segment is open, or count + 1.
+  /// stack() for `count` layers on top of each other, the first on `below`; several of them may share a
+  /// plane. Returns the number of layers after which no segment is open, or count + 1.
   std::size_t (*stack_between)(const LinedLayer* layers, std::size_t count, const RowBetween& row,
                                std::size_t width, const std::int32_t* limit, const std::int32_t* below,
                                std::uint8_t* open);
-  /// The same of bounded layers which surely end under the limit, so that nothing is cut. From the last of
-  /// them, or from `below` where there is none, to the limit in the column where that is least.
-  /// REQUIRES width > 0.
+  /// stack() for bounded layers that surely end under the limit, so nothing is cut. Returns the minimum
+  /// distance from the last layer, or from `below` if count is 0, to the limit. REQUIRES width > 0.
   std::int32_t (*stack_inside)(const LinedLayer* layers, std::size_t count, const RowBetween& row,
                                std::size_t width, const std::int32_t* limit, const std::int32_t* below);
 };

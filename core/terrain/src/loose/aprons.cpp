@@ -13,23 +13,24 @@ namespace {
 constexpr std::int32_t kSteepestRepose_fx = 1 << 20;
 constexpr int kLeastCliffReach = 2;  // columns of a coarse level
 
-// sqrt(2) times as far.
+// Multiplies by sqrt(2).
 std::int32_t along_diagonal(std::int32_t straight) {
   return (straight * 362) >> 8;
 }
 
-// Diagonals in every second step alone, from the first: so reach is an octagon, not a square.
+// Returns true in every second step, from the first: diagonals are used only there, so that reach is an
+// octagon, not a square.
 bool along_diagonals(int step) {
   return step % 2 == 1;
 }
 
-// How many steps an apron spreads from its wall: as many as leave it some thickness.
+// Number of steps by which an apron spreads from its wall: until it has no thickness left.
 int spreads(const ApronNumbers& numbers) {
   if (numbers.steps == 0 || numbers.share_q8 == 0 || numbers.most_fx == 0) return 0;
   return (numbers.most_fx - 1) / numbers.c_fx;
 }
 
-// Of columns whose aprons must be known: feet and means around their walls, and one for smoothing.
+// Halo of the aprons: feet and means around their walls, and one column for smoothing.
 int raised_halo(const ApronNumbers& numbers) {
   const int steps = spreads(numbers);
   return steps == 0 ? 0 : numbers.steps + steps + 1;
@@ -44,13 +45,13 @@ std::size_t inner_columns(int side, int ring) {
   return static_cast<std::size_t>(side - 2 * ring);
 }
 
-// `range` counted from `ring`.
+// Converts `range`, relative to `ring`, to columns of the field.
 ColumnRange counted_from_field(ColumnRange range, int ring) {
   const auto columns = static_cast<std::size_t>(ring);
   return range.last == 0 ? range : ColumnRange{range.first + columns, range.last + columns};
 }
 
-// What of it lies `ring` columns or more from the ends of a row.
+// The part of `range` that is at least `ring` columns away from the ends of a row.
 ColumnRange known_columns(ColumnRange range, int width, int ring) {
   const auto first = static_cast<std::size_t>(ring);
   const ColumnRange inside{std::max(range.first, first),
@@ -109,7 +110,7 @@ void Aprons::compute(const Field& height, const Field& slope, int margin, const 
   assert(margin >= apron_halo(numbers) && height.width == slope.width && height.depth == slope.depth);
   assert(numbers.steps == 0 || std::has_single_bit(static_cast<unsigned>(numbers.steps)));
   near_walls(slope, margin + cliff_ring, numbers, cliff);
-  // Every pass looks at neighbours, so what it knows ends one ring farther in, and at the region in the end.
+  // Every pass reads neighbours, so its results end one ring farther in, and finally at the region.
   int ring = margin - raised_halo(numbers);
   if (spreads(numbers) == 0 || !start_feet(height, slope, numbers, ring)) {
     height.crop_into(margin, raised);
@@ -155,7 +156,7 @@ bool Aprons::start_feet(const Field& height, const Field& slope, const ApronNumb
   return first_ < last_;
 }
 
-// Where no walls are, both fields have the ground from the start.
+// In rows without walls both fields have the ground from the start.
 void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring) {
   const auto stride = static_cast<std::size_t>(slope.width);
   for (int step = 1; step <= numbers.steps; ++step) {
@@ -172,9 +173,9 @@ void Aprons::find_feet(const Field& slope, const ApronNumbers& numbers, int ring
   }
 }
 
-// A tent of 2 steps - 1 columns, as two boxes along each axis, and a box of 2^k columns as k additions of
-// what lies 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) comes to lie at (x, ..).
-// Only rows that walls need.
+// A tent of 2 steps - 1 columns, as two boxes along each axis, where a box of 2^k columns is k additions of
+// the elements 1, 2, 4, .. farther on. The mean of column (steps - 1 + ring + x, ..) is stored at (x, ..).
+// Computes only rows that walls need.
 void Aprons::find_means(const Field& height, int steps, int ring) {
   const int halvings = std::countr_zero(static_cast<unsigned>(steps));
   std::size_t width = inner_columns(height.width, ring);
@@ -224,8 +225,8 @@ bool Aprons::begin(const Field& height, const Field& slope, const ApronNumbers& 
   return any;
 }
 
-// An apron comes one column and one row farther in a step, so what lies beyond needs no look: there both
-// fields have no tops from the start.
+// An apron grows by one column and one row per step. Columns beyond are skipped: there both fields have no
+// tops from the start.
 void Aprons::spread(const ApronNumbers& numbers, int ring) {
   const auto stride = static_cast<std::size_t>(floor_.width);
   const std::int32_t diagonal_fx = along_diagonal(numbers.c_fx);
@@ -280,7 +281,7 @@ void Aprons::lower(const std::int32_t* far, std::span<std::int32_t> cliff) const
   columns_->lower_int32(at_walls_.data(), far, cliff.size(), cliff.data());
 }
 
-// A column on ground nearly as steep as a wall is near one; one of less slope where walls are beside it.
+// A column on ground nearly as steep as a wall is near one; less slope suffices next to walls.
 void Aprons::near_walls_by_slope(const Field& slope, int margin, const ApronNumbers& numbers, Field& cliff) {
   const std::int32_t wall_fx = numbers.wall_fx;
   const WallsBeside& beside = numbers.walls_beside;

@@ -34,7 +34,7 @@ void set_loose(const Field& surface, std::span<const LooseRules> rules, std::spa
 }
 
 Eroder::Eroder(Neighbours neighbours) {
-  // North-west first and row by row: the order in which the first of equally low neighbours is found.
+  // North-west first, row by row: this order selects the first of equally low neighbours.
   for (int z = -1; z <= 1; ++z) {
     for (int x = -1; x <= 1; ++x) {
       const bool itself = x == 0 && z == 0;
@@ -47,7 +47,7 @@ Eroder::Eroder(Neighbours neighbours) {
 }
 
 bool Eroder::step(std::span<const LooseRules> rules, LooseGround& ground) {
-  // Every material's surface before anything moves.
+  // All surfaces are computed before any material moves.
   for (std::size_t m = 0; m < rules.size(); ++m) see_surface(m, ground);
   bool moved = false;
   for (std::size_t m = 0; m < rules.size(); ++m) moved |= step_material(m, rules[m], ground);
@@ -114,7 +114,7 @@ void Eroder::find_lowest_around(const Field& surface, int z) {
 
 bool Eroder::give(const Field& surface, std::int32_t c_fx, std::int32_t max_given, int x, int z) {
   const std::int32_t here = surface.at(x, z);
-  std::array<std::int32_t, 8> drops{};  // to neighbours that take something, else 0
+  std::array<std::int32_t, 8> drops{};  // to neighbours that receive material, else 0
   std::int64_t sum = 0;
   std::size_t steepest = 0;
   for (std::size_t i = 0; i < reaches_.size(); ++i) {
@@ -128,7 +128,7 @@ bool Eroder::give(const Field& surface, std::int32_t c_fx, std::int32_t max_give
     if (drop > drops[steepest]) steepest = i;
   }
   if (sum == 0) return false;
-  // Eq. 2: in proportion to the drops. What rounding leaves goes to the first of the steepest.
+  // Eq. 2: in proportion to the drops. The rounding remainder goes to the first of the steepest.
   std::int32_t left = max_given;
   for (std::size_t i = 0; i < reaches_.size(); ++i) {
     if (drops[i] == 0) continue;

@@ -7,7 +7,7 @@
 namespace talus::terrain {
 namespace {
 
-// Everything around the rows, and between a row's width and the next row, becomes unbounded.
+// Makes everything around the rows, and between a row's width and the next row, unbounded.
 template <class Cell>
 PaddedRows<Cell> padded_rows(AlignedVector<Cell>& cells, std::size_t width, std::size_t depth) {
   PaddedRows<Cell> rows;

@@ -1,5 +1,5 @@
-// Loose material over a field in the layout of the settling kernels: rows padded on all sides, int16 where
-// that holds every thickness. Private to core/terrain.
+// Loose material over a field in the layout of the settling kernels: rows padded on all sides, int16 if that
+// holds every thickness. Private to core/terrain.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,29 @@
 
 namespace talus::terrain {
 
-/// Keeps its memory from one start to the next. For one thread at a time.
+/// Reuses its memory from one start to the next; not thread-safe.
 class SettleGrid {
  public:
   explicit SettleGrid(InstructionSet set) : kernels_{&settle_kernels(set)} {}
 
-  /// The thickness before settling (eq. 3) over `slope`.
+  /// Sets the thickness before settling (eq. 3) over `slope`.
   void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
-  /// The same row by row: begin(), with the most that a thickness can be, and then one of the two for each
-  /// row, of `width` columns.
+  /// start() row by row: call begin(), with the maximum thickness, then start_row() for each row.
   void begin(int width, int depth, std::int32_t most_fx) { reshape(width, depth, most_fx); }
   void start_row(int z, const std::int32_t* slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
-  /// Of floor(thickness * share / whole), 0 <= share <= whole, a power of two.
+  /// Uses floor(thickness * share / whole), 0 <= share <= whole; `whole` is a power of two.
   void start_row(int z, const std::int32_t* slope, const std::int32_t* share, std::int32_t thickness_fx,
                  std::int32_t whole, std::int32_t max_slope_fx);
-  /// Any field of 0 to 2^20 instead.
+  /// Sets any thickness of 0 to 2^20.
   void start(const Field& thickness);
-  /// 0 in walls, columns of `slope` less its outermost `ring` that are steeper than `wall_fx`; `elsewhere` in
-  /// others. Whether there are any.
+  /// Sets walls, the columns of `slope` without its outermost `ring` that are steeper than `wall_fx`, to 0,
+  /// and others to `elsewhere`. Returns true if there are walls.
   bool start_at_walls(const Field& slope, int ring, std::int32_t wall_fx, std::int32_t elsewhere);
-  /// May change the type of the cells, as a steep repose needs wide ones.
+  /// May change the type of the cells, because a steep repose needs wide ones.
   void settle(std::int32_t repose_fx) { settle(Rise{repose_fx, repose_fx}); }
   void settle(Rise rise);
 
-  /// Calls visit(cells) with a pointer to the cells of row z, of the type that they have.
+  /// Calls visit(cells) with a pointer to the cells of row z, of their current type.
   template <class Visit>
   void with_row(int z, const Visit& visit) const {
     if (narrow_) {

@@ -1,4 +1,4 @@
-// fBm at positions between columns, row after row.
+// fBm at positions between columns, row by row.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace talus::terrain {
 
-/// The same lattice and corners as FbmRows has; its numbers agree with those to rounding, not to the bit.
-/// Keeps its memory from one start() to the next. For one thread at a time.
+/// Uses the lattice and corners of FbmRows; results agree to rounding, not to the bit. Reuses its memory from
+/// one start() to the next; not thread-safe.
 class DisplacedFbm {
  public:
   explicit DisplacedFbm(InstructionSet set) : kernels_{&displaced_kernels(set)} {}
 
-  /// From here on rows are of this noise over these base columns.
+  /// The following rows are of this noise over these base columns.
   void start(const Fbm& fbm, std::span<const std::int64_t> xs);
 
   /// The noise at (xs[i] + reach * east[i], z + reach * south[i]), valid until the next call. Displacements
-  /// are rounded to integers of subvoxels, |reach_fx * east| <= 2^22, and places of columns are integers, so
-  /// that the far ends of the world are as fine as its middle. `east` and `south` are padded.
+  /// are rounded to integers of subvoxels, |reach_fx * east| <= 2^22, and positions of columns are integers,
+  /// so precision is the same everywhere in the world. `east` and `south` are padded.
   [[nodiscard]] const float* row(std::int64_t z, const float* east, const float* south, float reach_fx);
 
  private:
@@ -34,8 +34,8 @@ class DisplacedFbm {
   const DisplacedKernels* kernels_;
   std::size_t width_ = 0;
   std::int64_t period_fx_ = 0;
-  std::vector<Lattice> lattices_;         // an octave
-  std::vector<DisplacedOctave> octaves_;  // as many or more, for their memory
+  std::vector<Lattice> lattices_;         // one per octave
+  std::vector<DisplacedOctave> octaves_;  // extra elements are kept for their memory
   DisplacedScratch scratch_;
   std::vector<float> noise_;
 };

@@ -14,12 +14,12 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
   return coordinate * (std::int64_t{1} << k) + offset;
 }
 
-// Columns of a run from which on it is filled at once.
+// Minimum columns of a run that is filled at once.
 constexpr std::int64_t kLeastRun = 4;
-// And from which on that is done in vectors.
+// Minimum columns of a run that is filled by vectors.
 constexpr std::size_t kLongRun = 32;
 
-/// The distance between neighbours, where it is the same everywhere; else 0.
+/// The distance between columns if it is the same for all, else 0.
 std::int64_t even_distance(std::span<const std::int64_t> xs) {
   if (xs.size() < 2) return 0;
   const std::int64_t step = xs[1] - xs[0];
@@ -29,7 +29,7 @@ std::int64_t even_distance(std::span<const std::int64_t> xs) {
   return step;
 }
 
-// Grows and never shrinks, so that what a kernel reads past the end is always there.
+// Never shrinks, so that a kernel's reads past the end stay valid.
 template <class T>
 void grow(AlignedVector<T>& buffer, std::size_t size) {
   if (buffer.size() < padded(size)) buffer.resize(padded(size));
@@ -60,7 +60,7 @@ void FbmRows::start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights we
   }
 }
 
-// One noise after another is of the same columns.
+// Consecutive noises often have the same columns.
 void FbmRows::set_columns(std::span<const std::int64_t> xs) {
   width_ = xs.size();
   if (std::ranges::equal(xs_, xs)) return;
@@ -99,7 +99,7 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
       run_cell = cell;
       ++columns.runs;
     }
-    // As many columns as surely lie in the same cell: all that do, where they are evenly spaced and close.
+    // Columns that surely lie in the same cell: all of them if columns are evenly spaced and close.
     const std::int64_t step = step_ * (std::int64_t{1} << k);
     const bool close = step > 0 && kLeastRun * step <= fbm_.period;
     const std::size_t end =
@@ -109,7 +109,7 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
     const auto apart = static_cast<std::int32_t>(close ? step : 0);
     float* const t = columns.t.data() + i;
     if (end - i >= kLongRun) {
-      // What it sets past the run is set again by the next.
+      // Values written past the run are overwritten by the next.
       kernels_->place_columns(first, apart, end - i, reciprocal, t);
     } else {
       const auto count = static_cast<std::int32_t>(end - i);

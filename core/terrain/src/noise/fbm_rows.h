@@ -1,4 +1,4 @@
-// fBm over many columns, row after row: what sample_fbm and the generator stand on.
+// fBm over many columns, row by row: the basis of sample_fbm and the generator.
 #pragma once
 
 #include <array>
@@ -13,25 +13,25 @@
 
 namespace talus::terrain {
 
-/// Keeps its memory from one start() to the next. For one thread at a time.
+/// Reuses its memory from one start() to the next; not thread-safe.
 class FbmRows {
  public:
   explicit FbmRows(InstructionSet set) : kernels_{&noise_kernels(set)} {}
 
-  /// How much of the sum an octave is: half of the one before, or 1 where the caller sums by another rule.
+  /// Weights of the octaves: each half of the one before, or 1 if the caller sums by another rule.
   enum class Weights { halving, one };
 
-  /// From here on rows are of this noise over these ascending base columns.
+  /// The following rows are of this noise over these ascending base columns.
   void start(const Fbm& fbm, std::span<const std::int64_t> xs, Weights weights = Weights::halving);
 
-  /// The noise at (xs[i], z) for every i, valid until the next call. Rows close to the one before cost least.
+  /// The noise at (xs[i], z) for every i, valid until the next call. Cheapest close to the previous row.
   [[nodiscard]] const float* row(std::int64_t z) { return row(z, 0, width_); }
-  /// The same for `first` <= i < `last` alone, at those indices.
+  /// Computes only `first` <= i < `last`, at those indices.
   [[nodiscard]] const float* row(std::int64_t z, std::size_t first, std::size_t last);
-  /// The whole row into padded memory.
+  /// Writes the whole row into padded memory.
   void row_into(std::int64_t z, float* noise);
 
-  /// What row() sums: the octaves that are not left out, each padded. Valid until the next call.
+  /// The summands of row(): the octaves that are not left out, each padded. Valid until the next call.
   [[nodiscard]] std::span<const OctaveRow> octaves(std::int64_t z);
 
  private:
@@ -42,9 +42,9 @@ class FbmRows {
     std::array<LatticeLine, 2> lines;  // on both sides of the row
     std::int64_t z_offset = 0;
     std::int64_t z = 0;       // the last row
-    std::int64_t cell = 0;    // and its place in the lattice
-    std::int64_t inside = 0;  // 0 to period - 1
-    bool drawn = false;       // whether `lines` are those of `cell`
+    std::int64_t cell = 0;    // index of its cell in the lattice
+    std::int64_t inside = 0;  // position in the cell, 0 to period - 1
+    bool drawn = false;       // true if `lines` belong to `cell`
   };
 
   void set_columns(std::span<const std::int64_t> xs);
@@ -55,9 +55,9 @@ class FbmRows {
   const NoiseKernels* kernels_;
   Fbm fbm_;
   std::size_t width_ = 0;
-  std::vector<std::int64_t> xs_;  // the columns of the last start(), of which step_ is
-  std::int64_t step_ = 0;         // from column to column, where it is the same everywhere
-  std::size_t count_ = 0;         // octaves in use; more may be kept for their memory
+  std::vector<std::int64_t> xs_;  // the columns of the last start()
+  std::int64_t step_ = 0;         // distance of xs_ if it is the same for all, else 0
+  std::size_t count_ = 0;         // octaves in use; extra elements are kept for their memory
   std::vector<Octave> octaves_;
   std::vector<OctaveRow> shares_;
   AlignedVector<float> gradients_;

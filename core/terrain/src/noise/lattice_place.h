@@ -1,4 +1,4 @@
-// Where a position lies in the lattice of an octave. Private to core/terrain.
+// Positions in the lattice of an octave. Private to core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -24,19 +24,19 @@ namespace talus::terrain {
   return a + t * (b - a);
 }
 
-/// What keeps an octave's zeros apart from the others', 0 to period - 1.
+/// An octave's offset, 0 to period - 1, which separates its zeros from other octaves' zeros.
 [[nodiscard]] inline std::int64_t offset_of(std::uint64_t octave_seed, Axis axis, std::int64_t period) {
   const std::uint64_t draw = derived_seed(octave_seed, static_cast<std::uint64_t>(axis)) >> 32;
   return static_cast<std::int64_t>((draw * static_cast<std::uint64_t>(period)) >> 32);
 }
 
-/// Octave k's share: half of the one before, all octaves of the spec together 1.
+/// Octave k's weight: half of the one before; the weights of all octaves of the spec sum to 1.
 [[nodiscard]] inline float octave_weight(const Fbm& fbm, int k) {
   const double all_weights = 2.0 - 2.0 / static_cast<double>(std::int64_t{1} << fbm.octaves);
   return static_cast<float>(1.0 / (static_cast<double>(std::int64_t{1} << k) * all_weights));
 }
 
-/// A place in a lattice that mostly moves a little: stepping is cheaper than dividing.
+/// Moves a position in a lattice. Most moves are short, and stepping is cheaper than dividing.
 inline void step_to(std::int64_t distance, std::int64_t period, std::int64_t& cell, std::int64_t& inside) {
   inside += distance;
   if (inside >= period && inside < 2 * period) {

@@ -10,7 +10,7 @@
 namespace talus::terrain {
 namespace {
 
-// The 16 directions of kernels/noise.cpp, by the same bits of the same hash.
+// The 16 directions of kernels/gradients-inl.h, by the same bits of the same hash.
 constexpr std::array<float, 4> kMagnitudes{1.38703985F, 1.17587560F, 0.78569496F, 0.27589938F};
 
 float with_sign(float magnitude, std::uint32_t bits) {

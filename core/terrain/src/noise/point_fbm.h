@@ -1,4 +1,4 @@
-// fBm at positions between columns, one after another; displaced_fbm.h has rows of them.
+// fBm at single positions between columns; displaced_fbm.h computes rows of them.
 #pragma once
 
 #include <array>
@@ -9,15 +9,13 @@
 
 namespace talus::terrain {
 
-/// The same lattice and corners as FbmRows has; its numbers agree with those to rounding, not to the bit.
-/// For one thread at a time.
+/// Uses the lattice and corners of FbmRows; results agree to rounding, not to the bit. Not thread-safe.
 class PointFbm {
  public:
   explicit PointFbm(const Fbm& fbm);
 
-  /// The noise at a position in subvoxels, |position| <= 2^45. A pure function of it; positions close to the
-  /// one before cost least. Positions are integers, so that the far ends of the world are as fine as its
-  /// middle.
+  /// The noise at a position in subvoxels, |position| <= 2^45. A pure function of the position; cheapest
+  /// close to the previous one. Positions are integers, so precision is the same everywhere in the world.
   [[nodiscard]] float at(std::int64_t x_fx, std::int64_t z_fx);
 
  private:
@@ -33,12 +31,12 @@ class PointFbm {
     std::int64_t z_offset_fx = 0;
     Place x;
     Place z;
-    bool drawn = false;               // whether the gradients are those of the cell
-    std::array<float, 4> gradient_x;  // of the corners NW, NE, SW, SE
+    bool drawn = false;               // true if the gradients belong to the cell
+    std::array<float, 4> gradient_x;  // at the corners NW, NE, SW, SE
     std::array<float, 4> gradient_z;
   };
 
-  /// Whether the place is in another cell than before.
+  /// Returns true if the new position is in another cell.
   bool move(Place& place, std::int64_t position) const;
   static void draw(Octave& octave);
 

@@ -1,4 +1,4 @@
-// fBm on rotated lattices over many columns, row after row.
+// fBm on rotated lattices over many columns, row by row.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,19 @@ namespace talus::terrain {
 
 struct RotatedNoise {
   std::uint64_t seed = 0;
-  std::int64_t period = 0;  // columns a wavelength of octave 0, 2^octaves to 2^24
+  std::int64_t period = 0;  // wavelength of octave 0 in columns, 2^octaves to 2^24
   int octaves = 0;          // 1 to 16
-  double gain = 0.5;        // octave k counts gain^k
-  int turn = 0;             // where its angles begin
+  double gain = 0.5;        // octave k has weight gain^k
+  int turn = 0;             // index of octave 0's angle, modulo kLatticeAngles
 
   /// The standard deviation of the sum.
   [[nodiscard]] double deviation() const;
-  /// How far the sum's distribution is that of one octave: 1 where there is but one, toward 0 where many
-  /// count alike, as the sum is normally distributed then. sum gain^4k / (sum gain^2k)^2, as its excess
-  /// kurtosis.
+  /// 1 if one octave dominates the sum, toward 0 if many octaves count alike and the sum is normally
+  /// distributed: sum gain^4k / (sum gain^2k)^2, like its excess kurtosis.
   [[nodiscard]] double dominance() const;
 };
 
-/// A noise, and how it rises a column eastward and southward at the place where it is read.
+/// A noise and its rise per column eastward and southward, where it is read.
 struct SlopedRow {
   const float* value = nullptr;
   const float* east = nullptr;
@@ -40,31 +39,31 @@ struct SlopedNoise {
   float south = 0;
 };
 
-/// Keeps its memory from one start() to the next. For one thread at a time.
+/// Reuses its memory from one start() to the next; not thread-safe.
 class RotatedFbm {
  public:
   explicit RotatedFbm(InstructionSet set) : kernels_{&rotated_kernels(set)} {}
 
-  /// From here on rows are of this noise over these base columns.
+  /// The following rows are of this noise over these base columns.
   void start(const RotatedNoise& noise, std::span<const std::int64_t> xs);
 
   /// The sum of all octaves at (xs[i], z), or displaced from there, valid until the next call.
   [[nodiscard]] const float* row(std::int64_t z, const Displacements& displaced = {});
   [[nodiscard]] SlopedRow sloped_row(std::int64_t z, const Displacements& displaced = {});
-  /// The same of columns `first` <= i < `last` alone, at those indices; `first` a multiple of kMaxLanes, and
-  /// of others what it was.
+  /// Computes only columns `first` <= i < `last`, at those indices; other columns are unchanged. `first` must
+  /// be a multiple of kMaxLanes.
   [[nodiscard]] SlopedRow sloped_part(std::int64_t z, const Displacements& displaced, std::size_t first,
                                       std::size_t last);
-  /// Octave k alone, by weight 1, into rows of the caller's.
+  /// Writes octave k alone, with weight 1, to the caller's rows.
   void octave(int k, std::int64_t z, const RotatedSums& out, const Displacements& displaced = {});
 
  private:
   struct Octave {
     RotatedLattice lattice;
     float weight = 0;
-    AlignedVector<std::uint64_t> u;  // of each column at z = 0
+    AlignedVector<std::uint64_t> u;  // by column, at z = 0
     AlignedVector<std::uint64_t> v;
-    LaneSteps lane_steps;  // where columns are evenly spaced
+    LaneSteps lane_steps;  // valid if columns are evenly spaced
   };
 
   void place(std::int64_t z);
@@ -72,8 +71,8 @@ class RotatedFbm {
 
   const RotatedKernels* kernels_;
   std::size_t width_ = 0;
-  std::uint64_t step_ = 0;  // from one column to the next, where it is the same everywhere; else 0
-  std::size_t count_ = 0;   // octaves in use; more may be kept for their memory
+  std::uint64_t step_ = 0;  // distance between columns if it is the same for all, else 0
+  std::size_t count_ = 0;   // octaves in use; extra elements are kept for their memory
   std::vector<Octave> octaves_;
   std::vector<RotatedOctave> placed_;
   AlignedVector<float> noise_;
@@ -81,7 +80,7 @@ class RotatedFbm {
   AlignedVector<float> south_;
 };
 
-/// The same at single columns, value alone. Immutable.
+/// The values of the noise at single columns. Immutable.
 class RotatedPoints {
  public:
   explicit RotatedPoints(const RotatedNoise& noise);
@@ -95,7 +94,7 @@ class RotatedPoints {
   std::vector<Octave> octaves_;
 };
 
-/// The same at one position that is (east, south) of the column by 2^-8 columns: as sloped_row() to the bit.
+/// The noise at a position (east, south) of the column, in 2^-8 columns; equals sloped_row() to the bit.
 [[nodiscard]] SlopedNoise sloped_rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,
                                              std::int32_t east = 0, std::int32_t south = 0);
 [[nodiscard]] inline float rotated_fbm(const RotatedNoise& noise, std::int64_t x, std::int64_t z,

@@ -8,7 +8,7 @@ namespace talus::terrain {
 namespace {
 
 struct Angle {
-  std::int64_t cosine = 0;  // of 2^-30
+  std::int64_t cosine = 0;  // in 2^-30
   std::int64_t sine = 0;
 };
 // 16, 25, 34, 43, 52, 61, 70 and 79 degrees.

@@ -1,11 +1,13 @@
-// Value + gradient noise on a rotated lattice: what fields and the regions' shape are made of.
+// Value + gradient noise on a rotated lattice: the noise of fields and of the regions' shape.
 //
-// A position in the lattice is a number of 2^-32 cells, linear in the column and computed modulo 2^64, so it
-// is exact for every column, without a bound, a division or a remainder. Octaves have different angles, none
-// within 11 degrees of an axis: an octave's tail lies on its own axes, and no two octaves share theirs.
+// A position in the lattice is a number of 2^-32 cells, linear in the column and computed modulo 2^64. It is
+// exact for every column, without bounds, divisions or remainders. Octaves have different angles, none within
+// 11 degrees of an axis: an octave's tail, the waves longer than its own, lies on its own
+// axes, and no two octaves share axes.
 //
-// Gradient noise alone is 0 at each lattice point, so that high ground keeps away from them. Here a value is
-// added at each corner, with the variance that makes corners and middles of cells vary alike.
+// Gradient noise alone is 0 at each lattice point, which keeps high ground away from lattice points. Here a
+// value is added at each corner, with the variance that makes the noise vary as much at corners as in the
+// middle of cells.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +16,9 @@
 
 namespace talus::terrain {
 
-/// One octave's lattice. A column east is (du, -dv) in it, and a column south (dv, du).
+/// One octave's lattice. A step of one column east is (du, -dv) in it, a step south (dv, du).
 struct RotatedLattice {
-  std::uint64_t du = 0;  // of 2^-32 cells; at most 2^31
+  std::uint64_t du = 0;  // in 2^-32 cells; at most 2^31
   std::uint64_t dv = 0;
   std::uint64_t u_offset = 0;
   std::uint64_t v_offset = 0;
@@ -41,22 +43,22 @@ struct RotatedLattice {
 
 inline constexpr int kLatticeAngles = 8;
 
-/// Octave k of a noise of `period` columns a wavelength of octave 0, 2^(k+1) to 2^24. Its seed gives its
-/// offset and its corners; `turn`, any number, its angle, and octave k's is 5 k further, of eight.
+/// Octave k of a noise whose octave 0 has a wavelength of `period` columns, 2^(k+1) to 2^24. The seed
+/// determines offset and corners; `turn`, any number, the angle: octave k's index is turn + 5 k modulo 8.
 [[nodiscard]] RotatedLattice rotated_lattice(std::uint64_t octave_seed, std::int64_t period, int k, int turn);
 
-/// From a cell's hash along an axis to the next one's, before it is mixed.
+/// The difference between the unmixed hashes of adjacent cells along an axis.
 inline constexpr std::uint32_t kRotatedCellStep = 0x9E3779B9U;
-/// Gradients are odd numbers of -1023 to 1023, drawn for each axis; values the sum of two odd ones of -15 to
-/// 15. A sum of two is seldom far from 0 and most often near it, as gradient noise between corners is.
+/// Gradients are odd numbers of -1023 to 1023, drawn per axis; values are sums of two odd numbers of -15 to
+/// 15. Such a sum is most often near 0, like gradient noise between corners.
 inline constexpr float kGradientUnit = 1.0F / 1023.0F;
 inline constexpr float kValueUnit = 0.018078F;
-/// The standard deviation of the noise of one octave, measured: that of its corners is sqrt(1 / 18), and it
-/// is larger on the cells' edges.
+/// The standard deviation of the noise of one octave, measured. At corners it is sqrt(1 / 18); it is larger
+/// on the cells' edges.
 inline constexpr double kRotatedDeviation = 0.25524;
 
-/// The noise of one octave at a position of its lattice, mostly between -1 and 1; 1.55 is never exceeded. And
-/// how it rises along both axes of the lattice, a cell.
+/// The noise of one octave at a position of its lattice, mostly between -1 and 1 and never beyond 1.55, and
+/// its rise per cell along both axes of the lattice.
 struct RotatedSample {
   float value = 0;
   float along_u = 0;

@@ -1,4 +1,4 @@
-// Of a list of cases, those that can be the first that holds somewhere along a row.
+// Narrows a list of cases to those that can be the first that holds somewhere along a row.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace talus::terrain {
 
-/// Most rows lie in one or two of a world's biomes, and most of their ranges on the same sides of all limits
-/// as those of the row before: then what was left of that is kept. Of one list of cases, which must live as
-/// long. For one thread at a time.
+/// Most rows lie in one or two biomes of the world, and most of their ranges lie on the same sides of all
+/// limits as the ranges of the row before, so the last result is cached. Not thread-safe; the list must
+/// outlive it.
 class NarrowedCases {
  public:
   explicit NarrowedCases(std::span<const Places::Case> all) : all_{all}, cases_(all.size()) {}
 
-  /// What is left of them, valid until the next call: without the conditions that hold all along the row,
-  /// without cases that hold nowhere, and without those after a case that holds everywhere. `ranges[q]` is
-  /// that of quantity q.
+  /// Returns the remaining cases, valid until the next call: without conditions that hold along the whole
+  /// row, without cases that hold nowhere, and without cases after one that holds everywhere. `ranges[q]` is
+  /// the range of quantity q.
   [[nodiscard]] std::span<const Places::Case> in(std::span<const ValueRange> ranges);
 
  private:
   enum class Holds : std::uint8_t { nowhere, somewhere, everywhere };
-  /// The limits next to the ends of a quantity's range, among those that it was compared with: at least
-  /// `from`, less than `to`.
+  /// The limits nearest to the ends of a quantity's range among those it was compared with: a range with ends
+  /// in [from, to) gives the same result.
   struct Limits {
     QuantityNumber quantity = 0;
     ValueRange from;
@@ -37,9 +37,9 @@ class NarrowedCases {
   void narrow(std::span<const ValueRange> ranges);
 
   std::span<const Places::Case> all_;
-  std::vector<Places::Case> cases_;  // more are kept for their memory
+  std::vector<Places::Case> cases_;  // extra elements are kept for their memory
   std::size_t count_ = 0;            // in use
-  std::vector<Limits> limits_;       // none before the first row
+  std::vector<Limits> limits_;       // empty before the first row
 };
 
 }  // namespace talus::terrain

@@ -84,7 +84,7 @@ void PlaceFields::set_row(int z, std::span<const float* const> quantities, std::
   }
   for (const QuantityNumber quantity : asked_) ranges_[quantity] = kernels_.range(rows_[quantity], width);
   set_looks(z, width);
-  std::uint64_t present = 0;  // bit k: some column of the row has look k
+  std::uint64_t present = 0;  // bit k: a column of the row has look k
   if (!looks_.empty()) present = kernels_.present(looks_.front().row(z).data(), width);
   for (std::size_t i = 0; i < shares_.size(); ++i) set_share(i, z, width, present);
 }
@@ -105,13 +105,13 @@ void PlaceFields::set_looks(int z, std::size_t width) {
   }
 }
 
-// Most rows have few looks, and most rules ask for others.
+// Most rows have few looks, and most rules want other looks.
 void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64_t present) {
   const Places::Share& rule = places_->shares[i];
   Any& any = any_[i][static_cast<std::size_t>(z)];
   any = Any::none;
   if (present != 0 && (rule.looks & present) == 0) return;
-  // A ramp and its rounding are monotone, so that the ends of a row's range bound what it leaves there.
+  // A ramp and its rounding are monotone, so the ends of a row's range bound its result.
   thinning_.clear();
   for (const Places::Ramp& ramp : rule.early) {
     const float at_low = ramp.at(ranges_[ramp.quantity].low);
@@ -126,7 +126,7 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
     std::fill(out.begin(), out.end(), kWholeShare);
     return;
   }
-  // Each from what the one before has left, and the last one into the field.
+  // Each ramp reads the result of the one before; the last writes into the field.
   const std::int32_t* left = whole_share_.data();
   for (std::size_t k = 0; k < thinning_.size(); ++k) {
     const bool last = all_looks && k + 1 == thinning_.size();
@@ -137,7 +137,7 @@ void PlaceFields::set_share(std::size_t i, int z, std::size_t width, std::uint64
   if (!all_looks) kernels_.keep(rule.looks, looks_.front().row(z).data(), left, width, out.data());
 }
 
-/// Its values are unspecified in rows that have none.
+/// Values are unspecified in rows without a share.
 Field& PlaceFields::share_to_set(std::size_t i) {
   Field& share = shares_[i];
   if (!share.values.empty()) return share;
@@ -148,7 +148,7 @@ Field& PlaceFields::share_to_set(std::size_t i) {
 
 namespace {
 
-// Those of a tile, from the columns that `row` tells the beginning of each row of.
+// The values of a tile; `row(z)` points to the first column of its row z.
 template <class Value, class Row>
 GroundTile::Values<Value> tile_values(const Row& row) {
   constexpr auto kSide = static_cast<std::size_t>(kGroundTileSide);
@@ -169,7 +169,7 @@ GroundTile::Values<Value> tile_values(const Row& row) {
   return values;
 }
 
-/// Some rows of a tile, and of each some columns.
+/// Some rows of a tile, and some columns of each.
 struct PartOfTile {
   int first = 0;
   int count = 0;
@@ -177,8 +177,8 @@ struct PartOfTile {
   int rows = 0;
 };
 
-// Rows are most often whole: then their length is known to the compiler. Its numbers are in registers, as
-// what is written, bytes, might else be any of them.
+// Rows are mostly whole, so their length is a constant then. The loop's variables are captured by value to
+// stay in registers: stores of bytes might alias them otherwise.
 template <class Value, class To>
 void take_part(const GroundTile::Values<Value>& values, const PartOfTile& part, To* to, std::size_t stride) {
   const auto skipped = static_cast<std::size_t>(kGroundTileSide * part.first_row + part.first);
@@ -200,7 +200,7 @@ void take_part(const GroundTile::Values<Value>& values, const PartOfTile& part, 
   }
 }
 
-// Whether all rows of a tile are so.
+// Returns true if all rows of a tile equal `so`.
 template <class Row>
 bool all_rows(const std::vector<Row>& rows, int z, Row so) {
   const auto first = rows.begin() + z;
@@ -237,7 +237,7 @@ void PlaceFields::fill(int x, int z, GroundTile& tile) const {
 }
 
 void PlaceFields::take(int x, int z, const GroundTilePtr& tile) {
-  const int first = std::max(-x, 0);  // of the tile's columns
+  const int first = std::max(-x, 0);  // first of the tile's columns
   const int count = std::min(width_ - x, kGroundTileSide) - first;
   const int first_row = std::max(-z, 0);
   const int last_row = std::min(depth_ - z, kGroundTileSide);
@@ -266,7 +266,7 @@ void PlaceFields::take(int x, int z, const GroundTilePtr& tile) {
   }
 }
 
-// Objects stand on few columns: what a tile has is looked up there.
+// Objects stand on few columns, so the tile is kept and looked up there.
 void PlaceFields::take_at_points(int x, int z, const GroundTilePtr& tile) {
   if (at_points_.empty()) return;
   if (tiles_a_row_ == 0) {
@@ -306,7 +306,7 @@ std::int32_t PlaceFields::share_at_point(std::size_t i, int x, int z) const {
   return share;
 }
 
-// Most rows are nowhere as steep as a ramp begins, or near no cliff; what a ramp leaves whole is not touched.
+// Most rows are nowhere as steep as a ramp begins, or are not near a cliff; a ramp that is 1 is skipped.
 void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
   slope_ = &slope;
   cliff_ = cliff;
@@ -326,7 +326,7 @@ void PlaceFields::thin_late(const Field& slope, const Field* cliff) {
         const bool by_slope = ramp.quantity == number_of(Quantity::slope);
         if (!any || (!by_slope && cliff == nullptr)) continue;
         const ValueRange& range = by_slope ? slopes : cliffs;
-        // A ramp is monotone, and so is its rounding: its ends bound what it leaves.
+        // A ramp and its rounding are monotone, so its ends bound its result.
         const float at_low = ramp.at(range.low);
         const float at_high = ramp.at(range.high);
         if (at_low >= 1 && at_high >= 1) continue;

@@ -20,7 +20,7 @@ bool known_at_columns(std::size_t quantity, bool regions) {
   return regions || quantity == number_of(Quantity::height);
 }
 
-// Of the world's looks, only those of its first rules.
+// Keeps only the looks of the first rules.
 Places looks_alone(const PlacesSpec& spec) {
   Places places = places_of(spec);
   places.looks.resize(std::min<std::size_t>(places.looks.size(), 1));
@@ -84,7 +84,7 @@ std::optional<PlaceSampler> PlaceSampler::make(const World& world, std::span<con
   scratch->rows = make_surface_rows(scratch->surface, instruction_set());
   scratch->sea_fx = world.sea_fx().value_or(0);
   const auto subvoxels_a_unit = static_cast<float>(spec.resolution * kSubvoxels);
-  scratch->units_a_subvoxel = 1 / subvoxels_a_unit;  // as PlaceFields has it
+  scratch->units_a_subvoxel = 1 / subvoxels_a_unit;  // as in PlaceFields
   scratch->fields.emplace(scratch->surface.places, scratch->sea_fx, subvoxels_a_unit, instruction_set());
   scratch->quantities.resize(scratch->surface.places->quantities);
   scratch->values.resize(names.size());
@@ -113,7 +113,7 @@ void PlaceSampler::row(std::int64_t z) {
   for (std::size_t i = 0; i < s.wanted.size(); ++i) {
     const float* const from = s.quantities[s.wanted[i]];
     for (std::size_t k = 0; k < s.heights.size(); ++k) {
-      // A surface that knows no quantities has this one alone.
+      // A surface without quantities has only height.
       s.values[i][k] =
           from != nullptr ? from[k] : static_cast<float>(s.heights[k] - s.sea_fx) * s.units_a_subvoxel;
     }
@@ -135,7 +135,7 @@ std::span<const float> PlaceSampler::values(std::size_t i) const {
 
 namespace {
 
-// Columns of one tile: rows over all that lie in it, so that no row begins anew.
+// Indices of the columns of one tile. Rows span all of them, so that each row is started once.
 using TileOfColumns = std::vector<std::size_t>;
 std::vector<TileOfColumns> by_tile(std::span<const BaseColumn> columns) {
   std::map<std::pair<std::int64_t, std::int64_t>, TileOfColumns> tiles;

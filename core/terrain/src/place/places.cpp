@@ -26,7 +26,7 @@ Places places_of(const PlacesSpec& spec) {
     share.looks = rule.looks;
     for (const PlaceRamp& ramp : rule.ramps) {
       auto& ramps = known_late(ramp.quantity) ? share.late : share.early;
-      // `cliff` comes in integers.
+      // `cliff` is an integer.
       const double unit = ramp.quantity == number_of(Quantity::cliff) ? kWholeShare : 1;
       ramps.push_back({ramp.quantity, static_cast<float>(ramp.none * unit),
                        static_cast<float>(1 / ((ramp.all - ramp.none) * unit))});

@@ -7,7 +7,7 @@
 
 namespace talus::terrain {
 
-/// The bits of a float, so that no two numbers print alike.
+/// The bits of a float, so that different numbers have different text.
 [[nodiscard]] std::string bits_of(float value);
 
 [[nodiscard]] ContentHash hash_canonical_form(const std::string& form);

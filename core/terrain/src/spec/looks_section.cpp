@@ -8,10 +8,11 @@
 namespace talus::terrain {
 namespace {
 
-// Of a province each rock has one of these borders, so that on a wall they do not lie over each other in a
-// plumb line: how far their limits are moved, as much as noise moves a border. Height has no noise.
+// Each rock of a province has one of these borders, so that on a wall the borders of different rocks are not
+// exactly above each other: the distances by which limits are moved, as large as the noise on borders. Height
+// has no noise.
 constexpr std::array<double, 3> kRockBorders{0, 0.06, -0.06};
-constexpr double kBorderOfBase = 20;  // terrain units where other quantities have 1
+constexpr double kBorderOfBase = 20;  // in terrain units, per 1 of other quantities
 constexpr double kBorderOfHeight = 40;
 
 std::vector<PlaceCondition> moved(std::vector<PlaceCondition> conditions, double by) {
@@ -47,7 +48,7 @@ class LooksReader {
   void read_looks() {
     std::vector<TableReader> tables = root_.tables("look");
     for (TableReader& table : tables) read_look(table);
-    // Once all have their materials, as a look may show that of one behind it.
+    // After all have their materials, because a look may show the material of a later one.
     for (auto& [look, table] : showing_) {
       const std::string name = table.text("shows", kMaxNameBytes);
       const Material* const material = material_named(name);
@@ -91,7 +92,7 @@ class LooksReader {
     add(name, *of, std::move(one), table);
   }
 
-  /// The look of a material that leaves no place to those after it.
+  /// Returns the look of a material that has no conditions, so that later looks never show.
   const Look* shown_everywhere(MaterialId of) const {
     const auto last =
         std::find_if(looks_.rbegin(), looks_.rend(), [&](const Look& look) { return look.of == of; });
@@ -171,7 +172,7 @@ class LooksReader {
     }
   }
 
-  /// The loose material, or water, that a look is of.
+  /// Returns the loose material, or water, that a look replaces.
   const Material* replaced(TableReader& table) {
     const std::string of = table.text("of", kMaxNameBytes);
     const Material* const material = material_named(of);
@@ -188,7 +189,7 @@ class LooksReader {
     return found == materials_.end() || found->id == kAir ? nullptr : &*found;
   }
 
-  /// The first rules are the ground's, even where it has none: they are what a column's look is.
+  /// The first rules are the ground's, even if it has no looks: they define a column's look.
   World::ShownBy& shown_by(MaterialId material) {
     const std::size_t place = to_integer(material);
     if (place < tables_.shown_by.size() && tables_.shown_by[place]) return *tables_.shown_by[place];
@@ -197,7 +198,7 @@ class LooksReader {
     if (first_of_ground) has_ground_ = true;
     return shown_by(material, first_of_ground ? 0 : rules_.size());
   }
-  /// With these rules, where it has none yet.
+  /// Uses rules `rules` if the material has no rules yet.
   World::ShownBy& shown_by(MaterialId material, std::size_t rules) {
     const std::size_t place = to_integer(material);
     if (tables_.shown_by.size() <= place) tables_.shown_by.resize(place + 1);
@@ -216,7 +217,7 @@ class LooksReader {
   std::set<std::string>& names_;
   std::vector<Material>& materials_;
   std::vector<Look> looks_;
-  bool has_ground_ = false;  // whether the first rules are a loose material's
+  bool has_ground_ = false;  // true if the first rules belong to a loose material
   std::vector<std::pair<std::size_t, TableReader>> showing_;
   LookTables tables_{{}, {""}};
 };

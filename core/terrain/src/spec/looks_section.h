@@ -18,14 +18,14 @@ struct LookTables {
   std::vector<std::string> names;                       // World::look_names()
 };
 
-/// Ids of strata are 2 to before `end`; `lowest` goes on without end below all others.
+/// Ids of strata are 2 to before `end`; `lowest` extends downward without end.
 struct RockIds {
   MaterialId lowest{};
   MaterialId end{};
 };
 
-/// Reads both kinds of sections, in the order of the file, looks first. Their materials join `materials` and
-/// `names`, their rules `rules`. Air, water, strata and loose materials stand in `materials` already.
+/// Reads both kinds of sections in the order of the file, looks first. Adds their materials to `materials`
+/// and `names`, and their rules to `rules`. `materials` must contain air, water, strata and loose materials.
 [[nodiscard]] LookTables read_looks(TableReader& root, PlacesReader& places, std::vector<LookRules>& rules,
                                     const RockIds& rock, std::set<std::string>& names,
                                     std::vector<Material>& materials);

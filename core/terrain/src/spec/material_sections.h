@@ -12,18 +12,18 @@
 
 namespace talus::terrain {
 
-/// Both read their tables in order and add each material's name to `names`.
-/// Strata that `repeat` lie in their order, without depths, and one at least is a band.
+/// Both read their tables in order and add each material's name to `names`. Strata with `repeat` lie in their
+/// order, have no depths, and at least one is a band.
 [[nodiscard]] std::vector<StratifiedSpec> read_stratified(std::vector<TableReader>& tables, bool repeat,
                                                           std::set<std::string>& names);
-/// spec.resolution and spec.method have been read: the slope method bounds the halo that a material needs.
+/// REQUIRES that spec.resolution and spec.method are read: the slope method bounds halos.
 [[nodiscard]] std::vector<ErodedSpec> read_eroded(std::vector<TableReader>& tables, const WorldSpec& spec,
                                                   PlacesReader& places, std::set<std::string>& names);
 
-/// [talus]; `eroded` have been read.
+/// Reads [talus]. REQUIRES that spec.eroded is read.
 [[nodiscard]] TalusSpec read_talus(TableReader& table, const WorldSpec& spec);
 
-/// An eroded material in integers. `material` stays 0.
+/// Converts an eroded material to integers. `material` stays 0.
 [[nodiscard]] LooseSpec loose_of(const ErodedSpec& eroded, int resolution);
 
 }  // namespace talus::terrain

@@ -5,7 +5,7 @@
 namespace talus::terrain {
 namespace {
 
-constexpr std::size_t kMaxPlaceables = 1024;  // materials, states counted
+constexpr std::size_t kMaxPlaceables = 1024;  // materials, each state counted
 constexpr std::size_t kMaxStates = 16;
 constexpr std::array kPhases{MaterialKind::stratified, MaterialKind::water, MaterialKind::air};
 

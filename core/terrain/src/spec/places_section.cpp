@@ -17,7 +17,7 @@ constexpr double kLeastRamp = 0.001;  // so that its steepness is a finite float
 constexpr Range kDegrees{0, 89};
 constexpr Range kQuantityValues{-kMaxHeight, kMaxHeight};
 
-// As LooseSpec has its slopes.
+// Rounded like the slopes of LooseSpec.
 double slope_fx(double degrees) {
   return static_cast<double>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
 }
@@ -71,7 +71,7 @@ void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) 
     if (points.empty()) continue;
     if (slope) std::transform(points.begin(), points.end(), points.begin(), slope_fx);
     for (std::size_t i = 0; i < points.size(); i += 2) {
-      // Of four the last two are [all, none]: what rises falls again.
+      // Of four points the last two are [all, none]: the quantity falls again.
       const double none = i == 0 ? points[0] : points[3];
       const double all = i == 0 ? points[1] : points[2];
       if (std::abs(none - all) < kLeastRamp) {
@@ -82,7 +82,7 @@ void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) 
       ramps.push_back({*number, none, all});
     }
   }
-  // However the file orders them, so that rounding is the same.
+  // Sorted, so that rounding does not depend on the order in the file.
   std::stable_sort(ramps.begin(), ramps.end(),
                    [](const PlaceRamp& a, const PlaceRamp& b) { return a.quantity < b.quantity; });
 }

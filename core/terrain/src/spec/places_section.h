@@ -13,18 +13,18 @@
 
 namespace talus::terrain {
 
-/// Reads what is asked of places into a PlacesSpec. The surface has been read.
+/// Reads looks, provinces and shares into a PlacesSpec. REQUIRES that the surface is read.
 class PlacesReader {
  public:
-  /// `fields`: those of the file, that conditions and ramps may name; with a surface of regions alone.
+  /// `fields`: the file's fields, which conditions and ramps may name; only for a surface of regions.
   PlacesReader(const WorldSpec& world, std::vector<FieldSpec> fields, PlacesSpec& places);
 
-  /// `where` of a table, as a share; none where it is left out.
+  /// Reads `where` of a table as a share; nullopt if it is omitted.
   [[nodiscard]] std::optional<std::size_t> share(TableReader& table);
-  /// The same, or where it names looks by `looks`: names of the first rules, as World::look_names() has them.
+  /// Also reads `looks`, names of looks of the first rules, as in World::look_names().
   [[nodiscard]] std::optional<std::size_t> share(TableReader& table, std::span<const std::string> look_names);
 
-  /// `below` and `above` of a table; at least one of them.
+  /// Reads `below` and `above` of a table; at least one must exist.
   [[nodiscard]] std::vector<PlaceCondition> conditions(TableReader& table);
 
  private:

@@ -20,12 +20,12 @@ constexpr double kMinGain = 1e-3;
 constexpr Range kFieldValues{-2, 2};
 constexpr Range kShare{0, 1};
 constexpr Range kHeights{-kMaxHeight, kMaxHeight};
-constexpr Range kWidths{0, 400};           // so that valleys are wider
+constexpr Range kWidths{0, 400};           // narrower than valleys
 constexpr Range kValleys{0, 700};          // ranges widen them; distances are known up to 1000
-constexpr int kMaxRegionsResolution = 64;  // so that no warp is longer than kernels take
+constexpr int kMaxRegionsResolution = 64;  // limits warps to the length that kernels allow
 constexpr std::int64_t kSeaStep = 64;      // voxels: a voxel of the coarsest level
 
-/// Reads one table after another; what they leave out is as in the default world.
+/// Reads one table after another; omitted keys keep the default world's values.
 class RegionTables {
  public:
   /// `fields`: known_fields().
@@ -43,7 +43,7 @@ class RegionTables {
   [[nodiscard]] RegionsSpec take() { return std::move(spec_); }
 
  private:
-  /// The field that the key names, or that has its place in the default world.
+  /// Chooses the field named by the key, or the default world's if the key is omitted.
   void choose(TableReader& table, const std::string& key, FieldSpec& field);
 
   RegionsSpec spec_;
@@ -56,7 +56,7 @@ double number_or(TableReader& table, const std::string& key, Range range, double
   return table.has(key) ? table.real(key, range) : otherwise;
 }
 
-/// A wavelength of a noise of which `octaves` are sampled as fields are.
+/// Reads a wavelength of a noise of which `octaves` octaves are sampled like fields.
 double wavelength_or(TableReader& table, const std::string& key, int octaves, int resolution,
                      double otherwise) {
   if (!table.has(key)) return otherwise;
@@ -64,7 +64,7 @@ double wavelength_or(TableReader& table, const std::string& key, int octaves, in
   return table.length(key, {kMinLength, kMaxLength}, {resolution, {shortest, kMaxLength}, true});
 }
 
-/// Whether conditions mean a quantity by the name that is not a field's of the default world.
+/// Returns true if conditions use the name for a quantity that is not a field of the default world.
 bool is_quantity_alone(const std::string& name) {
   const bool quantity = std::find(kQuantityNames.begin(), kQuantityNames.end(), name) != kQuantityNames.end();
   return quantity && name != "temperature" && name != "moisture" && name != "mesas" && name != "ranges";

@@ -10,19 +10,20 @@
 
 namespace talus::terrain {
 
-/// The keys and tables of [surface] that a world of regions may have beside `kind`. Each may be left out.
+/// Keys and tables of [surface] in a world of regions, in addition to `kind`. All are optional.
 [[nodiscard]] const std::vector<std::string_view>& region_tables();
 
-/// All [[field]] of the file.
+/// Reads all [[field]] of the file.
 [[nodiscard]] std::vector<FieldSpec> read_fields(TableReader& root, int resolution);
-/// Those, and the shipped ones that the file does not give anew.
+/// Adds the shipped fields that `fields` does not redefine.
 [[nodiscard]] std::vector<FieldSpec> known_fields(std::vector<FieldSpec> fields);
 
-/// Reads all but the sea's level; `resolution` has been read.
+/// Reads everything except the sea's level. REQUIRES that `resolution` is read.
 [[nodiscard]] RegionsSpec read_regions(const std::vector<FieldSpec>& fields, TableReader& surface,
                                        int resolution, PlacesSpec& places);
 
-/// Once the sea's level is known: refuses land that is too high, and a level that coarse chunks cannot have.
+/// Rejects land that is too high, and a sea level that coarse chunks cannot represent. REQUIRES that the
+/// sea's level is read.
 void check_regions(TableReader& root, TableReader& surface, WorldSpec& world);
 
 }  // namespace talus::terrain

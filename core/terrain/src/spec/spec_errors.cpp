@@ -25,12 +25,12 @@ std::string one_line(const std::string& message) {
 }  // namespace
 
 std::string plain(double number) {
-  // A bound that is a small power of two is told as such.
+  // A power of two below 1/1000 is shown as a fraction.
   int exponent = 0;
   if (number > 0 && number < 1e-3 && std::frexp(number, &exponent) == 0.5 && exponent > -60) {
     return "1/" + std::to_string(std::uint64_t{1} << (1 - exponent));
   }
-  constexpr int kDigits = 12;  // what a product of two numbers rounds is no part of it
+  constexpr int kDigits = 12;  // hides the rounding of a product of two numbers
   std::array<char, 64> digits{};
   const auto written = [&](auto... how) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, how...).ptr;

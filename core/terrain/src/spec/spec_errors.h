@@ -1,4 +1,4 @@
-// What is wrong with a world.toml: the first fault is kept, as one line. Private to core/terrain.
+// Errors in a world.toml: the first one is kept, as one line. Private to core/terrain.
 #pragma once
 
 #include <concepts>
@@ -13,10 +13,10 @@
 
 namespace talus::terrain {
 
-/// A number as a person writes it: 16777216 and 0.000001, 1e18, 1/65536.
+/// Formats a number as people write it: 16777216, 0.000001, 1e18, 1/65536.
 [[nodiscard]] std::string plain(double number);
 
-/// The parts in a row; floating-point numbers as plain() has them.
+/// Concatenates the parts; formats floating-point numbers with plain().
 [[nodiscard]] std::string text_of(const auto&... parts) {
   std::ostringstream text;
   text.imbue(std::locale::classic());  // a host program's locale must not group the digits
@@ -36,7 +36,7 @@ class SpecErrors {
   /// `file` names the source in messages.
   explicit SpecErrors(std::string_view file) : file_{file} {}
 
-  /// "FILE:LINE: what". Control characters are escaped: a key or a name may hold any.
+  /// Adds "FILE:LINE: what". Control characters, which keys and names may contain, are escaped.
   void add(int line, const std::string& what);
 
   [[nodiscard]] bool any() const { return first_.has_value(); }

@@ -17,7 +17,7 @@ namespace talus::terrain {
 namespace {
 
 constexpr double kMaxPlace = 68719476736;  // 2^36: terrain units and voxels, the world's end
-constexpr double kMaxSample = 1e18;        // of a height map
+constexpr double kMaxSample = 1e18;        // maximum sample of a height map
 constexpr double kMaxSpacing = 4096;       // voxels
 constexpr double kMaxMargin = 1048576;     // voxels
 constexpr double kMaxWarp = 16384;         // terrain units and voxels: 2^22 subvoxels

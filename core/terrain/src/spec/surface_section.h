@@ -10,12 +10,12 @@
 
 namespace talus::terrain {
 
-/// Reads and checks spec.surface; spec.resolution has been read. `fields`: those that regions may name. A key
-/// that its kind of surface has no use for is unknown, as any other.
+/// Reads and checks spec.surface. REQUIRES that spec.resolution is read. `fields`: fields that regions may
+/// name. A key that does not apply to the kind of surface is reported as unknown.
 void read_surface(TableReader root, TableReader surface, const std::vector<FieldSpec>& fields,
                   WorldSpec& spec);
 
-/// Fetches the height map of a surface that has one and was read without a fault.
+/// Loads the height map of a surface that has one and was read without an error.
 void load_height_map(TableReader surface, WorldSpec& spec, const LoadHeightMap& load);
 
 }  // namespace talus::terrain

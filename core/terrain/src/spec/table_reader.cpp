@@ -33,7 +33,7 @@ int line_of(const toml::node& node) {
 }
 
 constexpr std::size_t kMaxKeyShown = 120;   // bytes
-constexpr std::size_t kMaxMaterials = 255;  // beside air and water
+constexpr std::size_t kMaxMaterials = 255;  // in addition to air and water
 
 std::string qualified(const std::string& table, std::string_view key) {
   return (table.empty() ? "" : table + ".") + shortened(key, kMaxKeyShown);
@@ -86,7 +86,7 @@ std::string described(const toml::node& node) {
   return node.is_table() ? "a table" : "a date or time";
 }
 
-// Refuses a key that is missing.
+// Fails a missing key.
 const toml::node* find(TableReader& reader, const toml::table& table, const std::string& key,
                        const std::string& wanted) {
   const toml::node* node = table.get(key);
@@ -163,7 +163,7 @@ std::int64_t TableReader::units_q16(const std::string& key, Range range) {
 
 namespace {
 
-// The numbers of an array of `size`; none where it is no such array.
+// The numbers of an array; nullopt if it is not an array of `size` numbers.
 std::optional<std::vector<double>> numbers_of(const toml::node& node, std::size_t size) {
   const toml::array* const array = node.as_array();
   if (array == nullptr || array->size() != size) return std::nullopt;

@@ -1,4 +1,4 @@
-// Lengths of a spec in the integers that the generator computes with. Private to core/terrain.
+// Conversion of a spec's lengths to the integers used by the generator. Private to core/terrain.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace talus::terrain {
 
-/// To the nearest integer, halves up.
+/// Rounds to the nearest integer, halves up.
 [[nodiscard]] inline std::int64_t rounded(double value) {
   return static_cast<std::int64_t>(std::floor(value + 0.5));
 }
 
-/// 2^-16 terrain unit as subvoxels, rounded, in integers all the way.
+/// Converts 2^-16 terrain unit to subvoxels, rounded, using only integers.
 [[nodiscard]] constexpr std::int64_t subvoxels_of(std::int64_t units_q16, int resolution) {
   return (units_q16 * resolution * kSubvoxels + 32768) >> 16;
 }

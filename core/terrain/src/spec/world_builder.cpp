@@ -36,7 +36,7 @@ constexpr int kMaxErosionSteps = 64;            // a halo of 128 columns
 
 }  // namespace
 
-/// Reads the sections in order; each may use what those before it hold.
+/// Reads the sections in order; each may use the results of earlier ones.
 struct World::Builder {
   Builder(TableReader root_table, SpecErrors& spec_errors, World& built)
       : root{root_table}, errors{spec_errors}, world{built} {}
@@ -133,7 +133,7 @@ void World::Builder::read_general() {
 }
 
 void World::Builder::read_strata_wavelength() {
-  // A surface without noise has no wavelength to borrow.
+  // A surface without noise has no wavelength to use instead.
   const bool borrowed = !root.has("strata_wavelength") && spec.surface.noise();
   spec.strata_wavelength = borrowed ? spec.surface.wavelength
                                     : root.length("strata_wavelength", {kMinLength, kMaxLength},
@@ -228,7 +228,7 @@ void World::Builder::read_world_looks(PlacesReader& places) {
   world.look_names_ = std::move(looks.names);
 }
 
-/// How errors name the height of the surface, which regions derive.
+/// The name of the surface's height in errors; regions derive it.
 std::string World::Builder::height_term() const {
   if (!spec.surface.regions) return "surface.amplitude";
   return text_of("the highest ground (", spec.surface.amplitude, " units)");
@@ -272,15 +272,15 @@ void World::Builder::derive_loose() {
   }
   world.loose_bottom_up_.resize(world.loose_.size());
   std::iota(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), std::size_t{0});
-  // Heaviest lowest; of equal weight the first of the spec on top, so the last of the spec lowest.
+  // Heaviest lowest; of equal weights the first in the spec is on top, so the last is lowest.
   std::sort(world.loose_bottom_up_.begin(), world.loose_bottom_up_.end(), [&](std::size_t a, std::size_t b) {
     const double weight_a = world.loose_[a].weight;
     const double weight_b = world.loose_[b].weight;
     return weight_a != weight_b ? weight_a > weight_b : a > b;
   });
   if (spec.method == Method::slope) return;
-  // A material alone never passes its highest column, but for what a step of 1 rounds up to (c below 8).
-  // What lies under others lifts them by what flows in: a step from each of eight neighbours.
+  // A single material never exceeds its highest column, except by the rounding of a step of 1 (c below 8). A
+  // material under others lifts them by its inflow: a step from each of eight neighbours.
   world.rise_fx_ = 8;
   for (std::size_t i = 0; i + 1 < world.loose_.size(); ++i) {
     const LooseSpec& loose = world.loose_[world.loose_bottom_up_[i]];
@@ -304,7 +304,7 @@ int World::erosion_steps_at(Lod lod) const {
   return spec_.method == Method::erosion ? std::max(1, spec_.erosion_steps >> lod.value()) : 0;
 }
 
-// One step is one step at every level, by the rules of both versions.
+// A single step is a single step at every level, by the rules of both versions.
 GeneratorVersion World::generator_version() const {
   return erosion_steps_at(Lod{}) > 1 || spec_.surface.regions || spec_.places.any() || spec_.talus ||
                  has_objects()
@@ -328,7 +328,7 @@ void World::Builder::derive_halo() {
 }
 
 const World& default_world() {
-  // Built in and tested: it parses.
+  // Built in and tested, so it parses.
   static const World world = *World::parse(default_world_toml(), "default.toml");
   return world;
 }

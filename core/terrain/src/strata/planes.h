@@ -1,4 +1,4 @@
-// A list of planes that is filled anew for region after region.
+// A list of planes that is refilled for region after region.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace talus::terrain {
 
-/// Empties `tops` and `materials` and adds to them, with fields from `spare`, to which the fields of earlier
-/// regions go.
+/// Empties `tops` and `materials` and refills them with fields from `spare`, to which it first moves the
+/// fields of earlier regions.
 class Planes {
  public:
   Planes(std::vector<MaterialId>& materials, std::vector<Field>& tops, std::vector<Field>& spare)
@@ -20,7 +20,7 @@ class Planes {
     tops_.clear();
     materials_.clear();
   }
-  /// No more is kept than the list has: others may bring fields that go to other lists.
+  /// Keeps at most as many spare fields as the list has: callers may move in fields from other lists.
   ~Planes() {
     if (spare_.size() > tops_.size()) spare_.resize(tops_.size());
   }
@@ -32,7 +32,7 @@ class Planes {
   [[nodiscard]] std::vector<Field>& tops() { return tops_; }
   [[nodiscard]] Field& top() { return tops_.back(); }
 
-  /// A plane on top of all; its size and values are those of what it was before.
+  /// Adds a plane on top; its size and values are unspecified.
   Field& add(MaterialId material) {
     materials_.push_back(material);
     if (spare_.empty()) return tops_.emplace_back();
@@ -40,7 +40,7 @@ class Planes {
     spare_.pop_back();
     return tops_.back();
   }
-  /// The lowest `count` planes, or all where there are fewer.
+  /// Keeps the lowest `count` planes, or all if there are fewer.
   void keep(std::size_t count) {
     while (tops_.size() > count) {
       spare_.push_back(std::move(tops_.back()));

@@ -13,23 +13,24 @@
 namespace talus::terrain {
 namespace {
 
-// What is stacked on this many rows at once stays in the nearest cache, layer by layer.
+// Rows stacked at once, layer by layer, so that they stay in the nearest cache.
 constexpr std::size_t kBandDepth = 16;
-// And so many layers are stacked at once on a row, which is read and written once for all of them.
+// Layers stacked at once on a row, which is read and written once for all of them.
 constexpr std::size_t kLayersAtOnce = 4;
-// Of layers that surely end under the limit at most so many, and not so few that others do them as well.
+// Maximum and minimum number of layers stacked at once if they surely end under the limit; fewer are as fast
+// by the general way.
 constexpr std::size_t kMostInside = 16;
 constexpr std::size_t kLeastInside = 3;
-// Layers of regions are slow: their noise is drawn at every so many rows, where its shortest wave is eight
-// times as long.
+// Layers of regions are slow if their shortest wave is at least eight times kRowStep: their noise is drawn
+// only at every kRowStep-th row.
 constexpr std::int64_t kRowStep = 16;
 constexpr std::int64_t kShortestBetweenRows = 8 * kRowStep;
 
 LayerShape shape_of(const World& world, const StratumSpec& layer) {
-  // No layer reaches past the highest surface over the deepest sunk strata, so a thicker one may stop there
-  // without a difference.
+  // No layer reaches past the highest surface above the deepest sunk strata, so capping a thicker layer there
+  // makes no difference.
   const std::int64_t lift_fx = (world.max_lift_q16() * world.spec().resolution + 255) >> 8;
-  // Rounded up twice, that is 2^23 + 1 at most, which becomes an integer as 2^23 does.
+  // Rounded up twice, so at most 2^23 + 1, which converts to the same integer as 2^23.
   return {static_cast<float>(static_cast<double>(layer.thickness_q16) * world.spec().resolution * kSubvoxels /
                              65536.0),
           static_cast<float>(2.0 * layer.roughness), static_cast<float>(world.highest_fx() + lift_fx)};
@@ -112,7 +113,7 @@ void StrataBuilder::start_layers(const Field& limit_fx) {
   level_.assign(xs_.size(), 0);
   under_.resize(xs_.size());
   find_lines();
-  // In bands all layers' noise is kept, so there must be little of it.
+  // Bands keep all layers' noise, so it must be small.
   bool in_bands = 4 * lines_.size() <= zs_.size() + 2 * 4;
   for (const Layer& layer : layers_) in_bands = in_bands && layer.slow;
   band_depth_ = in_bands ? kBandDepth : zs_.size();
@@ -146,7 +147,7 @@ void StrataBuilder::step_band() {
   } while (keeps_lines_);
 }
 
-/// The plane of a layer, added where it is the next one.
+/// Returns the plane of a layer; adds it if it is the next one.
 std::int32_t* StrataBuilder::plane_of(std::size_t layer) {
   const std::size_t plane = layers_[layer].plane;
   if (plane == planes_->count()) {
@@ -155,7 +156,7 @@ std::int32_t* StrataBuilder::plane_of(std::size_t layer) {
   return planes_->tops()[plane].values.data();
 }
 
-/// To the rows of the band.
+/// Adds `layer_` to the rows of the band.
 void StrataBuilder::add_layer() {
   const std::size_t width = xs_.size();
   const Layer& layer = layers_[layer_];
@@ -185,9 +186,9 @@ void StrataBuilder::add_layer() {
   }
 }
 
-/// Slow layers to the rows of the band, from `layer_` on, as many as surely end under the limit everywhere.
-/// False where those are few: the rest of the band is then built layer by layer, also what would end there
-/// again.
+/// Adds slow layers to the rows of the band, from `layer_` on, as many as surely end under the limit in all
+/// columns. Returns false if they are too few: the rest of the band is then built layer by layer, including
+/// layers that would end under the limit again.
 bool StrataBuilder::add_inside() {
   if (layer_ == 0) room_fx_ = stack_inside({});
   std::size_t count = 0;
@@ -214,7 +215,7 @@ std::int32_t StrataBuilder::stack_inside(std::span<const LinedLayer> layers) {
   return room_fx;
 }
 
-/// The next `count`, in `memory`.
+/// Returns the next `count` layers, in `memory`.
 std::span<const LinedLayer> StrataBuilder::lined_layers(LinedLayer* memory, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     LinesOfLayer& lines = kept_[layer_ + i];
@@ -224,7 +225,7 @@ std::span<const LinedLayer> StrataBuilder::lined_layers(LinedLayer* memory, std:
   return {memory, count};
 }
 
-/// Slow layers to the rows of the band, from `layer_` on: kLayersAtOnce, or as many as fill the band.
+/// Adds slow layers to the rows of the band, from `layer_` on: kLayersAtOnce, or as many as fill the band.
 void StrataBuilder::add_layers() {
   const std::size_t width = xs_.size();
   const std::int32_t* const limit = limit_fx_->values.data();
@@ -259,7 +260,7 @@ LinedLayer StrataBuilder::lined_layer(std::size_t layer, const LinesOfLayer& lin
   return {layers_[layer].shape, lines.noise.data(), lines.rise.data(), top};
 }
 
-/// What `layer_` lies on in row z.
+/// The row z on which `layer_` lies.
 const std::int32_t* StrataBuilder::under(std::size_t z) {
   const std::size_t plane = layers_[layer_].plane;
   const std::size_t row = z * xs_.size();
@@ -292,13 +293,13 @@ RowBetween StrataBuilder::row_between(std::size_t z) const {
   return {rows_[z].north * padded(width), rows_[z].share, z * width};
 }
 
-/// Those that no band has filled: layers are stacked several at once.
+/// Drops the planes that no band has filled: several layers are stacked at once.
 void StrataBuilder::drop_planes() {
   const auto most = std::max_element(planes_of_bands_.begin(), planes_of_bands_.end());
   planes_->keep(most == planes_of_bands_.end() ? 0 : *most);
 }
 
-/// Where a band was full before it came to this plane.
+/// Completes the plane in bands that were full before they came to it.
 void StrataBuilder::fill_plane(std::size_t plane) {
   const std::size_t width = xs_.size();
   for (std::size_t band = 0; band < planes_of_bands_.size(); ++band) {

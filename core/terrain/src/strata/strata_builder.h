@@ -1,5 +1,4 @@
-// The strata of a region (thesis 3.4): layers that stack up from y = 0 and end at a limit. Private to
-// core/terrain.
+// The strata of a region (thesis 3.4): layers that stack up from y = 0 to a limit. Private to core/terrain.
 #pragma once
 
 #include <cstddef>
@@ -19,25 +18,25 @@
 
 namespace talus::terrain {
 
-/// Keeps its memory from region to region. For one thread at a time; the world must outlive it.
+/// Reuses its memory from region to region. Not thread-safe; the world must outlive it.
 class StrataBuilder {
  public:
-  /// Whether planes are built that bound nothing, because all below them reached the limit already.
+  /// `until_full` omits planes that lie completely at the limit, as lower ones have reached it.
   enum class Extent { until_full, all };
 
   StrataBuilder(const World& world, InstructionSet set);
 
-  /// Adds the tops of the strata to `planes`, in subvoxels of level 0: layers of one material as one, all cut
-  /// at `limit_fx`, the last plane equal to it. Columns are all (x, z) of the two lists of base columns.
-  /// Where features deform them they stack up from the lift, and what of them lies under y = 0 is cut as
-  /// well. Needs no other column: no halo.
+  /// Adds the tops of the strata to `planes`, in subvoxels of level 0: adjacent layers of one material as
+  /// one, all cut at `limit_fx`, which the last plane equals. Columns are all (x, z) of the two lists of base
+  /// columns. With deformations the layers stack up from the lift, and are cut at y = 0 too. Reads no other
+  /// columns, so it needs no halo.
   void build(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
              Extent extent, Planes& planes) {
     start(xs, zs, limit_fx, extent, planes);
     while (pending()) step();
   }
-  /// The same in pieces, a layer of a band of rows, all layers of a narrow one, or a deformation each; all
-  /// that is passed must live until pending() is false.
+  /// build() in pieces: a layer of a band of rows, all layers of a narrow band, or a deformation each. All
+  /// arguments must live until pending() is false.
   void start(std::span<const std::int64_t> xs, std::span<const std::int64_t> zs, const Field& limit_fx,
              Extent extent, Planes& planes);
   [[nodiscard]] bool pending() const { return pending_; }
@@ -46,15 +45,15 @@ class StrataBuilder {
 
  private:
   struct Layer {
-    std::size_t plane = 0;  // layers of one material that follow each other are one
+    std::size_t plane = 0;  // adjacent layers of one material share one
     Fbm noise;
     LayerShape shape;
-    bool slow = false;  // its noise is drawn at some rows, and interpolated
+    bool slow = false;  // true if its noise is drawn at some rows and interpolated
   };
-  /// A row's place among the lines at which slow noise is drawn.
+  /// A row's position among the lines at which slow noise is drawn.
   struct BetweenLines {
     std::size_t north = 0;
-    float share = 0;  // of the way to the next; 0: on the line
+    float share = 0;  // distance to the line as a share of the step to the next; 0: on the line
   };
   /// A slow layer's noise at all lines.
   struct LinesOfLayer {
@@ -76,11 +75,11 @@ class StrataBuilder {
   [[nodiscard]] LinedLayer lined_layer(std::size_t layer, const LinesOfLayer& lines, std::int32_t* top) const;
   [[nodiscard]] const std::int32_t* under(std::size_t z);
   [[nodiscard]] std::uint8_t* open_of(std::size_t z);
-  /// Puts `layer_` on row z. Whether a column of it has not reached the limit.
+  /// Stacks `layer_` on row z. Returns true if a column has not reached the limit.
   bool stack_row(std::size_t z, std::int32_t* top);
-  /// The same of slow layers, as StrataKernels::stack_between does.
+  /// Stacks slow layers on row z; returns StrataKernels::stack_between's result.
   std::size_t stack_between(std::size_t z, std::span<const LinedLayer> layers);
-  /// To all rows of the band, as StrataKernels::stack_inside does.
+  /// Stacks layers on all rows of the band, as StrataKernels::stack_inside does.
   std::int32_t stack_inside(std::span<const LinedLayer> layers);
   [[nodiscard]] RowBetween row_between(std::size_t z) const;
   void drop_planes();
@@ -92,32 +91,32 @@ class StrataBuilder {
   bool pending_ = false;
   std::span<const std::int64_t> xs_;
   std::span<const std::int64_t> zs_;
-  const Field* limit_fx_ = nullptr;  // of the layers
+  const Field* limit_fx_ = nullptr;  // the layers' limit
   Extent extent_ = Extent::all;
   Planes* planes_ = nullptr;
-  std::size_t deformation_ = 0;  // whose turn it is
-  std::size_t band_ = 0;         // its first row: all its layers are stacked before the next rows
+  std::size_t deformation_ = 0;  // next deformation
+  std::size_t band_ = 0;         // first row of the band; all its layers are stacked before the next band
   std::size_t band_end_ = 0;
   std::size_t band_depth_ = 0;
   std::size_t layer_ = 0;
-  bool near_limit_ = false;   // the next layers may be cut there
-  std::int32_t room_fx_ = 0;  // from what is stacked to the limit, where it is least; while not near
-  bool full_ = false;         // every column of the band has reached the limit
-  std::vector<std::size_t> planes_of_bands_;  // how many each has filled
-  std::size_t filled_ = 0;                    // planes that have all their rows
-  Field lift_;                                // of the strata by all deformations
-  Field reach_;                               // of the strata above that: the limit less the lift
+  bool near_limit_ = false;   // true if the limit may cut the next layers
+  std::int32_t room_fx_ = 0;  // minimum distance from the stacked layers to the limit; valid if !near_limit_
+  bool full_ = false;         // true if all columns of the band have reached the limit
+  std::vector<std::size_t> planes_of_bands_;  // number of planes that each band has filled
+  std::size_t filled_ = 0;                    // planes whose rows are all filled
+  Field lift_;                                // sum of all deformations
+  Field reach_;                               // the limit minus the lift
   FbmRows noise_;
-  std::vector<Layer> layers_;  // of the world
+  std::vector<Layer> layers_;  // all layers of the world
   std::vector<std::int64_t> lines_;
   std::vector<BetweenLines> rows_;
   bool keeps_lines_ = false;
-  std::vector<LinesOfLayer> kept_;  // of all layers, or of the one whose turn it is
+  std::vector<LinesOfLayer> kept_;  // for all layers, or for the current one
   const StrataKernels& kernels_;
-  std::vector<std::uint8_t> open_rows_;      // 1 where a row has not reached the limit everywhere
-  std::vector<std::uint8_t> open_segments_;  // and where kSegment columns of it have not
+  std::vector<std::uint8_t> open_rows_;      // 1 if a column of the row has not reached the limit
+  std::vector<std::uint8_t> open_segments_;  // the same for kSegment columns of a row
   std::vector<std::int32_t> level_;          // a row of zeros, on which the first layer lies
-  std::vector<std::int32_t> under_;          // a row of what a layer lies on where that is its own plane
+  std::vector<std::int32_t> under_;  // a copy of the row that a layer lies on if that is in its own plane
 };
 
 }  // namespace talus::terrain

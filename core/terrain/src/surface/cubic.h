@@ -1,4 +1,4 @@
-// Catmull-Rom's cubic in integers.
+// The Catmull-Rom cubic in integers.
 #pragma once
 
 #include <array>
@@ -6,20 +6,20 @@
 
 namespace talus::terrain {
 
-/// A place between two samples is an integer of 2^-20.
+/// A position between two samples is an integer of 2^-20.
 inline constexpr int kPlaceBits = 20;
-/// Weights are integers of 2^-19: two of them, 1.25 at most in absolute sum, and a height below 2^23 make a
-/// product below 2^63.
+/// Weights are integers of 2^-19: the product of two of them, each at most 1.25 in absolute sum, and a height
+/// below 2^23 is below 2^63.
 inline constexpr int kCubicBits = 19;
 inline constexpr std::int64_t kCubicOne = std::int64_t{1} << kCubicBits;
 
-/// What the samples at -1, 0, 1 and 2 weigh at t / 2^20 between samples 0 and 1, 0 <= t < 2^20. They sum to
-/// kCubicOne exactly, so that a plateau stays level.
+/// The weights of the samples at -1, 0, 1 and 2 for position t / 2^20 between samples 0 and 1, 0 <= t < 2^20.
+/// They sum to kCubicOne exactly, so that a plateau stays level.
 [[nodiscard]] constexpr std::array<std::int64_t, 4> cubic_weights(std::int64_t t) {
-  const std::int64_t t1 = t << (2 * kPlaceBits);  // all of them in 2^-60
+  const std::int64_t t1 = t << (2 * kPlaceBits);  // t1 to t3 are in 2^-60
   const std::int64_t t2 = (t * t) << kPlaceBits;
   const std::int64_t t3 = t * t * t;
-  // Half of each polynomial, rounded.
+  // Halves each polynomial, rounded.
   const auto weight = [](std::int64_t twice_q60) {
     constexpr int kShift = 3 * kPlaceBits + 1 - kCubicBits;
     return (twice_q60 + (std::int64_t{1} << (kShift - 1))) >> kShift;

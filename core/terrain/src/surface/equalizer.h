@@ -1,5 +1,4 @@
-// Makes a noise uniform, so that an author reads shares of land off a field's values: where a field is below
-// -0.2 lie 40 % of the world.
+// Makes a noise uniform, so that authors read shares of land off a field's values: 40 % lie below -0.2.
 #pragma once
 
 #include "noise/rotated_fbm.h"
@@ -7,7 +6,7 @@
 
 namespace talus::terrain {
 
-/// Of one noise. Its values become uniform in -1 to 1, to 0.005.
+/// Maps the values of one noise to values uniform in -1 to 1, with an error of at most 0.005.
 class Equalizer {
  public:
   explicit Equalizer(const RotatedNoise& noise);

@@ -9,7 +9,7 @@ namespace talus::terrain {
 
 namespace {
 
-// Coarser columns need few around them.
+// Coarser columns need few columns around them.
 constexpr int kCoarsestCached = 1;
 
 }  // namespace
@@ -19,7 +19,7 @@ Ground::Ground(const World& world, InstructionSet set, bool places, std::shared_
   Surface surface = surface_of(world.spec());
   if (!places) surface.places.reset();
   rows_ = make_surface_rows(surface, set);
-  // Other surfaces cost less than looking for them.
+  // Other surfaces cost less than a lookup.
   if (rows_->knows_slopes()) cache_ = std::move(cache);
   if (world.spec().talus) {
     aprons_.emplace(set);
@@ -42,7 +42,7 @@ bool Ground::caches(Lod lod) const {
 
 void Ground::start(const Region& asked) {
   asked_ = asked;
-  // One column more, so that the slope of what is raised is known.
+  // One more column, so that the slope of raised ground is known.
   margin_ = aprons_ ? apron_halo(at_level(apron_numbers_, asked.lod)) + 1 : 0;
   region_ = asked.expanded(margin_);
   knows_slopes_ = coarse() && rows_->knows_slopes();
@@ -76,7 +76,7 @@ GroundTileKey Ground::key_of(int tile_x, int tile_z) const {
   return {known_.x / kGroundTileSide + tile_x, known_.z / kGroundTileSide + tile_z, known_.lod.value()};
 }
 
-// What is not known yet becomes blocks, as wide as they can be and then as deep.
+// Groups unknown tiles into blocks, as wide as possible and then as deep.
 void Ground::look_up_tiles() {
   const int width = known_.width / kGroundTileSide;
   const int depth = known_.depth / kGroundTileSide;
@@ -127,7 +127,7 @@ void Ground::take_tile(int tile_x, int tile_z, const GroundTilePtr& tile) {
   }
 }
 
-// The tiles of a block that begin at row `first` of it.
+// Caches the tiles of a block that begin at its row `first`.
 void Ground::keep_tiles(const Block& block, int first) {
   const int z = block.z + first;
   for (int x = block.x; x < block.x + block.width; x += kGroundTileSide) {
@@ -174,7 +174,7 @@ void Ground::begin(const Block& block) {
   const std::int64_t first = known_.x + block.x;
   xs_.clear();
   if (coarse() && !knows_slopes_) {
-    // Each takes the three base columns and rows around it.
+    // Each coarse column uses the three base columns and rows around it.
     for (int i = 0; i < block.width; ++i) {
       const std::int64_t x = (first + i) * step;
       xs_.insert(xs_.end(), {x - 1, x, x + 1});
@@ -187,7 +187,7 @@ void Ground::begin(const Block& block) {
   if (!knows_slopes_ || !rows_->starts_level(xs_, known_.lod)) rows_->start(xs_);
 }
 
-// Row z of the block; so below.
+// z is a row of the block, also below.
 void Ground::compute_row(const Block& block, int z) {
   const std::int64_t base_z = (known_.z + block.z + z) * (std::int64_t{1} << known_.lod.value());
   std::int32_t* const heights = &known_height_.at(block.x, block.z + z);
@@ -201,7 +201,7 @@ void Ground::compute_row(const Block& block, int z) {
 
 void Ground::compute_row_by_neighbours(const Block& block, int z) {
   const std::int64_t base_z = (known_.z + block.z + z) * (std::int64_t{1} << known_.lod.value());
-  // The middle row last, as places ask for what it was made of.
+  // The middle row last, because quantities() refers to the last row.
   for (const int row : {0, 2, 1}) rows_->row(base_z + row - 1, around_.row(row).data());
   kernels_.slope(around_.row(0).data(), around_.row(1).data(), around_.row(2).data(), slopes_.size(),
                  slopes_.data());
@@ -212,7 +212,7 @@ void Ground::compute_row_by_neighbours(const Block& block, int z) {
   set_places(block, z, 1, 3);
 }
 
-// Of the row that `rows_` has computed last: all of a block of tiles, or what is asked for.
+// Sets places for the last row of `rows_`: the whole row of a block of tiles, or the requested columns.
 void Ground::set_places(const Block& block, int z, std::size_t first, std::size_t step) {
   if (!places_) return;
   const auto asked_x = static_cast<int>(asked_.x - known_.x);
@@ -262,7 +262,7 @@ void Ground::raise_aprons() {
     }
     return;
   }
-  // Base columns beside a coarse one have no apron of their own: it lies at its angle of repose.
+  // Base columns next to a coarse one have no apron of their own: an apron's slope is its angle of repose.
   slope_.crop_into(margin_, raised_slope_);
   for (int z = 0; z < asked_.depth; ++z) {
     const std::int32_t* const bare = height_.row(z + margin_).data() + margin_;

@@ -17,11 +17,11 @@
 
 namespace talus::terrain {
 
-/// Keeps its memory from region to region. For one thread at a time.
+/// Reuses its memory from region to region; not thread-safe.
 class Ground {
  public:
-  /// `places`: whether looks and shares are wanted, too, where the world has any. `cache`: where ground of
-  /// the world is looked for, and kept, where that pays; or null. REQUIRES places where there is a cache.
+  /// `places`: true to compute looks and shares too, if the world has any. `cache`: finds and keeps ground of
+  /// the world when that pays; or null. REQUIRES `places` if there is a cache.
   Ground(const World& world, InstructionSet set, bool places = true,
          std::shared_ptr<GroundCache> cache = nullptr);
 
@@ -29,24 +29,23 @@ class Ground {
     start(region);
     while (pending()) compute_rows(region.depth);
   }
-  /// The same in pieces.
+  /// compute() in pieces.
   void start(const Region& region);
   [[nodiscard]] bool pending() const { return pending_; }
   /// REQUIRES pending() and count > 0.
   void compute_rows(int count);
 
-  /// With its aprons, where the world has them.
+  /// The height with aprons, if the world has them.
   [[nodiscard]] const Field& height() const { return aprons_ ? raised_ : height_; }
-  /// Without, over the region and bare_ring() columns around it.
+  /// The height without aprons, over the region and bare_ring() columns around it.
   [[nodiscard]] const Field& bare() const { return height_; }
   [[nodiscard]] int bare_ring() const { return margin_; }
   [[nodiscard]] const Field& slope() const { return aprons_ ? raised_slope_ : slope_; }
-  /// One for each LookRules and each ShareRule of the world; none where they are not wanted.
-  /// A share that is 0 all over the region is empty, and so is one that no loose material asks for: places()
-  /// has it.
+  /// One for each LookRules and ShareRule of the world; empty without `places`. A share is empty if it is 0
+  /// in the whole region, or if no loose material uses it: use places() then.
   [[nodiscard]] std::span<const LookField> looks() const { return places_ ? places_->looks() : kNoLooks; }
   [[nodiscard]] std::span<const Field> shares() const { return places_ ? places_->shares() : kNoShares; }
-  /// Or null where they are not wanted.
+  /// Null without `places`.
   [[nodiscard]] const PlaceFields* places() const { return places_ ? &*places_ : nullptr; }
 
  private:
@@ -78,28 +77,28 @@ class Ground {
   const ColumnKernels& kernels_;
   std::shared_ptr<GroundCache> cache_;
   Region asked_;
-  Region region_;              // with what aprons need around it
-  Region known_;               // with a column more for slopes, or made of whole tiles
-  bool knows_slopes_ = false;  // the surface does, at this coarse level
-  bool tiled_ = false;         // `known_` is of tiles, and the cache is asked
+  Region region_;              // with the halo of the aprons
+  Region known_;               // with one more column for slopes, or extended to whole tiles
+  bool knows_slopes_ = false;  // true if the surface computes slopes at this coarse level
+  bool tiled_ = false;         // true if `known_` consists of tiles and the cache is used
   bool pending_ = false;
   std::vector<Block> blocks_;  // to compute
-  std::size_t block_ = 0;      // whose turn it is
-  int next_ = 0;               // row of it
+  std::size_t block_ = 0;      // current block
+  int next_ = 0;               // next row of it
   std::vector<GroundTileKey> keys_;
   std::vector<GroundTilePtr> found_;
   std::vector<std::int64_t> xs_;
   Field known_height_;
   Field known_slope_;
-  Field around_;  // three rows, of base columns beside coarse ones
+  Field around_;  // three rows of the base columns around coarse ones
   std::vector<std::int32_t> slopes_;
   Field height_;
   Field slope_;
   std::optional<PlaceFields> places_;
-  std::optional<PlaceFields> places_of_block_;  // of a row of its tiles
+  std::optional<PlaceFields> places_of_block_;  // looks and shares of a row of the block's tiles
   std::optional<Aprons> aprons_;
-  ApronNumbers apron_numbers_;  // of level 0
-  int margin_ = 0;              // columns around the region that aprons are made from
+  ApronNumbers apron_numbers_;  // at level 0
+  int margin_ = 0;              // halo of the aprons around the region
   Field raised_, raised_slope_, cliff_, with_ring_;
   std::vector<const float*> quantities_;
 };

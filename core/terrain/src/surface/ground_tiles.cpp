@@ -7,7 +7,7 @@
 namespace talus::terrain {
 
 std::size_t GroundTile::bytes() const {
-  constexpr std::size_t kOverhead = 192;  // of its places in list and table
+  constexpr std::size_t kOverhead = 192;  // its entries in list and table
   std::size_t bytes = sizeof(GroundTile) + kOverhead + slopes_fx.size() * sizeof(Columns<std::int32_t>);
   const auto add = [&](const auto& all) {
     for (const auto& values : all) bytes += sizeof(values) + (values.each ? sizeof(*values.each) : 0);
@@ -32,7 +32,7 @@ void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTile
     }
     Entry& entry = *known->second;
     found[i] = entry.tile;
-    // Its neighbours in the list are seldom in a near cache.
+    // Moving it would touch its neighbours in the list, which are seldom in a near cache.
     if (puts_ - entry.moved <= entries_.size() / 4) continue;
     entry.moved = puts_;
     entries_.splice(entries_.begin(), entries_, known->second);
@@ -41,7 +41,7 @@ void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTile
 
 void GroundTiles::put(const GroundTileKey& key, GroundTilePtr tile) {
   const Guard guard{lock_.get()};
-  if (by_key_.contains(key)) return;  // another thread was first, with the same
+  if (by_key_.contains(key)) return;  // another thread was first, with the same tile
   const std::size_t bytes = tile->bytes();
   entries_.push_front({key, std::move(tile), ++puts_});
   try {

@@ -1,4 +1,4 @@
-// What a GroundCache holds. Private to core/terrain.
+// The contents of a GroundCache. Private to core/terrain.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@
 
 namespace talus::terrain {
 
-/// Columns along an edge: few, so that little is computed that nobody asked for.
+/// Columns along an edge: few, so that little unused ground is computed.
 inline constexpr int kGroundTileSide = 32;
 inline constexpr std::size_t kGroundTileColumns = kGroundTileSide * kGroundTileSide;
 
-/// Counted in tiles of a level.
+/// In tiles of a level.
 struct GroundTileKey {
   std::int64_t x = 0;
   std::int64_t z = 0;
@@ -29,12 +29,12 @@ struct GroundTileKey {
   bool operator==(const GroundTileKey&) const = default;
 };
 
-/// The ground of a tile before aprons, z slowest, then x. Immutable once it is shared.
+/// The ground of a tile before aprons, z slowest, then x. Immutable once shared.
 struct GroundTile {
   template <class Value>
   using Columns = std::array<Value, kGroundTileColumns>;
 
-  /// Most tiles have one value all over.
+  /// Most tiles have one value throughout.
   template <class Value>
   struct Values {
     Value all{};
@@ -42,15 +42,15 @@ struct GroundTile {
   };
 
   Columns<std::int32_t> heights_fx;
-  std::vector<Columns<std::int32_t>> slopes_fx;  // one, of levels whose slope the surface knows by itself
+  std::vector<Columns<std::int32_t>> slopes_fx;  // one if the surface computes the level's slopes, else empty
   std::vector<Values<std::uint8_t>> looks;       // by LookRules
-  std::vector<Values<std::uint16_t>> shares;     // by ShareRule: before slope and cliff take their part
+  std::vector<Values<std::uint16_t>> shares;     // by ShareRule: before the ramps of slope and cliff
 
   [[nodiscard]] std::size_t bytes() const;
 };
 using GroundTilePtr = std::shared_ptr<const GroundTile>;
 
-/// `count` values, most often a whole row of a tile, whose length the compiler knows.
+/// Copies `count` values. Mostly a whole row of a tile, for which the length is a constant.
 template <class Value>
 void copy_tile_row(const Value* from, int count, Value* to) {
   if (count == kGroundTileSide) {
@@ -98,7 +98,7 @@ struct GroundTiles {
   const std::unique_ptr<GroundLock> lock_;
   std::size_t bytes_ = 0;
   std::uint64_t puts_ = 0;
-  std::list<Entry> entries_;  // the one used last first, but for those used again among the last quarter
+  std::list<Entry> entries_;  // most recently used first; reuse within the first quarter does not move them
   std::unordered_map<GroundTileKey, std::list<Entry>::iterator, Hash> by_key_;
 };
 

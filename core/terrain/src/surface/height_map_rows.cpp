@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kVoxelBits = 16;
 
-// 0 to 2^16 -> 0 to 2^24, level at both ends: 3 s^2 - 2 s^3.
+// Maps 0 to 2^16 to 0 to 2^24, level at both ends: 3 s^2 - 2 s^3.
 std::int64_t smooth(std::int64_t s) {
   return (s * s * (3 * 65536 - 2 * s)) >> 24;
 }
@@ -28,7 +28,7 @@ std::int32_t HeightMapRows::sample_of(std::int64_t index, int samples) const {
   if (map_.outside == Outside::repeat) {
     return static_cast<std::int32_t>(floor_mod(index, std::int64_t{samples}));
   }
-  // There and back again; the samples at the edges count once.
+  // Mirrored back and forth; the samples at the edges count once.
   const std::int64_t turn = floor_mod(index, 2 * (std::int64_t{samples} - 1));
   return static_cast<std::int32_t>(turn < samples ? turn : 2 * (std::int64_t{samples} - 1) - turn);
 }
@@ -98,7 +98,7 @@ void HeightMapRows::map_row(std::int64_t z, std::int32_t* heights_fx) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const std::int64_t sum = taps.weight[0] * values[0][i] + taps.weight[1] * values[1][i] +
                              taps.weight[2] * values[2][i] + taps.weight[3] * values[3][i];
-    // A cubic swings past its samples beside a cliff.
+    // A cubic overshoots its samples next to a cliff.
     heights_fx[i] = static_cast<std::int32_t>(
         std::clamp<std::int64_t>((sum + kHalf) >> (2 * kCubicBits), 0, highest_fx_));
   }

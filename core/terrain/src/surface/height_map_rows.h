@@ -1,4 +1,4 @@
-// A height map as a surface: cubic between its samples, in integers, and a rule for what lies outside.
+// A height map as a surface: cubic between its samples, in integers, with a rule for the land outside.
 #pragma once
 
 #include <array>
@@ -10,13 +10,12 @@
 
 namespace talus::terrain {
 
-/// Outside of its samples the map is mirrored at its edge for good, or begins anew one spacing past its last
-/// sample (`repeat`), or all its samples are 0 (`sea`).
-/// `blend` has another surface there, to which the map gives way over a margin within its edge: past the edge
-/// it knows nothing, and a mirror shows.
+/// Outside of its samples the map is mirrored at its edges without end, or repeats one spacing past its last
+/// sample (`repeat`), or all samples are 0 (`sea`). With `blend` another surface lies there, to which the map
+/// gives way over a margin within its edge.
 class HeightMapRows final : public SurfaceRows {
  public:
-  /// `around` is there where surface.map.outside is `blend`, and only there.
+  /// `around` must be given if and only if surface.map.outside is `blend`.
   HeightMapRows(const Surface& surface, std::unique_ptr<SurfaceRows> around);
 
   void start(std::span<const std::int64_t> xs) override;
@@ -26,10 +25,10 @@ class HeightMapRows final : public SurfaceRows {
   static constexpr std::int32_t kNoSample = -1;
   static constexpr std::int64_t kAllMap = std::int64_t{1} << 24;
 
-  /// The four samples around a position along one axis and what each of them weighs.
+  /// The four samples around a position along one axis, and their weights.
   struct Taps {
     std::int64_t first = 0;
-    std::array<std::int32_t, 4> sample;  // of the map, or kNoSample
+    std::array<std::int32_t, 4> sample;  // index in the map, or kNoSample
     std::array<std::int64_t, 4> weight;
   };
   /// The map along one of its rows of samples, at the columns: exact, in 2^-19 subvoxel.
@@ -52,10 +51,10 @@ class HeightMapRows final : public SurfaceRows {
   std::int32_t highest_fx_;
   std::unique_ptr<SurfaceRows> around_;
   std::vector<Taps> columns_;
-  std::vector<std::int64_t> shares_;  // of the map along x, 0 to kAllMap; where there is an `around`
+  std::vector<std::int64_t> shares_;  // share of the map along x, 0 to kAllMap; only with `around`
   std::int64_t least_share_ = 0;
   std::int64_t most_share_ = 0;
-  std::array<Line, 4> lines_;  // of four rows of samples that follow each other, at their number modulo 4
+  std::array<Line, 4> lines_;  // four consecutive rows of samples, each at its index modulo 4
   std::vector<std::int32_t> of_map_;
 };
 

@@ -1,5 +1,5 @@
 // Ridged multifractal noise (Musgrave, in Ebert et al., Texturing and Modeling, 2003, ch. 16) as a surface:
-// sharp crests where the noise passes zero, smooth ground in the valleys between them.
+// sharp crests at the zeros of the noise, smooth ground in the valleys between them.
 #pragma once
 
 #include <talus/vectors/aligned.h>
@@ -12,7 +12,7 @@ namespace talus::terrain {
 
 /// With n_k the noise of octave k, between -1 and 1:
 ///   s_0 = (1 - |n_0|)^2,   s_k = (1 - |n_k|)^2 * min(feedback * s_(k-1), 1)
-/// and the sum of 2^-k s_k, normalised over all octaves of the spec and less 1/2, takes fBm's place.
+/// The sum of 2^-k s_k, normalised over all octaves of the spec and less 1/2, replaces fBm.
 class RidgedRows final : public SurfaceRows {
  public:
   RidgedRows(const Surface& surface, InstructionSet set);
@@ -25,7 +25,7 @@ class RidgedRows final : public SurfaceRows {
   FbmRows noise_;
   const NoiseKernels* shape_;
   const RidgeKernels* ridges_;
-  AlignedVector<float> weights_;  // an octave
+  AlignedVector<float> weights_;  // one per octave
   AlignedVector<float> sums_;     // padded
   std::size_t width_ = 0;
 };

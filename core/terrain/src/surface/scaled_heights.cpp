@@ -25,10 +25,10 @@ std::optional<std::string> wrong_shape(const HeightMap& map, std::size_t samples
   return std::nullopt;
 }
 
-// So that what a sample is scaled by is finite.
+// Keeps the factor of samples finite.
 constexpr double kLeastRange = 1e-290;
 
-// One written-out order in double: the same integers everywhere.
+// Operations in double in one fixed order give the same integers on every machine.
 template <class Sample>
 void scale(const std::vector<Sample>& samples, double low, double high, std::int32_t highest_fx,
            Field& heights) {

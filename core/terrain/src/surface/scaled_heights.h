@@ -1,4 +1,4 @@
-// The samples of a height map as heights. Private to core/terrain.
+// Conversion of a height map's samples to heights. Private to core/terrain.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace talus::terrain {
 
-/// Why samples are no heights.
+/// The reason why samples are not valid heights.
 struct HeightsFault {
-  std::string key;   // the spec's that is to blame: "file", "low" or "high"
+  std::string key;   // the spec's key at fault: "file", "low" or "high"
   std::string what;  // one line
 };
 
-/// The samples as subvoxels: `low` becomes 0, `high` becomes highest_fx, what lies outside is clamped, halves
-/// are rounded up. `low` and `high` that are not set become 0 and 65535 for uint16, else the least and the
-/// greatest sample. `high` lies at least 1e-290 above `low`.
+/// Converts samples to subvoxels: `low` becomes 0, `high` becomes highest_fx, values outside are clamped,
+/// halves are rounded up. If not set, `low` and `high` become 0 and 65535 for uint16, else the minimum and
+/// the maximum sample. `high` must be at least 1e-290 above `low`.
 [[nodiscard]] tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(
     const HeightMap& map, std::int32_t highest_fx, std::optional<double>& low, std::optional<double>& high);
 

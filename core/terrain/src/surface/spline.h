@@ -1,4 +1,4 @@
-// Curves that authors give by their knots.
+// Curves defined by knots.
 #pragma once
 
 #include <span>
@@ -8,17 +8,18 @@
 
 namespace talus::terrain {
 
-/// A cubic through its knots that is monotone between any two of them, and level beyond the outer ones. The
-/// slope at an inner knot is the harmonic mean of the neighbouring chords', 0 where these differ in sign
+/// A cubic through its knots that is monotone between adjacent knots and level beyond the outer ones. The
+/// slope at an inner knot is the harmonic mean of the adjacent chords' slopes, 0 if these differ in sign
 /// (Fritsch and Butland, 1984).
 ///
-/// A sum over segments, each of which has its full height from its end on, so that vectors need no branches:
+/// Evaluated as a sum over segments, each with its full height from its end on, so that vectors need no
+/// branches:
 /// y(v) = y_0 + sum of t (a + t (b + t c)), t = clamp((v - x) / (width), 0, 1).
 class Spline {
  public:
   struct Segment {
     float x = 0;
-    float reciprocal = 0;  // of its width
+    float reciprocal = 0;  // 1 / its width
     float a = 0;
     float b = 0;
     float c = 0;

@@ -14,7 +14,7 @@ namespace {
 
 Warp warp_of(const WorldSpec& spec) {
   const auto noise = [&](std::uint64_t axis) {
-    // Apart from the surface's octaves.
+    // Separated from the seeds of the surface's octaves.
     return Fbm{derived_seed(spec.seed, 0x5741525000000000U + axis),
                rounded(spec.surface.warp_wavelength * spec.resolution), spec.surface.warp_octaves};
   };

@@ -1,4 +1,4 @@
-// Domain-warped fBm as a surface: the noise is read at a place that two other noises displace, so that
+// Domain-warped fBm as a surface: the noise is read at a position displaced by two other noises, so that
 // ridges bend and valleys swirl.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace talus::terrain {
 
 /// H at (x, z) is fBm's at (x + reach * east(x, z), z + reach * south(x, z)). Displacements are rounded to
-/// integers of subvoxels, so that a warped position is as exact at the world's ends as at its origin.
+/// integers of subvoxels, so that warped positions are as exact at the world's ends as at its origin.
 class WarpedRows final : public SurfaceRows {
  public:
   WarpedRows(const Surface& surface, InstructionSet set);

@@ -1,4 +1,4 @@
-// Columns that look otherwise from above than they were generated. Pure.
+// Columns that edits have changed as seen from above.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace talus::map {
 
-/// A column as it is seen. Rows are those of the level.
+/// An edited column as seen from above. Coordinates and rows are in the level's voxels.
 struct EditedTop {
-  std::int64_t x = 0;  // of the level
+  std::int64_t x = 0;
   std::int64_t z = 0;
-  MaterialId material{};       // of the topmost voxel that is neither air nor water
-  std::int32_t row = 0;        // the row over it
-  MaterialId water = kAir;     // over it; kAir: none
-  std::int32_t water_row = 0;  // the row over that
+  MaterialId material{};       // the topmost voxel that is neither air nor water
+  std::int32_t row = 0;        // the row above it
+  MaterialId water = kAir;     // the water above it; kAir: no water
+  std::int32_t water_row = 0;  // the row above the water
 };
 
-/// Any number of threads may ask.
+/// Thread-safe.
 class EditedTops {
  public:
   virtual ~EditedTops() = default;
-  /// What they are of, beyond the world's materials.
+  /// Materials that tops may have in addition to the world's.
   [[nodiscard]] virtual const std::vector<terrain::Material>& materials() const = 0;
   /// Columns of the region that edits changed, as seen from above.
   [[nodiscard]] virtual std::vector<EditedTop> find(const terrain::Region& region) const = 0;

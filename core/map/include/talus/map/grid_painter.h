@@ -1,4 +1,4 @@
-// The world from above and from afar: columns many base columns apart.
+// Paints the world from above and from afar: one pixel per column of a sparse grid.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,26 @@ namespace talus::map {
 class CoverLooks;
 class WaterLight;
 
-/// Where a pixel's colour comes from.
+/// Source of a pixel's colour.
 enum class GridColours : std::uint8_t {
-  /// Where columns lie 16 base columns apart or more and the world has looks, that of the look and of the
-  /// loose
-  /// material of level ground; else the top of the stack in the nearest level of detail, which is generated.
+  /// Uses the colour of the column's look and of the loose material on level ground if columns are at least
+  /// 16 base columns apart and the world has looks. Otherwise generates the stack at the nearest level.
   exact,
-  /// That of the look and of the loose material that lies on ground as steep as the column's. Nothing is
-  /// generated.
+  /// Uses the colour of the column's look and of the loose material that lies on ground as steep as the
+  /// column's. Generates nothing.
   told_by_slope,
 };
 
-/// One pixel a column of a grid. Light falls on the heights of the grid's columns, which stand up the more
-/// the farther they lie apart. Any number of threads may paint.
+/// Paints one pixel per column of a grid. Shading uses the heights of the grid's columns, exaggerated more
+/// the farther apart they are. Any number of threads may paint.
 class GridPainter {
  public:
-  /// Of grids of columns that far apart. The world outlives this.
+  /// Paints grids whose columns are `every` base columns apart. `world` must outlive this.
   GridPainter(const terrain::World& world, std::int64_t every, GridColours colours = GridColours::exact);
   ~GridPainter();
 
-  /// The grid, into the picture from pixel (x, y) on, north (low z) at the top. The image and this outlive
-  /// the painting. REQUIRES that the grid's columns are as far apart as this says.
+  /// Paints the grid into the image from pixel (x, y) on, north (low z) at the top. The image and this must
+  /// outlive the painting. REQUIRES grid.every == every.
   [[nodiscard]] std::unique_ptr<Painting> start(const ColumnGrid& grid, Image& image, int x, int y) const;
 
  private:

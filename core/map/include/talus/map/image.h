@@ -1,4 +1,4 @@
-// Pixels.
+// An RGB image.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace talus::map {
 
-/// RGB, 8 bits a channel, rows from the top. Threads may set different pixels at once.
+/// 8 bits per channel, rows from the top. Different threads may set different pixels concurrently.
 struct Image {
   int width = 0;
   int height = 0;

@@ -1,4 +1,4 @@
-// Drawing in pieces, for a caller who holds a clock and may stop between two of them.
+// Drawing in pieces, for a caller that may pause or stop between two pieces.
 #pragma once
 
 namespace talus::map {
@@ -6,17 +6,17 @@ namespace talus::map {
 class Painting {
  public:
   virtual ~Painting() = default;
-  /// Some milliseconds of work; false when nothing is left. The pixels do not depend on the pieces.
+  /// Does some milliseconds of work; false when nothing is left. The pixels do not depend on the pieces.
   virtual bool step() = 0;
 };
 
-/// Columns around what is painted that decide its light.
+/// Columns around a painted area that affect its light.
 inline constexpr int kReliefRing = 24;
-/// Rows of pixels that a step paints.
+/// Rows of pixels painted per step.
 inline constexpr int kRowsAStep = 16;
 
-/// Mountains seen from afar are flat; a map of a continent lifts them: the factor for heights as light falls
-/// on them, where a pixel stands for a column of so many.
+/// The factor by which heights are scaled for shading if a pixel covers `columns_a_pixel` columns. Without it
+/// mountains seen from afar would look flat.
 [[nodiscard]] float exaggeration(float columns_a_pixel);
 
 }  // namespace talus::map

@@ -1,4 +1,4 @@
-// The world from above, as it is generated or with edits: materials as light falls on them.
+// Paints the world from above, as generated or with edits: materials under the sun's light.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,17 @@ namespace talus::map {
 
 class WaterLight;
 
-/// One pixel a column of a level. A pixel's colour is the mean of the topmost base voxel of its stack, so
-/// thin soil lets the rock shine through; the sea lets its bed shine through where it is shallow. Any number
-/// of threads may paint.
+/// Paints one pixel per column of a level. A pixel's colour is the mean of the topmost base voxel of its
+/// stack, so rock shows through thin soil, and the sea's bed through shallow water. Thread-safe.
 class RegionPainter {
  public:
-  /// `relief`: how much heights count for light. `edits`: null where the land is shown as generated. World
-  /// and edits outlive this.
+  /// `relief`: factor for heights when shading. `edits`: null to paint the land as generated. `world` and
+  /// `edits` must outlive this.
   RegionPainter(const terrain::World& world, Lod lod, float relief = 1, const EditedTops* edits = nullptr);
   ~RegionPainter();
 
-  /// The patch, into the picture from pixel (x, y) on, north (low z) at the top. `generator` is the world's;
-  /// it, the image and this outlive the painting.
+  /// Paints the patch into the image from pixel (x, y) on, north (low z) at the top. `generator` must be of
+  /// the same world; it, the image and this must outlive the painting.
   [[nodiscard]] std::unique_ptr<Painting> start(terrain::Generator& generator, const terrain::Region& patch,
                                                 Image& image, int x, int y) const;
 

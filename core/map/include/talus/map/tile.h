@@ -1,4 +1,4 @@
-// The world as a map of square tiles, as web maps have it. Pure.
+// The world as a map of square tiles, like those of web maps.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace talus::map {
 
-inline constexpr int kTilePixels = 256;  // a side
-inline constexpr int kMaxZoom = 12;      // a base column a pixel; at each zoom below it twice as many a side
+inline constexpr int kTilePixels = 256;  // per side
+inline constexpr int kMaxZoom = 12;      // 1 base column per pixel, 2 at zoom 11, 4 at zoom 10, ...
 
 /// Pixel (0, 0) of tile (x, z) is base column (256 x, 256 z) << (12 - zoom); x goes east and z south.
 struct Tile {
@@ -21,7 +21,7 @@ struct Tile {
   [[nodiscard]] std::int64_t columns_a_pixel() const { return std::int64_t{1} << (kMaxZoom - zoom); }
 };
 
-/// A tile of the world, or one line that says what is wrong.
+/// Returns the tile, or a one-line error if it lies outside the world.
 [[nodiscard]] tl::expected<Tile, std::string> checked_tile(std::int64_t zoom, std::int64_t x, std::int64_t z);
 
 }  // namespace talus::map

@@ -1,4 +1,4 @@
-// Tiles of the map, drawn.
+// Drawing of map tiles.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,17 @@
 
 namespace talus::map {
 
-/// One tile, drawn in pieces. Neighbouring tiles join without a seam, and all zooms have the same light. From
-/// zoom 6 on tiles are drawn from what is generated at that level; below, columns are sampled. `world`
-/// outlives this.
+/// Draws one tile in pieces. Neighbouring tiles join without a seam, and all zooms have the same light. Tiles
+/// of zoom 6 and above are drawn from terrain generated at that level; below, columns are sampled. `world`
+/// must outlive this.
 class TilePainting final : public Painting {
  public:
   TilePainting(const terrain::World& world, const Tile& tile);
   bool step() override;
-  /// Once step() has returned false.
+  /// REQUIRES that step() has returned false.
   [[nodiscard]] Image take() { return std::move(image_); }
 
-  /// Columns with their ring that are in work at once, for budgets of memory.
+  /// Maximum number of columns in work at once, with their ring, for memory budgets.
   static constexpr int kColumnsAtOnce = (128 + 2 * kReliefRing) * (128 + 2 * kReliefRing);
 
  private:

@@ -1,6 +1,5 @@
 // The erosion method (thesis 3.5): loose material moves down until it lies at its angle of repose, and the
-// surface changes with it. Exact: integers throughout, no dependence on the order in which columns are looked
-// at.
+// surface changes with it. Exact: uses only integers, and does not depend on the order of columns.
 #pragma once
 
 #include <algorithm>
@@ -13,61 +12,61 @@
 
 namespace talus::terrain {
 
-/// To which of the columns around it material may move (thesis fig. 15). `all` is the method; the others
-/// halve the comparisons and are here to be compared.
+/// The neighbours to which material may move (thesis fig. 15). `all` is the method; the others halve the
+/// comparisons and exist for comparison.
 enum class Neighbours : std::uint8_t { all, von_neumann, diagonal };
 
-/// Loose material on what does not move. Fields of one size, in subvoxels.
+/// Loose material on an immobile base. All fields have the same size and are in subvoxels.
 struct LooseGround {
   Field base;
-  std::vector<Field> thickness;  // of each material, heaviest first: they lie in this order from the base up
+  std::vector<Field> thickness;  // one field per material, heaviest first: from the base up
 
-  /// The surface: the base and everything on it.
+  /// Returns the base plus all thicknesses.
   [[nodiscard]] Field surface() const;
 };
 
-/// What one loose material needs to know of itself.
+/// Parameters of one loose material.
 struct LooseRules {
-  std::int32_t t_fx = 0;  // how much of it is set loose in each column
-  std::int32_t c_fx =
-      0;  // the largest difference of heights between neighbours at rest; 4 or more (1 degree)
+  std::int32_t t_fx = 0;  // thickness set loose in each column
+  std::int32_t c_fx = 0;  // the largest height difference between neighbours at rest; 4 or more (1 degree)
 };
 
-/// The most that leaves a column in one step: c / 8, and at least 1. With it the sum of squared heights falls
-/// by at least what has moved (docs/DESIGN.md, "Erosion method"), so that a material alone comes to rest.
+/// Maximum amount that leaves a column in one step: c / 8, but at least 1. With this bound the sum of squared
+/// heights falls by at least the amount moved (docs/DESIGN.md, "Erosion method"), so a single material comes
+/// to rest.
 [[nodiscard]] constexpr std::int32_t erosion_step_fx(std::int32_t c_fx) {
   return std::max(1, c_fx / 8);
 }
 
-/// Turns the top of each stack into loose material and orders it (thesis fig. 10). `rules` heaviest first. A
-/// column too low for all of it lacks the lowest. `most`, where it is not empty: the thickness of each
-/// material at each column instead of its rule's; an empty field stands for that.
+/// Turns the top of each stack into loose material and orders it (thesis fig. 10). `rules` are heaviest
+/// first. If a column is too low for all materials, the lowest are missing. `most`, if not empty, gives each
+/// material's thickness at each column instead of its rule's; an empty field in it means the rule's.
 void set_loose(const Field& surface, std::span<const LooseRules> rules, std::span<const Field> most,
                LooseGround& ground);
 inline void set_loose(const Field& surface, std::span<const LooseRules> rules, LooseGround& ground) {
   set_loose(surface, rules, {}, ground);
 }
 
-/// Moves material step by step. Keeps its memory; for one thread at a time.
+/// Moves material step by step. Reuses its memory; not thread-safe.
 class Eroder {
  public:
   explicit Eroder(Neighbours neighbours = Neighbours::all);
 
-  /// One step of every material, all columns at once from the state before it. Nothing leaves the fields:
-  /// beyond their edges lies nothing to move to. After a step, columns less than two from an edge are
-  /// affected; see `rest` for maps that end there, and generate() in generator.h for land that does not. True
-  /// where something moved.
+  /// Does one step of every material; all columns read the state before the step. Nothing leaves the fields:
+  /// material cannot move past their edges. After a step, columns less than two from an edge are affected;
+  /// use `rest` for maps that end at the edges, and generate() in generator.h for land that does not. Returns
+  /// true if anything moved.
   bool step(std::span<const LooseRules> rules, LooseGround& ground);
-  /// A step in pieces: see_surface() of every material from the heaviest, then step_material() of every one,
-  /// in any order.
+  /// A step in pieces: call see_surface() for every material from the heaviest, then step_material() for
+  /// every material, in any order.
   void see_surface(std::size_t material, const LooseGround& ground);
   bool step_material(std::size_t material, const LooseRules& rules, LooseGround& ground);
 
-  /// A map that ends at its edges: the heaviest material to rest, then the next upon it, and so on. How many
-  /// steps it took in all.
+  /// For a map that ends at its edges: brings the heaviest material to rest, then the next on top of it, and
+  /// so on. Returns the total number of steps.
   std::int64_t rest(std::span<const LooseRules> rules, LooseGround& ground);
 
-  /// With a step of the caller's, for the test of what a larger one does.
+  /// One step of one material with a given `step_fx`; for the test of larger steps.
   bool move(const Field& surface, std::int32_t c_fx, std::int32_t step_fx, Field& thickness);
 
  private:
@@ -76,11 +75,11 @@ class Eroder {
     int z = 0;
   };
 
-  /// Of each column of row z and its eight neighbours, into lowest_: most columns lie still, and this finds
-  /// them fast.
+  /// Writes the minimum over each column of row z and its eight neighbours into lowest_: a fast test, as most
+  /// columns are at rest.
   void find_lowest_around(const Field& surface, int z);
 
-  /// What column (x, z) gives to its neighbours, into change_. True where it gives anything.
+  /// Adds to change_ the amounts that column (x, z) gives to its neighbours. Returns true if it gives any.
   bool give(const Field& surface, std::int32_t c_fx, std::int32_t max_given, int x, int z);
 
   std::vector<Reach> reaches_;

@@ -1,4 +1,4 @@
-// From stacks to voxels (thesis 3.7), and which chunks are uniform. Pure; any thread may call.
+// From stacks to voxels (thesis 3.7), and the chunks that are uniform. Pure; thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -13,55 +13,55 @@
 
 namespace talus::terrain {
 
-/// The chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted). It
-/// is made in the memory of `memory`, whatever that holds: with that of chunks before (Chunk::take_layers)
-/// only what is missing is allocated, and more where features change voxels or the boundary view cannot hold
-/// all layers.
+/// Returns chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
+/// Reuses `memory`, whatever it holds: with the layers of an earlier chunk (Chunk::take_layers) only the
+/// difference is allocated, and more if features change voxels or the boundary view cannot hold all layers.
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord,
                                   Layers memory = {});
 
-/// Ground of a level under this has water over it whatever its row: where level 0 has water the topmost voxel
-/// of a coarse level is water, or few rivers would be left. In subvoxels of the level.
+/// Ground of a level below this height has water over it, whatever its row: if level 0 has water, the topmost
+/// voxel of a coarse level is water; otherwise few rivers would be left. In subvoxels of the level.
 [[nodiscard]] std::int32_t wet_fx(const World& world, Lod lod);
 
-/// What features put at the top of each column's rock, or into the floor of a cave that is open to the sky,
-/// such as ore; kAir where they put nothing. z slowest, then x. It shows where no loose material lies.
+/// Returns, for each column, the material that features put at the top of the rock, or into the floor of a
+/// cave that is open to the sky, such as ore; kAir if there is no such material. z slowest, then x. Visible
+/// only without loose material on it.
 [[nodiscard]] std::vector<MaterialId> exposed_overlays(const World& world, const Stacks& stacks);
 
-/// What objects show from above: of each column of the stacks the material of their topmost voxel, kAir where
-/// there is none, and the row at which it ends. z slowest, then x.
+/// Objects seen from above: for each column of the stacks the material of their topmost voxel, kAir if there
+/// is no object, and the row at which that voxel ends. z slowest, then x.
 struct ObjectTops {
   std::vector<MaterialId> materials;
   std::vector<std::int32_t> rows;
 };
 [[nodiscard]] ObjectTops object_tops(const World& world, const Stacks& stacks);
 
-/// Chunk rows [first, last] outside which every chunk over these 32 x 32 columns is uniform: `below` under
-/// them, air above.
+/// Outside chunk rows [first, last], every chunk over these 32 x 32 columns is uniform: `below` under them,
+/// air above.
 struct MixedRange {
   std::int32_t first = 0;
-  std::int32_t last = 0;  // first - 1 where no chunk is mixed
+  std::int32_t last = 0;  // first - 1 if all chunks are uniform
   MaterialId below{};
 };
 [[nodiscard]] MixedRange mixed_range(const World& world, const Stacks& stacks, std::int32_t chunk_x,
                                      std::int32_t chunk_z);
 
-/// The same for every column of a level, whatever the surface does. Costs nothing.
+/// The range that holds for every column of a level, whatever the surface. Cheap: reads no columns.
 [[nodiscard]] MixedRange mixed_range(const World& world, Lod lod);
 
-/// The material of a chunk that is uniform whatever the surface does: all below the lowest or above the
-/// highest that this world can have. Costs nothing.
+/// Returns the material of a chunk that is uniform whatever the surface: below the lowest or above the
+/// highest that this world can have. Cheap: reads no columns.
 [[nodiscard]] std::optional<MaterialId> uniform_everywhere(const World& world, ChunkKey key);
 
-/// The row of voxels of a level at and above which all is air.
+/// Returns the voxel row of a level at and above which everything is air.
 [[nodiscard]] std::int64_t highest_row(const World& world, Lod lod);
 
-/// Rows of base voxels between which everything but plain rock and air lies, at every level: below `low` all
-/// is the first layer's material, at and above `high` all is air.
+/// The rows of base voxels that hold everything but plain rock and air, over all levels: below `low`
+/// everything is the first layer's material, at and above `high` everything is air.
 using talus::HeightRange;
 [[nodiscard]] HeightRange height_range(const World& world);
 
-/// One chunk alone, from scratch.
+/// Generates one chunk from scratch.
 [[nodiscard]] Chunk generate_chunk(const World& world, ChunkKey key);
 
 }  // namespace talus::terrain

@@ -11,7 +11,7 @@
 
 namespace talus::terrain {
 
-/// Columns x to x + width - 1 and z to z + depth - 1, counted at `lod`.
+/// Columns x to x + width - 1 and z to z + depth - 1, in columns of `lod`.
 struct Region {
   std::int64_t x = 0;
   std::int64_t z = 0;
@@ -29,7 +29,7 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
-/// One value a column, z slowest, then x: values[z * width + x].
+/// One value per column, z slowest, then x: values[z * width + x].
 template <class Value>
 struct BasicField {
   using Values = std::vector<Value, UnsetAllocator<Value>>;
@@ -44,7 +44,7 @@ struct BasicField {
         depth{depth_},
         values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_), Value{}) {}
 
-  /// Changes the size and keeps the memory; the values are unspecified.
+  /// Changes the size; values become unspecified. Keeps the allocation.
   void reshape(int width_, int depth_) {
     width = width_;
     depth = depth_;
@@ -61,7 +61,7 @@ struct BasicField {
   }
   /// The field without its outermost `ring` columns on every side.
   [[nodiscard]] BasicField cropped(int ring) const;
-  /// The same into `inside`, whose memory is kept.
+  /// Copies the cropped field into `inside`, reusing its memory.
   void crop_into(int ring, BasicField& inside) const;
 
  private:
@@ -72,7 +72,7 @@ struct BasicField {
 
 /// Heights, slopes, thicknesses.
 using Field = BasicField<std::int32_t>;
-/// Looks: places_spec.h.
+/// Look numbers; see places_spec.h.
 using LookField = BasicField<std::uint8_t>;
 
 }  // namespace talus::terrain

@@ -1,4 +1,4 @@
-// Ground that was computed for one region and that regions around it need, too.
+// Ground computed for one region that neighbouring regions also need.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace talus::terrain {
 
 struct GroundTiles;
 
-/// How threads that share a cache wait for each other: core/terrain knows none.
+/// The lock of a shared cache. An interface because core/terrain uses no threads.
 class GroundLock {
  public:
   virtual ~GroundLock() = default;
@@ -17,11 +17,11 @@ class GroundLock {
 };
 
 /// Heights, looks and shares of tiles of 32 x 32 columns, for generators of one world. A patch of the default
-/// world looks at more columns around it than it has, which are the ground of the patches beside it: with a
-/// cache each column is computed once. Results do not depend on it. Threads may share it where it has a lock.
+/// world reads more columns around it than it has, which are the ground of neighbouring patches: with a cache
+/// each column is computed once. Results do not depend on it. Threads may share a cache that has a lock.
 class GroundCache {
  public:
-  /// Keeps the tiles that were used last, of about `max_bytes`.
+  /// Keeps the most recently used tiles, about `max_bytes` in all.
   explicit GroundCache(std::size_t max_bytes, std::unique_ptr<GroundLock> lock = nullptr);
   ~GroundCache();
 

@@ -1,4 +1,4 @@
-// A finite grid of heights from a file. Reading files is the business of programs.
+// A finite grid of heights from a file. The core does not read files; programs do.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace talus::terrain {
 
-/// The longest side and the most samples of a height map: 256 MiB of heights.
+/// Maximum side and number of samples of a height map: 256 MiB of heights.
 inline constexpr int kMaxHeightMapSide = 32768;
 inline constexpr std::size_t kMaxHeightMapSamples = std::size_t{1} << 26;
 
-/// Samples in the numbers and the type of the file, z slowest, then x: samples[z * width + x].
+/// Samples in the file's units and type, z slowest, then x: samples[z * width + x].
 struct HeightMap {
   int width = 0;  // along x
   int depth = 0;  // along z

@@ -1,4 +1,4 @@
-// The ground of single columns, and a place to stand. Pure; any thread may call.
+// The ground of single columns, and the spawn position. Pure; thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace talus::terrain {
 
-/// The ground of single base columns, in subvoxels: H, or a cave's floor where it is open to the sky. With
-/// the erosion method each tile of 32 x 32 columns that holds a requested column costs a region of its own
-/// with its halo; with caves or talus, the ground around the requested ones.
 struct BaseColumn {
   std::int64_t x = 0;
   std::int64_t z = 0;
 };
+/// Returns the ground of base columns in subvoxels: H, or the floor of a cave that is open to the sky. With
+/// the erosion method each tile of 32 x 32 columns that holds a requested column costs a region with its
+/// halo; with caves or talus it costs the ground around the requested columns.
 [[nodiscard]] std::vector<std::int32_t> surface_heights(const World& world,
                                                         std::span<const BaseColumn> columns);
 
-/// surface_heights() in pieces, for a caller who holds a clock and may stop between two of them, or give up.
-/// The world must outlive it. For one thread at a time.
+/// surface_heights() in pieces, for a caller that may pause or stop between two pieces. The world must
+/// outlive it. Not thread-safe.
 class HeightsWork {
  public:
   HeightsWork(const World& world, std::vector<BaseColumn> columns);
@@ -31,11 +31,11 @@ class HeightsWork {
   HeightsWork(HeightsWork&&) noexcept;
   HeightsWork& operator=(HeightsWork&&) noexcept;
 
-  /// One piece: at most `columns` of the columns, or with the erosion method one of Generator::step(). False
-  /// when nothing is left. REQUIRES columns > 0.
+  /// Does one piece: at most `columns` of the columns, or with the erosion method one Generator::step().
+  /// False when nothing is left. REQUIRES columns > 0.
   bool step(std::size_t columns = kColumnsAPiece);
   static constexpr std::size_t kColumnsAPiece = 256;
-  /// One a column, in their order, once step() has returned false.
+  /// Returns one height per column, in order. REQUIRES that step() has returned false.
   [[nodiscard]] std::vector<std::int32_t> take();
 
  private:
@@ -46,9 +46,9 @@ class HeightsWork {
   std::unique_ptr<Pieces> pieces_;
 };
 
-/// A dry, level place near the origin: the voxel in which feet stand, the first free one above the ground. In
-/// a world of regions the one, some kilometres around, from which there is most to see: summits, water,
-/// trees. Where no ground is dry within reach, on the water. The same world has the same spawn everywhere.
+/// Returns a dry, level place near the origin: the voxel in which feet stand, the first free one above the
+/// ground. In a world of regions it is the best view within some kilometres: summits, water, trees. If no
+/// ground within reach is dry, it is on the water. The same world has the same spawn on every machine.
 [[nodiscard]] VoxelPos find_spawn(const World& world);
 
 }  // namespace talus::terrain

@@ -1,5 +1,5 @@
-// What land of kind "regions" is made of, for programs that measure it: DESIGN.md, "Regions". Pure; the world
-// need not outlive what is made of it.
+// The parts of a surface of kind "regions", for programs that measure it: DESIGN.md, "Regions". Pure; the
+// world need not outlive the objects made from it.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,32 @@
 
 namespace talus::terrain {
 
-/// The parts of heights at base columns, in terrain units over the sea. Keeps its memory from call to call.
-/// For one thread at a time.
+/// Samples the parts of heights at base columns, in terrain units above the sea. Reuses its memory; not
+/// thread-safe.
 class LandPartsSampler {
  public:
-  /// None where the surface is of another kind.
+  /// nullopt if the surface is of another kind.
   [[nodiscard]] static std::optional<LandPartsSampler> make(const World& world);
   ~LandPartsSampler();
   LandPartsSampler(LandPartsSampler&&) noexcept;
   LandPartsSampler& operator=(LandPartsSampler&&) noexcept;
 
-  /// From here on rows are over these ascending base columns.
+  /// The following rows are over these ascending base columns.
   void start(std::span<const std::int64_t> xs);
-  /// The columns (xs[i], z). Rows close to the one before cost least. What follows holds a number for each of
-  /// them until the next call, and nothing before the first.
+  /// Computes the columns (xs[i], z). Cheapest for rows close to the previous one. The spans below hold one
+  /// value per column until the next call; they are empty before the first.
   void row(std::int64_t z);
 
-  /// Before it is rounded, and talus and erosion move it. Within 7 units of the sea all parts of it are made
-  /// smaller, down to 0.3 times, as beaches are flat; what terraces and beds say is before that.
+  /// The height before rounding, and before talus and erosion. Within 7 units of the sea all its parts are
+  /// scaled down, to 0.3 at least, to make beaches flat; terraces() and bed() are not scaled.
   [[nodiscard]] std::span<const float> height() const;
-  /// By how much terraces raise it.
+  /// The rise caused by terraces.
   [[nodiscard]] std::span<const float> terraces() const;
-  /// By how much a river's bed lies under its banks; 0 beside it.
+  /// Depth of a river's bed below its banks; 0 outside of a bed.
   [[nodiscard]] std::span<const float> bed() const;
-  /// In a bed, how much of a river there is: 1 of a whole one, less where one fades away in the hills.
+  /// Share of a river in its bed: 1 for a whole river, less if it fades away in the hills.
   [[nodiscard]] std::span<const float> river() const;
-  /// What rivers cut the land down to: 1.2 over the sea, and more in high land.
+  /// The height down to which rivers cut the land: 1.2 above the sea, more in high land.
   [[nodiscard]] std::span<const float> flood_plain() const;
 
  private:
@@ -48,11 +48,11 @@ class LandPartsSampler {
   std::unique_ptr<Scratch> scratch_;
 };
 
-/// Where the noises that shape the land have the lattices of their first octaves: high ground should know
-/// nothing of them. Immutable; any thread may ask.
+/// Lattice positions of the first octaves of the noises that shape the land, to test that high ground shows
+/// no trace of them. Immutable; thread-safe.
 class ShapingLattices {
  public:
-  /// None where the surface is of another kind.
+  /// nullopt if the surface is of another kind.
   [[nodiscard]] static std::optional<ShapingLattices> make(const World& world);
   ~ShapingLattices();
   ShapingLattices(ShapingLattices&&) noexcept;
@@ -60,10 +60,10 @@ class ShapingLattices {
 
   [[nodiscard]] const std::vector<std::string>& names() const;
 
-  enum class Spot : std::uint8_t { point, middle };  // of a cell
-  /// The base column near `from` that the noise of names()[noise] reads at a lattice point, or in the middle
-  /// of a cell: displaced as that noise is. None where the displacement leaves none. REQUIRES that `noise` is
-  /// less than names().size().
+  enum class Spot : std::uint8_t { point, middle };  // of a lattice cell
+  /// Returns the base column near `from` at which the noise names()[noise], with its displacement, reads a
+  /// lattice point or the middle of a cell. nullopt if the displacement leaves no such column.
+  /// REQUIRES noise < names().size().
   [[nodiscard]] std::optional<BaseColumn> column(std::size_t noise, BaseColumn from, Spot spot) const;
 
  private:

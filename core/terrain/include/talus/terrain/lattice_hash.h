@@ -1,4 +1,4 @@
-// Position decides randomness: integer hashes of seeds, octaves and lattice cells. No state, no tables.
+// Randomness from positions: integer hashes of seeds, octaves and lattice cells. No state, no tables.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,35 @@ namespace talus::terrain {
   return v ^ (v >> 31);
 }
 
-/// The same for 32 bits.
+/// The 32-bit counterpart of mix64.
 [[nodiscard]] constexpr std::uint32_t mix32(std::uint32_t v) {
   v = (v ^ (v >> 16)) * 0x7FEB352DU;
   v = (v ^ (v >> 15)) * 0x846CA68BU;
   return v ^ (v >> 16);
 }
 
-/// A seed for the `index`-th thing that grows from `seed`.
+/// The seed of the `index`-th child of `seed`.
 [[nodiscard]] constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   return mix64(mix64(seed + 0x9E3779B97F4A7C15U) ^ (index * 0xD1B54A32D192ED03U));
 }
 
 enum class Axis : std::uint8_t { x = 0, z = 1 };
 
-/// From the key of one lattice cell to that of the next.
+/// The difference between the keys of adjacent lattice cells.
 inline constexpr std::uint64_t kCellStep = 0x9E3779B97F4A7C15U;
 
-/// A lattice cell's coordinate along one axis, not yet mixed.
+/// The unmixed key of a lattice cell's coordinate along one axis.
 [[nodiscard]] constexpr std::uint64_t axis_key(std::uint64_t seed, Axis axis, std::int64_t cell) {
   const std::uint64_t salted = seed ^ (axis == Axis::x ? 0x632BE59BD9B4E019U : 0xA24BAED4963EE407U);
   return salted + static_cast<std::uint64_t>(cell) * kCellStep;
 }
 
-/// What a lattice cell's coordinate along one axis adds to the hash of its corner.
+/// The contribution of a lattice cell's coordinate along one axis to the hash of its corner.
 [[nodiscard]] constexpr std::uint32_t axis_hash(std::uint64_t seed, Axis axis, std::int64_t cell) {
   return static_cast<std::uint32_t>(mix64(axis_key(seed, axis, cell)));
 }
 
-/// The hash of a lattice corner from what its two axes add.
+/// Combines the two axes' contributions into the hash of a lattice corner.
 [[nodiscard]] constexpr std::uint32_t corner_hash(std::uint32_t x_hash, std::uint32_t z_hash) {
   return mix32(x_hash ^ ((z_hash << 16) | (z_hash >> 16)));
 }

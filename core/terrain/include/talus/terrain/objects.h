@@ -1,4 +1,4 @@
-// Objects that stand on the ground: trees, boulders, models of an author.
+// Objects on the ground: trees, boulders, and an author's models.
 #pragma once
 
 #include <cstdint>
@@ -6,22 +6,22 @@
 
 namespace talus::terrain {
 
-/// A kind of objects, as its section of world.toml has it.
+/// A kind of object, as named in its section of world.toml.
 struct ObjectKindName {
   std::string name;
   std::string model;  // "conifer"
 };
 
-/// One object of a region. Where it stands, not its voxels: those are its model's.
+/// Position of one object of a region. Its voxels come from its model.
 struct PlacedObject {
-  std::uint16_t kind = 0;    // of World::object_kinds()
-  std::uint8_t variant = 0;  // of its kind
+  std::uint16_t kind = 0;    // index in World::object_kinds()
+  std::uint8_t variant = 0;  // variant of the kind
   std::uint8_t turn = 0;     // quarter turns
   std::int64_t x = 0;        // base voxel of its foot, the first above the ground
   std::int64_t y = 0;
   std::int64_t z = 0;
-  std::uint64_t hash = 0;  // what its place in the endless plane drew
-  /// Levels 3 and up: the base column that shows it; every column sees the objects around it for itself.
+  std::uint64_t hash = 0;  // random bits drawn from its place in the endless plane
+  /// At levels 3 and up, the base column that shows the object; each column finds the objects around it.
   std::int64_t seen_x = 0;
   std::int64_t seen_z = 0;
   bool operator==(const PlacedObject&) const = default;

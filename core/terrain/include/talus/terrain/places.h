@@ -1,5 +1,5 @@
-// What there is at single columns: the ground's height, the look, and quantities such as temperature. Pure;
-// any thread may call.
+// Properties of single columns: the ground's height, the look, and quantities such as temperature. Pure;
+// thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -16,29 +16,29 @@
 
 namespace talus::terrain {
 
-/// The names that PlaceSampler knows in a world: quantities but for slope and cliff, and all fields.
+/// Names that PlaceSampler accepts in a world: all quantities except slope and cliff, and all fields.
 [[nodiscard]] std::vector<std::string> place_names(const World& world);
 
-/// Keeps its memory from call to call. For one thread at a time; the world must outlive it.
+/// Samples rows of columns. Reuses its memory; not thread-safe. The world must outlive it.
 class PlaceSampler {
  public:
-  /// Values will be those of `names`; none of a sampler where a name is not one of place_names().
+  /// Makes a sampler of the values `names`; nullopt if a name is not among place_names().
   [[nodiscard]] static std::optional<PlaceSampler> make(const World& world,
                                                         std::span<const std::string> names);
   ~PlaceSampler();
   PlaceSampler(PlaceSampler&&) noexcept;
   PlaceSampler& operator=(PlaceSampler&&) noexcept;
 
-  /// From here on rows are over these ascending base columns.
+  /// The following rows are over these ascending base columns.
   void start(std::span<const std::int64_t> xs);
-  /// The columns (xs[i], z), valid until the next call. Rows close to the one before cost least.
+  /// Computes the columns (xs[i], z), valid until the next call. Cheapest for rows close to the previous one.
   void row(std::int64_t z);
 
-  /// H in subvoxels, before talus and erosion move it.
+  /// H in subvoxels, before talus and erosion.
   [[nodiscard]] std::span<const std::int32_t> heights_fx() const;
-  /// Numbers of World::look_names(); all 0 in a world without looks.
+  /// Indices into World::look_names(); all 0 in a world without looks.
   [[nodiscard]] std::span<const std::uint8_t> looks() const;
-  /// Of names[i]: places_spec.h says in which units.
+  /// Values of names[i]; see places_spec.h for units.
   [[nodiscard]] std::span<const float> values(std::size_t i) const;
 
  private:
@@ -47,12 +47,12 @@ class PlaceSampler {
   std::unique_ptr<Scratch> scratch_;
 };
 
-/// What there is at columns anywhere.
+/// Properties of any set of columns.
 struct PlacesFound {
-  std::vector<std::uint8_t> looks;  // one a column: a number of World::look_names()
-  std::vector<float> values;        // of each column those of all names, in their order
+  std::vector<std::uint8_t> looks;  // one per column: index into World::look_names()
+  std::vector<float> values;        // by column, then in the order of the names
 };
-/// REQUIRES that place_names() has all of `names`. Columns of one row cost least beside each other.
+/// REQUIRES that `names` is a subset of place_names(). Cheapest for adjacent columns of a row.
 [[nodiscard]] PlacesFound places_at(const World& world, std::span<const BaseColumn> columns,
                                     std::span<const std::string> names);
 

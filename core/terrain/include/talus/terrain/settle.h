@@ -7,8 +7,8 @@
 
 namespace talus::terrain {
 
-/// Thickness before settling, eq. 3: 0 where the slope passes `max_slope_fx`, else thickness_fx at level
-/// ground, falling to 0 at max_slope_fx, rounded down. 0 <= thickness_fx <= 2^20, 1 <= max_slope_fx.
+/// Thickness before settling, eq. 3: 0 where the slope exceeds `max_slope_fx`, else thickness_fx on level
+/// ground, falling to 0 at max_slope_fx, rounded down. REQUIRES 0 <= thickness_fx <= 2^20, 1 <= max_slope_fx.
 [[nodiscard]] Field starting_thickness(const Field& slope, std::int32_t thickness_fx,
                                        std::int32_t max_slope_fx);
 
@@ -19,9 +19,9 @@ namespace talus::terrain {
 /// min and + commute with the two raster passes of Rosenfeld and Pfaltz (1966), so two passes give it
 /// exactly: forward from W, NW, N, NE, backward from E, SE, S, SW.
 ///
-/// Halo: thickness never passes t, so a source at distance d >= ceil(t/c) lowers nothing; a ring of
-/// ceil(t/c) - 1 columns around a region makes the region exactly the endless plane's.
-/// 0 <= values <= 2^20, 1 <= repose_fx.
+/// Halo: thickness never exceeds t, so a source at distance d >= ceil(t/c) lowers nothing. With a ring of
+/// ceil(t/c) - 1 columns around it, a region is exactly the endless plane's.
+/// REQUIRES 0 <= values <= 2^20, 1 <= repose_fx.
 void settle(Field& thickness, std::int32_t repose_fx);
 
 }  // namespace talus::terrain

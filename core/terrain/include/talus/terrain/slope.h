@@ -1,4 +1,4 @@
-// Slope at a column (thesis eq. 1): the greatest height difference between it and its eight neighbours.
+// Slope at a column (thesis eq. 1): the greatest height difference to its eight neighbours.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace talus::terrain {
 
-/// For every column of `heights` but the outermost ring: voxels of rise per voxel of run, in 1/256.
+/// Slope of all columns of `heights` except the outermost ring: voxels of rise per voxel of run, in 1/256.
 [[nodiscard]] Field slope_inside(const Field& heights);
 
 }  // namespace talus::terrain

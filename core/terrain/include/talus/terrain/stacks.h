@@ -1,4 +1,4 @@
-// What stands in each column of a region: rock, loose material and the air of caves.
+// The contents of each column of a region: rock, loose material and the air of caves.
 #pragma once
 
 #include <cstddef>
@@ -13,36 +13,35 @@
 
 namespace talus::terrain {
 
-/// The stacks of a region (thesis 2.2.3): planes bottom up, over which every column has the same list of
-/// materials, with thickness 0 where one is absent. Water and air are not in it.
+/// The stacks of a region (thesis 2.2.3): planes bottom up. Every column has the same list of materials, with
+/// thickness 0 for absent ones. Excludes water and air.
 struct Stacks {
   Region region;
   std::vector<MaterialId> materials;  // materials[k] lies between plane k - 1 and plane k
-  std::vector<Field> tops;            // subvoxels; no plane lies below the one before; the last is H
+  std::vector<Field> tops;            // subvoxels; each plane is at or above the one before; the last is H
   CaveAir caves;
-  /// Planes of loose material, on top of all others.
+  /// Number of planes of loose material, on top of all others.
   std::size_t loose_planes = 0;
-  /// What features keep of each column, one of World::features() each; of those that keep nothing it is
-  /// empty.
+  /// Per-column data of features: one field for each of World::features(), empty if it keeps no data.
   std::vector<Field> surveys;
-  /// Which look each column has, by each of PlacesSpec::looks.
+  /// The look of each column, one field for each of PlacesSpec::looks.
   std::vector<LookField> looks;
-  /// Whose voxels may lie over the region.
+  /// Objects whose voxels may lie over the region.
   std::vector<PlacedObject> objects;
 
-  /// Where rock ends, under loose material.
+  /// The top of rock, under loose material.
   [[nodiscard]] const Field& rock_top() const { return tops[tops.size() - 1 - loose_planes]; }
-  /// Whether the column is a cave's entrance: no roof, and dry wherever the sea stands.
+  /// Returns true if the column is a cave's entrance: it has no roof, and is dry at any sea level.
   [[nodiscard]] bool is_entrance(int x, int z) const {
     return caves.has(x, z) && caves.roof.at(x, z) >= tops.back().at(x, z);
   }
-  /// Where the topmost solid material of a column ends, in subvoxels.
+  /// The top of a column's topmost solid material, in subvoxels.
   [[nodiscard]] std::int32_t ground_fx(int x, int z) const {
     return is_entrance(x, z) ? caves.floor.at(x, z) : tops.back().at(x, z);
   }
-  /// What plane k's material shows at a column.
+  /// The material that plane k shows at a column.
   [[nodiscard]] MaterialId shown(const World& world, std::size_t plane, int x, int z) const;
-  /// Memory, for budgets.
+  /// Memory in bytes, for budgets.
   [[nodiscard]] std::size_t bytes() const;
 };
 

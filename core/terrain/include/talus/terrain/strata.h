@@ -1,4 +1,4 @@
-// Stratified rock: the sequence of layers and what varies each of them (thesis 3.4).
+// Stratified rock: the sequence of layers and the noise of each (thesis 3.4).
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@ namespace talus::terrain {
 
 inline constexpr std::size_t kMaxLayers = 256;
 
-/// The materials of the layers from the bottom up, as indices into `stratified`: the one with the largest
-/// depth first, then each time the one whose depth is closest to the current depth (the first of the spec
-/// on a tie), which falls by the thickness of that layer. Ends with the layer at which the thicknesses
-/// sum to at least 1.25 amplitude_q16 and `max_lift_q16`, by which strata may be sunk; empty if that takes
-/// more than kMaxLayers.
+/// Returns the materials of the layers from the bottom up, as indices into `stratified`. The first is the one
+/// with the largest depth. Each next one is the one whose depth is closest to the current depth (on a tie the
+/// first of the spec); the current depth falls by each layer's thickness. Ends with the layer at which the
+/// thicknesses sum to at least 1.25 amplitude_q16 plus `max_lift_q16`, by which strata may be sunk. Empty if
+/// that takes more than kMaxLayers.
 [[nodiscard]] std::vector<std::size_t> layer_sequence(std::span<const StratifiedSpec> stratified,
                                                       std::int64_t amplitude_q16,
                                                       std::int64_t max_lift_q16 = 0);
 
-/// The same of strata that repeat: all in their order, and then again and again from the first that is a band
-/// on. REQUIRES that one is.
+/// The sequence of strata that repeat: all in order, then repeatedly from the first band on. REQUIRES that at
+/// least one is a band.
 [[nodiscard]] std::vector<std::size_t> repeated_sequence(std::span<const StratifiedSpec> stratified,
                                                          std::int64_t amplitude_q16,
                                                          std::int64_t max_lift_q16 = 0);
 
-/// The noise that varies layer j of a world, j counted before any merging.
+/// The noise of layer j of a world; j counts layers before merging.
 [[nodiscard]] Fbm layer_noise(const WorldSpec& spec, double roughness, std::size_t j);
 
 }  // namespace talus::terrain

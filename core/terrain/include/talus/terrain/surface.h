@@ -1,5 +1,5 @@
-// The height of the terrain (thesis 3.1): h = clamp(0.5 + gain * noise, 0, 1)^exponent * amplitude, or what a
-// height map says.
+// The height of the terrain (thesis 3.1): h = clamp(0.5 + gain * noise, 0, 1)^exponent * amplitude, or a
+// height map's samples.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace talus::terrain {
 
-/// Where a warped surface looks for its noise: up to reach_fx subvoxels away along each axis.
+/// Displacement of a warped surface's noise: up to reach_fx subvoxels along each axis.
 struct Warp {
   Fbm east;
   Fbm south;
-  float reach_fx = 0;  // at most 2^22, so that a displacement rounds by itself
+  float reach_fx = 0;  // at most 2^22, so that adding 1.5 * 2^23 rounds a displacement
 };
 
-/// A height map in the endless plane. `_q16`: integers of 2^-16 voxel.
+/// A height map placed in the endless plane. `_q16`: integers of 2^-16 voxel.
 struct PlacedMap {
   std::shared_ptr<const Field> heights_fx;
   std::int64_t x_q16 = 0;  // of the first sample
@@ -35,7 +35,7 @@ struct PlacedMap {
 struct Places;
 struct Regions;
 
-/// The surface of a spec in the numbers it is computed with.
+/// The surface of a spec, in the numbers used to compute it.
 struct Surface {
   SurfaceKind kind = SurfaceKind::perlin;
   Fbm noise;
@@ -44,18 +44,18 @@ struct Surface {
   float highest_fx = 0;  // amplitude * resolution in subvoxels
   float feedback = 0;
   Warp warp;
-  PlacedMap map;                           // of height_map alone
-  std::shared_ptr<const Regions> regions;  // of regions alone
-  std::shared_ptr<const Places> places;    // where the world has looks or shares
+  PlacedMap map;                           // only for height_map
+  std::shared_ptr<const Regions> regions;  // only for regions
+  std::shared_ptr<const Places> places;    // null if the world has neither looks nor shares
 };
 
 [[nodiscard]] Surface surface_of(const WorldSpec& spec);
 
-/// No H is higher: highest_fx to the nearest integer, halves up.
+/// Maximum H: highest_fx to the nearest integer, halves up.
 [[nodiscard]] std::int32_t highest_height_fx(const Surface& surface);
 
-/// H in subvoxels at all (x, z) of two ascending lists of base columns, as sample_fbm orders them. H lies
-/// between 0 and highest_fx, rounded, and is a pure function of position. From here on everything is integer.
+/// Samples H in subvoxels at all (x, z) of two ascending lists of base columns, ordered as in sample_fbm. H
+/// lies between 0 and highest_fx, rounded, and is a pure function of position. All later stages are integer.
 void sample_surface(const Surface& surface, std::span<const std::int64_t> xs,
                     std::span<const std::int64_t> zs, std::span<std::int32_t> heights_fx);
 

@@ -1,5 +1,5 @@
-// A world: what a checked world.toml says, and everything that follows from it before any column is
-// looked at. Immutable once parsed; share it between threads freely.
+// A world: a checked world.toml and everything derived from it before any column is computed. Immutable once
+// parsed; threads may share it.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,13 @@
 
 namespace talus::terrain {
 
-/// The rules by which specs become voxels, oldest first; World::generator_version() has those of a world.
-/// What a version says of a spec never changes: a rule that gives other voxels belongs to the next version,
-/// and only the worlds whose voxels it changes have that one.
+/// The rules by which specs become voxels, oldest first; see World::generator_version(). A version's voxels
+/// for a spec never change: a rule that gives other voxels belongs to the next version, which applies only to
+/// the worlds whose voxels it changes.
 enum class GeneratorVersion : std::uint8_t {
   v2 = 2,
-  /// Erosion of two or more steps takes fewer of them at coarse levels. Surfaces of kind "regions", materials
-  /// by place, talus and objects.
+  /// Erosion of two or more steps takes fewer steps at coarse levels. Adds surfaces of kind "regions",
+  /// materials by place, talus and objects.
   v3 = 3,
 };
 inline constexpr GeneratorVersion kNewestGeneratorVersion = GeneratorVersion::v3;
@@ -38,7 +38,7 @@ inline constexpr GeneratorVersion kNewestGeneratorVersion = GeneratorVersion::v3
   return static_cast<int>(version);
 }
 
-/// Heights are int32 in 1/256 voxel; names that hold one end in _fx.
+/// Heights are int32 in 1/256 voxel; names of such values end in _fx.
 inline constexpr int kSubvoxels = 256;
 
 struct Colour {
@@ -48,44 +48,44 @@ struct Colour {
   bool operator==(const Colour&) const = default;
 };
 
-/// What gives the surface its heights.
+/// The source of the surface's heights.
 enum class SurfaceKind : std::uint8_t { perlin, ridged, warped, height_map, regions };
 
-/// What lies outside of a height map.
+/// The land outside of a height map.
 enum class Outside : std::uint8_t { mirror, sea, blend, repeat };
 
-/// A height map and its place. Lengths in terrain units.
+/// A height map and its place. Lengths are in terrain units.
 struct HeightMapSpec {
-  std::string file;  // as the spec names it
+  std::string file;  // as named in the spec
   double x = 0;      // of the first sample
   double z = 0;
   double spacing_x = 0;  // from one sample to the next
   double spacing_z = 0;
-  std::optional<double> low;   // the sample value that lies at y = 0, and
-  std::optional<double> high;  // at the amplitude; both set once the world is parsed
+  std::optional<double> low;   // sample value at y = 0; set once the world is parsed
+  std::optional<double> high;  // sample value at the amplitude; set once the world is parsed
   Outside outside = Outside::mirror;
-  double margin = 0;                         // inside its edge: there it gives way to what lies around
-  SurfaceKind around = SurfaceKind::perlin;  // where outside is `blend`
+  double margin = 0;  // width of the transition to the land around, inside the map's edge
+  SurfaceKind around = SurfaceKind::perlin;  // if outside is `blend`
   std::shared_ptr<const Field> heights_fx;   // the samples, 0 to amplitude * resolution; set by World::parse
 };
 
-/// A surface of noise raised to a power (thesis 3.1), or a height map. Lengths in terrain units.
+/// A surface of noise raised to a power (thesis 3.1), a height map, or regions. Lengths are in terrain units.
 struct SurfaceSpec {
   SurfaceKind kind = SurfaceKind::perlin;
-  double wavelength = 0;  // of the first octave; 0 where there is no noise
+  double wavelength = 0;  // of the first octave; 0 without noise
   int octaves = 0;
   double gain = 0;  // h = clamp(0.5 + gain * fBm, 0, 1)^exponent * amplitude
   int exponent = 0;
   double amplitude = 0;
-  double feedback = 0;  // ridged: how much an octave shows of the next
-  double warp = 0;      // warped: how far a position is displaced
+  double feedback = 0;  // ridged: influence of an octave on the next
+  double warp = 0;      // warped: maximum displacement of a position
   double warp_wavelength = 0;
   int warp_octaves = 0;
   std::optional<HeightMapSpec> height_map;
   std::optional<RegionsSpec> regions;
 
-  /// The kind of noise of one power that the surface has, or has around its height map; none where all is the
-  /// map, and for regions.
+  /// The kind of noise of the surface, or of the land around its height map. nullopt if the map is
+  /// everything, and for regions.
   [[nodiscard]] std::optional<SurfaceKind> noise() const {
     if (regions) return std::nullopt;
     if (!height_map) return kind;
@@ -100,7 +100,7 @@ struct StratifiedSpec {
   std::int64_t depth_q16 = 0;
   std::int64_t thickness_q16 = 0;
   double roughness = 0;
-  bool band = false;  // one of those that repeat
+  bool band = false;  // true for the layers that repeat
 };
 
 /// Thesis 3.2.2.
@@ -111,39 +111,38 @@ struct ErodedSpec {
   std::int64_t thickness_q16 = 0;
   double angle_of_repose = 0;        // degrees
   double max_slope = 0;              // degrees
-  std::optional<std::size_t> share;  // of PlacesSpec::shares
+  std::optional<std::size_t> share;  // index in PlacesSpec::shares
 };
 
-/// Talus aprons: loose material that cliffs shed and that leans on their feet. Lengths in terrain units.
+/// Talus aprons: loose material shed by cliffs that leans on their feet. Lengths are in terrain units.
 struct TalusSpec {
-  std::size_t of = 0;    // the eroded material that it is; walls are steeper than its max_slope
-  double thickness = 8;  // no apron is thicker
-  double share = 0.75;   // of the rock around that stands over its foot
-  double reach = 8;      // how far from its foot a wall sheds
-  double cliff = 12;     // how far from a wall the quantity `cliff` reaches
+  std::size_t of = 0;    // index of its eroded material; walls are steeper than that material's max_slope
+  double thickness = 8;  // maximum thickness of an apron
+  double share = 0.75;   // thickness as a part of the height of surrounding rock above its foot
+  double reach = 8;      // maximum distance from a wall to its foot
+  double cliff = 12;     // range of the quantity `cliff` around a wall
 };
 
-/// How loose material comes to lie: by the slope of the ground (thesis 3.6), which leaves the surface as it
-/// is, or by moving down (3.5), which changes it.
+/// Placement of loose material: by the slope of the ground (thesis 3.6), which leaves the surface unchanged,
+/// or by moving down (3.5), which changes it.
 enum class Method : std::uint8_t { slope, erosion };
 
-inline constexpr int kMaxLayerOctaves = 4;  // and as many unless a world says otherwise
+inline constexpr int kMaxLayerOctaves = 4;  // also the default
 
-/// world.toml as it stands but for its features, in range and consistent (docs/DESIGN.md, "Bounds").
+/// The contents of world.toml except features, in range and consistent (docs/DESIGN.md, "Bounds").
 struct WorldSpec {
   std::uint64_t seed = 0;
   int resolution = 0;               // voxels per terrain unit
   double strata_wavelength = 0;     // terrain units, before roughness shortens it
   std::optional<double> sea_level;  // terrain units above y = 0
   Method method = Method::slope;
-  int erosion_steps = 0;  // at level 0: how far material has moved; 0 for the slope method
+  int erosion_steps = 0;  // at level 0; 0 with the slope method
   SurfaceSpec surface;
-  bool strata_repeat = false;             // layers lie in the order of the list, its bands again and again
-  int strata_octaves = kMaxLayerOctaves;  // of the noise that varies a layer
+  bool strata_repeat = false;             // layers lie in the order of the list, and its bands repeat
+  int strata_octaves = kMaxLayerOctaves;  // of each layer's noise
   std::vector<StratifiedSpec> stratified;
   std::vector<ErodedSpec> eroded;
-  std::vector<FieldSpec>
-      fields;  // of regions: those of the file, and shipped ones that it does not give anew
+  std::vector<FieldSpec> fields;  // with regions: the file's, and shipped ones not redefined by it
   PlacesSpec places;
   std::optional<TalusSpec> talus;
 };
@@ -156,10 +155,10 @@ struct SpecError {
   std::string message;
 };
 
-/// What features put into rock is stratified: it does not move.
+/// Material that features put into rock is stratified: it does not move.
 enum class MaterialKind : std::uint8_t { air, water, stratified, eroded };
 
-/// A material of the world; its id is its place in World::materials().
+/// A material of the world; its id is its index in World::materials().
 struct Material {
   MaterialId id{};
   std::string name;
@@ -167,119 +166,117 @@ struct Material {
   MaterialKind kind{};
 };
 
-/// A material that is never generated: who edits may place it. It has no id: a store gives it one, for ever.
-/// `kind` says its phase: stratified is solid, water liquid, air gas. No part of the fingerprint.
+/// A material that is never generated but may be placed by edits. It has no id; a store assigns one, for
+/// ever. `kind` is its phase: stratified is solid, water liquid, air gas. Not part of the fingerprint.
 struct Placeable {
   std::string name;
   Colour colour;
   MaterialKind kind{};
 };
 
-/// One layer of the stratified sequence, before neighbours of one material are merged (thesis 3.4).
+/// One layer of the stratified sequence, before adjacent layers of one material are merged (thesis 3.4).
 struct StratumSpec {
   MaterialId material{};
   std::int64_t thickness_q16 = 0;
   double roughness = 0;
 };
 
-/// An eroded material in the integers that settling works with.
+/// An eroded material in the integers used for settling.
 struct LooseSpec {
   MaterialId material{};
   double weight = 0;
   std::int32_t t_fx = 0;  // thickness
-  std::int32_t S_fx = 0;  // rise over a run of one column above which nothing stays
-  std::int32_t c_fx = 0;  // largest difference of thickness between neighbours at rest
+  std::int32_t S_fx = 0;  // rise over a run of one column above which no material stays
+  std::int32_t c_fx = 0;  // largest thickness difference between neighbours at rest
 
-  std::optional<std::size_t> share;         // of PlacesSpec::shares: what part of t there is at a column
-  int without_aprons_from = Lod::kMax + 1;  // levels too coarse for the aprons that are made of it
+  std::optional<std::size_t> share;         // index in PlacesSpec::shares: the part of t at a column
+  int without_aprons_from = Lod::kMax + 1;  // first level too coarse for the aprons made of it
 
-  /// S at a level: where columns are too far apart for aprons, it lies on the walls that these would bury.
+  /// S at a level: where columns are too far apart for aprons, it lies on the walls that aprons would bury.
   [[nodiscard]] std::int32_t steepest_at(Lod lod) const {
     return lod.value() < without_aprons_from ? S_fx : static_cast<std::int32_t>(std::int64_t{S_fx} * 75 / 64);
   }
 
   /// Thickness in subvoxels of a level.
   [[nodiscard]] std::int32_t thickness_at(Lod lod) const { return t_fx >> lod.value(); }
-  /// The same where there is a share of it, of kWholeShare.
+  /// Thickness at a column with a share of it, 0 to kWholeShare.
   [[nodiscard]] std::int32_t thickness_at(Lod lod, std::int32_t share_of_it) const {
     return static_cast<std::int32_t>(std::int64_t{t_fx} * share_of_it / kWholeShare) >> lod.value();
   }
-  /// Columns of surface around a region that can matter to it: the halo theorem's ceil(t / c).
+  /// Columns of surface around a region that it needs: the halo theorem's ceil(t / c).
   [[nodiscard]] int halo_at(Lod lod) const { return (thickness_at(lod) + c_fx - 1) / c_fx; }
 };
 
 class World {
  public:
-  /// Reads and checks a whole spec. `file` only names the source in errors. Without `files` a spec that names
-  /// any is refused.
+  /// Reads and checks a whole spec. `file` is used only in errors. Without `files` a spec that names a file
+  /// is rejected.
   [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
                                                             const WorldFiles& files = {});
-  /// The same with these kinds of features instead of those that ship with the library; for tests.
+  /// Uses `kinds` of features instead of the shipped ones; for tests.
   [[nodiscard]] static tl::expected<World, SpecError> parse(std::string_view toml, std::string_view file,
                                                             const WorldFiles& files,
                                                             std::span<const FeatureKind> kinds);
 
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
-  /// Folds, caves and the like: one for each section that the spec has of those known to the program, in the
-  /// order of the known kinds.
+  /// Folds, caves and so on: one for each section of a known kind, in the order of the known kinds.
   [[nodiscard]] const std::vector<std::shared_ptr<const Feature>>& features() const { return features_; }
-  /// Whether a feature carves air out of the ground.
+  /// Returns true if a feature carves air out of the ground.
   [[nodiscard]] bool has_caves() const;
-  /// Whether objects stand on the ground.
+  /// Returns true if objects stand on the ground.
   [[nodiscard]] bool has_objects() const;
-  /// PlacedObject::kind is a place in it.
+  /// PlacedObject::kind is an index into it.
   [[nodiscard]] std::vector<ObjectKindName> object_kinds() const;
-  /// Air, water, stratified, eroded, those of features; materials()[to_integer(id)] is the material of that
-  /// id.
+  /// Air, water, stratified, eroded, then features' materials. materials()[to_integer(id)] has that id.
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
-  /// What else may be placed, in the order of the spec; none has the name of another material.
+  /// Further materials that may be placed, in the order of the spec; all names are unique.
   [[nodiscard]] const std::vector<Placeable>& placeables() const { return placeables_; }
-  /// What shows in place of a material, by the look that a column has.
+  /// Materials shown in place of a material, by a column's look.
   struct ShownBy {
-    std::size_t looks = 0;            // of PlacesSpec::looks
+    std::size_t looks = 0;            // index in PlacesSpec::looks
     std::vector<MaterialId> by_look;  // by_look[0] is the material itself
   };
-  /// Null where it always shows itself. Of water it is the topmost voxel that shows so.
+  /// Null if the material always shows itself. For water only the topmost voxel changes.
   [[nodiscard]] const ShownBy* shown_by(MaterialId material) const;
-  /// How far under the ground lies what the topmost voxel of a column of level 1 to 6 shows, in subvoxels of
-  /// the level. With regions half a base voxel, where the voxel's centre lies on average at level 0; else 0.
+  /// The depth under the ground of the material that the topmost voxel of a column of level 1 to 6 shows, in
+  /// subvoxels of the level. With regions half a base voxel, the mean depth of the voxel's centre at level 0;
+  /// otherwise 0.
   [[nodiscard]] std::int32_t shown_depth_fx(Lod lod) const {
     return spec_.surface.regions ? kSubvoxels / 2 >> lod.value() : 0;
   }
-  /// By number; look_names()[0] is empty: no look.
+  /// By number; look_names()[0] is empty and means no look.
   [[nodiscard]] const std::vector<std::string>& look_names() const { return look_names_; }
   /// The sequence of layers from the bottom up, the same at every column; 1 to 256.
   [[nodiscard]] const std::vector<StratumSpec>& strata() const { return strata_; }
   /// Eroded materials in the order of the spec.
   [[nodiscard]] const std::vector<LooseSpec>& loose() const { return loose_; }
-  /// Indices into loose(), heaviest first: the order in which they lie, bottom up.
+  /// Indices into loose(), heaviest first: bottom up.
   [[nodiscard]] const std::vector<std::size_t>& loose_bottom_up() const { return loose_bottom_up_; }
 
-  /// Columns of surface that must be known around a region for its stacks to be exact, at level 0: the
-  /// halo theorem's A; with the erosion method two for every step; as many as a feature reads if those are
-  /// more.
+  /// Columns of surface around a region that its stacks need to be exact, at level 0: the halo theorem's A;
+  /// with the erosion method two per step; or the number that a feature reads, if that is larger.
   [[nodiscard]] int halo() const { return halo_; }
-  /// Those that features read at a level.
+  /// Columns that features read at a level.
   [[nodiscard]] int feature_halo(Lod lod) const;
-  /// Steps of the erosion method at a level, 0 with the slope method. A step moves material by one column, so
-  /// half as many go as far where columns are twice as wide.
+  /// Steps of the erosion method at a level; 0 with the slope method. A step moves material by one column, so
+  /// each doubling of the column width halves the steps.
   [[nodiscard]] int erosion_steps_at(Lod lod) const;
-  /// No surface is higher before erosion: amplitude * resolution in subvoxels.
+  /// Maximum height of the surface before erosion: amplitude * resolution in subvoxels.
   [[nodiscard]] std::int32_t highest_fx() const { return highest_fx_; }
-  /// How far erosion can lift a surface above that, in subvoxels of any level: where heavy material creeps
-  /// under light.
+  /// Maximum rise of the surface above highest_fx() by erosion, in subvoxels of any level: heavy material may
+  /// creep under light.
   [[nodiscard]] std::int32_t rise_fx() const { return rise_fx_; }
-  /// No column's strata are lifted or sunk farther by features, in 2^-16 terrain unit.
+  /// Maximum distance by which features lift or sink a column's strata, in 2^-16 terrain unit.
   [[nodiscard]] std::int64_t max_lift_q16() const { return max_lift_q16_; }
   [[nodiscard]] std::optional<std::int32_t> sea_fx() const { return sea_fx_; }
 
   /// The oldest version that gives the world its voxels.
   [[nodiscard]] GeneratorVersion generator_version() const;
 
-  /// Everything that decides a voxel, as text with one number a line; equal for specs that give equal
-  /// voxels by the same numbers. Names and colours are not in it.
+  /// Everything that decides a voxel, as text with one number per line; equal for specs that give equal
+  /// voxels by the same numbers. Excludes names and colours.
   [[nodiscard]] std::string canonical_form() const;
-  /// XXH3-128 of canonical_form(), which names the world's generator version.
+  /// XXH3-128 of canonical_form(), which includes the generator version.
   [[nodiscard]] ContentHash fingerprint() const { return fingerprint_; }
 
  private:
@@ -289,7 +286,7 @@ class World {
   std::vector<std::shared_ptr<const Feature>> features_;
   std::vector<Material> materials_;
   std::vector<Placeable> placeables_;
-  std::vector<std::optional<ShownBy>> shown_by_;  // by material; shorter where the rest shows itself
+  std::vector<std::optional<ShownBy>> shown_by_;  // by material; materials past the end show themselves
   std::vector<std::string> look_names_;
   std::vector<StratumSpec> strata_;
   std::vector<LooseSpec> loose_;
@@ -305,7 +302,7 @@ class World {
 /// core/worlds/default.toml, built into the library: the world that programs use without --world.
 [[nodiscard]] std::string_view default_world_toml();
 [[nodiscard]] const World& default_world();
-/// core/worlds/classic.toml, likewise: one noise raised to a power, as the thesis has it.
+/// core/worlds/classic.toml, built in too: one noise raised to a power, as in the thesis.
 [[nodiscard]] std::string_view classic_world_toml();
 
 }  // namespace talus::terrain

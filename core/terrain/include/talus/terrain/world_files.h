@@ -1,4 +1,4 @@
-// How World::parse gets the files that a spec names. core/world_files implements it.
+// Access of World::parse to the files that a spec names. core/world_files implements it.
 #pragma once
 
 #include <concepts>
@@ -14,16 +14,16 @@
 
 namespace talus::terrain {
 
-/// Each gives what a spec names as `file`, or says in one line why it cannot. Empty: a spec that names such a
-/// file is refused.
+/// Each loads the file that a spec names as `file`, or returns a one-line error. If the function is empty, a
+/// spec that names such a file is rejected.
 using LoadHeightMap = std::function<tl::expected<HeightMap, std::string>(const std::string& file)>;
-/// 1 to kMaxModels models, none larger than kMaxModelWidth x kMaxModelHeight x kMaxModelWidth, each voxel
-/// within its model.
+/// Returns 1 to kMaxModels models, each at most kMaxModelWidth x kMaxModelHeight x kMaxModelWidth, with all
+/// voxels inside their model.
 using LoadModels = std::function<tl::expected<std::vector<VoxelModel>, std::string>(const std::string& file)>;
 
 struct WorldFiles {
   WorldFiles() = default;
-  /// A loader of height maps is enough.
+  /// For programs that load only height maps.
   template <std::convertible_to<LoadHeightMap> Load>
   WorldFiles(const Load& load_height_map) : height_map{load_height_map} {}  // NOLINT: on purpose
   WorldFiles(LoadHeightMap load_height_map, LoadModels load_models)

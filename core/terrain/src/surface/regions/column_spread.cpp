@@ -15,8 +15,7 @@ std::int64_t cell_of(std::int64_t column) {
   return floor_div(column, kSampleStep) * kSampleStep;
 }
 
-/// The distance between neighbours, where it is the same everywhere and a sample's cell has a whole number of
-/// them; else 0.
+/// The distance between columns if it is the same for all and divides a sample's cell, else 0.
 std::int64_t step_of(std::span<const std::int64_t> xs) {
   if (xs.size() < 2) return 0;
   const std::int64_t step = xs[1] - xs[0];
@@ -96,7 +95,7 @@ void ColumnSpread::row(const RegionKernels& kernels, const float* values, float*
   }
 }
 
-// To the bit what the kernel computes.
+// Gives the kernel's results to the bit.
 void ColumnSpread::uneven_row(const float* values, float* out, float* rise) const {
   for (std::size_t i = 0; i < offsets_.size(); ++i) {
     const float* const at = values + offsets_[i].west;

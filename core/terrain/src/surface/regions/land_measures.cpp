@@ -74,7 +74,7 @@ struct Displacement {
   double south = 0;
 };
 
-/// A displacement's wide and narrow noise at a column, as samples have it.
+/// A displacement's wide and narrow noise at a column, as used for samples.
 Displacement displacement_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
   const auto along = [&](const std::array<RotatedNoise, 2>& noise) {
     return static_cast<double>(fields.warp_reach[0] * rotated_fbm(noise[0], x, z) +
@@ -84,8 +84,7 @@ Displacement displacement_at(const SlowFields& fields, std::int64_t x, std::int6
   return {along(fields.warp_east), along(fields.warp_south)};
 }
 
-/// How far from a position the nearest lattice point, or middle of a cell, lies along one axis, in 2^-32
-/// cells.
+/// Distance along one axis to the nearest lattice point, or middle of a cell, in 2^-32 cells.
 double to_nearest(std::uint64_t position, ShapingLattices::Spot spot) {
   constexpr std::uint64_t kHalf = std::uint64_t{1} << 31U;
   const std::uint64_t to_middle = kHalf - static_cast<std::uint32_t>(position);
@@ -100,7 +99,7 @@ double to_nearest(std::uint64_t position, ShapingLattices::Spot spot) {
 struct ShapingLattices::Lattices {
   struct One {
     RotatedLattice lattice;
-    double displaced = 0;  // by how much of the warp
+    double displaced = 0;  // factor of the warp
   };
   std::shared_ptr<const Regions> regions;
   std::vector<std::string> names;
@@ -146,14 +145,14 @@ std::optional<BaseColumn> ShapingLattices::column(std::size_t noise, BaseColumn 
   const double u = to_nearest(one.lattice.u(from.x, from.z), spot);
   const double v = to_nearest(one.lattice.v(from.x, from.z), spot);
   const double squares = du * du + dv * dv;
-  const double target_x = (du * u - dv * v) / squares;  // columns from `from`
+  const double target_x = (du * u - dv * v) / squares;  // columns relative to `from`
   const double target_z = (dv * u + du * v) / squares;
   double x = target_x;
   double z = target_z;
   const auto column = [&] { return BaseColumn{from.x + std::llround(x), from.z + std::llround(z)}; };
   if (one.displaced == 0) return column();
   constexpr int kSteps = 24;
-  constexpr double kShare = 0.7;  // of the error that is taken back a step: the displacement changes with it
+  constexpr double kShare = 0.7;  // share of the error corrected per step, as the displacement changes too
   for (int step = 0; step < kSteps; ++step) {
     const BaseColumn at = column();
     const Displacement moved = displacement_at(lattices_->regions->slow, at.x, at.z);

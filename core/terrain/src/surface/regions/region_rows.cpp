@@ -9,7 +9,7 @@
 namespace talus::terrain {
 namespace {
 
-/// Or the land hardly rises by it: nobody asks how it rises itself.
+/// Returns true if the land is shaped by the field. The rise of other fields is not computed.
 bool shapes_land(std::size_t slow) {
   return slow < kSlowCount && slow != static_cast<std::size_t>(Slow::temperature) &&
          slow != static_cast<std::size_t>(Slow::moisture);
@@ -36,9 +36,9 @@ void RegionRows::start(std::span<const std::int64_t> xs) {
 
 bool RegionRows::starts_level(std::span<const std::int64_t> xs, Lod lod) {
   const std::int64_t step = std::int64_t{1} << lod.value();
-  // Cubics between columns that lie further apart than that know nothing of the ground beside one.
+  // Cubics between columns farther apart than that do not describe the ground next to a column.
   begin(xs, step > kSampleStep, true);
-  // Two columns wide at least, so that no diagonal breaks it.
+  // At least two columns wide, so that diagonal rivers are not interrupted.
   widened_ = static_cast<float>(step) * regions_->slow.units_a_column;
   return true;
 }
@@ -48,12 +48,12 @@ void RegionRows::begin(std::span<const std::int64_t> xs, bool at_samples, bool s
   sloped_ = sloped;
   at_samples_ = at_samples;
   between_.start(xs, at_samples);
-  // Between samples their curves know how they rise.
+  // Between samples the rise follows from the curves.
   lines_.start(between_.samples(), sloped && at_samples);
   from_cells_ = !sloped && between_.columns_a_cell() == static_cast<std::size_t>(kSampleStep);
   first_ = from_cells_ ? between_.first() : 0;
   if (first_ > 0) {
-    // Whole cells.
+    // Extends to whole cells.
     whole_cells_.clear();
     for (std::int64_t x = xs.front() - static_cast<std::int64_t>(first_); x <= xs.back(); ++x) {
       whole_cells_.push_back(x);
@@ -102,11 +102,11 @@ void RegionRows::start_cells() {
   }
 }
 
-/// The polynomials between the samples of row z.
+/// Computes the polynomials between the samples of row z.
 void RegionRows::find_cubics(std::int64_t z) {
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const std::int64_t north = z - inside;
-  const bool between = inside != 0;  // or on a line
+  const bool between = inside != 0;  // false: on a line
   if (!between || lines_from_ != north) {
     for (std::size_t k = 0; k < sample_lines_.size(); ++k) {
       const std::int64_t away = between ? (static_cast<std::int64_t>(k) - 1) * kSampleStep : 0;
@@ -121,7 +121,7 @@ void RegionRows::find_cubics(std::int64_t z) {
   kernels_->cubics(rows_of_cells_, plane_of_cells_, cubics_.data());
 }
 
-/// The slow rows at the columns of row z, and where slopes are asked for how they rise.
+/// Computes the slow rows at the columns of row z, and if sloped their rise.
 void RegionRows::spread_row(std::int64_t z) {
   if (sloped_ && at_samples_) return copy_sloped_line(z);
   blend_lines(z);
@@ -135,8 +135,8 @@ void RegionRows::spread_row(std::int64_t z) {
   const auto is = [](std::size_t slow, Slow one) { return slow == static_cast<std::size_t>(one); };
   spread(static_cast<std::size_t>(Slow::mesa));
   spread(static_cast<std::size_t>(Slow::river));
-  // No column reads the field of terraces where there is no mesa country, nor tributaries on the other side
-  // of the river: these rows stay what they were.
+  // No column reads the field of terraces outside of mesa country, or tributaries on the other side of the
+  // river: these rows keep their old values.
   const bool no_mesas = range(Slow::mesa).high <= 0;
   const ValueRange river = range(Slow::river);
   for (std::size_t slow = 0; slow < spread_.size(); ++slow) {
@@ -148,10 +148,10 @@ void RegionRows::spread_row(std::int64_t z) {
   }
 }
 
-/// All slow rows at the samples of row z. Apart from what reads them, whose loads would wait for these
+/// Computes all slow rows at the samples of row z. Separate from its readers, which would wait for the
 /// stores.
 void RegionRows::blend_lines(std::int64_t z) {
-  lines_from_.reset();  // it may draw over them
+  lines_from_.reset();  // lines_ may overwrite them
   const std::int64_t inside = floor_mod(z, kSampleStep);
   const bool on_line = inside == 0 && !sloped_;
   std::array<const SlowLine*, 4> lines{};
@@ -236,7 +236,7 @@ void RegionRows::row(std::int64_t z, std::int32_t* heights_fx) {
   std::copy_n(heights_.data() + first_, width_, heights_fx);
 }
 
-/// What places ask for and heights are not made of, from the samples of the last row.
+/// Interpolates the fields that only places use, from the samples of the last row.
 void RegionRows::spread_climate() {
   const float* const samples = cubics_.data() + 4 * plane_of_cells_;
   const auto spread = [&](std::size_t slow) {
@@ -273,8 +273,8 @@ void RegionRows::quantities(std::int64_t z, std::span<const float*> rows) {
   const PlaceKernels& kernels = *place_kernels_;
   kernels.climate({border, details_[2].data() + first_, height}, places_->reciprocal_lapse, width_,
                   at(Slow::temperature), at(Slow::moisture));
-  constexpr float kJitter = 0.047F;            // as of climate
-  constexpr float kBaseJitter = 20 * kJitter;  // of heights
+  constexpr float kJitter = 0.047F;            // as in `climate`
+  constexpr float kBaseJitter = 20 * kJitter;  // for heights
   kernels.jitter(border, kJitter, width_, at(Slow::mesa));
   kernels.jitter(border, kJitter, width_, at(Slow::belt));
   kernels.jitter(border, kBaseJitter, width_, at(Slow::base));

@@ -1,4 +1,4 @@
-// The surface "regions", row after row.
+// The surface "regions", row by row.
 #pragma once
 
 #include <array>
@@ -31,9 +31,9 @@ class RegionRows final : public SurfaceRows {
   void sloped_row(std::int64_t z, std::int32_t* heights_fx, std::int32_t* slopes_fx) override;
   void quantities(std::int64_t z, std::span<const float*> rows) override;
 
-  /// What the heights of row z are made of.
+  /// Computes the parts of the heights of row z.
   void parts_row(std::int64_t z, const LandParts& parts);
-  /// What a slow field says at the columns of the last row of parts.
+  /// A slow field's values at the columns of the last parts_row().
   [[nodiscard]] const float* slow(Slow slow) const { return at_columns_[static_cast<std::size_t>(slow)]; }
 
  private:
@@ -49,7 +49,7 @@ class RegionRows final : public SurfaceRows {
   [[nodiscard]] RegionRow row_of(const std::vector<float*>& at) const;
 
   const std::shared_ptr<const Regions> regions_;
-  const std::shared_ptr<const Places> places_;  // none: nobody asks for quantities
+  const std::shared_ptr<const Places> places_;  // null if quantities are not used
   const float highest_fx_;
   const RegionKernels* kernels_;
   const PlaceKernels* place_kernels_;
@@ -58,24 +58,24 @@ class RegionRows final : public SurfaceRows {
   FbmRows border_;
   std::size_t width_ = 0;
   ColumnSpread between_;
-  std::vector<AlignedVector<float>> blended_;  // Slow, and others, at the samples of a row
-  std::vector<AlignedVector<float>> rising_;   // and how they rise southward
-  std::vector<AlignedVector<float>> spread_;   // Slow, and others
+  std::vector<AlignedVector<float>> blended_;  // Slow and others, at the samples of a row
+  std::vector<AlignedVector<float>> rising_;   // their rise southward
+  std::vector<AlignedVector<float>> spread_;   // Slow and others, at the columns
   std::vector<float*> at_columns_;
-  // Where each column is asked for: whole cells, whose slow rows are not spread.
+  // For consecutive columns: whole cells, whose slow rows are not stored.
   bool from_cells_ = false;
-  std::size_t first_ = 0;  // columns from the first cell's west to the first that is asked for; else 0
+  std::size_t first_ = 0;  // columns from the first cell's west to the first requested one; else 0
   std::vector<std::int64_t> whole_cells_;
   SampleRows rows_of_cells_;
   std::array<std::vector<const float*>, 4> sample_lines_;
-  std::optional<std::int64_t> lines_from_;  // the line north of rows that all four of these are around
+  std::optional<std::int64_t> lines_from_;  // the line north of the rows for which sample_lines_ is valid
   std::size_t plane_of_cells_ = 0;
-  AlignedVector<float> cubics_;  // five planes of rows of cells: RegionKernels::cubics
+  AlignedVector<float> cubics_;  // five planes of rows of cells; see RegionKernels::cubics
   std::vector<float*> first_of_cells_;
-  // Of coarse levels: how those rise, and the shape's fast octaves.
+  // For coarse levels: the rise of these rows, and the shape's fast octaves.
   bool sloped_ = false;
-  bool at_samples_ = false;  // the columns of such a level are
-  float widened_ = 0;        // terrain units: no half of a river is narrower
+  bool at_samples_ = false;  // true if the columns of such a level are samples
+  float widened_ = 0;        // minimum half width of rivers in terrain units
   std::array<std::vector<AlignedVector<float>>, 2> rises_;
   std::array<std::vector<float*>, 2> rises_at_columns_;
   std::array<std::array<AlignedVector<float>, kShapeOctaves>, 2> octave_rises_;

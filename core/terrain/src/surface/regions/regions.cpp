@@ -11,7 +11,7 @@ namespace talus::terrain {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-// The warp: how far and how long its waves are, in terrain units.
+// The warp's reach and wavelength in terrain units.
 constexpr std::array<double, 2> kWarpReach{130, 45};
 struct Waves {
   double wavelength = 0;
@@ -22,8 +22,8 @@ constexpr std::array<Waves, 2> kWarps{{{520, 3, 0.5}, {150, 1, 0.5}}};
 constexpr double kRiverGain = 0.3;
 constexpr double kBorderWavelength = 24;
 constexpr int kBorderOctaves = 2;
-// Weights of the shape's octaves: of hills the first is 1.7, and each next .54 of it; small land adds to the
-// fields of mesas, four times as much of each as ridges have.
+// Weights of the shape's octaves. Hills: 1.7 for the first, and .54 of the one before for each next. Small
+// hills, which are added to the fields of mesas: four times the weights of ridges.
 constexpr double kHillWeight = 1.7;
 constexpr double kHillGain = 0.54;
 constexpr double kSmallWeight = 6.8;

@@ -69,7 +69,7 @@ void SlowLines::start(std::span<const std::int64_t> samples, bool sloped) {
     for (auto& values : line.line.values) values.resize(padded(width_));
     if (!sloped) continue;
     for (auto* const slopes : {&line.line.east, &line.line.south}) {
-      for (auto& values : *slopes) values.assign(padded(width_), 0);  // of climate they stay 0
+      for (auto& values : *slopes) values.assign(padded(width_), 0);  // stays 0 for the climate
     }
   }
 }
@@ -99,7 +99,7 @@ float* slow_row(SlowLine& rows, Slow slow) {
   return rows[static_cast<std::size_t>(slow)].data();
 }
 
-/// Calls part(first, last) for all columns of which `wanted` are some, by whole vectors.
+/// Calls part(first, last) for ranges of whole vectors that contain all columns with `wanted`.
 template <class Wanted, class Part>
 void in_parts(std::size_t width, const Wanted& wanted, const Part& part) {
   const auto any = [&](std::size_t first) {
@@ -157,10 +157,10 @@ void SlowLines::draw_rivers(std::int64_t z, SlopedLine& line) {
   }
 }
 
-// Nothing is interpolated between these samples. So what a sample's own numbers make no difference to is left
-// out: tributaries on the other side of a river, and rivers where the highest that the land can be, with
-// every hill and ridge, is deep under the sea: they cut what stands over their flood plain, above 0, and the
-// floor of the sea has no beds. And terraces, whose field a valley lowers, are not there.
+// Nothing is interpolated between these samples, so values without effect on their own sample are omitted:
+// tributaries on the other side of a river, and rivers where the highest possible land, with every hill and
+// ridge, is deep under the sea. Rivers cut only land above their flood plain, which is above 0; the sea's
+// floor has no beds; and no terraces are there whose field a valley could lower.
 void SlowLines::draw_rivers_in_parts(std::int64_t z, SlopedLine& line) {
   constexpr float kFar = 1000;
   constexpr float kDeep = -11;  // beds end at -9
@@ -191,7 +191,7 @@ void SlowLines::draw_rivers_in_parts(std::int64_t z, SlopedLine& line) {
   }
 }
 
-// Likewise: the field of terraces counts where there is mesa country.
+// Omits the field of terraces too where there is no mesa country.
 void SlowLines::draw_terraces_in_parts(std::int64_t z, SlopedLine& line) {
   const Displacements warped{east_.displacement.data(), south_.displacement.data()};
   const float* const mesa = slow_row(line.values, Slow::mesa);
@@ -218,7 +218,7 @@ void SlowLines::draw_terraces_in_parts(std::int64_t z, SlopedLine& line) {
       });
 }
 
-// By half the warp, so that hills and ridges bend with the land, and keep their size.
+// Displaced by half the warp, so that hills and ridges bend with the land but keep their size.
 void SlowLines::draw_shape(std::int64_t z, SlopedLine& line) {
   const Displacements half{east_.half.data(), south_.half.data()};
   constexpr std::array<Slow, kSlowOctaves> kShapes{Slow::shape_0, Slow::shape_1, Slow::shape_2, Slow::shape_3,
@@ -266,7 +266,7 @@ void SlowLines::lay_sloped(std::int64_t z, SlopedLine& line) {
     RotatedFbm* noise;
     const SlowFields::Field* field;
     const float* SlowNoises::*row;
-    bool shapes = true;  // or the land hardly rises by it
+    bool shapes = true;  // false if it hardly shapes the land
   };
   const std::array<One, 5> all{{{&continents_, &fields_.continents, &SlowNoises::continents},
                                 {&ranges_, &fields_.ranges, &SlowNoises::ranges},

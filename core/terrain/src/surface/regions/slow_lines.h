@@ -1,4 +1,4 @@
-// What the slow fields of regions say at samples, every sixteenth column, line after line.
+// The slow fields of regions at samples, every sixteenth column, line by line.
 #pragma once
 
 #include <array>
@@ -17,28 +17,28 @@ namespace talus::terrain {
 /// A line of samples: a row of each of Slow, then of each of SlowFields::others; padded.
 using SlowLine = std::vector<AlignedVector<float>>;
 
-/// And how they rise a column eastward and southward, where that is asked for; of the first ones alone: those
-/// that the land is shaped by. Temperature, moisture and other fields have none.
+/// A line with its rise per column eastward and southward, if requested, for the rows of Slow that shape the
+/// land. Not for temperature, moisture and other fields.
 struct SlopedLine {
   SlowLine values;
   SlowLine east;
   SlowLine south;
 };
 
-/// Keeps the last lines. For one thread at a time.
+/// Keeps the last lines; not thread-safe.
 class SlowLines {
  public:
   SlowLines(const SlowFields& fields, const RotatedNoise& shape, const RegionShape& land, InstructionSet set);
 
-  /// From here on lines are of these samples: ascending base columns, multiples of kSampleStep.
+  /// The following lines are of these samples: ascending base columns, multiples of kSampleStep.
   void start(std::span<const std::int64_t> samples, bool sloped);
 
-  /// The line at z, a multiple of kSampleStep, valid while lines at most 3 kSampleStep away are
-  /// asked for.
+  /// Returns the line at z, a multiple of kSampleStep. Valid as long as all requested lines are at most 3
+  /// kSampleStep away.
   [[nodiscard]] const SlopedLine& at(std::int64_t z);
 
  private:
-  /// Where along one axis the noises are read on a line. Padded.
+  /// Displacement along one axis of the positions where noises are read on a line. Padded.
   struct Warp {
     std::vector<std::int32_t> displacement;
     std::vector<std::int32_t> half;
@@ -74,7 +74,7 @@ class SlowLines {
   Warp east_;
   Warp south_;
   std::array<std::array<AlignedVector<float>, 2>, 5> bent_;  // derivatives of a field
-  AlignedVector<float> level_;                               // of those that are taken for level
+  AlignedVector<float> level_;  // derivatives of fields that are treated as level
   std::array<Line, 4> lines_;
 };
 

@@ -1,4 +1,4 @@
-// Memory that begins at a cache line, so that no vector of a row that begins there straddles two.
+// Memory aligned to a cache line, so that no vector of a row that starts there straddles two lines.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace talus {
 
-/// The largest vector of any instruction set, and a cache line.
+/// Size of the largest vector of any instruction set, and of a cache line.
 inline constexpr std::size_t kVectorBytes = 64;
 
-/// An allocator of such memory, for the standard containers.
+/// Allocates memory aligned to kVectorBytes, for the standard containers.
 template <class T>
 struct AlignedAllocator {
   static_assert(alignof(T) <= kVectorBytes);
@@ -22,8 +22,8 @@ struct AlignedAllocator {
   template <class U>
   explicit(false) AlignedAllocator(const AlignedAllocator<U>& /*other*/) {}
 
-  // Aligned by hand, as glibc's heaps do not fill their holes with memory that is asked for aligned, and
-  // grow. Where the memory began stands before the line at which the elements begin.
+  // Over-allocates and aligns by hand: glibc does not reuse freed blocks for aligned requests, so its heaps
+  // grow. The pointer just before the first element holds the start of the allocation.
   [[nodiscard]] T* allocate(std::size_t count) {
     static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
     void* const memory = ::operator new(count * sizeof(T) + kVectorBytes);
@@ -39,11 +39,11 @@ struct AlignedAllocator {
   bool operator==(const AlignedAllocator& /*other*/) const { return true; }
 };
 
-/// A std::vector whose elements begin at a cache line.
+/// A std::vector whose elements start at a cache line.
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
-/// The same whose elements have no value before one is given: growing costs nothing but memory.
+/// Like AlignedAllocator, but elements are default-initialized: growing costs only the allocation.
 template <class T>
 struct UnsetAllocator : AlignedAllocator<T> {
   using value_type = T;

@@ -1,5 +1,5 @@
-// The loops in which generation and coding spend their time exist once for each instruction set. All give the
-// same bits, so which one runs is a matter of speed alone.
+// Instruction sets. The hot loops of generation and coding are compiled once for each. All give the same
+// bits, so the choice affects only speed.
 #pragma once
 
 #include <array>
@@ -11,23 +11,23 @@
 
 namespace talus {
 
-/// Slowest first. `scalar` runs on every processor that the build is for.
+/// Slowest first. `scalar` runs on every processor that the build targets.
 enum class InstructionSet : std::uint8_t { scalar, sse4, avx2, avx512 };
 
 /// "scalar", "sse4", "avx2", "avx512".
 [[nodiscard]] std::string_view to_string(InstructionSet set);
 
-/// Whether this build has kernels for the set and this processor runs them.
+/// Returns true if this build has kernels for the set and this processor supports it.
 [[nodiscard]] bool runs_here(InstructionSet set);
 
 /// The environment variable that forces a set, for tests and comparisons.
 inline constexpr const char* kInstructionSetVariable = "TALUS_INSTRUCTION_SET";
 
-/// What TALUS_INSTRUCTION_SET asks for, or else the fastest that runs here. An error is one line: the name is
-/// not known, or does not run here. Programs call it when they start.
+/// Returns the set named by TALUS_INSTRUCTION_SET or, if that is unset or empty, the fastest that runs here.
+/// Fails with one line if the name is unknown or the set does not run here. Programs call it at startup.
 [[nodiscard]] tl::expected<InstructionSet, std::string_view> forced_instruction_set();
 
-/// The set that all kernels use from the first call on: the forced one, or the fastest where that is wrong.
+/// The set that all kernels use, fixed at the first call: the forced one, or the fastest if that is invalid.
 [[nodiscard]] InstructionSet instruction_set();
 
 }  // namespace talus

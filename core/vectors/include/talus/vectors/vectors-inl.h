@@ -1,4 +1,4 @@
-// What the kernels of every instruction set share. Included once for each, hence no include guard but this:
+// Helpers shared by the kernels of every instruction set. Included once per set, hence this include guard:
 #if defined(TALUS_VECTORS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VECTORS_INL
 #undef TALUS_VECTORS_INL
@@ -16,8 +16,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Calls body(tag, i) for vectors that cover [0, width), touching nothing past it: the last vector may
-/// overlap the one before, so that body must give the same when it runs twice.
+/// Calls body(tag, i) for vectors that cover [0, width) and access nothing past it. The last vector may
+/// overlap the one before, so body must be idempotent.
 template <class Tag, class Body>
 HWY_INLINE void over_row(Tag tag, std::size_t width, const Body& body) {
   const std::size_t lanes = hn::Lanes(tag);
@@ -30,10 +30,10 @@ HWY_INLINE void over_row(Tag tag, std::size_t width, const Body& body) {
   if (i < width) body(tag, width - lanes);
 }
 
-/// To the nearest integer, ties to even, for 0 <= value <= 2^23: as std::nearbyint does.
+/// Rounds to the nearest integer, ties to even, as std::nearbyint does. REQUIRES 0 <= value <= 2^23.
 template <class Tag>
 HWY_INLINE auto round_to_even(Tag tag, hn::Vec<Tag> value) {
-  // From 2^23 to 2^24 floats have no fraction, and their bits count up with them.
+  // Floats in [2^23, 2^24) have no fraction, and consecutive ones have consecutive bit patterns.
   const hn::RebindToSigned<Tag> integers;
   const auto no_fraction = hn::Set(tag, 8388608.0F);
   return hn::Sub(hn::BitCast(integers, hn::Add(value, no_fraction)), hn::BitCast(integers, no_fraction));
