@@ -237,7 +237,6 @@ const pictures = {
     generate('gallery', '--world', world('features'), '--only', 'landscape', '-o', scratch);
     copyFileSync(join(scratch, 'gallery-01-landscape.png'), path);
   },
-  'far.png': map('default', '0,0', '1024,1024', 64),
   'default.png': map('default', '-2960,-2384', '480,480', 16),
   'archipelago.png': map('archipelago', '0,0', '480,480', 16),
   'mesas.png': map('mesas', '0,0', '480,480', 16),
@@ -252,7 +251,6 @@ const pictures = {
   'views-mesas.png': views('mesas', [['1460,-2330', 200, 40], ['1280,-1600', 10, 40], ['400,-280', 300, 40]]),
   'views-alpine.png': views('alpine', [['', undefined, 40], ['-800,-680', 285, 45], ['-2500,-600', 115, 50]]),
   'viewer.png': inBrowser('#at=-2743,190,-2198&look=262,-5&time=8.5&mode=fly&radius=8&horizon=2048&frameRate=0.1', 1280, 640, viewFilled, 5),
-  'viewer-map.png': inBrowser('map.html', 1280, 720, () => window.talusMap?.missing === 0),
 };
 
 try {

@@ -142,7 +142,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
   CLI::App app{
       "Fills the cache on disk with the land around a place, nearest first, so that players find it there. "
       "Goes "
-      "on where it ended before, for the same centre, radius and levels; what is on disk is not made again.",
+      "on where it ended before, for the same center, radius and levels; what is on disk is not made again.",
       "talusd pregen"};
   app.footer(
       "Where a talusd uses the data directory, that makes the land, in time that no player waits for, until "

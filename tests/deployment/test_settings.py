@@ -62,7 +62,7 @@ class Settings(unittest.TestCase):
         loaded = dict(re.findall(r"(?m)^LoadCredential=([^:]+):(.*)$", text))
         for value in settings.values():
             self.assertIn(value.removeprefix("%d/"), loaded)
-        # As OPERATIONS.md has the rest.
+        # As CLUSTER.md has the rest.
         self.check({**settings, "TALUS_CLUSTER_NATS": "tls://nats-0:4222, tls://nats-1:4222, tls://nats-2:4222",
                     "TALUS_CLUSTER_STORE": "0123456789abcdef0123456789abcdef",
                     "TALUS_CLUSTER_PEERS": "http://nats-0:4781, http://nats-1:4781, http://nats-2:4781"})

@@ -123,22 +123,6 @@ TEST_CASE("mistyped words of the command line are told with what was meant") {
   CHECK(told({"--admin", "a:1", "x"}) == "talusd: not expected: x; see talusd --help\n");
 }
 
-TEST_CASE("talusd.toml has every field") {
-  const std::string toml = "\n" + shipped_file();
-  for (const Field& field : fields()) {
-    const std::size_t dot = field.key.find('.');
-    const std::string table =
-        dot == std::string_view::npos ? "" : "\n[" + std::string{field.key.substr(0, dot)} + "]";
-    const std::string key =
-        "\n" + std::string{dot == std::string_view::npos ? field.key : field.key.substr(dot + 1)} + " = ";
-    CAPTURE(field.key);
-    const std::size_t at = toml.find(table);
-    REQUIRE(at != std::string::npos);
-    const std::size_t next_table = toml.find("\n[", at + 1);
-    CHECK(toml.find(key, at) < next_table);
-  }
-}
-
 TEST_CASE("every field is set by its variable") {
   for (const Field& field : fields()) {
     CAPTURE(field.key);

@@ -173,7 +173,7 @@ void Inbox::denied(std::string_view what) {
   changed_.notify_all();
   // Questions for messages are asked again many times a second.
   if (is_news)
-    log_->error("NATS: {}; see \"Many machines\" in OPERATIONS.md for what talusd must be allowed", what);
+    log_->error("NATS: {}; see \"Credentials and permissions\" in CLUSTER.md for what talusd must be allowed", what);
 }
 
 void Inbox::tail(const Arrived& arrived) {

@@ -268,7 +268,7 @@ class Checker {
       return;
     }
     for (const std::string& line : *lines) {
-      add(Kind::fault, fmt::format("{}: the replicas differ: {}; see \"The stream is lost\" in OPERATIONS.md",
+      add(Kind::fault, fmt::format("{}: the replicas differ: {}; see \"The stream is lost\" in CLUSTER.md",
                                    target_.names.stream, line));
     }
     if (lines->empty()) add(Kind::ok, "all replicas that answer have the same newest messages");
