@@ -1,4 +1,4 @@
-// What a caller asks for.
+// Calls from the application.
 #include <algorithm>
 
 #include <asio/post.hpp>
@@ -150,22 +150,22 @@ Result<void> Core::set_view(const View& view) {
   return {};
 }
 
-// A callback may set another View: the call inside tells what is left to tell, and this one finds nothing
-// more.
+// A callback may set another View: the nested call then reports all remaining chunks, and this loop finds
+// none.
 void Core::tell_left(Generation mine) {
   while (mine == generation_ && !left_to_tell_.empty()) {
     events_.on_left_view(left_to_tell_.extract(left_to_tell_.begin()).value());
   }
 }
 
-// The server never heard that they had left, so it will not send them again.
+// The server does not know that these chunks left, so it will not send them again.
 void Core::bring_back(Generation mine) {
   std::vector<ChunkKey> back;
   for (const ChunkKey& key : left_since_view_sent_) {
     if (tracker_.shape().covers(key)) back.push_back(key);
   }
   for (const ChunkKey& key : back) {
-    // The callback before may have set another View, which brought the chunk back itself or does not have it.
+    // The previous callback may have set another View, which restored or dropped this chunk.
     if (!tracker_.shape().covers(key) || left_since_view_sent_.erase(key) == 0) continue;
     if (const auto held = tracker_.held(key)) {
       ++stats_.kept_chunks;

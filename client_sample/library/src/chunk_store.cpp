@@ -15,7 +15,7 @@ std::size_t bytes_of(const ReceivedChunk& chunk) {
                             : layers->tops.capacity() + layers->materials.capacity() * sizeof(MaterialId));
 }
 
-// Rows or columns `from` to `to` (exclusive) of a neighbour, and where they go in the cube.
+// Rows or columns `from` to `to` (exclusive) of a neighbour, and their place in the cube.
 struct Overlap {
   int from = 0;
   int to = 0;

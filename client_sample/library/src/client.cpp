@@ -10,8 +10,8 @@
 namespace talus::client {
 namespace {
 
-// A callback function as a coroutine. `start` is called with a callback; the coroutine goes on by post,
-// never from inside that callback's caller.
+// Wraps a callback function as a coroutine. `start` is called with a callback; the coroutine resumes by post,
+// never inside the call of that callback.
 template <typename T, typename Start>
 asio::awaitable<Result<T>> awaited(Start start) {
   constexpr auto kToken = asio::use_awaitable;

@@ -14,10 +14,10 @@
 namespace talus::client {
 namespace {
 
-// Errors as values: what an operation gives is a tuple that begins with its error code.
+// Operations return errors as values: a tuple that begins with the error code.
 constexpr auto kAsTuple = asio::experimental::as_tuple(asio::use_awaitable);
 
-/// Whether the frame that is refused begins by "HTTP", as all answers of an HTTP server do.
+/// True if the rejected frame begins with "HTTP", as every answer of an HTTP server does.
 bool is_http(const protocol::FrameError& error) {
   return error.claimed_bytes == 0x50545448U + protocol::kPrefixBytes;
 }
@@ -53,7 +53,7 @@ asio::awaitable<Result<void>> Connection::open(const std::string& host, const st
         reason_or(ErrorKind::unreachable, where_ + ": no server answers there: " + connect_error.message())};
   }
   servers.reached(endpoint);
-  std::error_code ignored;  // a connection without it is slower, not wrong
+  std::error_code ignored;  // without this option a connection is slower, but works
   socket_.set_option(asio::ip::tcp::no_delay{true}, ignored);
   last_received_ = clock_.now();
   Result<void> done;
@@ -108,7 +108,7 @@ std::span<const std::byte> Connection::unwrap(std::span<std::byte> bytes) {
   return bytes.first(payload);
 }
 
-// Outside the coroutines: g++ 12 destroys what a condition in a co_await chose twice.
+// Not inlined into the coroutines: g++ 12 destroys the result of a conditional operator in a co_await twice.
 asio::awaitable<Transferred> Connection::read_some() {
   if (tls_) return tls_->read_some(asio::buffer(buffer_));
   return socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
@@ -178,7 +178,7 @@ asio::awaitable<Result<void>> Connection::write(std::span<const std::byte> bytes
 
 void Connection::close(ClientError reason) {
   if (!reason_) reason_ = std::move(reason);
-  std::error_code ignored;  // it is over, however the socket takes it
+  std::error_code ignored;  // the connection is over in any case
   socket_.close(ignored);
   resolver_.cancel();
   deadline_->cancel();

@@ -1,5 +1,5 @@
-// One connection, plain or by TLS, and maybe inside a WebSocket: frames in, bytes out, and the reason it
-// ended.
+// One connection, plain or TLS, optionally inside a WebSocket: frames in, bytes out, and the reason for its
+// end.
 #pragma once
 
 #include <array>
@@ -28,39 +28,39 @@
 
 namespace talus::client {
 
-/// Lives in a shared_ptr that every coroutine on it holds; its operations end soon after close().
+/// Owned by a shared_ptr that every coroutine using it holds; its operations end soon after close().
 class Connection {
  public:
-  /// `clock` outlives it.
+  /// `clock` must outlive this object.
   Connection(const asio::any_io_executor& executor, Clock& clock, std::uint32_t frame_limit_bytes);
 
   [[nodiscard]] asio::awaitable<Result<void>> open(const std::string& host, const std::string& port,
                                                    const TlsOptions& tls, const WebSocketOptions& websocket,
                                                    Servers& servers);
 
-  /// The next whole frame, valid until the next call.
+  /// Reads the next complete frame, valid until the next call.
   [[nodiscard]] asio::awaitable<Result<std::span<const std::byte>>> next_frame(Stats& stats);
 
   /// `bytes` may be empty while must_write().
   [[nodiscard]] asio::awaitable<Result<void>> write(std::span<const std::byte> bytes);
-  /// The connection itself has something to say; whoever waits for work was woken for it.
+  /// True if the WebSocket layer must send a control frame; wait_for_work() was woken for it.
   [[nodiscard]] bool must_write() const { return websocket_ && websocket_->has_control(); }
 
-  /// Ends the connection; whatever waits on it gets `reason`. The first reason stays.
+  /// Ends the connection; pending operations fail with `reason`. Only the first reason counts.
   void close(ClientError reason);
 
-  /// Calls close(reason) unless the deadline is moved or lifted first.
+  /// Calls close(reason) unless the deadline is moved or cancelled first.
   void set_deadline(const std::shared_ptr<Connection>& self, std::chrono::milliseconds after,
                     ClientError reason);
   void lift_deadline();
 
   [[nodiscard]] bool is_closed() const { return reason_.has_value(); }
 
-  /// For whoever composes what is written: wait until there may be something to write, and say so.
+  /// For the writer: waits until there may be something to write. wake() ends the wait.
   [[nodiscard]] asio::awaitable<void> wait_for_work();
   void wake();
 
-  /// Returns after `time`, or earlier when the connection ends.
+  /// Returns after `time`, or earlier if the connection ends.
   [[nodiscard]] asio::awaitable<void> pause(std::chrono::milliseconds time);
 
   [[nodiscard]] Clock::Time last_received() const { return last_received_; }
@@ -69,7 +69,7 @@ class Connection {
   [[nodiscard]] asio::awaitable<Result<void>> shake_hands(const std::string& host, const TlsOptions& options);
   [[nodiscard]] asio::awaitable<Result<void>> upgrade(const std::string& host, const std::string& port,
                                                       const WebSocketOptions& options);
-  /// Of what came, what is the protocol's.
+  /// Removes the WebSocket framing, if any, and returns the protocol's bytes.
   [[nodiscard]] std::span<const std::byte> unwrap(std::span<std::byte> bytes);
   [[nodiscard]] asio::awaitable<Transferred> read_some();
   [[nodiscard]] asio::awaitable<Transferred> write_all(std::span<const std::byte> bytes);
@@ -77,7 +77,7 @@ class Connection {
 
   asio::ip::tcp::resolver resolver_;
   asio::ip::tcp::socket socket_;
-  std::unique_ptr<TlsStream> tls_;  // null: plain
+  std::unique_ptr<TlsStream> tls_;  // null: no TLS
   std::optional<websocket::ClientSide> websocket_;
   std::vector<std::byte> wrapped_;  // in flight
   std::string where_;               // HOST:PORT

@@ -1,4 +1,4 @@
-// Keeping a connection up: connecting, joining, reading, writing, and coming back.
+// Maintains a connection: connecting, joining, reading, writing, reconnecting.
 #include "core.h"
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace {
 
 const ClientError kClosed{ErrorKind::not_connected, "the client was closed", {}};
 
-// At a coroutine's end. What it threw, and only an allocation that fails throws, leaves by the executor's
-// run(): a client whose coroutine ended unnoticed would wait forever.
+// Completion handler of coroutines. Exceptions, which only failed allocations cause, leave through the
+// executor's run(): a client whose coroutine ended unnoticed would wait for ever.
 void rethrow(const std::exception_ptr& thrown) {
   if (thrown) std::rethrow_exception(thrown);
 }
@@ -40,9 +40,9 @@ void append(std::vector<std::byte>& out, const protocol::Frame& frame) {
   out.insert(out.end(), frame.begin(), frame.end());
 }
 
-// A third of what the server allows: one Ping may be late and the next still comes in time.
+// A third of the server's time-out: if one Ping is late, the next is still in time.
 std::chrono::milliseconds ping_interval(const Options& options, const ServerLimits& limits) {
-  constexpr std::chrono::milliseconds kShortest{5};  // whatever the server claims, no flood
+  constexpr std::chrono::milliseconds kShortest{5};  // prevents a flood, whatever the server asks for
   if (limits.idle_timeout.count() == 0) return options.ping_interval;
   return std::min(options.ping_interval, std::max(limits.idle_timeout / 3, kShortest));
 }
@@ -63,13 +63,13 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
     return;
   }
   running_ = true;
-  // Nothing that was known of the server before holds for this one.
+  // Nothing known from the previous server applies to this one.
   world_.reset();
   tracker_ = ViewTracker{options_.keep_bytes};
   uniform_chunks_.clear();
   left_to_tell_.clear();
-  (void)edits_.forget_editor();  // none are open
-  // The lambda's frame keeps self alive until run() is over.
+  (void)edits_.forget_editor();  // no edits are open
+  // The lambda's frame keeps self alive until run() ends.
   asio::co_spawn(
       executor_,
       [self = shared_from_this(), mine = generation_, host = std::move(host), port = std::move(port),
@@ -194,7 +194,7 @@ Result<void> Core::accept_world(const WorldInfo& world) {
   if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
     fail_all_edits({ErrorKind::refused, "this server stores no edits", {}});
   }
-  // Another release may know the heights better.
+  // A server of another release may report other heights.
   if (tracker_.view() && check_view(*tracker_.view(), world)) {
     const auto left = tracker_.replace(View{*tracker_.view()}, world.heights());
     if (events_.on_left_view) left_to_tell_.insert(left.begin(), left.end());
@@ -206,7 +206,7 @@ Result<void> Core::check_kept_view() const {
   return tracker_.view() ? check_view(*tracker_.view(), *world_) : Result<void>{};
 }
 
-// A server met again may be of another release, or have other limits.
+// A server met again may run another release, or have other limits.
 void Core::keep_view(Generation mine) {
   tell_left(mine);
   if (mine != generation_) return;
@@ -240,7 +240,7 @@ void Core::start_session(const ConnectionPtr& connection) {
       rethrow);
 }
 
-// What belonged to the connection and not to the client.
+// Drops the state that belongs to the connection rather than to the client.
 void Core::end_session() {
   joined_ = false;
   pace_timer_.reset();
@@ -259,7 +259,7 @@ void Core::end_run(const ClientError& why) {
   ++generation_;
   running_ = false;
   joined_ = false;
-  // The event first: those who wait for answers may close the client, and then no event comes any more.
+  // Event first: handlers of unanswered requests may close the client, and no event may follow that.
   const auto unanswered = requests_.take_all();
   const auto edits = edits_.take_all();
   if (events_.on_disconnect) events_.on_disconnect(why, false);
@@ -278,7 +278,7 @@ void Core::close() {
   pace_timer_.reset();
   if (retry_timer_) retry_timer_->cancel();
   if (connection_) connection_->close(kClosed);
-  // Not from inside close(): the caller may be in the middle of anything.
+  // Not inside close(): its caller may not expect callbacks.
   asio::post(executor_, [requests = requests_.take_all(), pings = std::exchange(open_pings_, {})] {
     for (const auto& request : requests) fail(request, kClosed);
     for (const auto& [nonce, ping] : pings) {
@@ -294,7 +294,7 @@ asio::awaitable<ClientError> Core::read_until_broken(ConnectionPtr connection) {
   while (true) {
     const auto frame = co_await connection->next_frame(stats_);
     if (!frame) {
-      // A server that closes has said why just before.
+      // A server that closes the connection sends its reason just before.
       const bool silent_end = frame.error().kind == ErrorKind::disconnected;
       co_return silent_end&& close_reason_ ? *close_reason_ : frame.error();
     }
@@ -312,7 +312,7 @@ asio::awaitable<void> Core::write_loop(ConnectionPtr connection) {
       continue;
     }
     const auto written = co_await connection->write(bytes);
-    // The reader sees the end as well, after what the server may still have said.
+    // The reader notices the end too, after the server's last messages.
     if (!written) co_return;
     stats_.sent_bytes += bytes.size();
   }
@@ -327,7 +327,7 @@ asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::mil
       connection->close({ErrorKind::timed_out, "the server has said nothing for too long", {}});
       co_return;
     }
-    // A Pong may come late, behind much else. From a server that answers none no more are asked for.
+    // A Pong may be delayed behind much other data. A server that never answers gets no more Pings.
     constexpr std::ptrdiff_t kMostUnanswered = 8;
     const auto keeps_alive = [](const auto& ping) { return ping.second.handler == nullptr; };
     if (std::ranges::count_if(open_pings_, keeps_alive) < kMostUnanswered) ping(nullptr);
@@ -354,19 +354,19 @@ std::vector<std::byte> Core::compose() {
   compose_pings(out);
   if (!leaving_) compose_edits(out);
   if (!leaving_) compose_requests(out);
-  // In pieces that fit the smallest frame a server may allow.
+  // Split into pieces that fit the smallest frame that a server may allow.
   constexpr std::size_t kIdsAFrame = 512;
   const auto ids = std::exchange(cancels_to_send_, {});
   for (std::size_t first = 0; first < ids.size(); first += kIdsAFrame) {
     append(out, cancel_frame(std::span{ids}.subspan(first, std::min(kIdsAFrame, ids.size() - first))));
   }
-  // Half a window at a time: the server never runs dry, and credits are few.
+  // One credit per half window: the server never stalls, and credits stay few.
   if ((taken_bytes_ - credited_bytes_) * 2 >= world_->limits.window_bytes && taken_bytes_ > credited_bytes_) {
     credited_bytes_ = taken_bytes_;
     append(out, credit_frame(credited_bytes_));
   }
   if (waits_for_pace()) {
-    constexpr std::chrono::milliseconds kBetweenBatches{10};  // rather than a wake-up a request
+    constexpr std::chrono::milliseconds kBetweenBatches{10};  // instead of one wake-up per request
     const auto now = options_.clock->now();
     wake_at(std::max(pace_.next(now), now + kBetweenBatches));
   }
@@ -383,7 +383,7 @@ void Core::compose_view(std::vector<std::byte>& out) {
   if (!view_to_send_ || !pace_.take(options_.clock->now())) return;
   view_to_send_ = false;
   const bool first = !std::exchange(view_sent_, true);
-  if (++view_number_ == 0) ++view_number_;  // 0 is no number
+  if (++view_number_ == 0) ++view_number_;  // 0 is not a valid number
   append(out, view_frame(*tracker_.view(), view_number_,
                          tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
   sent_shape_ = tracker_.shape();
@@ -396,8 +396,8 @@ void Core::compose_pings(std::vector<std::byte>& out) {
   std::vector<std::uint64_t> later;
   for (const auto nonce : std::exchange(pings_to_send_, {})) {
     const auto open = open_pings_.find(nonce);
-    if (open == open_pings_.end()) continue;  // a hostile server answered before it was asked
-    const bool keeps_alive = open->second.handler == nullptr;  // and must not wait
+    if (open == open_pings_.end()) continue;  // a hostile server answered before the Ping was sent
+    const bool keeps_alive = open->second.handler == nullptr;  // and must not be delayed
     if (keeps_alive) {
       pace_.spend(now);
     } else if (!pace_.take(now)) {

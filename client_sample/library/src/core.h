@@ -1,5 +1,5 @@
-// What a Client is behind its header: the state that outlives a connection, and the coroutines that keep
-// one up. Held by shared_ptr, so that a Client may be destroyed inside its own callbacks.
+// Implementation of Client: the state that outlives a connection, and the coroutines that maintain one. Held
+// by shared_ptr, so that a Client may be destroyed inside its own callbacks.
 #pragma once
 
 #include <functional>
@@ -32,7 +32,7 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
                                          "has forgotten who sent it: it may have happened",
                                          {}};
 
-/// Of an edit that was sent, and to which this put an end.
+/// Error of an edit that was sent and is given up because of `why`.
 [[nodiscard]] inline ClientError unknown_outcome(const ClientError& why) {
   return {ErrorKind::outcome_unknown,
           why.message + "; the edit was sent before, and may have happened",
@@ -40,7 +40,7 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
           why.waited_for};
 }
 
-/// The server's rules for a View: one that it would refuse must not become what the client believes in.
+/// Checks a View against the server's rules: the client must not adopt one that the server would refuse.
 [[nodiscard]] Result<void> check_view(const View& view, const WorldInfo& world);
 
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
@@ -69,8 +69,8 @@ class Core : public std::enable_shared_from_this<Core> {
 
  private:
   using ConnectionPtr = std::shared_ptr<Connection>;
-  // Raised by close(): a run that finds another number than its own has nothing left to do. A run takes its
-  // number in connect(), since its coroutine may start only after close().
+  // Incremented by close(): a run whose number differs must stop. A run takes its number in connect(),
+  // because its coroutine may start only after close().
   using Generation = std::uint64_t;
 
   [[nodiscard]] asio::awaitable<void> run(Generation mine, std::string host, std::string port,
@@ -82,14 +82,14 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] asio::awaitable<void> ping_loop(ConnectionPtr connection, std::chrono::milliseconds interval);
 
   [[nodiscard]] Result<void> accept_world(const WorldInfo& world);
-  /// Whether the server that was met last takes the View.
+  /// Checks the View against the limits of the last server met.
   [[nodiscard]] Result<void> check_kept_view() const;
   void keep_view(Generation mine);
   void start_session(const ConnectionPtr& connection);
   void end_session();
   void end_run(const ClientError& why);
 
-  // Each handles one message; an error ends the connection.
+  // Each function handles one message; an error ends the connection.
   [[nodiscard]] Result<void> handle(std::span<const std::byte> frame);
   [[nodiscard]] Result<void> handle_chunk(const wire::Chunk& chunk, std::size_t frame_bytes);
   [[nodiscard]] Result<void> handle_unchanged(const wire::Unchanged& unchanged);
@@ -103,7 +103,7 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> edit_refused(const wire::Error& error, bool comes_back);
   void attach_refused(const ClientError& why, bool comes_back);
   void fail_edits(std::vector<OpenEdit> edits, const ClientError& why);
-  /// Of those that were sent nobody knows what became of them.
+  /// The outcome of edits already sent is unknown.
   void fail_all_edits(const ClientError& why);
   void refetch(ChunkKey key);
   [[nodiscard]] Result<void> handle_pong(const wire::Pong& pong);
@@ -137,46 +137,46 @@ class Core : public std::enable_shared_from_this<Core> {
   Generation generation_ = 0;
   bool running_ = false;
   bool joined_ = false;
-  bool useful_ = false;   // the connection has answered something: its failure starts a new count
-  bool leaving_ = false;  // the server said GoAway: it answers what it has, and takes nothing new
+  bool useful_ = false;   // the connection answered something: its failure starts a new count
+  bool leaving_ = false;  // GoAway was received: the server finishes what it has, and accepts nothing new
   ConnectionPtr connection_;
   RequestPace pace_;
-  std::unique_ptr<Timer> pace_timer_;  // wakes the writer when the pace lets something go
+  std::unique_ptr<Timer> pace_timer_;  // wakes the writer when the pace allows a request
   std::shared_ptr<Timer> retry_timer_;
   std::optional<WorldInfo> world_;
-  std::optional<ClientError> close_reason_;  // what the server gave as the reason, before it closed
+  std::optional<ClientError> close_reason_;  // the server's reason, received before it closed
 
   Requests requests_;
   OpenEdits edits_;
-  std::string edits_wait_for_;  // why the server has asked to come back with an edit, or with Attach; empty:
-                                // it has not
+  std::string edits_wait_for_;  // the server's reason for asking to retry an edit or Attach later; empty: no
+                                // such request
   ViewTracker tracker_;
   bool view_to_send_ = false;
   bool view_sent_ = false;                             // on this connection
-  ViewShape sent_shape_;                               // of the View that was sent last
-  std::uint32_t view_number_ = 0;                      // of that View; never again another one's
-  std::uint32_t completed_number_ = 0;                 // of the last View that the server said to be complete
-  bool complete_to_tell_ = false;                      // of the View that was sent last
-  std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after the last one that was sent, or
-                                                       // came then: the server still counts them in
-  std::unordered_set<ChunkKey> left_to_tell_;  // of what on_chunk delivered, and not by on_left_view yet
+  ViewShape sent_shape_;                               // of the last View sent
+  std::uint32_t view_number_ = 0;                      // of that View; never reused
+  std::uint32_t completed_number_ = 0;                 // of the last View that the server reported complete
+  bool complete_to_tell_ = false;                      // for the last View sent
+  std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after it was last sent, or arrived
+                                                       // after leaving: the server still counts them
+  std::unordered_set<ChunkKey> left_to_tell_;  // delivered by on_chunk, not yet reported by on_left_view
   std::vector<std::uint32_t> cancels_to_send_;
-  std::map<ChunkKey, bool> refetching_;  // edited chunks asked for anew, and whether edited again since
+  std::map<ChunkKey, bool> refetching_;  // edited chunks requested again; true if edited again since
   std::vector<std::uint64_t> pings_to_send_;
   struct OpenPing {
     Clock::Time sent;
-    PingHandler handler;  // empty: only keeps the connection alive
+    PingHandler handler;  // empty: keep-alive only
     bool is_sent = false;
   };
   std::map<std::uint64_t, OpenPing> open_pings_;
   std::uint64_t last_nonce_ = 0;
-  std::uint64_t taken_bytes_ = 0;  // of chunk frames on this connection
+  std::uint64_t taken_bytes_ = 0;  // bytes of chunk frames on this connection
   std::uint64_t credited_bytes_ = 0;
   struct UniformChunk {
     std::shared_ptr<const Chunk> chunk;
     ContentHash hash;
   };
-  std::unordered_map<MaterialId, UniformChunk> uniform_chunks_;  // at most one a material of the world
+  std::unordered_map<MaterialId, UniformChunk> uniform_chunks_;  // at most one per material of the world
 };
 
 }  // namespace talus::client

@@ -1,4 +1,4 @@
-// Edits: what is sent, what the server says of it, and what others edit.
+// Edits: sending them, the server's answers, and broadcasts of other clients' edits.
 #include <algorithm>
 #include <utility>
 
@@ -96,7 +96,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
     edits_.send_as_new(id);
   } else {
     const OpenEdit edit = edits_.take(id);
-    // Of one that was sent before, only a conflict says that it did not happen.
+    // For an edit that was also sent before, only a conflict proves that it was not applied.
     const bool decided = !edit.sent_before || error.code() == wire::ErrorCode::conflict;
     edit.handler(tl::unexpected{decided ? read_error(error) : unknown_outcome(read_error(error))});
   }
@@ -104,7 +104,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
   return {};
 }
 
-// Without an editor no edit goes: where the server asks to come back they wait, else none ever will.
+// Edits need an editor: if the server asks to retry, they wait; otherwise they fail.
 void Core::attach_refused(const ClientError& why, bool comes_back) {
   if (!edits_.attaching()) return;
   edits_.attach_again();
@@ -129,8 +129,8 @@ void Core::fail_all_edits(const ClientError& why) {
   fail_edits(std::move(unsent), why);
 }
 
-// The revision says whether it is news, and whether it applies to what is here. Where it does not, or nobody
-// holds the chunk any more, the chunk is asked for: that is always right.
+// The revision shows whether the broadcast is new, and whether it applies to the held chunk. If it does not
+// apply, or the chunk is no longer held, the chunk is requested: that is always correct.
 Result<void> Core::handle_broadcast(const wire::EditBroadcast& edit) {
   const auto key = read_key(edit.key());
   if (!key) return tl::unexpected{key.error()};

@@ -1,4 +1,4 @@
-// From what a server sent to values that can be trusted. Pure functions over verified messages.
+// Converts the server's messages to trusted values. Pure functions of verified messages.
 #pragma once
 
 #include <span>
@@ -11,25 +11,25 @@
 
 namespace talus::client {
 
-/// ErrorKind::broken_protocol with a line that says what the server did.
+/// ErrorKind::broken_protocol; `what` describes the violation.
 [[nodiscard]] ClientError broken_protocol(std::string what);
 
 [[nodiscard]] Result<WorldInfo> read_welcome(const wire::Welcome& welcome);
 
-/// A coordinate inside the world, at a level that exists.
+/// Fails unless the coordinate is inside the world and its level exists.
 [[nodiscard]] Result<ChunkKey> read_key(const wire::ChunkKey* key);
 
-/// `chunk` after `edit`, which applies to its revision; ErrorKind::broken_protocol where its runs are none.
+/// Applies `edit`, made for this revision, to `chunk`; ErrorKind::broken_protocol if its runs are invalid.
 [[nodiscard]] Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk,
                                                    const wire::EditBroadcast& edit);
 
-/// Decodes the payload and compares the content with its hash; ErrorKind::bad_chunk where that fails.
+/// Decodes the payload and checks its hash; ErrorKind::bad_chunk if that fails.
 [[nodiscard]] Result<ReceivedChunk> read_chunk(ChunkKey key, const wire::Chunk& message);
 
 [[nodiscard]] ContentHash read_hash(const wire::Hash128* hash);
 [[nodiscard]] ClientError read_error(const wire::Error& error);
 
-/// A server's text as one printable line of bounded length, in UTF-8.
+/// Converts a server's text to one printable UTF-8 line of bounded length.
 [[nodiscard]] std::string read_text(const flatbuffers::String* text);
 
 }  // namespace talus::client

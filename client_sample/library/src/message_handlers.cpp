@@ -1,4 +1,4 @@
-// What the server says, message by message. Everything is checked before it reaches a caller.
+// Handles the server's messages. Everything is checked before it reaches a caller.
 #include <algorithm>
 
 #include "core.h"
@@ -10,7 +10,7 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
   const auto message = protocol::read_message(frame);
   if (!message) return tl::unexpected{broken_protocol(std::string{protocol::describe(message.error())})};
   const wire::Message& m = **message;
-  if (!leaving_) close_reason_.reset();  // it went on talking; after GoAway it only ends what it has begun
+  if (!leaving_) close_reason_.reset();  // it did not end the connection; after GoAway it only finishes
   switch (m.body_type()) {
     case wire::Body::Chunk:
       return handle_chunk(*m.body_as_Chunk(), frame.size());
@@ -55,7 +55,7 @@ Result<void> Core::handle_chunk(const wire::Chunk& chunk, std::size_t frame_byte
                                             std::to_string(chunk.id()) + ", which did not ask for it")};
     }
   }
-  // A chunk of a View that has since moved on counts as taken all the same.
+  // A chunk of a View replaced meanwhile still counts as received.
   const bool wanted = request != nullptr || tracker_.shape().covers(*key);
   if (!wanted) pass_by(*key);
   if (wanted) {
@@ -97,7 +97,7 @@ Result<void> Core::handle_unchanged(const wire::Unchanged& unchanged) {
   return {};
 }
 
-// A chunk of the View that this client said it holds. It may have let go of it since.
+// Handles a chunk of the View that this client announced as held. It may have been released since.
 Result<void> Core::confirm(ChunkKey key, ContentHash hash, std::uint64_t revision) {
   if (!tracker_.shape().covers(key)) {
     pass_by(key);
@@ -136,19 +136,19 @@ Result<void> Core::handle_column(const wire::UniformColumn& column) {
   const auto lod = Lod::checked(column.lod());
   if (!lod) return tl::unexpected{broken_protocol(lod.error().message)};
   if (column.runs() == nullptr) return {};
-  // A run may claim 2^32 chunks: only the rows of a View are looked at.
+  // A run may claim 2^32 chunks: only the rows of a View are visited.
   for (const auto* run : *column.runs()) {
     const ChunkRange named{run->first_y(), run->last_y()};
     const ChunkRange now = overlap(tracker_.shape().rows(column.x(), column.z(), *lod), named);
     for (std::int64_t y = now.first; y <= now.last; ++y) {
       const ChunkKey key{{column.x(), static_cast<std::int32_t>(y), column.z()}, *lod};
-      if (!tracker_.shape().covers(key)) continue;  // the callback before has set another View
+      if (!tracker_.shape().covers(key)) continue;  // the previous callback set another View
       const auto chunk = uniform(key, MaterialId{run->material()}, column.revision());
       if (!chunk) return tl::unexpected{chunk.error()};
       useful_ = true;
       ++stats_.uniform_chunks;
       deliver(*chunk);
-      if (!joined_) return {};  // the callback closed the client, and the message with it
+      if (!joined_) return {};  // the callback closed the client, which freed the message
     }
     const ChunkRange sent = overlap(sent_shape_.rows(column.x(), column.z(), *lod), named);
     for (std::int64_t y = sent.first; view_to_send_ && y <= sent.last; ++y) {
@@ -159,8 +159,8 @@ Result<void> Core::handle_column(const wire::UniformColumn& column) {
   return {};
 }
 
-// A chunk for the View that the server knows, which the newest one does not have. Where that is still to be
-// sent, another View may bring the chunk back and the server never hear that it was thrown away.
+// Handles a chunk of the server's View that the newest View does not cover. If the newest View is still to be
+// sent, a later one may bring the chunk back, and the server would never know that it was dropped.
 void Core::pass_by(const ChunkKey& key) {
   if (view_to_send_ && sent_shape_.covers(key)) left_since_view_sent_.insert(key);
 }
@@ -196,8 +196,8 @@ Result<void> Core::handle_heights(const wire::Heights& heights) {
 
 Result<void> Core::handle_error(const wire::Error& error) {
   const ClientError why = read_error(error);
-  // A server of 0.1 does not say what an Error is about, nor its rates: the caller decides about trying
-  // again.
+  // A server of 0.1 reports neither the subject of an Error nor its rates: the caller decides whether to
+  // retry.
   const bool told = error.about() != wire::ErrorAbout::unspecified;
   const bool is_request = told ? error.about() == wire::ErrorAbout::request : error.request_id() != 0;
   const bool comes_back = told && error.code() == wire::ErrorCode::overloaded && why.retry_after.count() > 0;
@@ -232,7 +232,7 @@ Result<void> Core::handle_error(const wire::Error& error) {
   return {};
 }
 
-// Pings are answered in their order, so it is the oldest.
+// Pings are answered in order, so this refusal is for the oldest.
 void Core::ping_refused(const ClientError& why) {
   const auto open = open_pings_.begin();
   if (open == open_pings_.end() || !open->second.is_sent) return;
@@ -243,7 +243,7 @@ void Core::ping_refused(const ClientError& why) {
 
 void Core::refetch(ChunkKey key) {
   const auto [entry, fresh] = refetching_.try_emplace(key, false);
-  if (!fresh) {  // edited again while it is on its way: once more when it has come, however many edits
+  if (!fresh) {  // edited again during the request: request once more afterwards, however many edits
     entry->second = true;
     return;
   }
@@ -286,11 +286,11 @@ Result<void> Core::handle_go_away(const wire::GoAway& away) {
 }
 
 Result<void> Core::handle_complete(const wire::ViewComplete& complete) {
-  // It may have crossed a View that replaces the one it is about.
+  // This may have crossed a View that replaces the one it is about.
   if (!view_sent_ || view_to_send_ || complete.number() != view_number_) return {};
   if (std::exchange(completed_number_, view_number_) == view_number_) return {};
   complete_to_tell_ = true;
-  // Sent and yet not here: it was bad, or came while a View that the server then refused did not have it.
+  // Sent but missing: it was bad, or arrived while a View, refused later, did not cover it.
   for (const ChunkKey& key : tracker_.missing()) {
     if (!refetching_.contains(key)) refetch(key);
   }
@@ -298,7 +298,7 @@ Result<void> Core::handle_complete(const wire::ViewComplete& complete) {
   return {};
 }
 
-// What is fetched anew is still to come: only then it is all there.
+// Chunks requested again are still missing: the View is complete only after them.
 void Core::tell_complete() {
   if (!complete_to_tell_ || view_to_send_ || !refetching_.empty() || !joined_) return;
   complete_to_tell_ = false;
@@ -306,7 +306,7 @@ void Core::tell_complete() {
 }
 
 void Core::deliver(const ReceivedChunk& chunk) {
-  // An answer may overtake a chunk of the View, or be overtaken by one.
+  // An answer and a chunk of the View may overtake each other.
   if (!tracker_.deliver(chunk)) return;
   if (events_.on_chunk) events_.on_chunk(chunk);
 }

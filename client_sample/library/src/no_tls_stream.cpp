@@ -1,4 +1,4 @@
-// In place of tls.cpp and tls_stream.cpp where the library is built without OpenSSL (TALUS_TLS=OFF).
+// Replaces tls.cpp and tls_stream.cpp if the library is built without OpenSSL (TALUS_TLS=OFF).
 #include "tls_stream.h"
 
 namespace talus::client {

@@ -15,7 +15,7 @@ std::vector<OpenEdit> OpenEdits::attached(edits::EditorId editor, bool known, st
                                           std::uint64_t revision, std::uint32_t unanswered) {
   std::vector<OpenEdit> lost;
   if (!known) {
-    lost = take_sent();  // by an earlier connection; what this one has in flight is answered
+    lost = take_sent();  // by an earlier connection; edits in flight on this one are answered
     last_sequence_ = 0;
     for (OpenEdit& edit : waiting_) edit.sequence = 0;
   }

@@ -9,7 +9,7 @@
 namespace talus::client {
 namespace {
 
-// More than prefix, root, tables and alignment of any message with one list.
+// Upper bound of prefix, root, tables and alignment in any message with one list.
 constexpr std::size_t kEnvelopeBytes = 128;
 
 std::size_t fitting(std::uint32_t frame_bytes, std::size_t element_bytes) {
@@ -28,7 +28,7 @@ wire::Voxel wire_voxel(VoxelPos at) {
 
 protocol::Frame hello_frame(const Options& options) {
   return protocol::make_frame([&](auto& b) {
-    std::vector<std::uint8_t> codecs;  // all that decode() reads, the newest first
+    std::vector<std::uint8_t> codecs;  // all codecs that decode() reads, newest first
     for (int version = kCodecVersion; version >= kOldestCodecVersion; --version) {
       codecs.push_back(static_cast<std::uint8_t>(version));
     }
@@ -147,7 +147,7 @@ std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes) {
 }
 
 std::size_t known_per_frame(std::uint32_t frame_bytes) {
-  constexpr std::uint32_t kViewBytes = 256;  // with a ring of each level
+  constexpr std::uint32_t kViewBytes = 256;  // includes a ring of each level
   return frame_bytes < kViewBytes ? 0 : fitting(frame_bytes - kViewBytes, sizeof(wire::KnownChunk));
 }
 

@@ -1,4 +1,4 @@
-// The messages that a client sends, as frames. Pure functions.
+// Encodes the client's messages as frames. Pure functions.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace talus::client {
 
 [[nodiscard]] protocol::Frame hello_frame(const Options& options);
-/// `known`: chunks of the View that need not be sent where they are the same.
+/// `known`: held chunks of the View, which are not sent again if unchanged.
 [[nodiscard]] protocol::Frame view_frame(const View& view, std::uint32_t number,
                                          const std::vector<ReceivedChunk>& known = {});
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request,
@@ -29,7 +29,7 @@ namespace talus::client {
 
 [[nodiscard]] wire::ChunkRequest wire_request(std::uint32_t id, const ChunkRequest& request);
 
-/// What fits into one frame of `frame_bytes`.
+/// Maximum number of elements in a frame of `frame_bytes`.
 [[nodiscard]] std::size_t chunk_requests_per_frame(std::uint32_t frame_bytes);
 [[nodiscard]] std::size_t columns_per_frame(std::uint32_t frame_bytes);
 [[nodiscard]] std::size_t known_per_frame(std::uint32_t frame_bytes);

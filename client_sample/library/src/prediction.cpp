@@ -9,7 +9,7 @@
 namespace talus::client {
 namespace {
 
-/// Nothing is overridden: what is here is the base that edits are evaluated on.
+/// No overrides: the held chunks are the base on which edits are evaluated.
 struct NoOverrides final : edits::OverrideSource {
   [[nodiscard]] const edits::ChunkOverrides* find(ChunkKey) const override { return nullptr; }
 };
@@ -29,9 +29,10 @@ struct Prediction::Open {
   Id id{};
   Edit edit;
   std::vector<edits::TouchedChunk> touched;
-  std::optional<std::uint64_t> revision;  // it happened; of the world after it
-  // Of `touched`: shown as they are held. They were asked for again, or were not held at some time since the
-  // answer: what comes after that has the edit, or is followed by what does, or was not changed by it.
+  std::optional<std::uint64_t> revision;  // set once applied: the world's revision after the edit
+  // Chunks of `touched` that are shown as held: they were requested again, or were not held at some time
+  // since the answer. A later version includes the edit, is followed by one that does, or was not changed by
+  // the edit.
   std::set<ChunkCoord> resolved;
 
   [[nodiscard]] bool touches(ChunkCoord chunk) const {
@@ -56,7 +57,7 @@ const ReceivedChunk* Prediction::confirmed(ChunkCoord chunk) const {
   return covered != confirmed_.end() ? &covered->second : store_.look(key_of(chunk));
 }
 
-// ---- what comes from the server
+// ---- chunks from the server
 
 void Prediction::put(const ReceivedChunk& chunk) {
   const ReceivedChunk* const held = chunk.key.lod == Lod{} ? confirmed(chunk.key.coord) : nullptr;
@@ -112,13 +113,12 @@ void Prediction::edit(Client& client, const Edit& edit, std::function<void(Resul
 }
 
 void Prediction::ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id) {
-  // Mostly the chunks are on their way. What has not come when the server has answered once more is asked
-  // for.
+  // Most of the chunks are in flight already. Those missing after the server's next answer are requested.
   client.ping([self, &client, id](Result<std::chrono::nanoseconds> answered) {
     const auto there = self.lock();
     if (there == nullptr || *there == nullptr) return;
     const std::vector<ChunkKey> behind = (*there)->behind(id);
-    if (!answered) {  // The next connection brings the View's chunks anew. The client may be gone.
+    if (!answered) {  // The next connection sends the View's chunks again. The client may be gone.
       for (const ChunkKey& key : behind) (*there)->resolve(id, key);
       return;
     }
@@ -148,7 +148,7 @@ void Prediction::done(Id id, const Result<EditDone>& result) {
   if (open == edits_.end()) return;
   if (result) {
     open->revision = result->revision;
-    open->edit.guards.clear();  // they held
+    open->edit.guards.clear();  // they held on the server
     for (const edits::TouchedChunk& touched : open->touched) {
       if (confirmed(touched.chunk) == nullptr) open->resolved.insert(touched.chunk);
     }
@@ -190,9 +190,9 @@ void Prediction::rebuild(std::optional<ChunkKey> came) {
 }
 
 bool Prediction::waits(const Open& open, ChunkCoord chunk) const {
-  // A chunk of the edit's revision or a later one has it already. One that the edit did not change never
-  // comes to that revision: there it mostly changes nothing here either, once what the server had before it
-  // has come. But material may have slid into what was dug; then what is asked for again says so.
+  // A chunk at the edit's revision or later includes it. A chunk that the edit did not change never reaches
+  // that revision; once the server's earlier edits have arrived, reapplying the edit there mostly changes
+  // nothing. But loose material may have slid into a dug hole; then requesting the chunk again settles it.
   const ReceivedChunk* const held = confirmed(chunk);
   if (held == nullptr) return false;
   return !open.revision || (held->revision < *open.revision && !open.resolved.contains(chunk));
@@ -238,7 +238,7 @@ std::vector<ChunkKey> Prediction::show(const Overlays& overlays) {
     store_.put(chunk);
     changed.push_back(chunk.key);
   };
-  // What is covered no more, or is not in the store any more.
+  // Restore chunks that are no longer covered; forget those evicted from the store.
   for (auto each = confirmed_.begin(); each != confirmed_.end();) {
     const bool gone = !store_.contains(each->second.key);
     if (gone || !overlays.contains(each->first)) {

@@ -5,7 +5,7 @@
 namespace talus::client {
 namespace {
 
-/// Bytes of the character that the text begins with; 0 where it begins with none (RFC 3629).
+/// Length in bytes of the text's first character; 0 if it does not begin with a valid one (RFC 3629).
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(text[at]); };
   const std::uint8_t first = byte(0);
@@ -17,7 +17,7 @@ std::size_t character_bytes(std::string_view text) {
     if ((byte(at) & 0xC0U) != 0x80) return 0;
   }
   const std::uint8_t second = byte(1);
-  // Longer than need be, a surrogate, or beyond the last character.
+  // Overlong, a surrogate, or above U+10FFFF.
   const bool is_none = (first == 0xE0 && second < 0xA0) || (first == 0xED && second >= 0xA0) ||
                        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
   return is_none ? 0 : bytes;

@@ -1,4 +1,4 @@
-// What a server sent as text, and is any bytes.
+// Sanitizes text from a server, which may be arbitrary bytes.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace talus::client {
 
-/// As one line of UTF-8 of at most `max_bytes`: control characters (C0, DEL) are spaces, each byte that
-/// begins no character is U+FFFD, and no character is cut in two.
+/// Converts to one line of UTF-8 of at most `max_bytes`: control characters (C0, DEL) become spaces, each
+/// byte that does not begin a character becomes U+FFFD, and no character is cut in two.
 [[nodiscard]] std::string printable_line(std::string_view text, std::size_t max_bytes);
 
 }  // namespace talus::client

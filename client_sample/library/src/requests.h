@@ -1,4 +1,4 @@
-// Every request that has no answer yet: those that wait for their turn and those in flight.
+// Unanswered requests: those waiting for their turn, and those in flight.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct ChunkRequest {
 struct HeightsRequest {
   std::vector<Column> columns;
   bool looks = false;
-  std::vector<std::string> fields;  // names, as the next server may count otherwise
+  std::vector<std::string> fields;  // names: the next server may number them differently
   std::function<void(Result<ColumnPlaces>)> handler;
 };
 
@@ -33,34 +33,34 @@ class Requests {
  public:
   [[nodiscard]] std::uint32_t add(Request request);
 
-  /// The next request to send, now in flight; none when `limit` are in flight or none waits.
+  /// Sends the next request and returns its id; nullopt if `limit` are in flight or nothing is waiting.
   [[nodiscard]] std::optional<std::uint32_t> send_next(std::uint32_t limit);
   [[nodiscard]] const Request& at(std::uint32_t id) const { return open_.at(id); }
 
-  /// The request in flight that `id` names, or null: such an answer was never asked for.
+  /// The request in flight with this id; null if there is none, so that the answer is unsolicited.
   [[nodiscard]] const Request* in_flight(std::uint32_t id) const;
 
-  /// Takes a request out, to answer it.
+  /// Removes a request in order to answer it.
   [[nodiscard]] Request take(std::uint32_t id);
 
   enum class Cancelled : std::uint8_t { unknown, waiting, in_flight };
-  /// Where the request stood. One that waited has to be taken out and answered by the caller.
+  /// Returns the request's state. If it was waiting, the caller must take() and answer it.
   [[nodiscard]] Cancelled cancel(std::uint32_t id);
 
-  /// The connection broke: what was in flight waits again, the oldest first. Returns those that had been
-  /// cancelled, which are not worth asking again.
+  /// The connection broke: requests in flight wait again, oldest first. Returns those that had been
+  /// cancelled, which are not sent again.
   [[nodiscard]] std::vector<Request> send_again();
 
-  /// The server refused it for now: it waits again, before all that were never sent and in the order of ids.
-  /// False where it had been cancelled: then the caller takes it out and answers it.
+  /// The server refused the request temporarily: it waits again, before all never sent and in order of ids.
+  /// Returns false if it had been cancelled: the caller must then take() and answer it.
   [[nodiscard]] bool put_back(std::uint32_t id);
 
-  /// Whether a request waits that send_next() would give out.
+  /// True if send_next() would return a request.
   [[nodiscard]] bool has_next(std::uint32_t limit) const {
     return !waiting_.empty() && in_flight_.size() < limit;
   }
 
-  /// Takes all out, oldest first.
+  /// Removes all requests, oldest first.
   [[nodiscard]] std::vector<Request> take_all();
 
  private:

@@ -1,4 +1,4 @@
-// Which server is next, and which of the addresses of its name. No I/O.
+// Selects the next server and the address of its name to try. No I/O.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,18 @@ namespace talus::client {
 
 class Servers {
  public:
-  /// `seed`: of what is random; none: every client's is its own.
+  /// `seed` of random choices; nullopt: each client draws its own.
   Servers(ServerAddress first, const std::vector<ServerAddress>& more, std::optional<std::uint64_t> seed);
 
   [[nodiscard]] const ServerAddress& current() const { return servers_[current_].address; }
   [[nodiscard]] std::size_t count() const { return servers_.size(); }
-  /// The current one failed, or goes away and asked for that wait before anybody comes back: the next one is
-  /// current from now on. Returns how long that asked to wait.
+  /// The current server failed, or went away and asked clients to stay away for `retry_after`. Makes the next
+  /// server current and returns the remaining wait that it had asked for.
   std::chrono::milliseconds leave(Clock::Time now, std::chrono::milliseconds retry_after);
 
-  /// In which order to try the addresses of the current one's name: of each family at random, so that
-  /// players spread where a name has the addresses of several servers, but last the one that was reached
-  /// before. Families stay in the system's order.
+  /// Order in which to try the addresses of the current server's name. Families stay in the system's order;
+  /// within each family the order is random, so that players spread over several servers of one name, except
+  /// that the address reached before comes last.
   [[nodiscard]] std::vector<asio::ip::tcp::endpoint> in_order(
       const asio::ip::tcp::resolver::results_type& found);
   void reached(const asio::ip::tcp::endpoint& address) { reached_ = address; }

@@ -11,7 +11,7 @@
 namespace talus::client {
 namespace {
 
-/// Gives the name to check; false where OpenSSL will not have it.
+/// Sets the name to verify; returns false if OpenSSL rejects it.
 bool expect(SSL* tls, const std::string& name) {
   if (X509_VERIFY_PARAM_set1_ip_asc(SSL_get0_param(tls), name.c_str()) == 1) return true;
   ERR_clear_error();
@@ -64,7 +64,7 @@ tls::Handle new_tls(const tls::Context& context, const TlsOptions& options, cons
   tls::Handle handle{SSL_new(context.get())};
   if (handle == nullptr) throw std::bad_alloc{};
   if (!expect(handle.get(), options.server_name.empty() ? host : options.server_name)) {
-    // No name is left to be right: the handshake fails rather than trust anybody.
+    // No valid name to verify: make the handshake fail rather than trust any server.
     ERR_clear_error();
     SSL_set1_host(handle.get(), "invalid.");
   }

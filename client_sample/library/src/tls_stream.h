@@ -1,4 +1,4 @@
-// TLS over a connection's socket. Two sources implement it: one by OpenSSL, and one for builds without it.
+// TLS over a connection's socket. Two implementations: OpenSSL, and one for builds without it.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@
 
 namespace talus::client {
 
-/// What a read or a write gives: how it went, and the bytes.
+/// Result of a read or a write: error code and number of bytes.
 using Transferred = std::tuple<std::error_code, std::size_t>;
 
 class TlsStream {
  public:
   virtual ~TlsStream() = default;
-  /// An error says whom it does not trust, or what failed.
+  /// An error names the untrusted server, or the failure.
   [[nodiscard]] virtual asio::awaitable<Result<void>> handshake() = 0;
   [[nodiscard]] virtual asio::awaitable<Transferred> read_some(asio::mutable_buffer into) = 0;
   [[nodiscard]] virtual asio::awaitable<Transferred> write_all(asio::const_buffer from) = 0;
 };
 
-/// `socket` is connected, and outlives the stream; `host` is the name that was given to connect().
+/// `socket` is connected and must outlive the stream; `host` is the name passed to connect().
 [[nodiscard]] Result<std::unique_ptr<TlsStream>> make_tls_stream(asio::ip::tcp::socket& socket,
                                                                  const TlsOptions& options,
                                                                  const std::string& host);

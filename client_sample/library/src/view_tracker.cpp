@@ -13,7 +13,7 @@ std::vector<ChunkKey> ViewTracker::replace(const View& view, HeightRange heights
     if (shape_.covers(key)) continue;
     left.push_back(key);
     const auto held = still_there(key, chunk);
-    // A uniform chunk costs next to nothing to send again.
+    // A uniform chunk is cheap to send again.
     if (keep_bytes_ > 0 && held && !held->chunk->is_uniform()) kept_.put(*held);
   }
   for (const auto& key : left) delivered_.erase(key);

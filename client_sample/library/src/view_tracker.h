@@ -1,4 +1,4 @@
-// Which chunks of the current View have been delivered, and which of those that left may be used again.
+// Tracks which chunks of the current View were delivered, and which of the departed ones can be reused.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,15 @@ class ViewTracker {
   /// Keeps about `keep_bytes` of chunks that left the View.
   explicit ViewTracker(std::size_t keep_bytes) : keep_bytes_{keep_bytes}, kept_{keep_bytes} {}
 
-  /// Puts `view`, in a world of these heights, in place of the one before; returns the delivered chunks that
-  /// it no longer covers.
+  /// Replaces the View, in a world of these heights; returns the delivered chunks that it no longer covers.
   [[nodiscard]] std::vector<ChunkKey> replace(const View& view, HeightRange heights = {});
 
   [[nodiscard]] const std::optional<View>& view() const { return view_; }
   [[nodiscard]] const ViewShape& shape() const { return shape_; }
 
-  /// Notes that the chunk reached the caller. False where one of a higher revision has: then nothing changes.
+  /// Records a delivered chunk. Returns false, without effect, if a higher revision was delivered before.
   [[nodiscard]] bool deliver(const ReceivedChunk& chunk);
-  /// The server has another store: its revisions say nothing about those that came before.
+  /// The server has another store, whose revisions are not comparable with earlier ones.
   void forget_revisions();
 
   /// Chunks of the View that were not delivered.
@@ -36,14 +35,14 @@ class ViewTracker {
 
   [[nodiscard]] bool was_delivered(const ChunkKey& key) const { return delivered_.contains(key); }
 
-  /// The chunk where it is still held: kept after it left, or delivered and held by the caller.
+  /// The chunk if it is still in memory: kept after it left, or delivered and still held by the caller.
   [[nodiscard]] std::optional<ReceivedChunk> held(const ChunkKey& key) const;
-  /// Chunks of the View that are held, `max` of them at most, none of them uniform. After a new connection
-  /// the server has sent nothing yet, so those delivered count too.
+  /// At most `max` held chunks of the View, without uniform ones. After a reconnect the server has sent
+  /// nothing yet, so delivered chunks count too.
   [[nodiscard]] std::vector<ReceivedChunk> known(std::size_t max, bool with_delivered) const;
 
  private:
-  /// Does not keep the chunk: what nobody else holds any more is gone.
+  /// Does not own the chunk: it is gone when the caller and `kept_` release it.
   struct Delivered {
     std::uint64_t revision = 0;
     ContentHash hash;

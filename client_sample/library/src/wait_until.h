@@ -1,4 +1,4 @@
-// Waiting for a Timer in a coroutine.
+// Waits for a Timer in a coroutine.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ namespace talus::client {
   auto token = asio::experimental::as_tuple(asio::use_awaitable);
   co_await asio::async_initiate<decltype(token), void(std::error_code)>(
       [&timer, end](auto handler) {
-        // A Timer's handlers can be copied, which Asio's cannot.
+        // A Timer's handler must be copyable; Asio's are not.
         auto shared = std::make_shared<decltype(handler)>(std::move(handler));
         timer.async_wait_until(end, [shared](std::error_code error) { std::move (*shared)(error); });
       },

@@ -11,7 +11,7 @@ using websocket::Failure;
 
 template <std::size_t kBytes>
 std::array<std::byte, kBytes> random_bytes() {
-  thread_local std::random_device device;  // the system's randomness: nobody foretells it
+  thread_local std::random_device device;  // the system's randomness: unpredictable
   std::array<std::byte, kBytes> bytes{};
   for (std::size_t at = 0; at < kBytes; at += sizeof(std::uint32_t)) {
     const std::uint32_t some = device();
@@ -20,7 +20,7 @@ std::array<std::byte, kBytes> random_bytes() {
   return bytes;
 }
 
-/// As it goes into a request: nothing that would end its line.
+/// True if the text can stand in a request line: no spaces or control characters.
 bool is_printable(const std::string& text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c > ' ' && c <= '~'; });
 }
@@ -65,7 +65,7 @@ std::array<std::byte, 4> random_mask() {
 }
 
 ClientError error_of(const Failure& failure) {
-  // More than the client would wait in any case is not counted.
+  // Longer waits than the client would accept are capped.
   const auto seconds = std::min<std::uint32_t>(failure.retry_after_seconds, 3600);
   return {kind_of(failure), failure.text, std::chrono::seconds{seconds}};
 }

@@ -1,5 +1,5 @@
-// How long to wait before the next attempt to connect. A Client does this by itself; it is here for those who
-// make connections of their own.
+// Delays between attempts to connect. A Client uses this by itself; it is public for programs that open their
+// own connections.
 #pragma once
 
 #include <chrono>
@@ -10,17 +10,17 @@
 
 namespace talus::client {
 
-/// Exponential back-off with full jitter, as ReconnectPolicy says. Knows no clock: the caller waits.
+/// Exponential back-off with full jitter, as ReconnectPolicy describes. Has no clock: the caller waits.
 class Backoff {
  public:
   explicit Backoff(const ReconnectPolicy& policy);
 
-  /// The wait after one more failure; none once the policy's attempts are used up. `retry_after` is what the
-  /// server asked for; the random part comes on top, so that those who were sent away together do not return
+  /// Delay after one more failure; nullopt when the policy's attempts are used up. The random part is added
+  /// to `retry_after`, the delay that the server asked for, so that clients sent away together do not return
   /// together.
   [[nodiscard]] std::optional<std::chrono::milliseconds> next(std::chrono::milliseconds retry_after = {});
 
-  /// The connection was of use: count failures from zero again.
+  /// Call after the connection was useful: failures count from zero again.
   void reset() { failures_ = 0; }
 
  private:

@@ -1,5 +1,4 @@
-// The chunks that a client holds, and what a mesher needs of them: one chunk with a rim of its
-// neighbours' voxels.
+// The chunks that a client holds. Gives a mesher one chunk with a rim of its neighbours' voxels.
 //
 //   ChunkStore store{256 << 20};
 //   events.on_chunk = [&](const ReceivedChunk& chunk) { store.put(chunk); remesh_around(chunk.key); };
@@ -9,7 +8,7 @@
 //   const ApronGaps gaps = store.apron(key, 1, kAir, voxels);
 //   if (gaps.none()) mesh(voxels);
 //
-// Not thread-safe; but the chunks in it are immutable, so a mesher's thread may keep a find()'s result.
+// Not thread-safe, but the chunks are immutable: a mesher's thread may keep the result of find().
 #pragma once
 
 #include <bitset>
@@ -25,13 +24,13 @@ namespace talus::client {
 
 inline constexpr int kMaxApron = 2;  // voxels
 
-/// Voxels of a chunk with `width` more on every side.
+/// Voxels of a chunk extended by `width` on every side.
 [[nodiscard]] constexpr std::size_t apron_volume(int width) {
   const auto edge = static_cast<std::size_t>(kChunkSize + 2 * width);
   return edge * edge * edge;
 }
 
-/// Of the 3 x 3 x 3 chunks around a key, which were not there. Bit neighbour_index(dx, dy, dz).
+/// The chunks missing among the 3 x 3 x 3 around a key. Bit neighbour_index(dx, dy, dz).
 using ApronGaps = std::bitset<27>;
 
 /// Each of dx, dy, dz is -1, 0 or 1; (0, 0, 0) is the chunk itself.
@@ -41,37 +40,36 @@ using ApronGaps = std::bitset<27>;
 
 class ChunkStore {
  public:
-  /// Holds about `max_bytes` of decoded voxels; when more come, those unused for longest go first. The
-  /// chunk put last always stays.
+  /// Holds about `max_bytes` of decoded voxels and evicts the least recently used chunks above that, but
+  /// never the chunk put last.
   explicit ChunkStore(std::size_t max_bytes) : max_bytes_{max_bytes} {}
 
-  /// Stores `chunk` in place of what was held for its key, unless that has a higher revision. An unchanged()
-  /// one only counts as a use. Revisions of different stores (WorldInfo::store_id) cannot be compared:
-  /// clear() in between.
+  /// Replaces the chunk of its key unless the held one has a higher revision. An unchanged() chunk only
+  /// counts as a use. Revisions of different stores (WorldInfo::store_id) are not comparable: call clear() in
+  /// between.
   void put(const ReceivedChunk& chunk);
   void erase(const ChunkKey& key);
   void clear();
 
-  /// Null where the chunk is not held. Counts as a use.
+  /// Null if the chunk is not held. Counts as a use.
   [[nodiscard]] std::shared_ptr<const Chunk> find(const ChunkKey& key);
 
-  /// All that was received of it; null where it is not held. Valid until the next change. Does not count as a
-  /// use.
+  /// The chunk as received; null if not held. Valid until the next change. Does not count as a use.
   [[nodiscard]] const ReceivedChunk* look(const ChunkKey& key) const;
 
-  /// Whether the chunk is held; does not count as a use.
+  /// Does not count as a use.
   [[nodiscard]] bool contains(const ChunkKey& key) const { return held_.contains(key); }
 
   [[nodiscard]] std::size_t size() const { return held_.size(); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
-  /// Writes the (32 + 2 width)^3 voxels from `width` below the chunk's lowest corner on, y slowest, then
-  /// z, then x; `width` 0 to kMaxApron; `out` of exactly apron_volume(width). Neighbours are of the same
-  /// level. What is not held is filled with `filler` and reported; with width 0 only the chunk itself can
-  /// be. The store's bound must allow 27 chunks, or neighbours push each other out.
+  /// Writes (32 + 2 width)^3 voxels, starting `width` below the chunk's lowest corner, y slowest, then z,
+  /// then x. `width` is 0 to kMaxApron; `out` has exactly apron_volume(width) elements. Neighbours are of the
+  /// same level. Voxels of chunks that are not held become `filler`, and the result reports these chunks
+  /// (with width 0, only the chunk itself). `max_bytes` must allow 27 chunks, or neighbours evict each other.
   [[nodiscard]] ApronGaps apron(const ChunkKey& key, int width, MaterialId filler, std::span<MaterialId> out);
 
-  /// Calls `visit(const ReceivedChunk&)` for every chunk held, in no particular order.
+  /// Calls `visit(const ReceivedChunk&)` for every chunk held, in unspecified order.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const auto& chunk : by_use_) visit(chunk);

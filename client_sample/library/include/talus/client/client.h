@@ -1,9 +1,10 @@
 // A connection to a Talus server.
 //
-// Everything runs on the executor given to the constructor, and nothing starts a thread. A Client is not
-// thread-safe: call it, and expect its callbacks, on that executor only (a single-threaded io_context, or
-// a strand). Callbacks may call the client, even close() it or destroy it; they must not throw. Where memory
-// runs out, std::bad_alloc leaves by the call or by the executor's run(); the client is then to be destroyed.
+// Everything runs on the executor passed to the constructor; no thread is started. A Client is not
+// thread-safe: call it only on that executor, where its callbacks run too (a single-threaded io_context, or a
+// strand). Callbacks may call the client, even close() or destroy it; they must not throw. If memory runs
+// out, std::bad_alloc leaves through the call or through the executor's run(); the client must then be
+// destroyed.
 //
 // In a coroutine:
 //
@@ -31,22 +32,21 @@
 //     draw(store);
 //   }
 //
-// What comes from the server is checked before anything is done with it: frames against limits, answers
-// against what was asked, chunks against their hash. A chunk that fails is never delivered; a server that
-// breaks the protocol is dropped.
+// Everything from the server is checked before use: frames against limits, answers against requests, chunks
+// against their hash. A chunk that fails is never delivered; a server that breaks the protocol is
+// disconnected.
 //
-// Chunks that left the View are kept for a while, within Options::keep_bytes: when they come back, only
-// their hashes travel, unless they have changed.
+// Chunks that left the View are kept for a while, up to Options::keep_bytes. When they return unchanged, only
+// their hashes are sent.
 //
-// Requests, Views and pings beyond the rate that the server told wait inside the client. Where the server
-// refuses one all the same and says when to come back, the client asks again then by itself.
+// Requests, Views and pings above the server's advertised rates wait inside the client. If the server still
+// refuses one and gives a delay, the client repeats it after that delay.
 //
-// When the connection breaks, or the server goes away, and Options::reconnect allows it, the client connects
-// again: to the next of Options::more_servers where there are some; where the server that is next asked for a
-// wait first, up to kLongestRetryAfter, after that. If the world has the same fingerprint, the
-// current View and every unanswered request are sent again, and on_chunk comes again for all chunks of the
-// View; the caller sees only on_disconnect and on_reconnect. Otherwise, and when attempts run out, every
-// unanswered request fails.
+// If the connection breaks or the server goes away, and Options::reconnect allows it, the client reconnects,
+// to the next of Options::more_servers if there are any. If that server asked for a delay before, the client
+// waits for it, at most kLongestRetryAfter. If the world has the same fingerprint, the current View and every
+// unanswered request are sent again, and on_chunk is called again for all chunks of the View; the caller sees
+// only on_disconnect and on_reconnect. Otherwise, or when attempts run out, every unanswered request fails.
 #pragma once
 
 #include <chrono>
@@ -75,74 +75,74 @@ struct Column {
   std::int64_t z = 0;
 };
 
-/// What there is at some columns, in the order in which they were asked for.
+/// Data of several columns, in the order of the request.
 struct ColumnPlaces {
-  std::vector<std::int32_t> heights_fx;  // of the ground, 1/256 voxel above y = 0
-  std::vector<std::uint8_t> looks;       // places in WorldInfo::looks: which biome it is
-  std::vector<float> values;             // of each column those of all fields, in the order of the request
+  std::vector<std::int32_t> heights_fx;  // ground, 1/256 voxel above y = 0
+  std::vector<std::uint8_t> looks;       // biomes, as indexes into WorldInfo::looks
+  std::vector<float> values;             // all fields of a column, in requested order, then of the next
 };
 
 /// Callbacks, all optional.
 struct Events {
-  /// A chunk of the current View has come, or has changed.
+  /// A chunk of the current View arrived or changed.
   std::function<void(const ReceivedChunk&)> on_chunk;
-  /// A chunk that on_chunk delivered is no longer in the View, and will not be kept up to date.
+  /// A chunk that on_chunk delivered left the View and will no longer be updated.
   std::function<void(ChunkKey)> on_left_view;
-  /// All chunks of the View have come, but for those of which on_error told. At most once for each View that
-  /// is sent, and not for one that was replaced before; again after a reconnect. Never from a server of 0.1.
+  /// All chunks of the View arrived, except any reported by on_error. Called at most once per View sent, not
+  /// for a View replaced before; again after a reconnect. Never with a server of 0.1.
   std::function<void(const View&)> on_view_complete;
-  /// Something that the connection survives: a chunk of the View that was bad, a View that was refused.
+  /// An error that the connection survives: a bad chunk of the View, or a refused View.
   std::function<void(const ClientError&)> on_error;
-  /// The connection is gone after having been up. `retrying`: the client is trying to come back.
+  /// An established connection was lost. `retrying`: the client is reconnecting.
   std::function<void(const ClientError&, bool retrying)> on_disconnect;
-  /// It has come back, to the same world.
+  /// The connection is back, to the same world.
   std::function<void(const WorldInfo&)> on_reconnect;
 };
 
-/// Running totals since the client was made.
+/// Totals since the client was created.
 struct Stats {
   std::uint64_t received_bytes = 0;  // everything the server sent
   std::uint64_t sent_bytes = 0;
   std::uint64_t chunk_frames = 0;
-  std::uint64_t chunk_bytes = 0;     // of chunk frames
-  std::uint64_t uniform_chunks = 0;  // that came in whole columns
-  std::uint64_t kept_chunks = 0;     // of a View, held since before and not sent again
-  std::uint64_t bad_chunks = 0;      // that did not decode, or did not match their hash
+  std::uint64_t chunk_bytes = 0;     // bytes of chunk frames
+  std::uint64_t uniform_chunks = 0;  // received as whole columns
+  std::uint64_t kept_chunks = 0;     // chunks of a View that were already held and not sent again
+  std::uint64_t bad_chunks = 0;      // failed to decode, or did not match their hash
   std::uint64_t connections = 0;
 };
 
-/// Names a request for cancel().
+/// Identifies a request for cancel().
 enum class RequestId : std::uint32_t {};
 
-class Core;  // the library's own
+class Core;  // internal to the library
 
 class Client {
  public:
   explicit Client(asio::any_io_executor executor, Options options = {}, Events events = {});
-  /// As close(): every unanswered request still gets its error; no event comes any more.
+  /// Like close(): every unanswered request still fails with an error. No event follows.
   ~Client();
   Client(Client&&) noexcept;
   Client& operator=(Client&&) noexcept;
 
-  /// Connects and joins, without a View at first. `port` is a number or a service name. Once at a time;
-  /// after an error, on_disconnect that does not retry, or close() it may be called again.
+  /// Connects and joins, without a View at first. `port` is a number or a service name. May be called again
+  /// after an error, after on_disconnect with `retrying` false, or after close().
   [[nodiscard]] asio::awaitable<Result<WorldInfo>> connect(std::string host, std::string port);
   void connect(std::string host, std::string port, std::function<void(Result<WorldInfo>)> handler);
 
   [[nodiscard]] bool connected() const;
-  /// What the last Welcome said; null until connect() has brought one.
+  /// Contents of the last Welcome; null until connect() has succeeded.
   [[nodiscard]] const WorldInfo* world() const;
 
-  /// One chunk. With `known`, the hash of what the caller holds, the answer may be unchanged(). Any number
-  /// of requests may be open; those beyond the server's limit or rate wait their turn here. Answers come in
-  /// any order, each exactly once.
+  /// Requests one chunk. If `known`, the hash of the caller's copy, still matches, the answer is unchanged().
+  /// Any number of requests may be open; those above the server's limit or rate wait here. Answers arrive in
+  /// any order, exactly one for each request.
   [[nodiscard]] asio::awaitable<Result<ReceivedChunk>> get(ChunkKey key,
                                                            std::optional<ContentHash> known = std::nullopt);
   RequestId get(ChunkKey key, std::optional<ContentHash> known,
                 std::function<void(Result<ReceivedChunk>)> handler);
 
-  /// Gives a request up. Its handler is still called once: with ErrorKind::cancelled, or with the chunk if
-  /// that was in flight already. A request that was answered is left alone.
+  /// Cancels a request. Its handler is still called once: with ErrorKind::cancelled, or with the chunk if it
+  /// was already in flight. No effect on an answered request.
   void cancel(RequestId request);
 
   /// Heights of the ground at `columns`, in 1/256 voxel above y = 0, in the same order. At most
@@ -151,35 +151,35 @@ class Client {
   void get_heights(std::vector<Column> columns,
                    std::function<void(Result<std::vector<std::int32_t>>)> handler);
 
-  /// As get_heights(), with the look of each column and the values there of `fields`, names of
-  /// WorldInfo::fields: quantities such as temperature, and the world's own. At most
-  /// protocol::kMaxFieldsPerRequest.
+  /// Like get_heights(), with the biome of each column and its values of `fields`, which are names from
+  /// WorldInfo::fields: quantities such as temperature, and fields that the world defines. At most
+  /// protocol::kMaxFieldsPerRequest fields.
   [[nodiscard]] asio::awaitable<Result<ColumnPlaces>> get_places(std::vector<Column> columns,
                                                                  std::vector<std::string> fields);
   void get_places(std::vector<Column> columns, std::vector<std::string> fields,
                   std::function<void(Result<ColumnPlaces>)> handler);
 
-  /// Says what the player wants around it, in place of what it wanted before. Cheap: only the newest View
-  /// is sent, and an equal one is not. An error, which leaves the View before, when it goes beyond the
-  /// server's limits, or before connect() has brought a world; while reconnecting it is kept.
+  /// Replaces the View. Cheap: only the newest View is sent, and only if it differs. Fails and leaves the
+  /// View unchanged if it exceeds the server's limits, or before connect() has delivered a world. While
+  /// reconnecting, the View is kept and sent later.
   [[nodiscard]] Result<void> set_view(const View& view);
 
-  /// Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks
-  /// meanwhile; at most as many as the server allows are on their way, the others wait here. One that the
-  /// server refuses for now is sent again, and may then happen behind later ones: where order matters, use
-  /// guards. The answer comes when the edit is stored; chunks of the View change by on_chunk, before or after
-  /// it. Errors: conflict, out_of_range; outcome_unknown where it was sent, and the client was closed or has
-  /// given up before an answer came, or the server has forgotten who sent it; refused where the token does
-  /// not give the right, or the server stores no edits.
+  /// Changes voxels. Edits are applied in the order of the calls, each exactly once, however often the
+  /// connection breaks. At most as many as the server allows are in flight; the rest wait here. An edit that
+  /// the server refuses temporarily is sent again and may then be applied after later ones: if order matters,
+  /// use guards. The answer arrives when the edit is stored; changed chunks of the View arrive through
+  /// on_chunk, before or after it. Errors: conflict; out_of_range; outcome_unknown if the edit was sent, and
+  /// the client was closed or gave up before an answer, or the server no longer knows the editor; refused if
+  /// the token lacks the right, or the server stores no edits.
   [[nodiscard]] asio::awaitable<Result<EditDone>> edit(Edit edit);
   void edit(Edit edit, std::function<void(Result<EditDone>)> handler);
 
-  /// Round-trip time.
+  /// Measures the round-trip time.
   [[nodiscard]] asio::awaitable<Result<std::chrono::nanoseconds>> ping();
   void ping(std::function<void(Result<std::chrono::nanoseconds>)> handler);
 
-  /// Closes the connection for good. Unanswered requests fail; the View and what came for it are forgotten,
-  /// without on_left_view. connect() may be called again, to any server.
+  /// Closes the connection. Unanswered requests fail; the View and its chunks are dropped without
+  /// on_left_view. connect() may be called again, to any server.
   void close();
 
   [[nodiscard]] const Stats& stats() const;

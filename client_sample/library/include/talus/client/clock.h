@@ -1,4 +1,4 @@
-// Time and timers as an interface, so that tests decide when time passes.
+// Time and timers behind an interface, so that tests control time.
 #pragma once
 
 #include <chrono>
@@ -10,14 +10,14 @@
 
 namespace talus::client {
 
-/// One wait at a time. Destroying a Timer cancels its wait.
+/// Supports one wait at a time. Destroying a Timer cancels its wait.
 class Timer {
  public:
   using Handler = std::function<void(std::error_code)>;
 
   virtual ~Timer() = default;
-  /// Calls handler({}) on the timer's executor at `end`, never from inside this call; with operation_aborted
-  /// after cancel(), the next wait, or the timer's end.
+  /// Calls handler({}) on the timer's executor at `end`, never from inside this call. The handler receives
+  /// operation_aborted after cancel(), a further wait, or destruction of the timer.
   virtual void async_wait_until(std::chrono::steady_clock::time_point end, Handler handler) = 0;
   virtual void cancel() = 0;
 };

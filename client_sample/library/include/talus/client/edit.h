@@ -1,4 +1,4 @@
-// What a client may change, and what it is told.
+// Edits that a client sends, and their result.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@ using edits::Fill;
 using edits::Paste;
 using edits::VoxelWrite;
 
-/// Guards, writes, fills and a paste, as core/edits has them: where all guards hold, all of it happens, on
-/// whatever chunks it reaches, or nothing does.
+/// Guards, writes, fills and a paste, as in core/edits. If all guards hold, the whole edit is applied, in all
+/// chunks that it touches; otherwise nothing is.
 struct Edit : edits::Edit {
-  /// Of a game server whose token has the right "gateway": the player for whom it edits, at most 256 bytes,
-  /// whom the world's history then names. Empty: the token's own subject.
+  /// For a game server whose token has the right "gateway": the player for whom it edits, at most 256 bytes,
+  /// recorded in the world's history. Empty: the token's own subject.
   std::string subject;
 };
 
-/// The edit happened, and is stored.
+/// The edit was applied and is stored.
 struct EditDone {
-  std::uint64_t revision = 0;  // of the world after it
-  std::uint32_t changed = 0;   // voxels; 0: all was so before
+  std::uint64_t revision = 0;  // of the world after the edit
+  std::uint32_t changed = 0;   // voxels; 0: they already had these materials
 };
 
 }  // namespace talus::client

@@ -1,7 +1,6 @@
-// A player's own edits, seen at once. What the server has is kept apart, and own edits that it has not
-// answered are made on it anew whenever it changes: where another's edit came before, or the server refuses,
-// the store shows what is true again by itself. When all is answered and nobody edits, it holds what the
-// server holds.
+// Shows a player's own edits at once. The server's chunks are kept apart, and unanswered own edits are
+// reapplied to them whenever they change: if another player's edit came first, or the server refuses, the
+// store corrects itself. When all edits are answered, it holds exactly the server's chunks.
 //
 //   ChunkStore store{256 << 20};
 //   Prediction own{store, [&](ChunkKey key) { remesh_around(key); }};
@@ -16,12 +15,13 @@
 //   });
 //   // the voxel is air in `store` already
 //
-// What shows at once is level 0 of chunks that are held; coarser levels, and what is made as generated, show
-// when the server has answered. An edit whose guards do not hold here, or look where no chunk is held, shows
+// Only level 0 of held chunks is predicted; coarser levels, and fills with generated material, appear when
+// the server has answered. An edit whose guards fail here, or refer to chunks that are not held, shows
 // nothing until then.
 //
-// Not thread-safe: the client's executor. It costs as much as the edits without an answer name voxels, each
-// time that a chunk comes or leaves which one of them touches; other chunks cost what the store costs.
+// Not thread-safe: use it on the client's executor. Each time a chunk that an unanswered edit touches arrives
+// or leaves, the cost is proportional to the voxels of all unanswered edits; other chunks cost only the
+// store's work.
 #pragma once
 
 #include <cstdint>
@@ -39,40 +39,40 @@ namespace talus::client {
 
 class Prediction {
  public:
-  /// `store` is what is drawn; it outlives this and is changed through this alone. `changed` is told each
-  /// chunk of it that looks otherwise than before, put() included; it may ask the store, and must change
-  /// neither.
+  /// `store` is what the game draws; it must outlive this object and be changed only through it. `changed` is
+  /// called for each chunk whose contents in `store` changed, also by put(); it may read the store, but must
+  /// change neither object.
   Prediction(ChunkStore& store, std::function<void(ChunkKey)> changed);
   ~Prediction();
   Prediction(const Prediction&) = delete;
   Prediction& operator=(const Prediction&) = delete;
 
-  // ---- what comes from the server: Events::on_chunk and on_left_view
+  // ---- chunks from the server: Events::on_chunk and on_left_view
   void put(const ReceivedChunk& chunk);
   void erase(const ChunkKey& key);
-  /// Forgets chunks and edits: revisions of another store (WorldInfo::store_id) mean nothing here. Edits that
-  /// are answered later change nothing.
+  /// Drops all chunks and edits: revisions of another store (WorldInfo::store_id) are not comparable. Edits
+  /// answered later change nothing.
   void clear();
 
   // ---- own edits
-  /// Sends the edit, and makes it here at once. `handler` is called as Client::edit() calls it, after the
-  /// store is right about the edit; it is called also where this is gone. `client` stays where it is until
-  /// then; chunks that the edit did not change after all it asks for again.
+  /// Sends the edit and applies it here at once. `handler` is called as by Client::edit(), after the store
+  /// reflects the result, even if this object is gone. `client` must not move until then; chunks that the
+  /// edit turned out not to change are requested from it again.
   void edit(Client& client, const Edit& edit, std::function<void(Result<EditDone>)> handler);
 
-  /// The parts of it, for who sends edits otherwise. begin() makes the edit here; done() says what became of
-  /// it: where it happened, the revision of EditDone.
+  /// The parts of edit(), for callers that send edits by other means. begin() applies the edit here; done()
+  /// passes its result: if it was applied, EditDone with its revision.
   enum class Id : std::uint64_t {};
   Id begin(const Edit& edit);
   void done(Id id, const Result<EditDone>& result);
-  /// Chunks that an edit that happened touches, and that are held as they were before it. Mostly they come
-  /// soon; those that the edit did not change, as material slid into what it dug, never do. Such are to be
-  /// asked for once more after done(), by Client::get(), and what comes is given to put() and then resolve().
+  /// Chunks touched by an applied edit but held at an older revision. Most arrive soon; those that the edit
+  /// did not change, as loose material slid into a dug hole, never do. Request them once after done() by
+  /// Client::get(), and pass the answer to put() and then resolve().
   [[nodiscard]] std::vector<ChunkKey> behind(Id id) const;
-  /// What is held of the chunk has the edit, or never will: it shows as it is.
+  /// The held chunk includes the edit, or never will: show it as it is.
   void resolve(Id id, const ChunkKey& key);
 
-  /// Own edits that the store shows otherwise than the server's chunks do, or whose answer has not come.
+  /// Number of own edits that are unanswered, or that the store shows differently from the server's chunks.
   [[nodiscard]] std::size_t open() const;
 
  private:
@@ -80,29 +80,29 @@ class Prediction {
   struct Overlay;  // voxels of one chunk
   using Overlays = std::map<ChunkCoord, Overlay>;
 
-  /// Asks for what is behind then.
+  /// Schedules requests for the chunks in behind().
   static void ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id);
-  /// Whether the chunk is held, and without the edit.
+  /// True if the chunk is held without the edit.
   [[nodiscard]] bool waits(const Open& open, ChunkCoord chunk) const;
-  /// Whether an open edit names voxels of it.
+  /// True if an open edit names voxels of the chunk.
   [[nodiscard]] bool is_touched(const ChunkKey& key) const;
-  /// Whether the store has let go of a chunk that it showed otherwise.
+  /// True if the store evicted a chunk that it showed with an edit.
   [[nodiscard]] bool covers_lost() const;
-  /// What the server has of it; null where it is not held.
+  /// The server's version of the chunk; null if not held.
   [[nodiscard]] const ReceivedChunk* confirmed(ChunkCoord chunk) const;
-  /// Makes all open edits anew on what the server has, and tells what changed; `came` has.
+  /// Reapplies all open edits to the server's chunks and reports changes; `came` has changed.
   void rebuild(std::optional<ChunkKey> came = std::nullopt);
-  /// Makes one on what those before it left. Returns whether it is of no use any more.
+  /// Applies one edit on top of the earlier ones. Returns true if it is no longer needed.
   [[nodiscard]] bool apply(const Open& open, Overlays& overlays) const;
-  /// Returns the chunks that look otherwise now.
+  /// Returns the chunks whose voxels changed.
   [[nodiscard]] std::vector<ChunkKey> show(const Overlays& overlays);
 
   ChunkStore& store_;
   std::function<void(ChunkKey)> changed_;
-  std::list<Open> edits_;  // in the order in which they were begun
+  std::list<Open> edits_;  // in the order of begin()
   std::uint64_t last_id_ = 0;
-  std::map<ChunkCoord, ReceivedChunk> confirmed_;  // of chunks that the store shows otherwise
-  std::shared_ptr<Prediction*> self_;              // for answers that come when this is gone
+  std::map<ChunkCoord, ReceivedChunk> confirmed_;  // chunks that the store shows differently
+  std::shared_ptr<Prediction*> self_;              // for answers that arrive after destruction
 };
 
 }  // namespace talus::client

@@ -1,4 +1,4 @@
-// A chunk as it came from a server: decoded, and checked against its hash.
+// A chunk as received from a server: decoded, and checked against its hash.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ namespace talus::client {
 
 struct ReceivedChunk {
   ChunkKey key;
-  std::uint64_t revision = 0;          // 0: as generated; a higher one is newer
+  std::uint64_t revision = 0;          // 0: as generated; increases with each change
   ContentHash hash;                    // of the voxels
-  std::shared_ptr<const Chunk> chunk;  // null: unchanged since the hash that get() was given as known
+  std::shared_ptr<const Chunk> chunk;  // null: unchanged since the hash passed to get() as `known`
   [[nodiscard]] bool unchanged() const { return chunk == nullptr; }
 };
 

@@ -1,4 +1,4 @@
-// TLS as a Client does it, for those who make connections of their own beside one. Nobody else needs this.
+// A Client's TLS layer, only for programs that open additional connections themselves.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ using TlsContext [[deprecated("its name is talus::tls::Context")]] = tls::Contex
 using Tls [[deprecated("its name is talus::tls::Handle")]] = tls::Handle;
 using FreeTls [[deprecated("its name is talus::tls::FreeHandle")]] = tls::FreeHandle;
 
-/// TLS 1.3, and whom to trust. An error says what is wrong with options.ca_file.
+/// Creates a TLS 1.3 context. An error states what is wrong with options.ca_file.
 [[nodiscard]] Result<tls::Context> make_tls_context(const TlsOptions& options);
 
-/// The client's side of one connection, which expects the server that the options name, or `host`.
+/// Creates the client side of one connection; it expects the server name in the options, or `host`.
 [[nodiscard]] tls::Handle new_tls(const tls::Context& context, const TlsOptions& options,
                                   const std::string& host);
 
-/// Why the handshake failed with `error`, as the end of "HOST:PORT: ...".
+/// Describes why the handshake failed with `error`; the text completes "HOST:PORT: ...".
 [[nodiscard]] ClientError handshake_failure(const ssl_st* tls, const std::error_code& error);
 
 }  // namespace talus::client

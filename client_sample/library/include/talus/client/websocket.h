@@ -1,5 +1,4 @@
-// WebSocket as a Client does it, for those who make connections of their own beside one. Nobody else needs
-// this.
+// A Client's WebSocket layer, only for programs that open additional connections themselves.
 #pragma once
 
 #include <array>
@@ -12,11 +11,11 @@
 
 namespace talus::client {
 
-/// The client's side of one connection to HOST:PORT. An error says what is wrong with the options.
+/// Creates the client side of one connection to HOST:PORT. An error states what is wrong with the options.
 [[nodiscard]] Result<websocket::ClientSide> new_websocket(const WebSocketOptions& options,
                                                           const std::string& host, const std::string& port);
 
-/// For one frame.
+/// The masking key of one frame.
 [[nodiscard]] std::array<std::byte, 4> random_mask();
 
 [[nodiscard]] ClientError error_of(const websocket::Failure& failure);
