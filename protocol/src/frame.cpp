@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMaxKeptBytes = std::size_t{16} * 1024;
 
-// FlatBuffers aligns from the start of the buffer, so the buffer itself must be aligned.
+// FlatBuffers aligns relative to the start of the buffer, so the buffer itself must be aligned.
 static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= alignof(std::uint64_t));
 
 std::uint32_t read_prefix(std::span<const std::byte> bytes) {
@@ -35,7 +35,7 @@ void FrameReader::set_limit(std::uint32_t limit_bytes) {
 
 std::size_t FrameReader::take(std::span<const std::byte> bytes, std::size_t wanted) {
   const auto taken = bytes.first(std::min(bytes.size(), wanted - buffer_.size()));
-  // Twice as much as before, but no more than the frame.
+  // Grow to twice the capacity, but not beyond the frame.
   const std::size_t needed = buffer_.size() + taken.size();
   if (needed > buffer_.capacity())
     buffer_.reserve(std::max(needed, std::min(wanted, 2 * buffer_.capacity())));

@@ -8,7 +8,7 @@
 namespace talus::protocol {
 namespace {
 
-// A Message, its body and Welcome's list of materials are three deep; a world has at most 255 materials, and
+// A Message, its body and the materials in Welcome nest three deep; a world has at most 255 materials, and
 // 1,024 that may be placed.
 constexpr flatbuffers::uoffset_t kMaxDepth = 4;
 constexpr flatbuffers::uoffset_t kMaxTables = 2048;

@@ -15,9 +15,9 @@ Context new_context(Role role) {
                   SSL_CTX_free};
   if (context == nullptr || SSL_CTX_set_min_proto_version(context.get(), TLS1_3_VERSION) != 1) return nullptr;
   SSL_CTX_set_session_cache_mode(context.get(), SSL_SESS_CACHE_OFF);
-  // Frames have lengths, so a connection cut short is seen without TLS's help.
+  // Frames carry lengths, so truncation is detected without TLS's help.
   SSL_CTX_set_options(context.get(), SSL_OP_NO_TICKET | SSL_OP_IGNORE_UNEXPECTED_EOF);
-  // A write goes on a record at a time, from wherever the rest is then.
+  // Writes proceed record by record; the rest may be at another address.
   SSL_CTX_set_mode(context.get(), SSL_MODE_RELEASE_BUFFERS | SSL_MODE_ENABLE_PARTIAL_WRITE |
                                       SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
   return context;

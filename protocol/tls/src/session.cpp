@@ -69,7 +69,7 @@ Step Session::write(std::span<const std::byte> from) {
 Step Session::close_notify() {
   ERR_clear_error();
   const int result = SSL_shutdown(handle_.get());
-  return result >= 0 ? Step{} : after(result);  // 0: sent, and the other side has not answered
+  return result >= 0 ? Step{} : after(result);  // 0: sent, the peer has not answered
 }
 
 bool Session::has_more() const {

@@ -7,14 +7,14 @@
 namespace talus::websocket {
 namespace {
 
-/// Those of the RFC that may be sent, of IANA's registry, and those of libraries and applications. 1004 to
-/// 1006 and 1015 stand for what no frame said.
+/// Codes of the RFC that may be sent, codes registered with IANA, and codes of libraries and applications.
+/// 1004 to 1006 and 1015 are reserved for local use.
 bool may_be_sent(unsigned code) {
   return (code >= 1000 && code <= 1003) || (code >= 1007 && code <= 1014) || (code >= 3000 && code <= 4999);
 }
 
 bool is_utf8(const std::string& text) {
-  const char* at = text.c_str();  // FromUTF8() stops at the NUL behind it
+  const char* at = text.c_str();  // FromUTF8() stops at the terminating NUL
   while (at < text.c_str() + text.size()) {
     if (flatbuffers::FromUTF8(&at) < 0) return false;
   }

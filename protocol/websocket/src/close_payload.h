@@ -1,4 +1,4 @@
-// What a Close frame says. Source: RFC 6455, sections 5.5.1 and 7.4.
+// Payload of a Close frame. Source: RFC 6455, sections 5.5.1 and 7.4.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace talus::websocket {
 
-/// End::closed, or what is wrong with the payload.
+/// End::closed, or the error in the payload.
 [[nodiscard]] End end_by_close(std::span<const std::byte> payload);
 
 }  // namespace talus::websocket

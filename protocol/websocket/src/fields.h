@@ -1,4 +1,4 @@
-// The header fields of an HTTP response, as views into its text.
+// Header fields of an HTTP response, as views into its text.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,17 @@
 
 namespace talus::websocket {
 
-/// Takes the line from the front of `text`; it is without its CR LF.
+/// Removes the first line from `text` and returns it without its CR LF.
 [[nodiscard]] std::string_view next_line(std::string_view& text);
 
-/// For people: short, and nothing in it that a terminal would obey.
+/// Shortens a text for messages and removes control characters.
 [[nodiscard]] std::string printable(std::string_view text);
 
 class Fields {
  public:
-  /// `text`: what follows the status line; outlives this.
+  /// `text`: everything after the status line; must outlive this object.
   explicit Fields(std::string_view text) : text_{text} {}
-  /// Of the first field of this name, in any case.
+  /// Value of the first field with this name, ignoring case.
   [[nodiscard]] std::optional<std::string_view> value(std::string_view name) const;
 
  private:

@@ -15,7 +15,7 @@ constexpr std::byte kOpcode{0x0F};
 constexpr std::byte kMasked{0x80};
 constexpr std::byte kLength{0x7F};
 constexpr std::uint8_t kLength16 = 126;  // two bytes of length follow
-constexpr std::uint8_t kLength64 = 127;  // eight
+constexpr std::uint8_t kLength64 = 127;  // eight bytes of length follow
 
 class Category final : public std::error_category {
  public:
@@ -46,7 +46,7 @@ std::uint8_t length_of(std::byte second) {
   return std::to_integer<std::uint8_t>(second & kLength);
 }
 
-/// Section 5.2: the fewest bytes that hold it.
+/// Section 5.2: the length must use the fewest bytes that hold it.
 bool is_minimal(std::uint8_t length, std::uint64_t bytes) {
   return length < kLength16 || (length == kLength16 ? bytes >= kLength16 : bytes > 0xFFFF);
 }
@@ -80,7 +80,7 @@ std::size_t FrameReader::take(std::span<std::byte> bytes) {
   while (end_ == End::none && (at < bytes.size() || (in_frame_ && frame_taken_ == frame_bytes_))) {
     if (!in_frame_) {
       head_[head_filled_++] = bytes[at++];
-      // What is wrong is said as soon as it is known.
+      // Errors are reported as early as possible.
       const bool masked = (head_[1] & kMasked) != std::byte{0};
       if (head_filled_ == 2 && masked != (sender_ == Sender::client)) {
         end_ = masked ? End::masked : End::not_masked;

@@ -11,7 +11,7 @@ constexpr std::byte kFinalClose{0x88};
 constexpr std::byte kFinalPong{0x8A};
 constexpr std::byte kMaskFollows{0x80};
 constexpr std::byte kTwoByteLength{126};    // two bytes of length follow
-constexpr std::byte kEightByteLength{127};  // eight
+constexpr std::byte kEightByteLength{127};  // eight bytes of length follow
 
 std::size_t write_head(std::span<std::byte, kMaxHeadBytes> head, std::byte first,
                        std::uint64_t payload_bytes) {

@@ -1,4 +1,4 @@
-// In place of handshake.cpp where there is no OpenSSL (TALUS_TLS=OFF).
+// Replaces handshake.cpp if OpenSSL is not used (TALUS_TLS=OFF).
 #include <talus/websocket/handshake.h>
 
 namespace talus::websocket {

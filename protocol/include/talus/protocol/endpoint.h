@@ -1,4 +1,4 @@
-// HOST:PORT, as people write where a server is or listens.
+// HOST:PORT notation of a server's address.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ struct Endpoint {
   bool operator==(const Endpoint&) const = default;
 };
 
-/// Reads "127.0.0.1:4780", "localhost:4780" or "[::]:4780". The error says what is wrong and what would be
-/// right, and repeats nothing of `text`: the caller names the option or setting.
+/// Parses "127.0.0.1:4780", "localhost:4780" or "[::]:4780". The error states what is wrong and what is
+/// expected, without repeating `text`: the caller names the option or setting.
 [[nodiscard]] tl::expected<Endpoint, std::string> parse_endpoint(std::string_view text);
 
-/// The form that parse_endpoint reads, with brackets around an IPv6 address.
+/// The notation that parse_endpoint() reads, with brackets around an IPv6 address.
 [[nodiscard]] std::string to_string(const Endpoint& endpoint);
 
 }  // namespace talus::protocol

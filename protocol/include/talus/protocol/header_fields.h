@@ -1,20 +1,20 @@
-// Names in HTTP's header fields, and lists. Source: RFC 9110, section 5.
+// Names and lists in HTTP header fields. Source: RFC 9110, section 5.
 #pragma once
 
 #include <string_view>
 
 namespace talus::protocol {
 
-/// In any case. Bytes that are not ASCII are only like themselves.
+/// Compares names, ignoring the case of ASCII letters.
 [[nodiscard]] bool same_name(std::string_view a, std::string_view b);
 
-/// Without the spaces and tabs around it.
+/// Removes leading and trailing spaces and tabs.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
-/// Takes the first item, trimmed, from the front of a list separated by commas.
+/// Removes the first item from a comma-separated list and returns it trimmed.
 [[nodiscard]] std::string_view take_item(std::string_view& list);
 
-/// Whether a list has the word, in any case.
+/// True if the list contains the word, ignoring case.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 
 }  // namespace talus::protocol

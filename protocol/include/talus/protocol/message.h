@@ -1,7 +1,7 @@
-// Messages: received frames are verified and read in place; sent frames are built from values.
+// Messages: received frames are verified and read in place; frames to send are built from values.
 //
-// read_message() must verify a frame before anything of it is read. What it returns points into the frame and
-// lives as long as the frame. Pure functions, callable from any thread.
+// read_message() must verify a frame before its contents are used. Its result points into the frame and is
+// valid as long as the frame. Pure functions, callable from any thread.
 #pragma once
 
 #include <cstddef>
@@ -26,22 +26,22 @@ using Column [[deprecated("its name is UniformColumn")]] = UniformColumn;
 
 namespace talus::protocol {
 
-/// Why a frame may not be read.
+/// Reason to reject a frame.
 enum class MessageError : std::uint8_t {
-  not_flatbuffers,  // offsets, lengths, nesting or alignment are wrong
-  no_body,          // a Message without a body, or with a kind this version does not know
+  not_flatbuffers,  // invalid offsets, lengths, nesting or alignment
+  no_body,          // a Message without a body, or with a body type unknown to this version
 };
 [[nodiscard]] std::string_view describe(MessageError error);
 
-/// Verifies a whole frame, prefix included, aligned as FrameReader::frame() is. Returns its message, whose
-/// body() is present and of a known kind. Strings, vectors and structs may be null: an absent string or
+/// Verifies a complete frame, prefix included, aligned like FrameReader::frame(). The body() of the returned
+/// message is present and of a known type. Strings, vectors and structs may be null: an absent string or
 /// vector is empty.
 [[nodiscard]] tl::expected<const wire::Message*, MessageError> read_message(std::span<const std::byte> frame);
 
-/// A frame to be written, prefix included.
+/// A frame to send, prefix included.
 using Frame = std::vector<std::byte>;
 
-/// Finishes the message whose body is `body`, and returns its frame.
+/// Finishes a message with `body` and returns its frame.
 template <typename Table>
 [[nodiscard]] Frame finish_frame(flatbuffers::FlatBufferBuilder& builder, flatbuffers::Offset<Table> body) {
   builder.FinishSizePrefixed(wire::CreateMessage(builder, wire::BodyTraits<Table>::enum_value, body.Union()));
@@ -59,7 +59,7 @@ template <typename Build>
   return finish_frame(builder, body);
 }
 
-/// The newest protocol version that both sides speak, or 0. A Hello offers `oldest` to `newest`.
+/// Newest protocol version that both sides support, or 0. The Hello offers `oldest` to `newest`.
 [[nodiscard]] std::uint16_t choose_protocol(std::uint16_t oldest, std::uint16_t newest);
 
 }  // namespace talus::protocol

@@ -1,4 +1,4 @@
-// What OpenSSL keeps for the connections of one side: TLS 1.3 and how it is used.
+// OpenSSL's shared state for the connections of one side, restricted to TLS 1.3.
 #pragma once
 
 #include <cstdint>
@@ -6,27 +6,27 @@
 #include <string>
 
 struct ssl_ctx_st;  // OpenSSL's SSL_CTX
-struct ssl_st;      // and SSL
+struct ssl_st;      // OpenSSL's SSL
 
 namespace talus::tls {
 
 enum class Role : std::uint8_t { client, server };
 
-/// Connections of any thread may share it, and keep it alive.
+/// Shared and kept alive by connections of any thread.
 using Context = std::shared_ptr<ssl_ctx_st>;
 
 struct FreeHandle {
   void operator()(ssl_st* handle) const;
 };
-/// OpenSSL's side of one connection.
+/// OpenSSL's state of one connection.
 using Handle = std::unique_ptr<ssl_st, FreeHandle>;
 
-/// TLS 1.3 alone, without session tickets or a session cache, with buffers that an idle connection does not
-/// keep and writes of one record at a time. Whom to trust and what to show is the caller's to set. Null where
-/// OpenSSL fails; last_reason() says why.
+/// Creates a TLS 1.3 context without session tickets or session cache. Idle connections release their
+/// buffers, and each write sends one record. The caller sets trusted certificates and its own certificate.
+/// Null if OpenSSL fails; last_reason() returns the reason.
 [[nodiscard]] Context new_context(Role role);
 
-/// What OpenSSL says went wrong last on this thread; clears its queue of errors. Empty: it says nothing.
+/// OpenSSL's last error on this thread, empty if none is queued; clears its error queue.
 [[nodiscard]] std::string last_reason();
 
 }  // namespace talus::tls

@@ -1,5 +1,5 @@
-// One connection's TLS, of either side, over a socket that does not block. It never waits: each call says
-// what it did or what the socket must be ready for.
+// TLS of one connection, client or server, over a non-blocking socket. Never blocks: each call returns what
+// it did, or what the socket must become ready for.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace talus::tls {
 
-/// What a call to a Session did.
+/// Result of a call to a Session.
 struct Step {
   enum class Result : std::uint8_t {
     done,           // `bytes` were read or written
-    wait_to_read,   // call again when the socket can be read from
-    wait_to_write,  // call again when the socket can be written to
-    closed,         // the other side has ended the stream
-    failed,         // `error` says why
+    wait_to_read,   // call again when the socket is readable
+    wait_to_write,  // call again when the socket is writable
+    closed,         // the peer ended the stream
+    failed,         // see `error`
   };
   Result result = Result::done;
-  std::error_code error{};  // the system's, or of error_category()
+  std::error_code error{};  // from the system, or from error_category()
   std::size_t bytes = 0;
 
   [[nodiscard]] bool waits() const {
@@ -29,27 +29,27 @@ struct Step {
   }
 };
 
-/// OpenSSL's error codes as ERR_get_error() gives them.
+/// Category of OpenSSL's error codes, as returned by ERR_get_error().
 [[nodiscard]] const std::error_category& error_category();
 
-/// OpenSSL reads and writes the socket itself, so nothing is copied through buffers between; the process must
-/// ignore SIGPIPE. For one thread at a time.
+/// OpenSSL reads and writes the socket directly, without intermediate buffers; the process must ignore
+/// SIGPIPE. Not thread-safe.
 class Session {
  public:
-  /// `socket` outlives the session, and no other session has it.
+  /// `socket` must outlive the session, which must be its only one.
   Session(const Context& context, Role role, int socket);
-  /// The same of a connection with settings of its own, whose role is set.
+  /// Takes a handle with its own settings, whose role is set.
   Session(Handle handle, int socket);
 
   [[nodiscard]] Step handshake();
-  /// What one record holds at most.
+  /// Reads at most one record.
   [[nodiscard]] Step read(std::span<std::byte> into);
-  /// One record at most. The call after wait_to_write has the same bytes in front.
+  /// Writes at most one record. After wait_to_write, the next call must begin with the same bytes.
   [[nodiscard]] Step write(std::span<const std::byte> from);
-  /// Tells the other side that nothing more comes.
+  /// Notifies the peer that the stream ends.
   [[nodiscard]] Step close_notify();
 
-  /// Whether bytes of a record are held that the socket does not tell of: read() returns them at once.
+  /// True if decrypted bytes are buffered: read() returns them even if the socket is not readable.
   [[nodiscard]] bool has_more() const;
   [[nodiscard]] const ssl_st* handle() const { return handle_.get(); }
 

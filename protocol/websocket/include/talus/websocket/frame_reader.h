@@ -1,9 +1,9 @@
-// Reads what the other end of a WebSocket sends: a stream of bytes in frames, masked where a client sends
-// them. No I/O, and no payload is kept.
+// Reads one direction of a WebSocket: a byte stream in frames, masked if a client sends them. No I/O; payload
+// is not stored.
 // Source: RFC 6455 (The WebSocket Protocol), section 5.
 //
-// Message boundaries mean nothing here, so binary frames and their continuations are bytes one after the
-// other. Text has no meaning, and no extension is negotiated.
+// Message boundaries are ignored, so binary frames and their continuations form one byte stream. Text frames
+// are rejected, and no extension is negotiated.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ enum class CloseCode : std::uint16_t {
   invalid_payload = 1007,
 };
 
-/// Why nothing more is read. As a std::error_code its message is one line.
+/// Reason why reading stopped. As a std::error_code its message is one line.
 enum class End : std::uint8_t {
   none,
-  closed,  // by the other end
+  closed,  // by the peer
   not_masked,
   masked,
   reserved_bit,
@@ -43,28 +43,28 @@ enum class End : std::uint8_t {
   bad_close_reason,
 };
 [[nodiscard]] std::error_code make_error_code(End end);
-/// With which code to close then.
+/// Code of the Close frame to send in answer.
 [[nodiscard]] CloseCode close_code(End end);
 
-/// Whose frames are read. A client masks them, a server must not (section 5.1).
+/// Sender of the frames. A client must mask them, a server must not (section 5.1).
 enum class Sender : std::uint8_t { client, server };
 
 class FrameReader {
  public:
   explicit FrameReader(Sender sender) : sender_{sender} {}
 
-  /// Of a control frame (section 5.5).
+  /// Maximum payload of a control frame (section 5.5).
   static constexpr std::size_t kMaxControlBytes = 125;
 
-  /// Takes all of `bytes`, and leaves the payload of data frames in their place, at the front; returns how
-  /// long it is. After the end nothing more is taken.
+  /// Consumes all of `bytes`, moves the payload of data frames to the front of `bytes`, and returns its
+  /// length. After the end nothing is consumed.
   [[nodiscard]] std::size_t take(std::span<std::byte> bytes);
 
   [[nodiscard]] End end() const { return end_; }
 
-  /// Whether a Ping waits for its Pong. Of several only the last is answered (section 5.5.3).
+  /// True if a Pong must be sent. Only the last of several Pings is answered (section 5.5.3).
   [[nodiscard]] bool has_ping() const { return has_ping_; }
-  /// Its payload.
+  /// The Ping's payload.
   [[nodiscard]] std::span<const std::byte> ping() const { return std::span{ping_}.first(ping_bytes_); }
   void pop_ping() { has_ping_ = false; }
 
@@ -78,7 +78,7 @@ class FrameReader {
     pong = 10,
   };
 
-  /// How long the head is, as far as its first bytes tell.
+  /// Length of the header, as far as its first bytes determine it.
   [[nodiscard]] std::size_t head_bytes() const;
   void begin_frame();
   [[nodiscard]] std::uint64_t payload_bytes() const;
@@ -91,8 +91,8 @@ class FrameReader {
   std::array<std::byte, 4> mask_{};
   Opcode opcode_ = Opcode::binary;
   bool last_ = true;         // of its message
-  bool in_frame_ = false;    // the head is whole
-  bool in_message_ = false;  // the next data frame continues it
+  bool in_frame_ = false;    // the header is complete
+  bool in_message_ = false;  // the next data frame is a continuation
   std::uint64_t frame_bytes_ = 0;
   std::uint64_t frame_taken_ = 0;
   std::array<std::byte, kMaxControlBytes> control_{};

@@ -1,4 +1,4 @@
-// What both ends of a WebSocket's opening handshake compute. Source: RFC 6455, sections 1.3 and 4.
+// Keys of a WebSocket's opening handshake. Source: RFC 6455, sections 1.3 and 4.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace talus::websocket {
 
-/// False in builds without OpenSSL, whose SHA-1 the handshake needs: there no WebSocket can be opened.
+/// False in builds without OpenSSL, whose SHA-1 the handshake needs: they cannot open WebSockets.
 [[nodiscard]] bool can_shake_hands();
 
 inline constexpr std::size_t kNonceBytes = 16;
