@@ -24,7 +24,7 @@ bool equal(const std::uint8_t* a, const std::uint8_t* b) {
   return std::memcmp(a, b, kChunkArea) == 0;
 }
 
-// From the top, as what is asked for most often, the voxels of objects, lies in the air.
+// Searches from the top: the most frequent queries, voxels of objects, are in the air.
 MaterialId material_in(const Layers& layers, std::size_t voxel) {
   const std::size_t row = voxel / kChunkArea;
   const std::uint8_t* const tops = layers.tops.data() + voxel % kChunkArea;
@@ -58,8 +58,8 @@ Chunk Chunk::from_layers(Layers layers) {
   assert(layers.valid());
   const std::size_t count = layers.materials.size();
   std::uint8_t* const tops = layers.tops.data();
-  std::size_t kept = 0;                       // materials, each with its top in plane kept - 1
-  const std::uint8_t* lower = kFloor.data();  // the top of the last material kept
+  std::size_t kept = 0;                       // materials; the top of each is in plane kept - 1
+  const std::uint8_t* lower = kFloor.data();  // top of the last material kept
   for (std::size_t i = 0; i < count; ++i) {
     const bool last = i + 1 == count;
     const std::uint8_t* const upper = last ? kCeiling.data() : tops + i * kChunkArea;
@@ -111,7 +111,7 @@ Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
   }
   all.resize(kept);
   if (all.empty()) return Chunk{*under};
-  // Only overrides of one material can make the chunk uniform.
+  // Only overrides with a common material can make the chunk uniform.
   const bool alike = std::all_of(all.begin(), all.end(),
                                  [&](Override each) { return each.material == all.front().material; });
   const bool material_is_under = std::find(under->materials.begin(), under->materials.end(),
@@ -196,7 +196,7 @@ void Chunk::copy_to(std::span<MaterialId, kChunkVolume> voxels) const {
 
 bool operator==(const Chunk& a, const Chunk& b) {
   if (a.is_uniform() && b.is_uniform()) return a.layers()->materials == b.layers()->materials;
-  // A chunk of one material is always uniform, whichever way it was made.
+  // A chunk of one material is always held as uniform.
   if (a.is_uniform() != b.is_uniform()) return false;
   if (a.layers() != nullptr && b.layers() != nullptr && a.layers()->materials == b.layers()->materials &&
       a.layers()->tops == b.layers()->tops) {

@@ -17,14 +17,14 @@ enum class Encoding : std::uint8_t { volume = 1, raw = 2, runs = 3 };
 
 constexpr std::size_t kHeaderBytes = 2;
 
-// Layers of up to this size are kept without trying anything else, which takes several times as long.
+// Layers up to this size are used without trying other encodings, which takes several times as long.
 constexpr std::size_t kGoodLayeredBytes = 1024;
 
-// Layers of more than this after the header are seldom shorter than a volume: they are tried after it, with
-// its size as the limit.
+// Layers larger than this (without the header) are seldom shorter than a volume: they are tried after it,
+// with the volume's size as the limit.
 constexpr std::size_t kTriedLayeredBytes = 2048;
 
-// Runs are shorter only than volumes larger than this.
+// Runs can be shorter only than volumes above this size.
 constexpr std::size_t kGoodVolumeBytes = 2048 - kHeaderBytes;
 
 void put_header(Encoding encoding, std::vector<std::byte>& out) {
@@ -41,7 +41,7 @@ void encode_raw(std::span<const MaterialId, kChunkVolume> voxels, std::vector<st
   }
 }
 
-/// Appends layers, if they take at most `limit` bytes after the header.
+/// Appends layers if they take at most `limit` bytes after the header.
 bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out) {
   const std::size_t start = out.size();
   out.push_back(std::byte{kLayeredVersion});
@@ -51,11 +51,11 @@ bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::by
   return false;
 }
 
-/// Appends the shortest of volume, runs and raw voxels; or replaces the layers that stand from `start` on
-/// where one of these is shorter. `untried`: layers of more than kTriedLayeredBytes, or null.
+/// Appends the shortest of volume, runs and raw voxels, or replaces the layers at `start` if one of these is
+/// shorter. `untried`: layers of more than kTriedLayeredBytes, or null.
 void append_shortest(const DenseVoxels& voxels, const Layers* untried, std::size_t start,
                      std::vector<std::byte>& out) {
-  // What is found last is the shortest: it stands behind what it replaces.
+  // The last encoding found is the shortest; it is stored behind the one that it replaces.
   std::size_t limit = out.size() > start ? out.size() - start - kHeaderBytes : sizeof(DenseVoxels);
   std::size_t last = out.size();
   const auto take_last = [&] {
@@ -74,7 +74,7 @@ void append_shortest(const DenseVoxels& voxels, const Layers* untried, std::size
     out.resize(last);
   }
   if (untried != nullptr && limit > kTriedLayeredBytes && append_layered(*untried, limit, out)) take_last();
-  // A run takes more than half a byte.
+  // Each run takes more than half a byte.
   if (volume > kGoodVolumeBytes && changes / 2 < limit) {
     put_header(Encoding::runs, out);
     if (codec::encode_runs(voxels, limit, out)) {

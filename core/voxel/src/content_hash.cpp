@@ -4,7 +4,7 @@
 #include <bit>
 #include <string_view>
 
-// The state of a hash in parts, without an allocation of its own.
+// Gives the streaming hash state on the stack.
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
@@ -27,7 +27,7 @@ ContentHash content_hash(const Chunk& chunk) {
                 "voxels are hashed as they lie in memory; a big-endian machine must swap their bytes first");
   if (const DenseVoxels* voxels = chunk.dense())
     return from(XXH3_128bits(voxels->data(), sizeof(DenseVoxels)));
-  // Layers are hashed slice by slice: dense voxels would be larger than the nearest cache.
+  // Layers are hashed slice by slice: dense voxels would exceed the nearest cache.
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
   Slices slices{chunk.base() != nullptr ? *chunk.base() : *chunk.layers()};

@@ -24,7 +24,7 @@ std::string interval_text(Interval interval) {
   return text(interval.start) + " to " + text(interval.start + interval.size - 1U);
 }
 
-/// Walks through a payload and notes what it reads.
+/// Walks through a payload and records the fields read.
 class Explainer {
  public:
   Explainer(std::span<const std::byte> payload, std::size_t symbols)
@@ -45,12 +45,12 @@ class Explainer {
  private:
   [[nodiscard]] std::size_t offset() const { return payload_.size() - rest_.size(); }
 
-  /// Notes the bytes from `from` up to where reading is.
+  /// Records the bytes from `from` to the current position.
   void note(std::size_t from, std::string name, std::string meaning) {
     fields_.push_back({from, offset() - from, std::move(name), std::move(meaning)});
   }
 
-  /// False where the bytes end.
+  /// Returns false at the end of the payload.
   bool take_byte(unsigned& byte) {
     if (rest_.empty()) return false;
     byte = std::to_integer<unsigned>(rest_.front());
@@ -116,18 +116,18 @@ class Explainer {
     return true;
   }
 
-  /// Where reading has come to, whatever copy of the bytes the source is in.
+  /// The current position, even if `source` reads from a copy of the bytes.
   [[nodiscard]] std::size_t offset_of(const RansSource& source) const {
     return payload_.size() - static_cast<std::size_t>(source.end - source.next);
   }
 
-  /// Notes that the bytes up to `from` are of symbols that are not shown.
+  /// Records the bytes up to `from` as symbols that are not shown.
   void note_hidden(std::size_t from) {
     if (from > offset())
       fields_.push_back({offset(), from - offset(), "symbols", "of exceptions or escapes, not shown"});
   }
 
-  /// Notes a symbol that has been read from `lane`, whose state was `state`, as long as any are wanted.
+  /// Records a symbol read from `lane`, whose state was `state`, if more symbols are wanted.
   void note_symbol(const RansSource& source, std::size_t from, std::size_t lane, std::uint32_t state,
                    std::string name, const std::string& meaning) {
     if (symbols_left_ == 0 || source.next > source.end) return;
@@ -139,7 +139,7 @@ class Explainer {
     rest_ = payload_.subspan(offset_of(source));
   }
 
-  /// The bytes that are left are of symbols that are not shown.
+  /// Records the remaining bytes as symbols that are not shown.
   void note_rest() {
     const std::size_t from = offset();
     rest_ = {};
@@ -160,7 +160,7 @@ class Explainer {
     if (!in_states && (!note_materials(count) || count < 2)) return;
     RansSource source;
     if (!note_states(source)) return;
-    // From here on in a copy with room behind it, because reading looks ahead.
+    // Continue in a copy with room behind it, because reading looks ahead.
     std::vector<std::uint8_t> bytes(source.next, source.end);
     bytes.resize(bytes.size() + kReadAhead);
     source.next = bytes.data();
@@ -172,7 +172,7 @@ class Explainer {
     fields_.push_back({kinds, offset_of(source) - kinds, "carried rows of plane 0",
                        carried == 0 ? "none" : "bit z of " + text(carried)});
     rest_ = payload_.subspan(offset_of(source));
-    // The first row of the first plane, above a floor of 0.
+    // First row of the first plane, above a floor of 0.
     static constexpr std::array<std::uint8_t, kChunkArea> kFloorPlane{};
     const RowsBefore before = RowsBefore::of(nullptr, kFloorPlane.data(), 0, Steps{});
     Symbols symbols{};
@@ -229,7 +229,7 @@ class Explainer {
     code.first = MaterialId{first_material_};
     code.intervals = intervals;
     code.exceptions = exceptions;
-    VolumeSource ahead = source;  // the exceptions of the first group, as reading the voxels will find them
+    VolumeSource ahead = source;  // reads the exceptions of the first group, as decoding the voxels will
     note_group(ahead, code, std::min<std::size_t>(exceptions, kLanes));
     const auto voxels = std::make_unique<PaddedVoxels>();
     const auto see = [this](const RansSource& now, const VolumeSymbol& found) {
@@ -245,7 +245,7 @@ class Explainer {
     note_rest();
   }
 
-  /// Notes a group of exceptions.
+  /// Records a group of exceptions.
   void note_group(VolumeSource& source, const VolumeCode& code, std::size_t size) {
     std::array<std::uint8_t, kLanes> digits;
     source.keep_ahead();

@@ -1,4 +1,4 @@
-// The numbers before the coded part: FORMAT.md, "Numbers and lists".
+// Numbers in front of the coded part: FORMAT.md, "Numbers and lists".
 #pragma once
 
 #include <cstddef>
@@ -15,21 +15,21 @@ namespace talus::codec {
 
 inline constexpr std::size_t kMaxBytesOfNumber = 3;
 
-/// Seven bits a byte, lowest first; the high bit says that more follow. `out` has room for
-/// kMaxBytesOfNumber; gives where what was written ends.
+/// Seven bits per byte, lowest first; the high bit is set if another byte follows. `out` has room for
+/// kMaxBytesOfNumber. Returns the end of the bytes written.
 std::byte* put_number(std::uint16_t number, std::byte* out);
 void put_number(std::uint16_t number, std::vector<std::byte>& out);
 
-/// Takes a number from the front of `bytes`.
+/// Removes a number from the front of `bytes`.
 [[nodiscard]] tl::expected<std::uint16_t, DecodeError> take_number(std::span<const std::byte>& bytes);
 
 void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>& out);
 
-/// Takes a count from 1 to `most`, then as many material ids, from the front of `bytes`.
+/// Removes a count from 1 to `most`, then that many material ids, from the front of `bytes`.
 [[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_materials(
     std::span<const std::byte>& bytes, std::size_t most);
 
-/// Takes the materials of layers, of which no two neighbours may be the same.
+/// Removes the materials of layers; adjacent ones must differ.
 [[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_layer_materials(
     std::span<const std::byte>& bytes);
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Rows are 0 to 32, so that bytes with a sign hold them, and compare in one instruction.
+// Rows are 0 to 32: they fit signed bytes, which compare in one instruction.
 using FullBytes = hn::ScalableTag<std::uint8_t>;
 using FullRows = hn::RebindToSigned<FullBytes>;
 using FullWords = hn::ScalableTag<std::uint16_t>;
@@ -44,7 +44,7 @@ Extent extent(const std::uint8_t* plane) {
           *std::max_element(highs.begin(), highs.begin() + lanes)};
 }
 
-/// Bytes of columns as voxels.
+/// Stores the bytes of columns as voxels.
 template <class Vec>
 HWY_INLINE void widen(Vec bytes, std::uint16_t* out) {
   const FullWords d;
@@ -57,8 +57,8 @@ HWY_INLINE void widen(Vec bytes, std::uint16_t* out) {
 #endif
 }
 
-/// What lies above a plane takes the columns in which it is not higher: plane after plane, without a branch.
-/// With `known_planes` the loop over them is unrolled; -1 is for any number.
+/// The material above each plane replaces the one below in columns whose top is not above row y: plane after
+/// plane, without branches. With `known_planes` the loop over them is unrolled; -1 means any number.
 template <int known_planes, class Write>
 HWY_INLINE void over_planes(const CutSlice& slice, const Write& write) {
   const FullBytes d;

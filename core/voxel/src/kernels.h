@@ -1,4 +1,4 @@
-// Planes as voxels, once for each instruction set.
+// Conversion of planes to voxels, one implementation per instruction set.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// Where a plane lies: its lowest and highest row.
+/// Lowest and highest row of a plane.
 struct Extent {
   std::uint8_t low = 0;
   std::uint8_t high = 0;
@@ -18,23 +18,23 @@ struct Extent {
 
 /// A horizontal slice of voxels at row y and the planes that cut it, lowest first.
 struct CutSlice {
-  const std::uint8_t* tops = nullptr;  // of the first plane; the others follow
+  const std::uint8_t* tops = nullptr;  // of the first plane, followed by the others
   std::size_t planes = 0;
-  const std::uint8_t* bytes = nullptr;  // what to write: under the first plane, then above each
+  const std::uint8_t* bytes = nullptr;  // values to write: below the first plane, then above each plane
   std::uint8_t y = 0;
 };
 
 struct VoxelKernels {
   Extent (*extent)(const std::uint8_t* plane);
-  /// The 1024 voxels of a slice: materials whose numbers are the bytes.
+  /// Writes the 1,024 voxels of a slice, taking the bytes as material ids.
   void (*slice)(const CutSlice& slice, MaterialId* voxels);
-  /// The bytes themselves.
+  /// Writes the bytes unchanged.
   void (*slice_bytes)(const CutSlice& slice, std::uint8_t* bytes);
 };
 
 [[nodiscard]] const VoxelKernels& voxel_kernels(InstructionSet set);
 
-/// Those of instruction_set().
+/// The kernels of instruction_set().
 [[nodiscard]] const VoxelKernels& voxel_kernels();
 
 }  // namespace talus

@@ -10,17 +10,17 @@
 namespace talus::codec {
 namespace {
 
-constexpr std::size_t kMaxBytes = sizeof(DenseVoxels);  // more than that is better kept raw
-constexpr std::size_t kMaterialsBytes = 256;            // at least what a list of materials takes
+constexpr std::size_t kMaxBytes = sizeof(DenseVoxels);  // larger results are better stored raw
+constexpr std::size_t kMaterialsBytes = 256;            // upper bound for a list of materials
 
-// Added to the count of materials where the states end at the bytes of their ids, and none stand in front.
+// Added to the count of materials if their ids are stored in the states' final bytes instead of in front.
 constexpr std::size_t kCountInStates = Layers::kMaxMaterials;
 
 constexpr std::array<std::uint8_t, kChunkArea> kFloorPlane{};
 
 using EndBytes = std::array<std::uint8_t, kLanes>;
 
-/// The ids as numbers where these fit the states' ends, which are 0 past them.
+/// Writes the ids as numbers into the states' final bytes if they fit, followed by zeros.
 bool put_in_states(std::span<const MaterialId> materials, EndBytes& ends) {
   std::array<std::byte, kLanes + kMaxBytesOfNumber> numbers;
   std::size_t size = 0;
@@ -61,7 +61,7 @@ bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::by
     put_materials(layers.materials, out);
     if (layers.plane_count() == 0) return out.size() - begin <= limit;
   }
-  // On the stack, where only what is written is touched; one plane past the limit still fits.
+  // On the stack, where only bytes written are touched; one plane beyond the limit still fits.
   std::array<std::uint8_t, kMaxBytes + kMaxBytesOfPlane + kStatesBytes + kScribbled> buffer;
   std::uint8_t* const end = buffer.data() + buffer.size();
   RansSink sink{{}, end};
@@ -93,7 +93,7 @@ bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::by
 tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body) {
   std::span<const std::byte> after_count = body;
   const auto count = take_number(after_count);
-  // Sixteen bytes tell sixteen ids at most.
+  // Sixteen bytes hold at most sixteen ids.
   const bool in_states = count && *count > kCountInStates + 1 && *count <= kCountInStates + kLanes;
   Layers layers;
   if (in_states) {
@@ -110,7 +110,7 @@ tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body)
   }
   if (body.size() < kStatesBytes) return tl::unexpected{DecodeError::truncated};
 
-  // Vectors read ahead, so from a copy with room behind it.
+  // Vectors read ahead, so the bytes are copied to a buffer with room behind them.
   std::array<std::uint8_t, kMaxPayloadBytes + kReadAhead> bytes;
   std::memcpy(bytes.data(), body.data(), body.size());
   std::memset(bytes.data() + body.size(), 0, kReadAhead);

@@ -1,4 +1,4 @@
-// Layers as bytes: FORMAT.md, "Layered".
+// Encoding of layers: FORMAT.md, "Layered".
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where that would take more than
-/// `limit` bytes, or about as much as raw voxels do.
+/// Appends everything after the two header bytes. Returns false and leaves `out` unchanged if that would take
+/// more than `limit` bytes, or nearly as many as raw voxels.
 [[nodiscard]] bool encode_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out);
 
 [[nodiscard]] tl::expected<Chunk, DecodeError> decode_layered(std::span<const std::byte> body);

@@ -16,7 +16,7 @@ void to_sizes(std::span<const std::uint32_t> counts, std::span<std::uint16_t> si
         static_cast<std::uint16_t>(counts[i] == 0 ? 0 : std::max<std::uint64_t>(1, counts[i] * 256 / total));
     left -= sizes[i];
   }
-  // What rounding left goes to the most frequent; what it took too much of comes from the largest.
+  // Bytes left by rounding go to the most frequent material; a deficit is taken from the largest intervals.
   while (left != 0) {
     auto largest = std::max_element(sizes.begin(), sizes.end());
     if (left > 0) {

@@ -1,4 +1,4 @@
-// Materials by how often they occur: a list, and for each an interval of the probability range. FORMAT.md,
+// Materials and their frequencies: a list with an interval of the probability range for each. FORMAT.md,
 // "Materials with probabilities".
 #pragma once
 
@@ -18,15 +18,15 @@
 
 namespace talus::codec {
 
-/// The encoder's side: numbers materials as they come and counts them, then knows their intervals.
+/// Encoder side: numbers materials in order of appearance, counts them, then assigns their intervals.
 class MaterialCode {
  public:
   static constexpr std::size_t kMaxMaterials = kProbabilityTotal;
 
-  /// `first` is number 0 and stands first in the list, whether or not it is counted.
+  /// `first` gets number 0 and is first in the list, even if it is never counted.
   explicit MaterialCode(MaterialId first) { (void)number_of(first); }
 
-  /// The number of a material; kMaxMaterials where there would be more than that.
+  /// Returns the number of a material; kMaxMaterials if the list is full.
   [[nodiscard]] std::uint32_t number_of(MaterialId material) {
     std::size_t place = to_integer(material) % kPlaces;
     while (numbers_[place] != 0 && materials_[numbers_[place] - 1U] != material)
@@ -41,31 +41,31 @@ class MaterialCode {
 
   void count(std::uint32_t number, std::uint32_t times = 1) { counts_[number] += times; }
 
-  /// When all have been counted: gives each its interval and appends list and sizes.
+  /// Call after counting: assigns the intervals and appends list and sizes.
   void finish(std::vector<std::byte>& out);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] MaterialId material(std::size_t number) const { return materials_[number]; }
 
-  /// Start + 65536 * size.
+  /// start + 65536 * size
   [[nodiscard]] std::uint32_t interval(std::uint32_t number) const { return intervals_[number]; }
 
  private:
-  // Open addressing; places are enough that few materials meet.
+  // Open addressing, with enough places that collisions are rare.
   static constexpr std::size_t kPlaces = 4 * kMaxMaterials;
 
-  std::array<std::uint16_t, kPlaces> numbers_{};  // one more than the number; 0 where a place is free
+  std::array<std::uint16_t, kPlaces> numbers_{};  // number + 1; 0 if the place is free
   std::array<MaterialId, kMaxMaterials> materials_;
   std::array<std::uint32_t, kMaxMaterials> counts_{};
   std::array<std::uint32_t, kMaxMaterials> intervals_;
   std::uint16_t size_ = 0;
 };
 
-/// Takes list and sizes from the front of `bytes`; gives the first material of the list.
+/// Removes list and sizes from the front of `bytes`; returns the first material of the list.
 [[nodiscard]] tl::expected<MaterialId, DecodeError> take_material_code(std::span<const std::byte>& bytes,
                                                                        SlotTable& slots);
 
-/// `counts` as sizes of intervals: those that occur have at least 1, and all together kProbabilityTotal.
+/// Converts `counts` to interval sizes: at least 1 for each nonzero count, kProbabilityTotal in total.
 void to_sizes(std::span<const std::uint32_t> counts, std::span<std::uint16_t> sizes);
 
 }  // namespace talus::codec

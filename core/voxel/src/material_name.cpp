@@ -5,13 +5,13 @@
 namespace talus {
 namespace {
 
-/// Bytes of the character that a text begins with; 0 where that is none of UTF-8.
+/// Length in bytes of the text's first character; 0 if it is not valid UTF-8.
 std::size_t character_bytes(std::string_view text) {
   const auto at = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = at(0);
   if (first < 0x80) return 1;
   if (first < 0xC2 || first > 0xF4) return 0;
-  // What has a shorter form, is half of a pair of UTF-16, or lies beyond the last character.
+  // Overlong, a surrogate, or above U+10FFFF.
   if ((first == 0xE0 && at(1) < 0xA0) || (first == 0xED && at(1) > 0x9F) || (first == 0xF0 && at(1) < 0x90) ||
       (first == 0xF4 && at(1) > 0x8F)) {
     return 0;

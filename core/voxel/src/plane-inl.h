@@ -1,5 +1,5 @@
-// A row of a plane and its context as vectors, and the probabilities that follow. Included once for each
-// instruction set, hence no include guard but this:
+// A row of a plane and its context as vectors, and the resulting probabilities. Included once per instruction
+// set, hence this guard:
 #if defined(TALUS_PLANE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_PLANE_INL
 #undef TALUS_PLANE_INL
@@ -18,15 +18,15 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-// Half a row, its even or its odd columns, is a vector of sixteen bytes. Rows are 0 to 32, so that bytes with
-// a sign hold them.
+// Half a row, its even or its odd columns, is a vector of sixteen bytes. Rows are 0 to 32, so signed bytes
+// hold them.
 using RowVec8 = hn::Vec<HalfRows>;
 
-// Where vectors have room for it, a half twice: both scores are looked up at once.
+// Holds a half row twice if vectors are wide enough: both scores are then looked up at once.
 using Rows = hn::RebindToSigned<Bytes>;
 using ScoreVec = hn::Vec<Rows>;
 
-/// A row's columns.
+/// Columns of a row.
 struct RowHalves {
   RowVec8 even;
   RowVec8 odd;
@@ -50,7 +50,7 @@ HWY_INLINE void store_row(RowHalves row, std::uint8_t* out) {
   hn::StoreU(hn::BitCast(Half{}, hn::InterleaveUpper(d, row.even, row.odd)), Half{}, out + kLanes);
 }
 
-/// What lies in the lane before, `first` in the first.
+/// Returns the value of the previous lane in each lane, and `first` in lane 0.
 template <class Vec>
 HWY_INLINE Vec before(Vec v, Vec first) {
   const Half d;
@@ -58,7 +58,7 @@ HWY_INLINE Vec before(Vec v, Vec first) {
                      hn::CombineShiftRightBytes<kLanes - 1>(d, hn::BitCast(d, v), hn::BitCast(d, first)));
 }
 
-/// What lies in the lane after, `last` in the last.
+/// Returns the value of the next lane in each lane, and `last` in the last lane.
 template <class Vec>
 HWY_INLINE Vec after(Vec v, Vec last) {
   const Half d;
@@ -77,7 +77,7 @@ HWY_INLINE Vec last_everywhere(Vec v) {
   return hn::TableLookupBytes(v, hn::Set(d, static_cast<hn::TFromD<decltype(d)> >(kLanes - 1)));
 }
 
-/// 0, 1 or 2 for a below, equal to or above b.
+/// 0, 1 or 2 if a is below, equal to or above b.
 HWY_INLINE HalfVec sign(RowVec8 a, RowVec8 b) {
   const HalfRows d;
   const auto above = hn::VecFromMask(d, hn::Gt(a, b));  // -1 where true
@@ -85,7 +85,7 @@ HWY_INLINE HalfVec sign(RowVec8 a, RowVec8 b) {
   return hn::BitCast(Half{}, hn::Add(hn::Sub(hn::Set(d, 1), above), under));
 }
 
-/// Times four, of bytes below 64.
+/// Multiplies bytes below 64 by four.
 HWY_INLINE HalfVec times_four(HalfVec v) {
   const hn::Repartition<std::uint16_t, Half> words;
   return hn::BitCast(Half{}, hn::ShiftLeft<2>(hn::BitCast(words, v)));
@@ -99,7 +99,7 @@ HWY_INLINE ByteVec twice(HalfVec v) {
 #endif
 }
 
-/// A half's scores. Weights are added in the order of kPairs.
+/// Scores of a half row. Weights are added in the order of kPairs.
 class Scores {
  public:
   HWY_INLINE void clear() {
@@ -109,7 +109,7 @@ class Scores {
 #endif
   }
 
-  /// `place`: of the pair, by lane.
+  /// `place`: index into the pair's tables, by lane.
   HWY_INLINE void add(const PairWeights& weights, HalfVec place) {
     const Rows d;
     const auto at = hn::BitCast(d, twice(place));
@@ -137,7 +137,7 @@ class Scores {
 #endif
     for (std::size_t p = 0; p < kParts; ++p) {
       const auto end = starts.one.part[p];
-      // One is kUp's in any case, and one kDown's.
+      // One value belongs to kUp in any case, and one to kDown.
       const auto first = hn::Add(end, hn::Set(words, 1));
       const auto between = hn::Sub(hn::Sub(starts.three.part[p], first), hn::Set(words, 1));
       starts.two.part[p] = hn::Add(first, hn::ShiftRight<8>(hn::Mul(between, split.part[p])));
@@ -151,7 +151,7 @@ class Scores {
     const Bytes d;
     const hn::Repartition<std::uint16_t, Bytes> words;
     const auto positive = hn::BitCast(words, hn::Max(score, hn::Zero(Rows{})));
-    // Bytes below 128: what comes over from the byte above is masked.
+    // Bytes are below 128: bits shifted in from the higher byte are masked.
     return hn::And(hn::BitCast(d, hn::ShiftRight<3>(positive)), hn::Set(d, 15));
   }
 
@@ -167,10 +167,10 @@ class Scores {
 #else
   ScoreVec up_;
 #endif
-  ScoreVec both_;  // of kSame, and where vectors hold the lanes twice, of kUp
+  ScoreVec both_;  // of kSame, and also of kUp if vectors hold the lanes twice
 };
 
-/// What is context of a row before it is read.
+/// Context of a row that is known before the row is read.
 struct RowContext {
   RowHalves north;
   RowHalves steps_north;
@@ -178,7 +178,7 @@ struct RowContext {
   RowHalves floor_north;
 };
 
-/// What an odd column's scores still wait for its neighbours with.
+/// Scores of odd columns and the values needed to add their neighbours' contribution.
 struct OddScores {
   Scores scores;
   HalfVec west;
@@ -186,7 +186,7 @@ struct OddScores {
   HalfVec thickness;
 };
 
-/// The scores of the even columns, and of the odd ones but for their neighbours' part.
+/// Computes the scores of the even columns, and of the odd ones except their neighbours' contribution.
 HWY_INLINE void score(const RowContext& context, const std::array<Weights, 2>& weights, Scores& even,
                       OddScores& odd) {
   const Half d;
@@ -240,7 +240,7 @@ HWY_INLINE void score(const RowContext& context, const std::array<Weights, 2>& w
   odd.thickness = thickness.odd;
 }
 
-/// Adds what the symbols of the even columns tell of the odd ones.
+/// Adds the contribution of the even columns' symbols to the odd columns' scores.
 HWY_INLINE void add_neighbour_context(OddScores& odd, const Weights& weights, HalfVec even_symbols) {
   const HalfVec west = times_four(even_symbols);
   const HalfVec east = after(west, hn::Zero(Half{}));
@@ -255,7 +255,7 @@ HWY_INLINE RowVec8 predicted(RowVec8 north, RowVec8 floor, RowVec8 floor_north) 
   return hn::IfThenElse(hn::Eq(north, floor_north), floor, hn::Max(north, floor));
 }
 
-/// Bit x set where column x has the symbol kOther.
+/// Bit x is set if column x has the symbol kOther.
 HWY_INLINE std::uint32_t columns_of_other(HalfVec even, HalfVec odd) {
   const Half d;
   const auto other = hn::Set(d, std::uint8_t{kOther});
@@ -267,7 +267,7 @@ HWY_INLINE std::uint32_t columns_of_other(HalfVec even, HalfVec odd) {
   return all;
 }
 
-/// As before the first row of a plane.
+/// Context of the first row of a plane.
 HWY_INLINE RowContext first_row_context(const std::uint8_t* below) {
   RowContext context;
   context.floor_north = load_row(below);

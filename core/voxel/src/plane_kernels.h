@@ -1,5 +1,5 @@
-// Planes to symbols and back, a row of 32 columns at a time, once for each instruction set: FORMAT.md,
-// "Layered".
+// Conversion of planes to symbols and back, a row of 32 columns at a time, one implementation per instruction
+// set: FORMAT.md, "Layered".
 #pragma once
 
 #include <array>
@@ -17,33 +17,33 @@ namespace talus::codec {
 
 inline constexpr std::size_t kMaxBytesOfKinds = 5;
 
-/// Bytes that a decoder may read past the end. A row may take a byte for each column's state and one for its
-/// change, after the kinds of the plane's rows; where the bytes have ended that shows behind it. A vector of
-/// bytes goes past that.
+/// Number of bytes that a decoder may read past the end. After the kinds of a plane's rows, a row may take
+/// one byte for each column's state and one for its change; truncation is only detected afterwards. A vector
+/// load reads further.
 inline constexpr std::size_t kReadAhead = 128;
 static_assert(kReadAhead >= kMaxBytesOfKinds + 2 * kChunkSize + kLanes);
 
 enum class PlaneFault : std::uint8_t { none, truncated, bad_number };
 
-/// What is written of a plane, each row's even columns before its odd ones.
+/// Encoded form of a plane; in each row the even columns come before the odd ones.
 struct PlaneIntervals {
   std::array<std::uint16_t, kChunkArea> start;   // of kProbabilityTotal
   std::array<std::uint16_t, kChunkArea> size;    // 1 to 255
-  std::array<std::uint32_t, kChunkSize> others;  // by row: bit x is set where a change follows
-  std::array<std::int8_t, kChunkArea> changes;   // by column, in rows that have any
-  std::uint32_t carried = 0;                     // bit z: of rows after the first, those that are
+  std::array<std::uint32_t, kChunkSize> others;  // by row: bit x is set if a change follows for column x
+  std::array<std::int8_t, kChunkArea> changes;   // by column, valid in rows with any change
+  std::uint32_t carried = 0;                     // bit z is set if row z is carried; never bit 0
 };
 
-/// Of a column its state's byte and its change.
+/// For each column one byte of its state and one of its change.
 inline constexpr std::size_t kMaxBytesOfPlane = kMaxBytesOfKinds + 2 * kChunkArea;
 
-/// Decodes the plane above `below`. Where a fault is found, the rows from there on mean nothing.
+/// Decodes the plane above `below`. After a fault, the rows from there on are undefined.
 using PlaneDecode = PlaneFault (*)(RansSource& source, const std::uint8_t* below, std::uint8_t* plane);
 
 struct PlaneEncode {
-  /// Finds the intervals of a plane's symbols.
+  /// Computes the intervals of a plane's symbols.
   void (*model)(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
-  /// Writes them; room for kMaxBytesOfPlane and kScribbled lies before what the sink has written.
+  /// Writes the intervals. REQUIRES: room for kMaxBytesOfPlane and kScribbled before sink.next.
   void (*encode)(const PlaneIntervals& intervals, RansSink& sink);
 };
 
@@ -57,11 +57,11 @@ struct PlaneKernels {
 [[nodiscard]] const PlaneEncode& plane_encode(InstructionSet set);
 [[nodiscard]] PlaneKernels plane_kernels(InstructionSet set);
 
-/// Those of instruction_set().
+/// The kernels of instruction_set().
 [[nodiscard]] const PlaneKernels& plane_kernels();
 
-/// Takes which rows of a plane are carried from the front of a source: bit z for row z, never the first,
-/// which has a kind of its own. Any other bit is a fault.
+/// Reads which rows of a plane are carried: bit z for row z, never the first, which has its own kind. Any
+/// other bit is a fault.
 [[nodiscard]] inline std::uint32_t take_carried(RansSource& source, bool& fault) {
   const std::uint32_t present = *source.next++;
   std::uint32_t carried = 0;
@@ -72,7 +72,7 @@ struct PlaneKernels {
   return carried;
 }
 
-/// The same, written.
+/// Inverse of take_carried().
 inline void put_carried(RansSink& sink, std::uint32_t carried) {
   std::uint32_t present = 0;
   for (std::uint32_t byte = 4; byte-- > 0;) {
@@ -98,8 +98,8 @@ inline void put_others(RansSink& sink, const PlaneIntervals& intervals, std::siz
   return (carried >> z & 1U) != 0 ? kCarried : kLevel;
 }
 
-/// Patches a row's steps, which are as its symbols say alone: takes those of the symbols kOther. Gives where
-/// the bytes go on.
+/// Replaces the steps of symbols kOther, which the symbols alone do not determine. Returns the position after
+/// the bytes read.
 inline const std::uint8_t* take_others(const std::uint8_t* next, std::uint32_t others, Steps& steps) {
   for (; others != 0; others &= others - 1) {
     steps[static_cast<std::size_t>(std::countr_zero(others))] = static_cast<std::int8_t>(*next++);

@@ -1,5 +1,5 @@
-// The context of a row of a plane and the probabilities that follow from it: FORMAT.md, "Layered: the model".
-// Column by column, as the document has it; plane_kernels.cpp has the same in vectors.
+// Context of a plane's row and the resulting probabilities: FORMAT.md, "Layered: the model". Scalar, as in
+// the document; plane_kernels.cpp implements the same with vectors.
 #pragma once
 
 #include <algorithm>
@@ -13,24 +13,24 @@
 
 namespace talus::codec {
 
-/// What a column does, of its step or of how that differs from the step to the west.
+/// Class of a column's step, or of its difference from the step to the west.
 enum Symbol : std::uint8_t { kSame, kUp, kDown, kOther };
 
-/// In a level row each column's step is read; in the others how it differs from the step to the west.
+/// A level row codes each column's step; other rows code its difference from the step to the west.
 enum RowKind : std::uint8_t { kLevel, kCarried, kFirst };
 inline constexpr std::size_t kRowKinds = kFirst + 1;
 
-/// By how much each column of a row differs from its prediction.
+/// Difference of each column of a row from its prediction.
 using Steps = std::array<std::int8_t, kChunkSize>;
 
-/// What came before a row, 32 columns each.
+/// Known rows near a row, 32 columns each.
 struct RowsBefore {
-  const std::uint8_t* north = nullptr;        // the plane's row at z - 1; in the first row its floor
-  const std::int8_t* steps_north = nullptr;   // of that row; in the first row none
-  const std::uint8_t* floor = nullptr;        // the plane below, at z
-  const std::uint8_t* floor_north = nullptr;  // the plane below, at z - 1; in the first row at z
+  const std::uint8_t* north = nullptr;        // the plane's row z - 1; the floor in the first row
+  const std::int8_t* steps_north = nullptr;   // steps of that row; zeros in the first row
+  const std::uint8_t* floor = nullptr;        // row z of the plane below
+  const std::uint8_t* floor_north = nullptr;  // row z - 1 of the plane below; row z in the first row
 
-  /// Of row z of a plane whose rows before z are known; `below` is the plane below it.
+  /// Rows for row z of a plane whose rows before z are known; `below` is the plane below it.
   [[nodiscard]] static RowsBefore of(const std::uint8_t* plane, const std::uint8_t* below, std::size_t z,
                                      const Steps& steps_north) {
     static constexpr Steps kNone{};
@@ -40,28 +40,28 @@ struct RowsBefore {
   }
 };
 
-/// What is looked at around a column, each 0 for less, 1 for equal and 2 for more, unless it says otherwise.
-/// A column that is not there is taken to be as high as the row's end, and to have no step.
+/// Comparisons around a column: 0 for less, 1 for equal, 2 for greater, unless noted. Columns outside the row
+/// count as equal to its outermost column, with a step of 0.
 enum Sign : std::uint8_t {
-  kWest,           // the row to the north: how it stands to its neighbour one to the west
-  kEast,           // how its neighbour one to the east stands to it
-  kFarEast,        // and the one two to the east
-  kStep,           // the step to the north, against none
-  kStepWest,       // that to its west
-  kStepEast,       // that to its east
-  kStepFarWest,    // that two to its west
-  kStepFarEast,    // that two to its east
-  kFloor,          // the floor to that to the north
-  kThickness,      // of the material to the north: 0, 1, more
+  kWest,           // the row to the north, against its neighbour one to the west
+  kEast,           // the row to the north: its neighbour one to the east, against it
+  kFarEast,        // the neighbour two to the east, against it
+  kStep,           // the step to the north, against 0
+  kStepWest,       // the step one to the west of it
+  kStepEast,       // the step one to the east of it
+  kStepFarWest,    // the step two to the west of it
+  kStepFarEast,    // the step two to the east of it
+  kFloor,          // the floor, against the floor to the north
+  kThickness,      // of the material to the north: 0, 1 or more
   kThicknessWest,  // one to the west of it
   kThicknessEast,  // one to the east of it
-  kSymbolWest,     // in odd columns: the symbol of the column to the west
-  kSymbolEast,     // and of that to the east
+  kSymbolWest,     // odd columns only: symbol of the column to the west
+  kSymbolEast,     // odd columns only: symbol of the column to the east
 };
 inline constexpr std::size_t kSigns = kSymbolEast + 1;
 using Signs = std::array<std::uint8_t, kSigns>;
 
-/// Pairs of signs have weights, one for each of their values; the last of them in odd columns alone.
+/// Weights are indexed by pairs of signs; the last pairs apply to odd columns only.
 inline constexpr std::array<std::array<Sign, 2>, 13> kPairs{{
     {kStepWest, kStepEast},
     {kFloor, kThicknessEast},
@@ -87,7 +87,7 @@ constexpr std::size_t place_of_pair(std::uint8_t first, std::uint8_t second) {
   return first + 4U * second;
 }
 
-/// By place in a pair: for the score of kSame, and for that of kUp.
+/// Weights of a pair, by place: for the score of kSame, and for the score of kUp.
 struct PairWeights {
   std::array<std::int8_t, 16> same;
   std::array<std::int8_t, 16> up;
@@ -114,7 +114,7 @@ inline constexpr std::size_t kClasses = 16;
   return change == -1 ? kDown : kOther;
 }
 
-/// `symbols`: of the row, as far as they are known.
+/// `symbols`: symbols of the row, as far as they are known.
 [[nodiscard]] inline Signs signs_of(const RowsBefore& before, const std::array<Symbol, kChunkSize>& symbols,
                                     int x) {
   constexpr int kLast = kChunkSize - 1;
@@ -151,7 +151,7 @@ inline constexpr std::size_t kClasses = 16;
   return std::max(before.north[x], before.floor[x]);
 }
 
-/// The kind by which a row after the first is likely to take fewer bits: either would do.
+/// Estimates the kind that takes fewer bits for a row after the first; either kind is valid.
 [[nodiscard]] inline RowKind better_kind(const Steps& steps) {
   constexpr int kOtherBits = 10;
   constexpr int kLevelBits = 3;

@@ -25,7 +25,7 @@ PlaneFault decode(RansSource& source, const std::uint8_t* below, std::uint8_t* p
 
 #else
 
-/// 0, 1, -1; 0 for kOther, too.
+/// 0, 1 or -1; 0 for kOther too.
 HWY_INLINE RowVec8 steps_of(HalfVec symbols) {
   alignas(16) static constexpr std::int8_t kStep[16] = {0, 1, -1};
   const HalfRows d;
@@ -37,9 +37,8 @@ HWY_INLINE hn::Mask<HalfRows> outside(RowVec8 row, RowVec8 floor) {
   return hn::Or(hn::Lt(row, floor), hn::Gt(row, hn::Set(d, kChunkSize)));
 }
 
-/// Each column's step from how each differs from the one to its west. A step that a byte does not hold
-/// becomes the byte's end, which lies out of every plane's range: that row is a fault, whatever its other
-/// columns are.
+/// Sums differences from the west to steps. A step that does not fit a byte saturates, which is outside every
+/// plane's range: the row is then a fault, whatever its other columns are.
 HWY_INLINE RowHalves summed(RowHalves changes) {
   const hn::Half<Half> bytes;
   const hn::RebindToSigned<decltype(bytes)> half;
@@ -94,7 +93,7 @@ PlaneFault decode(RansSource& source, const std::uint8_t* below, std::uint8_t* p
     }
     if (HWY_UNLIKELY(kind != kLevel)) steps = summed(steps);
     if (HWY_UNLIKELY(next > source.end)) return PlaneFault::truncated;
-    // What is too large for a byte stays outside.
+    // Saturated values stay out of range.
     const RowHalves row{
         hn::SaturatedAdd(predicted(context.north.even, context.floor.even, context.floor_north.even),
                          steps.even),

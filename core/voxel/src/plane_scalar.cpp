@@ -5,7 +5,7 @@
 namespace talus::codec {
 namespace {
 
-/// The column that is read in place `at` of its row: even ones first.
+/// The column coded at place `at` of its row: even columns first.
 constexpr std::size_t column_at(std::size_t at) {
   return at % kLanes * 2 + at / kLanes;
 }
@@ -28,8 +28,8 @@ Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols,
 
 namespace {
 
-/// Each column's step from how each differs from the one to its west. Steps past what a byte holds stay out
-/// of every plane's range.
+/// Sums differences from the west to steps. Steps that do not fit a byte saturate, outside every plane's
+/// range.
 void sum_up(Steps& steps) {
   int step = 0;
   for (std::int8_t& each : steps) {

@@ -1,4 +1,4 @@
-// Planes column by column, as FORMAT.md has them: what the kernels of every instruction set must equal.
+// Scalar coding of planes, as in FORMAT.md: the reference for the kernels of every instruction set.
 #pragma once
 
 #include "plane_kernels.h"
@@ -10,10 +10,10 @@ namespace talus::codec {
 void model_plane_scalar(const std::uint8_t* plane, const std::uint8_t* below, PlaneIntervals& intervals);
 void encode_plane_scalar(const PlaneIntervals& intervals, RansSink& sink);
 
-/// The symbols of a row's columns, as far as they are known.
+/// Symbols of a row's columns, as far as they are known.
 using Symbols = std::array<Symbol, kChunkSize>;
 
-/// Where the intervals of the four symbols of column x start, and the last one ends. Of an odd column the
+/// Starts of the intervals of column x's four symbols, and the end of the last. For an odd column the
 /// neighbours' symbols must be known.
 using Starts = std::array<int, 5>;
 [[nodiscard]] Starts starts_of(const RowsBefore& before, RowKind kind, const Symbols& symbols, std::size_t x);

@@ -1,4 +1,4 @@
-// What train_planes (tests/bench) found on the sample worlds at levels 0 to 4. Part of the payload's format:
+// Result of train_planes (tests/bench) for the sample worlds at levels 0 to 4. Part of the payload's format:
 // FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
 #pragma once
 
@@ -7,7 +7,7 @@
 namespace talus::codec {
 
 // clang-format off
-/// By kind of row; of even and of odd columns; by pair.
+/// Indexed by kind of row; even, odd columns; pair.
 inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
 {{
   {{
@@ -161,11 +161,11 @@ inline constexpr std::array<std::array<Weights, 2>, kRowKinds> kWeights{{
 }},
 }};
 
-/// By class of the score of kSame: where its interval ends.
+/// By class of the score of kSame: end of its interval.
 inline constexpr std::array<std::uint8_t, kClasses> kSameEnd{23,41,65,96,118,143,167,193,209,227,243,246,250,253,252,253,};
-/// Where the interval of kOther begins.
+/// By class of the score of kSame: start of the interval of kOther.
 inline constexpr std::array<std::uint8_t, kClasses> kOtherStart{250,253,253,252,254,254,255,255,254,255,255,255,255,255,255,255,};
-/// By class of the score of kUp: of 256, its part of what lies between.
+/// By class of the score of kUp: its share, in 1/256, of the range between.
 inline constexpr std::array<std::uint8_t, kClasses> kUpSplit{1,10,11,26,44,55,75,121,145,171,194,228,235,245,253,255,};
 // clang-format on
 

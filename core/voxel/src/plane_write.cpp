@@ -38,7 +38,7 @@ HWY_INLINE HalfVec symbols_of(RowVec8 changes) {
   return hn::BitCast(Half{}, hn::IfThenZeroElse(same, hn::IfThenElse(up, hn::Set(d, kUp), not_up)));
 }
 
-/// Where the symbols' intervals start, and how large they are.
+/// Stores starts and sizes of the symbols' intervals.
 HWY_INLINE void put_intervals(HalfVec symbols, const StartParts& starts, std::uint16_t* start_out,
                               std::uint16_t* size_out) {
   const Words d;

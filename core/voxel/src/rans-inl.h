@@ -1,5 +1,4 @@
-// The vectors of 16 lanes in which rANS is done. Included once for each instruction set, hence no include
-// guard but this:
+// Vectors of 16 lanes for rANS. Included once per instruction set, hence this guard:
 #if defined(TALUS_RANS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_RANS_INL
 #undef TALUS_RANS_INL
@@ -23,16 +22,16 @@ namespace {
 using namespace codec;
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A byte for each lane.
+// One byte per lane.
 using Half = hn::FixedTag<std::uint8_t, kLanes>;
 using HalfRows = hn::RebindToSigned<Half>;
 using HalfVec = hn::Vec<Half>;
 
-// A byte for each lane, twice where vectors have room for it.
+// One byte per lane, held twice if vectors are wide enough.
 using Bytes = hn::CappedTag<std::uint8_t, 2 * kLanes>;
 using ByteVec = hn::Vec<Bytes>;
 
-// The states, one to a lane: one vector, or two.
+// The states, one per lane, in one vector or two.
 using Words = hn::CappedTag<std::uint16_t, kLanes>;
 using SignedWords = hn::RebindToSigned<Words>;
 using WordVec = hn::Vec<Words>;
@@ -76,13 +75,13 @@ HWY_INLINE WordParts widen(HalfVec bytes) {
   return words;
 }
 
-/// Of words that are below 256, or all ones.
+/// Narrows words that are below 256 or all ones.
 HWY_INLINE HalfVec narrow(const WordParts& words) {
   const Bytes d;
   return lower_half(hn::ConcatEven(d, hn::BitCast(d, words.part[kParts - 1]), hn::BitCast(d, words.part[0])));
 }
 
-/// Of words that are below 128, or all ones: sooner.
+/// Narrows words that are below 128 or all ones; faster.
 HWY_INLINE HalfVec narrow_small(const WordParts& words) {
 #if TALUS_TWICE
   return hn::BitCast(Half{}, hn::DemoteTo(HalfRows{}, hn::BitCast(SignedWords{}, words.part[0])));
@@ -104,19 +103,19 @@ HWY_INLINE std::uint32_t lanes_of(hn::Mask<Half> mask) {
 #endif
 }
 
-/// Where the intervals of the symbols 1, 2 and 3 start, by lane. All 0: there is no symbol to read, and the
-/// lane's state stays as it is.
+/// Starts of the intervals of symbols 1, 2 and 3, by lane. All 0: the lane has no symbol, and its state stays
+/// unchanged.
 struct StartParts {
   WordParts one;
   WordParts two;
   WordParts three;
 };
 
-/// The states with a byte more where they are below kMinState, lane after lane.
+/// Appends a byte to each state below kMinState, in lane order.
 HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
   const Words words;
 #if HWY_TARGET == HWY_AVX3
-  // One instruction deals the bytes out to the lanes.
+  // One instruction distributes the bytes to the lanes.
   auto& state = states.part[0];
   const auto takes = hn::Lt(state, hn::Set(words, kMinState));
   const __m512i bytes = _mm512_cvtepu8_epi32(hn::LoadU(Half{}, next).raw);
@@ -128,12 +127,12 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
   const Half d;
   WordParts takes;
   for (std::size_t p = 0; p < kParts; ++p) {
-    // Of the state itself a comparison with a sign would be wrong.
+    // A signed comparison of the state itself would be wrong.
     const auto high = hn::BitCast(compared, hn::ShiftRight<8>(states.part[p]));
     takes.part[p] = hn::BitCast(words, hn::VecFromMask(compared, hn::Eq(high, hn::Zero(compared))));
   }
-  const HalfVec taking = narrow_small(takes);  // -1 in the lanes that take a byte
-  // How many do so up to each lane, less than 0.
+  const HalfVec taking = narrow_small(takes);  // -1 in lanes that take a byte
+  // Negative number of such lanes up to each lane.
   HalfVec sum = taking;
   sum = hn::Add(sum, hn::ShiftLeftBytes<1>(d, sum));
   sum = hn::Add(sum, hn::ShiftLeftBytes<2>(d, sum));
@@ -150,10 +149,10 @@ HWY_INLINE void refill(WordParts& states, const std::uint8_t*& next) {
 #endif
 }
 
-/// Of words below 32768.
+/// For words below 32768.
 HWY_INLINE WordVec all_ones_where_less(WordVec a, WordVec b) {
 #if HWY_TARGET == HWY_AVX3
-  // Not by way of a mask register, which takes six times as long.
+  // Avoids a mask register, which takes six times as long.
   return WordVec{_mm256_cmpgt_epi16(b.raw, a.raw)};
 #else
   const SignedWords d;
@@ -161,14 +160,14 @@ HWY_INLINE WordVec all_ones_where_less(WordVec a, WordVec b) {
 #endif
 }
 
-/// The symbol of each lane, 0 to 3.
+/// Returns the symbol of each lane, 0 to 3.
 HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, const std::uint8_t*& next) {
   const Words d;
   WordParts symbols;
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto slot = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
-    // Whether the slot lies before the start of a symbol's interval. No start is above 256.
+    // True if the slot lies before the start of a symbol's interval. No start exceeds 256.
     const auto is_before = [&](WordVec start) HWY_ATTR { return all_ones_where_less(slot, start); };
     const auto one = starts.one.part[p];
     const auto two = starts.two.part[p];
@@ -176,7 +175,7 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
     const auto before_one = is_before(one);
     const auto before_two = is_before(two);
     const auto before_three = is_before(three);
-    // The last that is not after the slot, and the first that is.
+    // Greatest start not above the slot, and least start above it.
     const auto start = hn::Max(hn::AndNot(before_one, one),
                                hn::Max(hn::AndNot(before_two, two), hn::AndNot(before_three, three)));
     const auto end = hn::Min(hn::Min(hn::Or(hn::Not(before_one), one), hn::Or(hn::Not(before_two), two)),
@@ -190,8 +189,8 @@ HWY_INLINE HalfVec decode_symbols(WordParts& states, const StartParts& starts, c
   return taken;
 }
 
-/// 65536 / size, rounded down and at most 65535, of sizes from 1 to 256. Floats of 24 bits hold quotients of
-/// these exactly enough: none lies nearer to the next integer than 1 / 256.
+/// 65536 / size, rounded down and at most 65535, for sizes 1 to 256. 24-bit floats are exact enough: no
+/// quotient is nearer than 1 / 256 to the next integer.
 HWY_INLINE WordVec reciprocals(WordVec sizes) {
 #if HWY_TARGET == HWY_AVX3
   const __m512 divisor = _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(sizes.raw));
@@ -209,7 +208,7 @@ HWY_INLINE WordVec reciprocals(WordVec sizes) {
 #endif
 }
 
-/// By a mask of eight lanes: from where each of eight bytes comes, so that those of the mask stand last.
+/// By mask of eight lanes: source of each of eight bytes, so that the selected bytes come last.
 inline constexpr auto kLastBytes = [] {
   std::array<std::array<std::uint8_t, 8>, 256> table{};
   for (std::size_t mask = 0; mask < 256; ++mask) {
@@ -221,7 +220,7 @@ inline constexpr auto kLastBytes = [] {
   return table;
 }();
 
-/// Writes a symbol in each lane. The interval from 0 to 256 leaves a lane as it is.
+/// Writes one symbol per lane. The interval from 0 to 256 leaves a lane unchanged.
 HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const WordParts& sizes,
                                std::uint8_t*& next) {
   const Words d;
@@ -230,16 +229,16 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
   for (std::size_t p = 0; p < kParts; ++p) {
     const auto state = states.part[p];
     const auto size = sizes.part[p];
-    // What does not wait for the states: the chain from state to state bounds the speed.
+    // Values independent of the states come first: the chain from state to state bounds the speed.
     const auto reciprocal = reciprocals(size);
     const auto beyond = hn::Sub(hn::Set(d, kProbabilityTotal), size);
     const auto next_start = hn::Add(starts.part[p], beyond);
-    // Would it grow past 16 bits? Of high bytes and sizes none is above 256.
+    // Checks whether the state would exceed 16 bits. High bytes and sizes are at most 256.
     const auto high = hn::ShiftRight<8>(state);
     fits.part[p] = all_ones_where_less(high, size);
     low.part[p] = hn::And(state, hn::Set(d, kProbabilityTotal - 1));
     const auto left = hn::IfVecThenElse(fits.part[p], state, high);
-    // The quotient left / size or one less: the reciprocal is at most 1 too small, and left below 65536.
+    // The quotient left / size, or one less: the reciprocal is at most 1 too small, and left is below 65536.
     const auto quotient = hn::MulHigh(left, reciprocal);
     const auto rest = hn::Sub(left, hn::Mul(quotient, size));
     const auto first = hn::And(all_ones_where_less(rest, size), beyond);
@@ -247,15 +246,15 @@ HWY_INLINE void encode_symbols(WordParts& states, const WordParts& starts, const
     states.part[p] = hn::Sub(hn::Add(hn::Add(left, next_start), hn::Mul(quotient, beyond)), first);
   }
 #if HWY_TARGET == HWY_AVX3
-  // Without a branch: whether any lane is full cannot be foreseen.
+  // Without a branch: which lanes are full is unpredictable.
   const auto lanes = static_cast<__mmask16>(~_mm256_movepi16_mask(fits.part[0].raw));
   const int count = std::popcount(static_cast<std::uint16_t>(lanes));
   const __m512i bytes = _mm512_maskz_compress_epi32(lanes, _mm512_cvtepu16_epi32(low.part[0].raw));
   next -= count;
   _mm_mask_storeu_epi8(next, static_cast<__mmask16>((1U << count) - 1), _mm512_cvtepi32_epi8(bytes));
 #else
-  // The bytes of eight lanes at a time, moved to the end of eight bytes. What stands before them is
-  // overwritten by the bytes of the lanes below, or lies before `next`.
+  // Moves the bytes of eight lanes to the end of eight bytes. The bytes before them are overwritten by lower
+  // lanes, or lie before `next`.
   const std::uint32_t lanes = lanes_of(hn::Not(hn::MaskFromVec(narrow_small(fits))));
   const hn::FixedTag<std::uint8_t, 8> eight;
   const HalfVec bytes = narrow(low);

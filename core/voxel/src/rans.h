@@ -1,5 +1,5 @@
-// The 16-way interleaved range asymmetric numeral system (rANS) that every coded part uses: 8-bit
-// probabilities, 16-bit states, byte renormalisation. FORMAT.md, "Entropy coding".
+// The 16-way interleaved range asymmetric numeral system (rANS) of every coded part: 8-bit probabilities,
+// 16-bit states, byte renormalisation. FORMAT.md, "Entropy coding".
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,21 @@ inline constexpr std::uint32_t kMinState = 256;
 inline constexpr int kProbabilityTotal = 256;
 inline constexpr std::size_t kStatesBytes = kLanes * sizeof(std::uint16_t);
 
-/// Encoders may write so many bytes before those that count.
+/// Number of bytes that encoders may overwrite before their output.
 inline constexpr std::size_t kScribbled = 8;
 
-/// What a decoder reads from. Kernels read ahead: the bytes go on past `end`, whatever they hold. That `next`
-/// lies past `end` says that the payload is truncated.
+/// Input of a decoder. Kernels read ahead: readable bytes must follow `end`, with any contents. `next` beyond
+/// `end` means that the payload is truncated.
 struct RansSource {
-  std::array<std::uint16_t, kLanes> states{};  // each kMinState or more
+  std::array<std::uint16_t, kLanes> states{};  // each at least kMinState
   const std::uint8_t* next = nullptr;
   const std::uint8_t* end = nullptr;
 };
 
-/// What an encoder writes to, backwards: what is read last is written first.
+/// Output of an encoder, written backwards: the last symbol to be read is written first.
 struct RansSink {
   std::array<std::uint16_t, kLanes> states{};
-  std::uint8_t* next =
-      nullptr;  // what was written begins here; kScribbled bytes before it may be written too
+  std::uint8_t* next = nullptr;  // start of the output; kScribbled bytes before it may be overwritten too
 };
 
 /// A symbol's interval of the probability range 0 to 256.
@@ -38,13 +37,13 @@ struct Interval {
   std::uint16_t size = 0;  // 1 to 256
 };
 
-/// An interval in one word: start + 65536 * size.
+/// Unpacks start + 65536 * size.
 [[nodiscard]] constexpr Interval unpacked(std::uint32_t interval) {
   return {static_cast<std::uint16_t>(interval & 0xFFFFU), static_cast<std::uint16_t>(interval >> 16U)};
 }
 
-/// Which of `count` intervals holds the state's low byte; `starts` has count + 1 entries, the last of them
-/// 256.
+/// Returns the interval, of `count`, that holds the state's low byte; `starts` has count + 1 entries, the
+/// last is 256.
 [[nodiscard]] inline std::size_t decode_symbol(RansSource& source, std::size_t lane, const int* starts) {
   std::uint16_t& state = source.states[lane];
   const int slot = state % kProbabilityTotal;
@@ -60,14 +59,14 @@ inline void encode_symbol(RansSink& sink, std::size_t lane, Interval interval) {
   std::uint32_t state = sink.states[lane];
   const std::uint32_t size = interval.size;
   const bool full = state >= size * kProbabilityTotal;
-  sink.next[-1] = static_cast<std::uint8_t>(state % 256);  // kept where the state is full
+  sink.next[-1] = static_cast<std::uint8_t>(state % 256);  // kept if the state is full
   sink.next -= full ? 1 : 0;
   state = full ? state / 256 : state;
   sink.states[lane] =
       static_cast<std::uint16_t>(state / size * kProbabilityTotal + state % size + interval.start);
 }
 
-/// Takes the first states from the front of the source. False where one is too small.
+/// Reads the initial states. Returns false if one is too small.
 [[nodiscard]] inline bool take_states(RansSource& source) {
   for (std::uint16_t& state : source.states) {
     state = static_cast<std::uint16_t>(source.next[0] | source.next[1] << 8U);

@@ -12,25 +12,24 @@
 namespace talus::codec {
 namespace {
 
-/// The runs of a chunk: how many voxels each has after the first, and the number of its material.
+/// Runs of a chunk: number of voxels after the first, and number of the material.
 struct Runs {
   std::array<std::uint16_t, kChunkVolume + 1> more;
   std::array<std::uint8_t, kChunkVolume + 1> kind;
   std::size_t count = 0;
-  bool single = false;  // each is one voxel
+  bool single = false;  // each run is one voxel
 };
 
 constexpr std::size_t kMaxGroupBytes = 5 * kLanes;
 
-/// Runs so many that their lengths are worth less than they cost are written as single voxels.
+/// Above this number, run lengths cost more than they save: single voxels are written instead.
 constexpr std::size_t kManyRuns = 18'000;
 
 std::size_t digits_of(std::uint16_t more) {
   return static_cast<std::size_t>(std::bit_width(more));
 }
 
-/// The sizes of the intervals of how many digits runs have. No interval is the whole range: it would not fit
-/// a byte.
+/// Interval sizes of the digit counts. No interval covers the whole range: it would not fit a byte.
 std::array<std::uint16_t, kDigitCounts> sizes_of(const Runs& runs) {
   std::array<std::uint32_t, kDigitCounts> counts{};
   for (std::size_t i = 0; i < runs.count; ++i) ++counts[digits_of(runs.more[i])];
@@ -44,20 +43,20 @@ std::array<std::uint16_t, kDigitCounts> sizes_of(const Runs& runs) {
   return sizes;
 }
 
-/// False where there are too many materials.
+/// Returns false if there are too many materials.
 bool find_runs(const DenseVoxels& voxels, Runs& runs, MaterialCode& materials) {
   runs.more[0] = 0;
   runs.count = 1;
   for (std::size_t i = 1; i < voxels.size(); ++i) {
-    // Where the next run may begin, written in any case: that the material changes cannot be foreseen.
+    // Possible start of the next run, written unconditionally: changes of material are unpredictable.
     runs.more[runs.count] = static_cast<std::uint16_t>(i);
     runs.count += static_cast<std::size_t>(voxels[i] != voxels[i - 1]);
   }
   runs.single = runs.count > kManyRuns;
   if (runs.single) runs.count = voxels.size();
-  // By id, one more than its number: one load for each voxel, where a hash takes several.
+  // Number + 1 by id: one load per voxel, instead of several for a hash.
   std::array<std::uint16_t, 0x10000> after_numbers{};
-  // Two voxels after one another seldom count for the same number: sums in turns wait less for one another.
+  // Alternating between two sums: successive increments seldom wait for each other.
   std::array<std::array<std::uint32_t, MaterialCode::kMaxMaterials>, 2> counts{};
   for (std::size_t i = 0; i < runs.count; ++i) {
     const MaterialId material = voxels[runs.single ? i : runs.more[i]];
@@ -75,7 +74,7 @@ bool find_runs(const DenseVoxels& voxels, Runs& runs, MaterialCode& materials) {
     materials.count(number, counts[0][number] + counts[1][number]);
   }
   if (runs.single) return true;
-  // From where runs begin to how long they are.
+  // Convert the starts of runs to lengths.
   for (std::size_t i = 0; i < runs.count; ++i) {
     const std::size_t end = i + 1 < runs.count ? runs.more[i + 1] : voxels.size();
     runs.more[i] = static_cast<std::uint16_t>(end - runs.more[i] - 1);
@@ -87,7 +86,7 @@ bool find_runs(const DenseVoxels& voxels, Runs& runs, MaterialCode& materials) {
 
 bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::byte>& out,
                  const VolumeKernels& kernels) {
-  Runs runs;  // on the stack, where only what is written is touched; so are the bytes
+  Runs runs;  // on the stack, where only bytes written are touched; so is the buffer
   MaterialCode materials{voxels.front()};
   if (!find_runs(voxels, runs, materials)) return false;
   const std::size_t begin = out.size();
@@ -110,7 +109,7 @@ bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::
   RansSink sink{{}, end};
   sink.states.fill(static_cast<std::uint16_t>(kMinState));
   const auto size = [&] { return out.size() - begin + static_cast<std::size_t>(end - sink.next); };
-  // Single voxels have no lengths between their materials, so that many groups are written at once.
+  // Single voxels have no lengths between their materials, so many groups are written at once.
   const std::size_t step = runs.single ? kMaxBatch : kLanes;
   for (std::size_t left = runs.count; left > 0 && size() < limit;) {
     const std::size_t count = left % step != 0 ? left % step : step;
@@ -161,7 +160,7 @@ tl::expected<Chunk, DecodeError> decode_runs(std::span<const std::byte> body, co
   DenseVoxels& voxels = padded->voxels;
   std::size_t filled = 0;
   for (std::size_t left = *count; left > 0;) {
-    // Single voxels have no groups; they are read as many at once as a source allows.
+    // Single voxels have no groups: as many are read at once as a source allows.
     const std::size_t size = std::min(left, single ? kMaxBatch : kLanes);
     left -= size;
     source.keep_ahead();
@@ -184,7 +183,7 @@ tl::expected<Chunk, DecodeError> decode_runs(std::span<const std::byte> body, co
         continue;
       }
       if (lengths[i] > voxels.size() - filled) return tl::unexpected{DecodeError::bad_number};
-      // Most runs are short: sixteen voxels are written in any case.
+      // Most runs are short: sixteen voxels are written unconditionally.
       std::fill_n(to, kVolumeMargin / 2, material);
       if (lengths[i] > kVolumeMargin / 2) std::fill_n(to, lengths[i], material);
       filled += lengths[i];

@@ -1,4 +1,4 @@
-// Voxels as runs in dense order, for content of which neighbours tell little: FORMAT.md, "Runs".
+// Voxels as runs in dense order, for content that neighbours predict poorly: FORMAT.md, "Runs".
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace talus::codec {
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where there are more than 256
-/// materials or the result would reach `limit` bytes.
+/// Appends everything after the two header bytes. Returns false and leaves `out` unchanged if there are more
+/// than 256 materials or the result would reach `limit` bytes.
 [[nodiscard]] bool encode_runs(const DenseVoxels& voxels, std::size_t limit, std::vector<std::byte>& out,
                                const VolumeKernels& kernels = volume_kernels());
 

@@ -1,5 +1,5 @@
-// Layers as voxels, one horizontal slice after another from the bottom up: the order in which dense voxels
-// lie, so that they are written, or hashed, in one go.
+// Converts layers to voxels, one horizontal slice after another from the bottom: the order of dense voxels,
+// so that they are written, or hashed, in one pass.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ namespace talus {
 
 class Slices {
  public:
-  /// `layers` must be valid() and outlive the slices.
+  /// REQUIRES: layers.valid(). `layers` must outlive this object.
   explicit Slices(const Layers& layers);
 
-  /// Writes the next slice, z slowest, then x: 1024 voxels. For 32 times.
+  /// Writes the next slice of 1,024 voxels, z slowest, then x. May be called 32 times.
   void next(MaterialId* slice);
 
  private:
   const Layers& layers_;
   const VoxelKernels& kernels_;
-  /// Slices are put together in bytes: the material where all fit in one, else its place in the list.
+  /// Slices are composed in bytes: material ids if all fit a byte, otherwise places in the list.
   std::array<std::uint8_t, Layers::kMaxMaterials> bytes_;
   bool bytes_are_materials_;
   std::array<Extent, Layers::kMaxMaterials - 1> extents_;  // of each plane
-  std::size_t first_ = 0;  // the first plane that does not lie wholly below the slice
+  std::size_t first_ = 0;  // the first plane that reaches above the bottom of the slice
   std::uint8_t y_ = 0;
 };
 

@@ -3,12 +3,12 @@
 namespace talus {
 namespace {
 
-/// Chunks of `level` that touch the base chunks within `radius` of `centre`.
+/// Chunks of `level` that overlap the base chunks within `radius` of `centre`.
 ChunkRange touching(std::int64_t centre, int radius, int level) {
   return {(centre - radius) >> level, (centre + radius) >> level};
 }
 
-/// Chunks of `level` that lie wholly inside the chunks `finer` of `finer_level`.
+/// Chunks of `level` entirely inside the chunks `finer` of `finer_level`.
 ChunkRange wholly_inside(ChunkRange finer, int finer_level, int level) {
   const std::int64_t size = std::int64_t{1} << level;
   const std::int64_t begin = finer.first * (std::int64_t{1} << finer_level);
@@ -16,8 +16,8 @@ ChunkRange wholly_inside(ChunkRange finer, int finer_level, int level) {
   return {floor_div(begin + size - 1, size), floor_div(end, size) - 1};
 }
 
-/// Chunk rows of `level` that hold anything but one rock or air. Its topmost voxel of ground may lie one
-/// voxel row lower than that of level 0.
+/// Chunk rows of `level` that hold anything but one rock or air. The topmost ground voxel of a level may be
+/// one voxel row lower than at level 0.
 ChunkRange rows_of_world(HeightRange heights, int level) {
   constexpr std::int64_t kEdge = (std::int64_t{1} << 31) * kChunkSize;
   const std::int64_t low = std::clamp(heights.low, -kEdge, kEdge);
@@ -27,7 +27,7 @@ ChunkRange rows_of_world(HeightRange heights, int level) {
 
 LevelBox cut_to_world(LevelBox box) {
   const std::int64_t limit = chunk_limit(box.lod);
-  // The inner box too, so that count() may subtract it.
+  // The inner box too, so that count() can subtract it.
   for (ChunkRange* range : {&box.x, &box.y, &box.z, &box.inner_x, &box.inner_z}) {
     *range = overlap(*range, {-limit, limit - 1});
   }
@@ -56,7 +56,7 @@ std::vector<LevelBox> level_boxes(const ViewExtent& view, WorldEdge edge) {
     const LevelBox& finer = boxes.back();
     LevelBox box = outer(ring.lod, ring.radius);
     if (view.horizon) box.y = rows_of_world(*view.horizon, ring.lod.value());
-    if (!view.horizon || boxes.size() > 1) {  // level 0 does not have all rows of its columns
+    if (!view.horizon || boxes.size() > 1) {  // level 0 does not contain all rows of its columns
       box.inner_x = wholly_inside(finer.x, finer.lod.value(), ring.lod.value());
       box.inner_z = wholly_inside(finer.z, finer.lod.value(), ring.lod.value());
     }

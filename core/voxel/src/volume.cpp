@@ -43,8 +43,8 @@ constexpr auto kSymbols = [] {
   return all;
 }();
 
-/// What a symbol of an interval of this size costs, in sixteenths of a bit: 16 * (8 - log2(size)), rounded
-/// down digit by digit, so that every compiler finds the same.
+/// Cost of a symbol whose interval has this size, in sixteenths of a bit: 16 * (8 - log2(size)), rounded down
+/// digit by digit, so that every compiler computes the same.
 constexpr std::uint16_t cost_of(std::uint32_t size) {
   double value = 256.0 / size;
   std::uint64_t cost = 0;
@@ -61,7 +61,7 @@ constexpr std::uint16_t cost_of(std::uint32_t size) {
   return static_cast<std::uint16_t>(cost);
 }
 
-/// By context and symbol: the costs by each table.
+/// Costs by table, for each context and symbol.
 using TableCosts = std::array<std::uint16_t, kTables>;
 constexpr auto kCosts = [] {
   std::array<TableCosts, kVolumeContexts * 4> costs{};
@@ -75,12 +75,12 @@ constexpr auto kCosts = [] {
   return costs;
 }();
 
-/// The table by which every eighth coded voxel of each batch takes the fewest bits.
+/// Returns the table that takes the fewest bits for every eighth coded voxel of each batch.
 std::size_t best_table(const VolumeEvents& events) {
   constexpr std::size_t kStep = 8;
-  constexpr std::size_t kMaxSamples = kMaxBatch / kStep;  // of a batch
-  // Which voxels these are, of even batches and of odd ones, in loops whose ends can be foreseen: batches are
-  // small, and of all sizes.
+  constexpr std::size_t kMaxSamples = kMaxBatch / kStep;  // per batch
+  // Collects these voxels, separately for even and odd batches, in loops with predictable ends: batches are
+  // small and of all sizes.
   std::array<std::array<std::uint16_t, kChunkVolume / kStep / 2 + kBatches + kMaxSamples>, 2> samples;
   std::array<std::size_t, 2> counts{};
   std::size_t at = 0;
@@ -92,7 +92,7 @@ std::size_t best_table(const VolumeEvents& events) {
     at += size;
   }
   constexpr std::size_t kSummed = 256;
-  static_assert(kSummed * 128 < 0x10000);  // of costs of at most 128 each
+  static_assert(kSummed * 128 < 0x10000);  // costs are at most 128
   std::array<std::uint32_t, kTables> totals{};
   for (const std::size_t half : {0U, 1U}) {
     const TableCosts* const costs = kCosts.data() + 4 * first_context_of(half);
@@ -109,7 +109,7 @@ std::size_t best_table(const VolumeEvents& events) {
   return static_cast<std::size_t>(std::min_element(totals.begin(), totals.end()) - totals.begin());
 }
 
-/// Start + 65536 * size, by how many digits a gap has.
+/// start + 65536 * size, by number of digits of a gap.
 constexpr std::array<std::uint32_t, kDigitCounts> kGapIntervals = [] {
   std::array<std::uint32_t, kDigitCounts> intervals{};
   std::uint32_t start = 0;
@@ -133,7 +133,7 @@ void put_group(RansSink& sink, std::span<const VolumeException> group, const Mat
   kernels.write_intervals(intervals.data(), group.size(), sink);
 }
 
-/// Replaces the events' materials by their numbers. False where there are too many.
+/// Replaces the events' materials by their numbers. Returns false if there are too many.
 bool number_materials(VolumeEvents& events, MaterialCode& materials) {
   const auto number = [&](MaterialId& material) {
     const std::uint32_t found = materials.number_of(material);
@@ -152,7 +152,7 @@ bool number_materials(VolumeEvents& events, MaterialCode& materials) {
 }
 
 constexpr std::size_t kGroupBytes = 4 * kLanes;
-// A byte for each escape of a batch, then one for each symbol, then the groups of a batch.
+// One byte per escape of a batch, then one per symbol, then the groups of a batch.
 constexpr std::size_t kMaxBytesAtOnce = kMaxBatch + kChunkVolume + (kMaxBatch / kLanes + 2) * kGroupBytes;
 
 }  // namespace
@@ -163,7 +163,7 @@ const VolumeIntervals* volume_intervals(std::size_t table) {
 
 bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const VolumeKernels& kernels,
                    std::size_t* changes) {
-  VolumeEvents events;  // on the stack, where only what is written is touched; so is the buffer
+  VolumeEvents events;  // on the stack, where only bytes written are touched; so is the buffer
   const bool orderly = kernels.analyse(voxels, events);
   if (changes != nullptr) *changes = orderly ? events.changes : 0;
   if (!orderly) return false;
@@ -182,11 +182,11 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
   sink.states.fill(static_cast<std::uint16_t>(kMinState));
   std::size_t coded = events.coded;
   std::size_t escapes = events.escapes;
-  std::size_t groups = (exceptions.size() + kLanes - 1) / kLanes;  // those not yet written
+  std::size_t groups = (exceptions.size() + kLanes - 1) / kLanes;  // groups not yet written
   const auto group = [&](std::size_t g) {
     return exceptions.subspan(g * kLanes).first(std::min(kLanes, exceptions.size() - g * kLanes));
   };
-  // The last exception of a group is in the batch before which the next group is read.
+  // A decoder reads the next group within the batch of a group's last exception, before its symbols.
   const auto group_follows = [&](std::size_t batch) {
     return groups > 1 && exceptions[(groups - 1) * kLanes - 1].batch == batch;
   };
@@ -196,7 +196,7 @@ bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out, const
     for (std::size_t i = count; i-- > 0;) {
       encode_symbol(sink, i % kLanes, unpacked(materials.interval(to_integer(events.escape[escapes + i]))));
     }
-    // As many batches at once as have only symbols between them.
+    // Combine batches that have only symbols between them.
     EventBatches batches{batch, batch, coded, 0};
     do {
       batches.coded += events.batch[--batches.begin];

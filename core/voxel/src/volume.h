@@ -1,4 +1,4 @@
-// Voxels of any shape, each coded by what its neighbours let expect: FORMAT.md, "Volume".
+// Voxels of any shape, each coded by prediction from its neighbours: FORMAT.md, "Volume".
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@
 
 namespace talus::codec {
 
-/// The probabilities of a table; null where there is no such table.
+/// The probabilities of a table; null if the table does not exist.
 [[nodiscard]] const VolumeIntervals* volume_intervals(std::size_t table);
 
-/// Appends what follows the two header bytes. False, with `out` as it was, where the voxels are noise, where
-/// exceptions and escapes have more than 256 materials, or where the result would not be smaller than raw
-/// voxels. `changes` gets how many voxels differ from the one to their west; 0 of noise.
+/// Appends everything after the header. Returns false and leaves `out` unchanged if the voxels are noise,
+/// exceptions and escapes have more than 256 materials, or the result would not be smaller than raw voxels.
+/// Stores in `changes` the number of voxels that differ from the one to their west; 0 for noise.
 [[nodiscard]] bool encode_volume(const DenseVoxels& voxels, std::vector<std::byte>& out,
                                  const VolumeKernels& kernels = volume_kernels(),
                                  std::size_t* changes = nullptr);

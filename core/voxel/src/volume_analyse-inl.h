@@ -1,5 +1,5 @@
-// What an encoder tells a decoder of a chunk's voxels: FORMAT.md, "Volume".
-// Included once for each instruction set, hence no include guard but this:
+// Computes what an encoder writes of a chunk's voxels: FORMAT.md, "Volume".
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_ANALYSE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_ANALYSE_INL
 #undef TALUS_VOLUME_ANALYSE_INL
@@ -26,19 +26,19 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// Finds contexts, symbols and exceptions of a chunk, wave by wave. All voxels are known, so that even and
-/// odd columns are looked at together, without branches, which nothing could foresee; what few voxels need
-/// comes after.
+/// Finds contexts, symbols and exceptions of a chunk, wave by wave. All voxels are known, so even and odd
+/// columns are processed together and without unpredictable branches; work that few voxels need comes
+/// afterwards.
 class VolumeAnalyser {
  public:
   VolumeAnalyser(const DenseVoxels& voxels, VolumeEvents& events) : voxels_{voxels.data()}, events_{events} {
     events_.coded = events_.surprises = events_.changes = events_.exceptions = events_.escapes = 0;
   }
 
-  /// The materials as numbers of a byte; false where there are too many.
+  /// Replaces materials by one-byte numbers; returns false if there are too many.
   bool number(const DenseVoxels& voxels) {
     if (!number_voxels(voxels, vbmi_, rows_)) return false;
-    // The first row's north is of the first material.
+    // North of the first row counts as the first material.
     std::memset(rows_.of(-1), *rows_.of(0), kRowBytes);
     return true;
   }
@@ -47,7 +47,7 @@ class VolumeAnalyser {
     for (int wave = 0; wave < kWaves; ++wave) {
       const WaveSpan span{wave};
       add_missing_rows(wave);
-      // Where nothing differs in this wave and the two before it, all is steady and as predicted.
+      // If nothing differs in this wave and the previous two, every voxel is steady and as predicted.
       const bool was_quiet = quiet_ && quiet_before_;
       quiet_before_ = quiet_;
       quiet_ = compare_near(span, wave);
@@ -65,17 +65,17 @@ class VolumeAnalyser {
   }
 
  private:
-  /// Fills in the rows around a wave's that are not there, as rows_around() says.
+  /// Fills in missing rows around those of a wave, as rows_around() defines.
   HWY_INLINE void add_missing_rows(int wave) {
     const auto copy = [](const std::uint8_t* from, std::uint8_t* to)
                           HWY_ATTR { std::memcpy(to, from, kRowBytes); };
     if (const int last = wave - 1; last >= 0) {
-      // To those around, what is not there counts as equal.
+      // For the voxels around, missing voxels count as equal.
       if (last < kChunkSize) *near_.below.of(last) = ~std::uint32_t{0};
       if (last % 2 == 0 && last / 2 < kChunkSize) near_.north.of(last)[last / 2] = ~std::uint32_t{0};
     }
     if (wave < kChunkSize) {
-      // Row y = 0: all others are north.
+      // Row y = 0: all other rows are north.
       const std::uint8_t* const north = rows_.of(wave - 1);
       copy(north, rows_.of(wave - 2) - kRowBytes);
       copy(north, rows_.of(wave - 3) - kRowBytes);
@@ -98,8 +98,8 @@ class VolumeAnalyser {
     }
   }
 
-  /// What the voxels of a wave are equal to: the ones below, to the north and to the west. Gives whether all
-  /// are equal to all of these.
+  /// Compares the voxels of a wave with those below, to the north and to the west. Returns true if all are
+  /// equal to all three.
   HWY_INLINE bool compare_near(const WaveSpan& span, int wave) {
     const std::uint8_t* const bytes = rows_.of(wave) + span.first * kRowBytes;
     const std::uint8_t* const north = rows_.of(wave - 1) + span.first * kRowBytes;
@@ -113,7 +113,7 @@ class VolumeAnalyser {
       const RowPair now = load_pair(bytes + at);
       const std::uint64_t is_below = equal_bits(now, load_pair(below + at));
       const std::uint64_t is_north = equal_bits(now, load_pair(north + at));
-      // What lies beside the first column counts as equal.
+      // The voxel outside the first column counts as equal.
       const std::uint64_t is_west = equal_bits(now, load_pair(bytes + at - 1)) | 0x100000001U;
       store_bits(is_below, of_below + 2 * pair);
       store_bits(is_north, of_north + 2 * pair);
@@ -153,14 +153,14 @@ class VolumeAnalyser {
     }
   }
 
-  /// Contexts, symbols and exceptions of a wave, but for symbols 3, which are 2 yet.
+  /// Finds contexts, symbols and exceptions of a wave. Symbol 3 is still reported as 2.
   HWY_INLINE void find_symbols(const WaveSpan& span, int wave) {
     const RowBits d;
     for (std::size_t row = 0; row < span.rows; row += kRowLanes) {
       const NearVec near{near_, span.first + row, wave};
       const auto words = [row](const RowWords& of) HWY_ATTR { return load_rows(of.data() + row); };
       const auto put = [row, d](RowVec bits, RowWords& to) HWY_ATTR { hn::StoreU(bits, d, to.data() + row); };
-      // To the east of the last column lies what lies to its west.
+      // The voxel east of the last column is the one to its west.
       const RowVec last = row_bits(0x80000000U);
       const RowVec same = words(equals_.north_below);
       const RowVec equal = hn::Or(words(equals_.west_east), last);
@@ -187,7 +187,7 @@ class VolumeAnalyser {
       const RowVec first = pick_odd(pick_bits(is_east, equals_east, near.equals_west), is_base);
       RowVec different = words(equals_.now_below_north);
       different = pick_bits(near.level_south, different, words(equals_.now_south_below));
-      // Where a voxel is equal to the one west of north, that one is equal to the one to its east, and so on.
+      // If a voxel equals the one west of north, that one equals the one to its east, and so on.
       different = pick_bits(near.below_west, different, hn::ShiftLeft<1>(words(equals_.below_east)));
       different = pick_bits(near.below_east, different, hn::ShiftRight<1>(words(equals_.below_west)));
       different = pick_bits(near.north_west, different, hn::ShiftLeft<1>(words(equals_.north_east)));
@@ -246,8 +246,8 @@ class VolumeAnalyser {
     }
   }
 
-  /// Which voxels of a pair of rows are none of their candidates, of those that are neither the first nor the
-  /// second.
+  /// Among the voxels of a pair of rows that are neither the first nor the second candidate, finds those that
+  /// are not any candidate.
   HWY_INLINE void find_escapes(const WaveSpan& span, std::size_t pair, int wave) {
     const std::uint64_t high = load_bits(bits_.symbol[1].data() + 2 * pair);
     std::uint64_t escapes = 0;
@@ -269,7 +269,7 @@ class VolumeAnalyser {
       near.at = at;
       near.base = hn::IfThenElse(level, north, below);
       near.other = hn::IfThenElse(level, below, north);
-      // The same as of contexts, where the surroundings are these.
+      // As for contexts, if the surroundings are these.
       const auto unless = [&](const RowWords& alike, PartVec yes, PartVec no)
                               HWY_ATTR { return hn::IfThenElse(where(alike), yes, no); };
       PartVec different = load(rows.below_north + at);
@@ -311,8 +311,7 @@ class VolumeAnalyser {
     }
   }
 
-  /// Adds exceptions and escapes of a wave's even columns, or of its odd ones, as a batch of `size` coded
-  /// voxels.
+  /// Adds exceptions and escapes of a wave's even or odd columns, as a batch of `size` coded voxels.
   HWY_INLINE void add_half(const WaveSpan& span, std::size_t batch, std::size_t size, std::uint64_t columns) {
     if (HWY_LIKELY((any_exceptional_ & columns) == 0)) {
       gap_ += static_cast<std::uint32_t>(span.rows * kChunkSize / 2 - size);
@@ -365,17 +364,17 @@ class VolumeAnalyser {
   const VolumeVbmi* const vbmi_ = volume_vbmi();
   VoxelRows rows_;
   NearEquals near_;
-  // Of a wave:
+  // State of one wave:
   WaveEquals equals_;
   WaveChoice choice_;
   WaveBits bits_;
   alignas(64) RowWords exceptional_;  // steady voxels that are not the first candidate
-  std::uint32_t high_pairs_ = 0;      // those with voxels that are neither the first nor the second
-  // Of all pairs together:
+  std::uint32_t high_pairs_ = 0;      // pairs with voxels beyond the first two candidates
+  // State of all pairs together:
   std::uint64_t any_escapes_ = 0;
   std::uint64_t any_exceptional_ = 0;
   std::uint32_t gap_ = 0;
-  bool quiet_ = false;  // of the last wave: whether all its voxels are equal to those near
+  bool quiet_ = false;  // true if all voxels of the last wave equal those near them
   bool quiet_before_ = false;
 };
 

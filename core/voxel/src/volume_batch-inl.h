@@ -1,5 +1,5 @@
-// Packing the bytes of a batch's coded voxels side by side.
-// Included once for each instruction set, hence no include guard but this:
+// Packs the bytes of a batch's coded voxels.
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_BATCH_INL
 #undef TALUS_VOLUME_BATCH_INL
@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// By a mask of eight voxels: the places of those that it has, among sixteen of which every second counts.
+/// By mask of eight voxels: the places of the selected ones, among sixteen of which every second counts.
 alignas(8) inline constexpr auto kEveryOther = [] {
   std::array<std::array<std::uint8_t, 8>, 256> table{};
   for (std::size_t mask = 0; mask < 256; ++mask) {
@@ -35,7 +35,7 @@ alignas(8) inline constexpr auto kEveryOther = [] {
   return table;
 }();
 
-/// Every second bit of sixteen.
+/// Extracts every second bit of sixteen.
 HWY_INLINE std::uint32_t every_other(std::uint32_t bits) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
   return _pext_u32(bits, 0x5555);
@@ -47,8 +47,8 @@ HWY_INLINE std::uint32_t every_other(std::uint32_t bits) {
 #endif
 }
 
-/// Calls put(at, order, place) for each sixteen bytes of the parts: `order` has the places of those of them
-/// that are coded, which are in even columns, or in odd ones, and go to `place`. Gives how many they are.
+/// Calls put(at, order, place) for each sixteen bytes of the parts: `order` lists the coded bytes in even or
+/// odd columns, which go to `place`. Returns their total number.
 template <bool odd, class Put>
 HWY_INLINE std::size_t over_coded(const PartBits* coded, std::size_t parts, const Put& put) {
   const hn::FixedTag<std::uint8_t, 8> eight;
@@ -66,7 +66,7 @@ HWY_INLINE std::size_t over_coded(const PartBits* coded, std::size_t parts, cons
   return place;
 }
 
-/// Appends the bytes of coded voxels in even columns, or in odd ones; gives how many. May write a part past
+/// Appends the bytes of coded voxels in even or odd columns; returns their number. May write one part past
 /// the last.
 template <bool odd>
 HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const PartBits* coded, std::size_t parts,
@@ -82,7 +82,7 @@ HWY_INLINE std::size_t pack_coded(const std::uint8_t* bytes, const PartBits* cod
   });
 }
 
-/// The bits of part i of a wave, and as a mask.
+/// Bits of part i of a wave.
 HWY_INLINE const std::uint8_t* part_bits(const RowWords& words, std::size_t i) {
   return reinterpret_cast<const std::uint8_t*>(words.data()) + i * kPartBytes / 8;
 }
@@ -90,8 +90,8 @@ HWY_INLINE PartMask part_mask(const RowWords& words, std::size_t i) {
   return hn::LoadMaskBits(Part{}, part_bits(words, i));
 }
 
-/// Appends contexts and symbols of a wave's coded voxels, of as many pairs of rows: those in even columns
-/// first. May write 64 bytes past the last.
+/// Appends contexts and symbols of a wave's coded voxels in `pairs` pairs of rows, even columns first. May
+/// write 64 bytes past the last.
 HWY_INLINE CodedHalves pack_wave(const WaveBits& bits, std::size_t pairs, const VolumeVbmi* vbmi,
                                  std::uint8_t* contexts, std::uint8_t* symbols) {
 #if HWY_TARGET == HWY_AVX3

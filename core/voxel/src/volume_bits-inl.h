@@ -1,8 +1,7 @@
-// What the voxels of a wave are predicted from, and what they are, where all of them are known: a bit for
-// each voxel and question, FORMAT.md, "Volume: prediction". A vector has the bits of up to sixteen rows,
-// which is all that a wave has, so that few instructions answer for all its voxels. volume_near-inl.h has the
-// same a byte a voxel, for decoders, which know half a wave only; volume_model.h voxel by voxel. Included
-// once for each instruction set, hence no include guard but this:
+// Prediction of a wave's voxels if all are known, one bit per voxel and property: FORMAT.md, "Volume:
+// prediction". A vector holds the bits of up to sixteen rows, the maximum of a wave, so that few instructions
+// process all its voxels. volume_near-inl.h does the same with a byte per voxel, for decoders, which know
+// only half a wave; volume_model.h works voxel by voxel. Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_BITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_BITS_INL
 #undef TALUS_VOLUME_BITS_INL
@@ -26,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// Two rows that lie side by side.
+/// Two adjacent rows.
 inline constexpr std::size_t kPairBytes = 2 * kRowBytes;
 inline constexpr std::size_t kPairParts = kPairBytes / kPartBytes;
 struct RowPair {
@@ -39,7 +38,7 @@ HWY_INLINE RowPair load_pair(const std::uint8_t* bytes) {
   return pair;
 }
 
-/// Which of 64 voxels are equal.
+/// Bit i is set if voxel i of 64 is equal.
 HWY_INLINE std::uint64_t equal_bits(const RowPair& a, const RowPair& b) {
   std::uint64_t bits = 0;
   for (std::size_t p = 0; p < kPairParts; ++p)
@@ -57,14 +56,14 @@ HWY_INLINE void store_bits(std::uint64_t bits, std::uint32_t* words) {
   std::memcpy(words, &bits, sizeof bits);
 }
 
-/// A wave's rows.
+/// Rows of a wave.
 struct WaveSpan {
   explicit WaveSpan(int wave)
       : first{static_cast<std::size_t>(first_row_of(wave))},
         rows{static_cast<std::size_t>(last_row_of(wave)) - first + 1} {}
 
   [[nodiscard]] std::size_t pairs() const { return (rows + 1) / 2; }
-  /// Which voxels of a pair of rows belong to the wave.
+  /// Mask of the voxels of a pair of rows that belong to the wave.
   [[nodiscard]] std::uint64_t inside(std::size_t pair) const {
     return 2 * pair + 1 < rows ? ~std::uint64_t{0} : 0xFFFFFFFFU;
   }
@@ -73,14 +72,14 @@ struct WaveSpan {
   std::size_t rows;
 };
 
-/// What the voxels of the last four waves are equal to, a word for each row from y = -1 on. What is not there
-/// counts as equal.
+/// Equality bits of the voxels of the last four waves, one word per row from y = -1. Missing voxels count as
+/// equal.
 class EqualWords {
  public:
   EqualWords() {
     for (auto& wave : words_) wave.fill(~std::uint32_t{0});
   }
-  /// Of row y = 0.
+  /// The word of row y = 0.
   [[nodiscard]] HWY_INLINE std::uint32_t* of(int wave) {
     return words_[static_cast<std::size_t>(wave + 4) % 4].data() + kBefore;
   }
@@ -90,7 +89,7 @@ class EqualWords {
   alignas(64) std::array<std::array<std::uint32_t, kBefore + kChunkSize + 16>, 4> words_;
 };
 
-/// The bits of rows.
+/// One word of bits per row.
 using RowBits = hn::CappedTag<std::uint32_t, kWaveRows>;
 using RowVec = hn::Vec<RowBits>;
 inline constexpr std::size_t kRowLanes = hn::MaxLanes(RowBits{});
@@ -101,7 +100,7 @@ HWY_INLINE RowVec load_rows(const std::uint32_t* words) {
 HWY_INLINE RowVec row_bits(std::uint32_t bits) {
   return hn::Set(RowBits{}, bits);
 }
-/// Bit by bit: of `yes` where there is one, else of `no`.
+/// Selects each bit from `yes` if its bit in `where` is set, otherwise from `no`.
 HWY_INLINE RowVec pick_bits(RowVec where, RowVec yes, RowVec no) {
 #if HWY_TARGET == HWY_AVX3
   return RowVec{_mm512_ternarylogic_epi32(where.raw, yes.raw, no.raw, 0xCA)};
@@ -113,14 +112,14 @@ HWY_INLINE RowVec pick_odd(RowVec odd, RowVec even) {
   return pick_bits(row_bits(0xAAAAAAAAU), odd, even);
 }
 
-/// What the voxels of the last four waves are equal to: the ones below, to the north and to the west.
+/// Equality of the last four waves' voxels with those below, to the north and to the west.
 struct NearEquals {
   EqualWords below;
   EqualWords north;
   EqualWords west;
 };
 
-/// What they say of a wave's rows from row y on.
+/// Bits of NearEquals for a wave's rows from row y.
 struct NearVec {
   HWY_INLINE NearVec(NearEquals& equals, std::size_t y, int wave)
       : equals_below{load_rows(equals.below.of(wave) + y)},
@@ -134,11 +133,11 @@ struct NearVec {
         below_west{load_rows(equals.west.of(wave - 2) + y - 1)},
         below_east{beside(below_west)} {}
 
-  /// Where a voxel is equal to the one to its east. What lies beside the last column counts as equal.
+  /// Set if a voxel equals the one to its east. The voxel outside the last column counts as equal.
   static HWY_INLINE RowVec beside(RowVec equals_west) {
     return hn::Or(hn::ShiftRight<1>(equals_west), row_bits(0x80000000U));
   }
-  /// Where all surroundings are 1.
+  /// Set if all surroundings are 1.
   [[nodiscard]] HWY_INLINE RowVec around() const {
     return hn::And(hn::And(hn::And(upright, level_south), hn::And(north_west, north_east)),
                    hn::And(below_west, below_east));
@@ -146,12 +145,12 @@ struct NearVec {
 
   RowVec equals_below, equals_north, equals_west;
   RowVec upright, level, level_south;
-  RowVec north_west, north_east, below_west, below_east;  // of the voxels to the north and below
+  RowVec north_west, north_east, below_west, below_east;  // for the voxels to the north and below
 };
 
-/// What voxels of a wave and of the rows around are equal to, as far as EqualWords does not say it. Names:
-/// north_west says where the voxel to the north is equal to the one to the west, and so on; south_below and
-/// below_north are those to the south and to the north of the one below.
+/// Further equalities around the voxels of a wave, beyond EqualWords. Names: north_west is set if the voxel
+/// to the north equals the one to the west, and so on; south_below and below_north are the voxels south and
+/// north of the one below.
 struct WaveEquals {
   alignas(64) RowWords north_below;
   alignas(64) RowWords north_south_below;
@@ -160,12 +159,12 @@ struct WaveEquals {
   alignas(64) RowWords north_east;
   alignas(64) RowWords below_west;
   alignas(64) RowWords below_east;
-  // The voxel itself and some of what may be its second candidate where all nearer ones are alike.
+  // The voxel itself against possible second candidates, used if all nearer ones are alike.
   alignas(64) RowWords now_below_north;
   alignas(64) RowWords now_south_below;
 };
 
-/// What selects the candidates of a wave's voxels.
+/// Selects the candidates of a wave's voxels.
 struct WaveChoice {
   alignas(64) RowWords level;
   alignas(64) RowWords is_east;

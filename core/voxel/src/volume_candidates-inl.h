@@ -1,5 +1,5 @@
-// What the voxels of a part may be besides their first candidate: FORMAT.md, "Volume: prediction".
-// Included once for each instruction set, hence no include guard but this:
+// Candidates of a part's voxels after the first: FORMAT.md, "Volume: prediction".
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_CANDIDATES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_CANDIDATES_INL
 #undef TALUS_VOLUME_CANDIDATES_INL
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-/// Where north and below agree: the first of the voxels around that differs from them.
+/// If north and below agree: the first voxel around that differs from them.
 HWY_INLINE PartVec first_different(const NearRows& rows, const NearPart& near) {
   const auto unless = [&](std::uint8_t bit, PartVec yes, PartVec no) HWY_ATTR {
     return hn::IfThenElse(hn::TestBit(near.around, bytes_of(bit)), yes, no);
@@ -29,7 +29,7 @@ HWY_INLINE PartVec first_different(const NearRows& rows, const NearPart& near) {
   return unless(8, found, load(rows.north + near.at + 1));
 }
 
-/// Of NearRows and NearPart, what third_candidate() needs.
+/// The parts of NearRows and NearPart that third_candidate() needs.
 struct RowsNear {
   const std::uint8_t* north;
   const std::uint8_t* below;
@@ -42,13 +42,13 @@ struct CandidatesNear {
   PartVec other;
 };
 
-/// The first of the voxels around that is neither of two candidates; `exists` says where there is one.
+/// The first voxel around that is neither of two candidates; `exists` is set if there is one.
 template <class Rows, class Near>
 HWY_INLINE PartVec third_candidate(const Rows& rows, const Near& near, PartVec first, PartVec second,
                                    std::size_t part, PartMask& exists) {
   const auto is_new = [&](PartVec candidate) HWY_ATTR {
 #if HWY_TARGET == HWY_AVX3
-    // Comparing takes longer than what makes one comparison of two.
+    // Combining two comparisons into one is faster.
     const PartVec differs = hn::Min(hn::Xor(candidate, first), hn::Xor(candidate, second));
     return PartMask{_mm512_test_epi8_mask(differs.raw, differs.raw)};
 #else

@@ -1,4 +1,4 @@
-// The probabilities of a volume's symbols, and its exceptions, which come in groups: FORMAT.md, "Volume".
+// Probabilities of a volume's symbols, and its exceptions, which are coded in groups: FORMAT.md, "Volume".
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace talus::codec {
 
-/// The ends of the intervals of symbols 0, 1 and 2, one to a byte from the lowest: by context, even columns'
-/// contexts from 0 and odd ones' from kOddContexts.
+/// Ends of the intervals of symbols 0, 1 and 2, one per byte from the lowest, by context: even columns'
+/// contexts from 0, odd columns' from kOddContexts.
 using VolumeIntervals = std::array<std::uint32_t, kVolumeContexts>;
 
 [[nodiscard]] constexpr Interval interval_of(std::uint32_t ends, std::uint8_t symbol) {
@@ -24,19 +24,19 @@ using VolumeIntervals = std::array<std::uint32_t, kVolumeContexts>;
   return {static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(end - start)};
 }
 
-/// What the slots of the probability range, the low bytes of states, stand for: symbols of up to 256 kinds.
+/// Symbols of up to 256 kinds, indexed by slot of the probability range (the low byte of a state).
 struct SlotTable {
   std::array<std::uint32_t, kProbabilityTotal> slot{};   // kind + 256 * start + 65536 * size of its interval
   std::array<std::uint16_t, kProbabilityTotal> value{};  // by kind
 };
 
-/// The kind of the symbol that a lane's state has.
+/// Decodes the kind of a lane's next symbol.
 [[nodiscard]] inline std::uint8_t decode_kind(RansSource& source, std::size_t lane, const SlotTable& slots) {
   const std::uint32_t state = source.states[lane];
   const std::uint32_t low = state % kProbabilityTotal;
   const std::uint32_t slot = slots.slot[low];
   const std::uint32_t rest = (slot >> 16U) * (state / kProbabilityTotal) + low - (slot >> 8U & 0xFFU);
-  // Without a branch: whether a byte is taken cannot be foreseen.
+  // Without a branch: whether a byte is taken is unpredictable.
   const bool takes = rest < kMinState;
   const std::uint32_t more = rest * 256 + *source.next;
   source.states[lane] = static_cast<std::uint16_t>(takes ? more : rest);
@@ -48,14 +48,14 @@ struct SlotTable {
   return slots.value[decode_kind(source, lane, slots)];
 }
 
-/// Numbers below 2^15 are coded as how many binary digits they have, then the digits after the first.
+/// Numbers below 2^15 are coded as their number of binary digits, then the digits after the first.
 inline constexpr std::size_t kDigitCounts = 16;
 
-/// The sizes of the intervals of the digits' count of a gap.
+/// Interval sizes of a gap's digit count.
 inline constexpr std::array<std::uint16_t, kDigitCounts> kGapSizes{60, 10, 11, 12, 17, 12, 13, 17,
                                                                    22, 24, 20, 15, 11, 6,  4,  2};
 
-/// Values 0, 1, 2 and so on with intervals of these sizes, which add up to kProbabilityTotal.
+/// Values 0, 1, 2 and so on with intervals of these sizes, which sum to kProbabilityTotal.
 template <std::size_t count>
 constexpr SlotTable slots_of(const std::array<std::uint16_t, count>& sizes) {
   SlotTable slots{};
@@ -70,16 +70,16 @@ constexpr SlotTable slots_of(const std::array<std::uint16_t, count>& sizes) {
 }
 inline constexpr SlotTable kGapSlots = slots_of(kGapSizes);
 
-/// What a decoder knows before the coded voxels.
+/// Known to a decoder before the coded voxels.
 struct VolumeCode {
-  MaterialId first{};  // the row north of the first row is of this
+  MaterialId first{};  // material of the row north of the first row
   const VolumeIntervals* intervals = nullptr;
-  SlotTable materials;  // of exceptions and escapes: values are ids
+  SlotTable materials;  // of exceptions and escapes; values are ids
   std::size_t exceptions = 0;
 };
 
-/// Reads the digits after the first of numbers with `counts` digits: a string of bits, lowest first, that
-/// ends with a whole byte.
+/// Reads the digits after the first of numbers with `counts` digits: a string of bits, lowest first, padded
+/// to a whole byte.
 template <class Numbers>
 void take_digits(RansSource& source, const std::uint8_t* counts, std::size_t count, Numbers numbers) {
   std::uint64_t bits = 0;
@@ -97,7 +97,7 @@ void take_digits(RansSource& source, const std::uint8_t* counts, std::size_t cou
   }
 }
 
-/// Writes the same, of `count` numbers that `number(i)` gives; at most kLanes of them.
+/// Inverse of take_digits(), for `count` numbers number(i), at most kLanes.
 template <class Number>
 void put_digits(RansSink& sink, std::size_t count, const Number& number) {
   std::array<std::uint8_t, 2 * kLanes> bytes;
@@ -117,13 +117,13 @@ void put_digits(RansSink& sink, std::size_t count, const Number& number) {
   std::memcpy(sink.next, bytes.data(), size);
 }
 
-/// A source that needs no room behind the payload: its last bytes are read from a copy.
+/// A source that needs no room after the payload: the last bytes are read from a copy.
 class VolumeSource : public RansSource {
  public:
-  /// What a batch or a group takes at most, and a vector's worth more.
+  /// Maximum bytes of a batch or a group, plus one vector.
   static constexpr std::size_t kAhead = 2 * 256 + 64;
 
-  /// Makes the next kAhead bytes readable. Where the payload is truncated, reading goes no further.
+  /// Makes the next kAhead bytes readable. If the payload is truncated, reading stops there.
   void keep_ahead() {
     if (!in_tail_) {
       const auto left = static_cast<std::size_t>(end - next);
@@ -142,19 +142,19 @@ class VolumeSource : public RansSource {
   std::array<std::uint8_t, 2 * kAhead> tail_;
 };
 
-/// The exceptions of a volume as a decoder meets them: groups of up to kLanes, of which the next is read as
-/// soon as the last one of a group has been used.
+/// Reads the exceptions of a volume in groups of up to kLanes; the next group is read as soon as the last
+/// exception of a group is used.
 class ExceptionReader {
  public:
   ExceptionReader(const VolumeCode& code, VolumeSource& source) : code_{code}, left_{code.exceptions} {
     if (left_ > 0) read_group(source);
   }
 
-  /// How many steady voxels are as predicted before the next exception.
+  /// Number of steady voxels as predicted before the next exception.
   [[nodiscard]] std::uint32_t gap() const { return gap_; }
   void pass(std::uint32_t voxels) { gap_ -= voxels; }
 
-  /// The material of the next exception, as its number in the list, when gap() is 0.
+  /// Material of the next exception, as its number in the list. REQUIRES: gap() == 0.
   [[nodiscard]] std::uint8_t take(VolumeSource& source) {
     const std::uint8_t material = materials_[next_];
     ++next_;

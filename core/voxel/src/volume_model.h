@@ -1,5 +1,5 @@
-// How voxels of any shape are predicted: FORMAT.md, "Volume". Voxel by voxel, as the document has it;
-// volume_near-inl.h and volume_candidates-inl.h have the same for vectors of voxels.
+// Prediction of voxels of any shape: FORMAT.md, "Volume". Voxel by voxel, as in the document;
+// volume_near-inl.h and volume_candidates-inl.h implement the same with vectors.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace talus::codec {
 
-inline constexpr int kVolumeContexts = 128 + 256;  // of even columns, then of odd ones
+inline constexpr int kVolumeContexts = 128 + 256;  // even columns' contexts, then odd columns'
 inline constexpr int kOddContexts = 128;
 inline constexpr std::size_t kCandidates = 3;
-inline constexpr std::uint8_t kEscape = 3;  // the symbol of a voxel that is none of the candidates
+inline constexpr std::uint8_t kEscape = 3;  // symbol of a voxel that equals no candidate
 
-/// The rows of a chunk are coded in waves: wave w holds the rows (y, z) with z + 2 * y = w, by rising y, so
-/// that no row of a wave is a neighbour of another that comes before it.
+/// A chunk's rows are coded in waves: wave w holds the rows (y, z) with z + 2 * y = w, by ascending y, so
+/// that no row of a wave is a neighbour of an earlier one.
 inline constexpr int kWaves = kChunkSize - 1 + 2 * (kChunkSize - 1) + 1;
 [[nodiscard]] constexpr int first_row_of(int wave) {
   return std::max(0, (wave - kChunkSize + 2) / 2);
@@ -26,7 +26,7 @@ inline constexpr int kWaves = kChunkSize - 1 + 2 * (kChunkSize - 1) + 1;
   return std::min(kChunkSize - 1, wave / 2);
 }
 
-/// What a voxel is predicted from. Rows that are not there are replaced as rows_around() says.
+/// Rows from which a voxel is predicted. rows_around() replaces missing rows.
 struct RowsAround {
   const MaterialId* north;        // (y, z - 1)
   const MaterialId* below;        // (y - 1, z)
@@ -34,7 +34,7 @@ struct RowsAround {
   const MaterialId* below_south;  // (y - 1, z + 1)
 };
 
-/// `row_zero` stands to the north of the first row: 32 times the chunk's first material.
+/// `row_zero` is north of the first row: 32 times the chunk's first material.
 [[nodiscard]] inline RowsAround rows_around(const MaterialId* voxels, const MaterialId* row_zero, int y,
                                             int z) {
   const auto row = [voxels](int at_y, int at_z) { return voxels + (at_y * kChunkSize + at_z) * kChunkSize; };
@@ -47,9 +47,9 @@ struct RowsAround {
           z == kChunkSize - 1 ? below : row(y - 1, z + 1)};
 }
 
-/// A voxel's prediction: candidates, most likely first, all different, and the context that selects the
-/// probabilities of its symbol. Where it is `steady` no symbol is coded: the voxel is the first candidate
-/// unless the list of exceptions names it.
+/// Prediction of a voxel: distinct candidates, most likely first, and the context that selects the
+/// probabilities of its symbol. If `steady`, no symbol is coded: the voxel is the first candidate unless the
+/// list of exceptions names it.
 struct Prediction {
   std::array<MaterialId, kCandidates> candidate{};
   std::size_t candidates = 0;
@@ -64,7 +64,7 @@ struct Prediction {
   }
 };
 
-/// Of the voxel at `x`; `row` is its own row, of which the even columns are known where x is odd.
+/// Predicts the voxel at `x`; `row` is its own row, whose even columns are known if x is odd.
 [[nodiscard]] inline Prediction predict(const RowsAround& around, const MaterialId* row, int x) {
   constexpr int kLast = kChunkSize - 1;
   const int before = std::max(x - 1, 0);
@@ -76,8 +76,8 @@ struct Prediction {
   const std::array beside{around.north[after], around.north[before], around.below[after],
                           around.below[before]};
   const bool same = north == below;
-  const bool upright = north == below_north;  // nothing changes from below to the north's row
-  const bool level = below == below_north;    // nor from north to south in the row below
+  const bool upright = north == below_north;  // no change from below to the north's row
+  const bool level = below == below_north;    // no change from north to south in the row below
   const bool level_south = below_south == below;
   const bool east_n = beside[0] == north;
   const bool west_n = beside[1] == north;

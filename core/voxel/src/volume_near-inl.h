@@ -1,6 +1,6 @@
-// What the voxels of a part are predicted from: FORMAT.md, "Volume: prediction". volume_model.h has the same
-// voxel by voxel.
-// Included once for each instruction set, hence no include guard but this:
+// Prediction of the voxels of a part: FORMAT.md, "Volume: prediction". volume_model.h does the same voxel by
+// voxel.
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_NEAR_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_NEAR_INL
 #undef TALUS_VOLUME_NEAR_INL
@@ -21,15 +21,15 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::HWY_NAMESPACE {
 namespace {
 
-// What a voxel is equal to, as bits of a byte: the one below, and so on. West and east stand twice, where a
-// context has those of north and of below.
+// Equalities of a voxel as bits of a byte: with the voxel below, and so on. West and east occur twice, once
+// for the north's part of a context and once for the part of the voxel below.
 inline constexpr std::uint8_t kEqualsBelow = 1;
 inline constexpr std::uint8_t kEqualsNorth = 2;
 inline constexpr std::uint8_t kEqualsWest = 4 + 16;
 inline constexpr std::uint8_t kEqualsEast = 8 + 32;
 inline constexpr std::uint8_t kEqualsAll = 63;
 
-/// A table of sixteen bytes for each block of a vector.
+/// A table of sixteen bytes, repeated in each block of a vector.
 using ByteTable = std::array<std::uint8_t, 16>;
 HWY_INLINE PartVec look_up(const ByteTable& table, PartVec index) {
   return hn::TableLookupBytes(hn::LoadDup128(Part{}, table.data()), index);
@@ -41,9 +41,9 @@ constexpr ByteTable table_of(const Value& value) {
   return table;
 }
 
-// The context where north and below differ, as a byte: level, upright, level south, south, west and east of
-// north, of below, and 64 = 1. The parts of it that follow from the bits above, of three rows; tables go by
-// the lowest four.
+// Context if north and below differ, as a byte: level, upright, level south, south, west and east of north,
+// of below, and 64 = 1. The tables give the parts that follow from the bits above, of three rows; they are
+// indexed by the lowest four bits.
 constexpr unsigned has_both(unsigned equal) {
   return (equal & 12U) == 12 ? 1 : 0;
 }
@@ -57,8 +57,8 @@ alignas(16) inline constexpr ByteTable kDifferBySouth = table_of([](unsigned equ
   return (equal >> 1U & 1U) << 2U;
 });
 
-// From that byte: upright, level and level south of odd columns' contexts, where west and east are equal and
-// where they are not.
+// From that byte: upright, level and level south of odd columns' contexts, if west and east are equal and if
+// they differ.
 constexpr unsigned upright_level(unsigned differ) {
   return (differ >> 1U & 1U) | (differ & 1U) << 1U | (differ & 4U);
 }
@@ -69,7 +69,7 @@ alignas(16) inline constexpr ByteTable kOddDiffer = table_of([](unsigned differ)
   return 128 | upright_level(differ) << 4U;
 });
 
-/// Where the rows of a wave and those around them lie, from row y = 0 on.
+/// Positions of the rows of a wave and around them, from row y = 0.
 struct NearRows {
   HWY_INLINE NearRows(WaveBytes& voxels, WaveBytes& equals, int wave)
       : now{voxels.of(wave)},
@@ -91,12 +91,12 @@ struct NearRows {
   std::uint8_t* equals_below;
 };
 
-/// Fills in the rows around a wave's that are not there, as rows_around() says.
+/// Fills in missing rows around those of a wave, as rows_around() defines.
 HWY_INLINE void add_missing_rows(const NearRows& rows, int wave) {
   const hn::CappedTag<std::uint8_t, kRowBytes> d;
   for (std::size_t i = 0; i < kRowBytes; i += hn::MaxLanes(d)) {
     if (wave < kChunkSize) {
-      // Row y = 0: all others are north.
+      // Row y = 0: all other rows are north.
       const auto north = hn::LoadU(d, rows.north + i);
       hn::StoreU(north, d, rows.below + i);
       hn::StoreU(north, d, rows.below_north + i);
@@ -122,13 +122,13 @@ HWY_INLINE void add_missing_rows(const NearRows& rows, int wave) {
   }
 }
 
-/// A part of a wave and what is known of it before its voxels are.
+/// Part of a wave with everything known before its voxels.
 struct NearPart {
   std::size_t at;  // its place in NearRows
   PartVec north;
   PartVec below;
   PartVec around;  // the surroundings
-  PartVec differ;  // the context where north and below differ
+  PartVec differ;  // context if north and below differ
   PartMask same;
   PartMask level;
   PartVec base;
@@ -155,10 +155,10 @@ HWY_INLINE NearPart near_part(const NearRows& rows, std::size_t part) {
   return near;
 }
 
-/// What is known of half the columns of a part before they are coded.
+/// Half the columns of a part with everything known before they are coded.
 struct HalfPart {
   PartVec first;   // the first candidate
-  PartVec second;  // the second, but where all near are alike
+  PartVec second;  // second candidate, unless all near voxels are alike
   PartMask alike;
   PartMask steady;
   PartVec context;
@@ -173,14 +173,14 @@ HWY_INLINE HalfPart even_half(const NearPart& near) {
           hn::IfThenElse(near.same, near.around, near.differ)};
 }
 
-/// Of odd columns; `now` has the even ones. `bytes`: where it lies.
+/// Odd columns; `now` has the even ones. `bytes`: address of the part.
 HWY_INLINE HalfPart odd_half(const NearPart& near, PartVec now, const std::uint8_t* bytes, std::size_t part) {
   const PartVec west = west_of(now, bytes);
   const PartVec east = hn::IfThenElse(columns<IsLastColumn>(part), west, east_of(now, bytes));
   const PartMask equal = hn::Eq(west, east);
   const PartMask base_west = hn::Eq(near.base, west);
   const PartMask base_east = hn::Eq(near.base, east);
-  // Where west and east are equal, either is right.
+  // If west and east are equal, either is right.
   const PartMask is_east = hn::Or(base_east, hn::AndNot(base_west, hn::Eq(near.other, east)));
   HalfPart half;
   half.first = hn::IfThenElse(is_east, east, west);
@@ -190,7 +190,7 @@ HWY_INLINE HalfPart odd_half(const NearPart& near, PartVec now, const std::uint8
   half.alike = hn::And(equal, hn::And(base_first, other_first));
   half.steady = hn::And(half.alike, is_all_around(near));
   half.second = hn::IfThenElse(equal, hn::IfThenElse(base_west, near.other, near.base), second);
-  // Where west and east differ, base is not the second: it would be the first.
+  // If west and east differ, base is not the second: it would be the first.
   const PartVec of_equal = or_where(look_up(kOddEqual, near.differ), near.same, 4);
   const PartVec of_differ = or_where(look_up(kOddDiffer, near.differ), hn::Eq(near.other, second), 8);
   const PartVec context =
@@ -199,13 +199,13 @@ HWY_INLINE HalfPart odd_half(const NearPart& near, PartVec now, const std::uint8
   return half;
 }
 
-/// What the voxels of a part are equal to, now that they are known. Gives which are not equal to all of it.
+/// Stores the equalities of a part's voxels, now known. Returns those that differ from any around.
 HWY_INLINE PartBits find_equals(const NearRows& rows, const NearPart& near, PartVec now, std::size_t part,
                                 int wave) {
   const std::uint8_t* const bytes = rows.now + near.at;
   const PartMask west = hn::Or(hn::Eq(now, west_of(now, bytes)), columns<IsFirstColumn>(part));
   const PartMask east = hn::Or(hn::Eq(now, east_of(now, bytes)), columns<IsLastColumn>(part));
-  // Rows whose north or below is not there: these count as equal.
+  // Rows without a row to the north or below: it counts as equal.
   alignas(64) static constexpr auto kNoBelow = [] {
     std::array<std::uint8_t, (kChunkSize + 2) * kRowBytes> bytes_of_rows{};
     for (std::size_t i = 0; i < kRowBytes; ++i) bytes_of_rows[i] = kEqualsBelow;
@@ -227,19 +227,19 @@ HWY_INLINE PartBits find_equals(const NearRows& rows, const NearPart& near, Part
   return bits_of(hn::Ne(equals, bytes_of(kEqualsAll)));
 }
 
-/// The parts, and the other halves of rows of which they are halves: what lies at the middle of a row has its
-/// west or east in the other half.
+/// Adds the other halves of rows that `parts` contains in halves: the west or east of a voxel in the middle
+/// of a row is in the other half.
 HWY_INLINE PartSet whole_rows(PartSet parts) {
   constexpr PartSet kFirstHalves = 0x5555555555555555;
   if constexpr (kPartBytes < kRowBytes) parts |= (parts & kFirstHalves) << 1U | (parts >> 1U & kFirstHalves);
   return parts;
 }
 
-/// Which parts of the last waves have voxels that are not equal to all around: what is near no such part is
+/// Parts of the last waves with voxels that differ from any around: voxels that are not near such a part are
 /// steady.
 class UnequalParts {
  public:
-  /// Which parts of a wave are near one.
+  /// Parts of a wave that are near one.
   [[nodiscard]] HWY_INLINE PartSet near(int wave) const {
     constexpr std::size_t kRow = kPartBytes < kRowBytes ? kRowBytes / kPartBytes : 1;
     const PartSet last =

@@ -1,5 +1,5 @@
-// Materials as numbers of one byte, and back: a volume has 256 of them at most.
-// Included once for each instruction set, hence no include guard but this:
+// Converts materials to one-byte numbers and back: a volume has at most 256 of them.
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_NUMBERS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_NUMBERS_INL
 #undef TALUS_VOLUME_NUMBERS_INL
@@ -67,12 +67,12 @@ class RowWriter {
       auto number = hn::LoadU(d, numbers + x);
 #if HWY_TARGET == HWY_AVX2
       number.raw =
-          _mm256_permute4x64_epi64(number.raw, 0xD8);  // what is put together lies in lanes of 128 bits
+          _mm256_permute4x64_epi64(number.raw, 0xD8);  // packed results are interleaved by lanes of 128 bits
 #endif
       auto low = hn::Zero(d);
       auto high = hn::Zero(d);
       for (std::size_t t = 0; t < tables_; ++t) {
-        // Of other tables' numbers the highest bit is set, which finds 0.
+        // For numbers of other tables the highest bit is set, which finds 0.
         const auto index = hn::SaturatedAdd(
             hn::Sub(number, hn::Set(d, static_cast<std::uint8_t>(t * kTable))), hn::Set(d, 0x70));
         low = hn::Or(low, hn::TableLookupBytesOr0(hn::LoadDup128(d, low_.data() + t * kTable), index));
@@ -93,7 +93,7 @@ class RowWriter {
 #else
   using Numbers = hn::CappedTag<std::uint8_t, kRowBytes>;
   static constexpr std::size_t kTable = 16;
-  static constexpr std::size_t kMaxTables = 4;  // more take longer than single voxels
+  static constexpr std::size_t kMaxTables = 4;  // with more, single voxels are faster
   alignas(16) std::array<std::uint8_t, kProbabilityTotal> low_{};
   alignas(16) std::array<std::uint8_t, kProbabilityTotal> high_{};
 #endif
@@ -101,7 +101,7 @@ class RowWriter {
 
 using Ids = hn::CappedTag<std::uint16_t, kChunkSize>;
 
-/// Whether all ids have the same high byte: then they differ where their low bytes do.
+/// True if all ids have the same high byte: then their low bytes distinguish them.
 HWY_INLINE bool have_one_high_byte(const std::uint16_t* ids) {
   const Ids d;
   const auto first = hn::Set(d, ids[0]);
@@ -111,8 +111,8 @@ HWY_INLINE bool have_one_high_byte(const std::uint16_t* ids) {
   return hn::AllTrue(d, hn::Eq(hn::ShiftRight<8>(differ), hn::Zero(d)));
 }
 
-/// Numbers the materials of the voxels from `begin` to `end` - 1. Only those are looked up that differ from
-/// some that come before them: `before` says how far before. False where there are too many materials.
+/// Numbers the materials of voxels `begin` to `end` - 1. Looks up only those that differ from all the voxels
+/// `before` positions earlier. Returns false if there are too many materials.
 template <std::size_t count>
 HWY_INLINE bool find_materials(const std::uint16_t* ids, std::size_t begin, std::size_t end,
                                const std::array<std::size_t, count>& before, MaterialCode& materials) {
@@ -134,12 +134,12 @@ HWY_INLINE bool find_materials(const std::uint16_t* ids, std::size_t begin, std:
   return true;
 }
 
-/// A number of a byte: `factor` is one by which it differs where materials do.
+/// One-byte number of a material; distinct for all materials if `factor` is from factor_of().
 constexpr std::uint16_t byte_of(std::uint16_t id, std::uint16_t factor) {
   return static_cast<std::uint16_t>((id + (id >> 8U) * factor) & 0xFFU);
 }
 
-/// Such a factor; kNoFactor where none is found.
+/// Finds a factor that makes byte_of() distinct; kNoFactor if none was found.
 inline constexpr std::uint16_t kNoFactor = 64;
 inline std::uint16_t factor_of(const MaterialCode& materials) {
   for (std::uint16_t factor = 0; factor < kNoFactor; ++factor) {
@@ -179,7 +179,7 @@ HWY_INLINE void number_by_factor(const std::uint16_t* ids, std::uint16_t factor,
   }
 }
 
-/// Finds the materials of all voxels. False where there are too many.
+/// Finds the materials of all voxels. Returns false if there are too many.
 inline bool find_materials(const DenseVoxels& voxels, MaterialCode& materials) {
   const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
   for (std::size_t i = 1; i < kChunkSize; ++i) {
@@ -191,7 +191,7 @@ inline bool find_materials(const DenseVoxels& voxels, MaterialCode& materials) {
          find_materials<4>(ids, kPlane + kRow, kChunkVolume, {1, kRow, kPlane, kRow - 1}, materials);
 }
 
-/// Numbers of a byte that differ where materials do. False where there are more than 256.
+/// Gives distinct materials distinct one-byte numbers. Returns false if there are more than 256.
 inline bool number_voxels(const DenseVoxels& voxels, const VolumeVbmi* vbmi, VoxelRows& rows) {
   const auto* const ids = reinterpret_cast<const std::uint16_t*>(voxels.data());
   MaterialCode materials{voxels.front()};

@@ -1,6 +1,6 @@
-// The rows of a wave side by side, a byte a voxel, in vectors: a part of a wave is as many of its voxels as a
-// vector has lanes, which is two rows, one or half a row.
-// Included once for each instruction set, hence no include guard but this:
+// Rows of a wave side by side, one byte per voxel, in vectors: a part of a wave has as many voxels as a
+// vector has lanes, which is two rows, one, or half a row.
+// Included once per instruction set, hence this guard:
 #if defined(TALUS_VOLUME_PARTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TALUS_VOLUME_PARTS_INL
 #undef TALUS_VOLUME_PARTS_INL
@@ -42,7 +42,7 @@ inline constexpr PartBits kAllBits = static_cast<PartBits>(~std::uint64_t{0} >> 
 inline constexpr PartBits kEvenBits = static_cast<PartBits>(0x5555555555555555U & kAllBits);
 inline constexpr PartBits kOddBits = static_cast<PartBits>(kAllBits ^ kEvenBits);
 
-// A wave has sixteen rows at most, which may begin in the midst of a part.
+// A wave has at most sixteen rows, which may begin in the middle of a part.
 inline constexpr std::size_t kWaveRows = 16;
 inline constexpr std::size_t kMaxParts =
     kPartBytes > kRowBytes ? kWaveRows / 2 + 1 : kWaveRows* kRowBytes / kPartBytes;
@@ -85,7 +85,7 @@ HWY_INLINE PartMask mask_of(PartBits bits) {
 #endif
 }
 
-/// Columns of all rows of a part: those of the pattern.
+/// Mask of the pattern's columns in all rows of a part.
 template <class Pattern>
 HWY_INLINE PartMask columns(std::size_t part) {
 #if HWY_TARGET == HWY_AVX3
@@ -115,8 +115,8 @@ struct IsOddColumn {
   constexpr bool operator()(std::size_t x) const { return x % 2 != 0; }
 };
 
-/// The bytes of the voxels to the west; those of the first columns mean nothing. `bytes`: where the vector
-/// lies, with a byte before it.
+/// Bytes of the voxels to the west; undefined in the first columns. `bytes`: address of the vector, with a
+/// readable byte before it.
 HWY_INLINE PartVec west_of(PartVec vec, const std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_AVX3
   (void)bytes;
@@ -130,7 +130,7 @@ HWY_INLINE PartVec west_of(PartVec vec, const std::uint8_t* bytes) {
 #endif
 }
 
-/// The same to the east, of the last columns.
+/// Bytes of the voxels to the east; undefined in the last columns.
 HWY_INLINE PartVec east_of(PartVec vec, const std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_AVX3
   (void)bytes;
@@ -144,8 +144,8 @@ HWY_INLINE PartVec east_of(PartVec vec, const std::uint8_t* bytes) {
 #endif
 }
 
-/// The part that lies one row before, of bytes that were stored part by part just now: a load across two
-/// stores would wait for both.
+/// Loads the part one row earlier, from bytes just stored part by part: a load across two stores would wait
+/// for both.
 HWY_INLINE PartVec load_row_before(const std::uint8_t* bytes) {
 #if HWY_TARGET == HWY_AVX3
   return PartVec{_mm512_alignr_epi64(load(bytes).raw, load(bytes - kPartBytes).raw, 4)};
@@ -154,7 +154,7 @@ HWY_INLINE PartVec load_row_before(const std::uint8_t* bytes) {
 #endif
 }
 
-/// The lowest bits of `bits`, one at each bit that `mask` has.
+/// Deposits the lowest bits of `bits` at the set bits of `mask`.
 HWY_INLINE PartBits deposit_bits(PartBits bits, PartBits mask) {
 #if HWY_TARGET == HWY_AVX3
   return _pdep_u64(bits, mask);
@@ -169,20 +169,20 @@ HWY_INLINE PartBits deposit_bits(PartBits bits, PartBits mask) {
 #endif
 }
 
-/// Calls visit(i) for each bit i that is set.
+/// Calls visit(i) for each set bit i.
 template <class Visit>
 HWY_INLINE void over_bits(std::uint64_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// A byte for each voxel of the rows of the last four waves, from row y = -2 on, with room behind the last.
+/// One byte per voxel for the rows of the last four waves, from row y = -2, with room after the last.
 class WaveBytes {
  public:
   explicit WaveBytes(std::uint8_t value) {
     for (auto& wave : bytes_) wave.fill(value);
   }
 
-  /// Of row y = 0.
+  /// The bytes of row y = 0.
   [[nodiscard]] HWY_INLINE std::uint8_t* of(int wave) {
     return bytes_[static_cast<std::size_t>(wave) % 4].data() + 2 * kRowBytes;
   }
@@ -191,7 +191,7 @@ class WaveBytes {
   alignas(64) std::array<std::array<std::uint8_t, (kChunkSize + 8) * kRowBytes>, 4> bytes_;
 };
 
-/// Which parts a wave has.
+/// Parts of a wave.
 struct WaveParts {
   explicit WaveParts(int wave)
       : first_row{static_cast<std::size_t>(first_row_of(wave))},
@@ -202,7 +202,7 @@ struct WaveParts {
   [[nodiscard]] std::size_t rows() const { return last_row - first_row + 1; }
   [[nodiscard]] PartSet all() const { return (PartSet{2} << last) - (PartSet{1} << first); }
 
-  /// Which voxels of a part belong to the wave.
+  /// Mask of the voxels of a part that belong to the wave.
   [[nodiscard]] HWY_INLINE PartBits inside(std::size_t part) const {
     PartBits bits = kAllBits;
     if constexpr (kPartBytes > kRowBytes) {

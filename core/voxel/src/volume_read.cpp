@@ -34,10 +34,10 @@ void read_slots(VolumeSource& source, const SlotTable& slots, std::size_t count,
 
 #else
 
-/// The contexts of a batch, and then its symbols as two strings of bits.
+/// Contexts of a batch, then its symbols as two bit strings.
 class Batch {
  public:
-  /// Room for the contexts, and for a part past the last.
+  /// Room for the contexts and one part more.
   [[nodiscard]] std::uint8_t* contexts() { return contexts_.data(); }
   void set_size(std::size_t size) { size_ = size; }
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -56,7 +56,7 @@ class Batch {
         return static_cast<std::uint16_t>(
             lanes_of(hn::Eq(hn::And(symbols, hn::Set(d, bit)), hn::Set(d, bit))));
       };
-      // Put together in registers: what is taken later lies across several of these.
+      // Assembled in registers: later reads span several of these.
       const std::size_t shift = i % 64;
       low |= std::uint64_t{bits(1)} << shift;
       high |= std::uint64_t{bits(2)} << shift;
@@ -72,7 +72,7 @@ class Batch {
     std::uint32_t low;
     std::uint32_t high;
   };
-  /// Of the next voxels, at most 32, side by side.
+  /// Symbols of the next `count` voxels, at most 32.
   HWY_INLINE Symbols take(std::size_t count) {
     const auto mask = static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1);
     const Symbols symbols{bits_at(low_) & mask, bits_at(high_) & mask};
@@ -159,7 +159,7 @@ class Reader {
   }
 
  private:
-  /// Makes all voxels of a wave equal to those around them, as those of parts that are not mixed are.
+  /// Makes all voxels of a wave equal to those around, as in parts that are not mixed.
   HWY_INLINE void repeat_rows(const NearRows& rows, const WaveParts& parts) {
     for (std::size_t p = parts.first; p <= parts.last; ++p) {
       store(load(rows.below + p * kPartBytes), rows.now + p * kPartBytes);
@@ -212,7 +212,7 @@ class Reader {
     alike_[i] = half.alike;
   }
 
-  /// Reads the symbols of half the columns and gives their voxels their materials. False where there is a
+  /// Decodes the symbols of half the columns and assigns their voxels' materials. Returns false after a
   /// fault.
   template <bool odd>
   HWY_INLINE bool read_half(const NearRows& rows, const WaveParts& parts) {
@@ -225,7 +225,7 @@ class Reader {
     }
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    // Which parts have other symbols than 0 cannot be foreseen: all are finished where any has.
+    // Which parts have symbols other than 0 is unpredictable: if any does, all are finished.
     std::uint32_t surprising = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coded_[i])));
@@ -240,9 +240,9 @@ class Reader {
     return source_.next <= source_.end && !bad_number_;
   }
 
-  /// Gives the exceptions among the steady voxels their materials. All parts of the wave are mixed.
+  /// Assigns the exceptions among the steady voxels. All parts of the wave are mixed.
   HWY_INLINE void take_exceptions(const NearRows& rows, const WaveParts& parts, PartBits half) {
-    // In a register: the voxels that are written in between might be anything.
+    // In a register: the compiler must assume that the voxels written in between alias it.
     std::uint32_t gap = exceptions_.gap();
     for (std::size_t i = 0; i < count_; ++i) {
       PartBits steady = half & parts.inside(place_[i]) & ~coded_[i];
@@ -264,7 +264,7 @@ class Reader {
     std::uint8_t* const bytes = rows.now + near.at;
     const PartBits low = deposit_bits(symbols_[i].low, coded_[i]);
     const PartBits high = deposit_bits(symbols_[i].high, coded_[i]);
-    const PartVec now = load(bytes);  // the first candidates
+    const PartVec now = load(bytes);  // first candidates
     const PartVec second = hn::IfThenElse(alike_[i], first_different(rows, near), second_[i]);
     PartVec found = hn::IfThenElse(mask_of(low & ~high), second, now);
     const PartBits is_third = high & ~low;
@@ -286,10 +286,10 @@ class Reader {
   ExceptionReader exceptions_;
   const VolumeVbmi* const vbmi_ = volume_vbmi();
   RowWriter row_writer_;
-  WaveBytes bytes_{0};  // numbers of materials: the first is north of the first row
+  WaveBytes bytes_{0};  // numbers of materials; the first is north of the first row
   WaveBytes equals_{kEqualsAll};
   UnequalParts unequal_;
-  // Of the mixed parts of a wave:
+  // State of the mixed parts of a wave:
   std::array<NearPart, kMaxParts> near_;
   std::array<PartVec, kMaxParts> second_;
   std::array<PartMask, kMaxParts> alike_;

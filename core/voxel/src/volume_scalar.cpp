@@ -98,7 +98,7 @@ VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, Pad
   ExceptionReader exceptions{code, source};
   bool fault = false;
   for (std::size_t batch = 0; batch < kBatches; ++batch) {
-    // The steady voxels first: an exception may read a group.
+    // Steady voxels first: an exception may read a group.
     std::array<std::uint16_t, kMaxBatch> coded;
     std::array<Prediction, kMaxBatch> predictions;
     std::size_t count = 0;

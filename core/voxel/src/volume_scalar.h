@@ -1,4 +1,4 @@
-// Volumes voxel by voxel, as FORMAT.md has them: what the kernels of every instruction set must equal.
+// Scalar coding of volumes, as in FORMAT.md: the reference for the kernels of every instruction set.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,15 @@ void write_intervals_scalar(const std::uint32_t* intervals, std::size_t count, R
 void read_slots_scalar(VolumeSource& source, const SlotTable& slots, std::size_t count, std::uint8_t* kinds);
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded);
 
-/// A symbol as it was read, for who explains a payload.
+/// A decoded symbol, for explain().
 struct VolumeSymbol {
   std::size_t voxel;
   std::size_t context;
-  std::uint32_t ends;  // of its context's intervals, as VolumeIntervals has them
+  std::uint32_t ends;  // of its context's intervals, as in VolumeIntervals
   std::size_t symbol;
   std::size_t lane;
-  std::uint32_t state;     // of the lane, before
-  std::size_t bytes_left;  // of the payload, before
+  std::uint32_t state;     // of the lane, before the symbol
+  std::size_t bytes_left;  // of the payload, before the symbol
 };
 using SeeSymbol = std::function<void(const RansSource&, const VolumeSymbol&)>;
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded,
@@ -31,7 +31,7 @@ VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, Pad
 inline constexpr VolumeKernels kScalarVolume{analyse_volume_scalar, write_volume_scalar,
                                              write_intervals_scalar, read_slots_scalar, read_volume_scalar};
 
-/// The context from which a batch's contexts count.
+/// Offset of a batch's contexts.
 [[nodiscard]] constexpr std::size_t first_context_of(std::size_t batch) {
   return batch % 2 == 0 ? 0 : kOddContexts;
 }

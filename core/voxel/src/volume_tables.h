@@ -1,5 +1,5 @@
-// The probabilities of volumes: made by train_volume (tests/bench), part of the payload's format.
-// FORMAT.md lists the same numbers, and a change needs a new kCodecVersion.
+// Probabilities of volumes, made by train_volume (tests/bench) and part of the payload's format. FORMAT.md
+// lists the same numbers, and a change needs a new kCodecVersion.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace talus::codec {
 
-/// By class: where the intervals of symbols 0, 1 and 2 end; that of symbol 3 ends at 256.
+/// By class: ends of the intervals of symbols 0, 1 and 2; symbol 3 ends at 256.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 62> kVolumeEnds{{
     {53, 85, 199},   {28, 163, 242},  {50, 180, 206},  {83, 153, 208},  {43, 218, 236},  {91, 198, 217},
     {110, 180, 237}, {122, 229, 245}, {134, 210, 236}, {151, 250, 253}, {151, 173, 218}, {21, 46, 248},
@@ -23,7 +23,7 @@ inline constexpr std::array<std::array<std::uint8_t, 3>, 62> kVolumeEnds{{
     {253, 254, 255}, {132, 182, 228},
 }};
 
-/// By table and context: a class, as a digit: 0 to 9, A to Z, a to z.
+/// By table and context: a class as a digit: 0 to 9, A to Z, a to z.
 inline constexpr std::array<std::string_view, 8> kVolumeClasses{
     "5555777d777ddfhk577d7bfebdbhfjjm57797dbh7bjefjjp7999bdhkb9hkennaG3Aa377a3d7aaaaaHL5a2hSa4kIaaaaaD3aa3Nda"
     "GXXaaaaaCa2a3h9aHhZaaaaa77ddd99hddhhhkkmddd9hhmm9hhhkqpq7999dhhhdhjkkpmq999hhhkm9hkmmqqalziabaaa59kaaaaa"

@@ -33,10 +33,10 @@ TALUS_VBMI std::size_t pack(const std::uint64_t* bits, std::uint64_t columns, co
   return size;
 }
 
-/// Contexts of 64 voxels, from eight words: a word has a bit of each.
+/// Contexts of 64 voxels from eight words, each with one bit of every context.
 TALUS_VBMI __m512i contexts_of(__m512i words) {
-  // Eight voxels to a word, of which each byte has a bit of each, the highest bit first: a matrix of 8 x 8
-  // bits. It is multiplied by the eight bytes with one bit.
+  // Each byte of a word of eight voxels has one bit of each, highest bit first: a matrix of 8 x 8 bits,
+  // multiplied by the eight one-bit bytes.
   alignas(64) static constexpr auto kOrder = [] {
     std::array<std::uint8_t, 64> order{};
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -48,7 +48,7 @@ TALUS_VBMI __m512i contexts_of(__m512i words) {
                                        matrices, 0);
 }
 
-/// Parts of 16 bytes: part i of the four vectors as vector 2 * i.
+/// Transposes parts of 16 bytes: part i of the four vectors becomes vector 2 * i.
 TALUS_VBMI void transpose_parts(const __m512i* from, __m512i* to) {
   const __m512i a = _mm512_maskz_shuffle_i64x2(0xFF, from[0], from[1], 0x44);
   const __m512i b = _mm512_maskz_shuffle_i64x2(0xFF, from[2], from[3], 0x44);
@@ -60,7 +60,7 @@ TALUS_VBMI void transpose_parts(const __m512i* from, __m512i* to) {
   to[6] = _mm512_maskz_shuffle_i64x2(0xFF, c, d, 0xDD);
 }
 
-/// Pairs i of the rows of eight as vector i.
+/// Pairs i of the rows of eight become vector i.
 TALUS_VBMI void transpose_pairs(const RowWords* words, __m512i* out) {
   __m512i low[4];
   __m512i high[4];
@@ -74,7 +74,7 @@ TALUS_VBMI void transpose_pairs(const RowWords* words, __m512i* out) {
   transpose_parts(high, out + 1);
 }
 
-/// The first 32 of 64 bytes.
+/// Stores the first 32 of 64 bytes.
 TALUS_VBMI void store_half(std::uint8_t* to, __m512i bytes) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_maskz_extracti64x4_epi64(0xF, bytes, 0));
 }
@@ -89,7 +89,7 @@ TALUS_VBMI CodedHalves pack_wave(const WaveBits& bits, std::size_t pairs, std::u
   };
   __m512i words[8];
   transpose_pairs(bits.context.data(), words);
-  // Odd columns stand aside until it is known how many even ones come before them.
+  // Odd columns are buffered until the number of even ones before them is known.
   alignas(64) std::array<std::uint8_t, kMaxBatch + 64> odd_contexts;
   alignas(64) std::array<std::uint8_t, kMaxBatch + 64> odd_symbols;
   CodedHalves sizes{0, 0};
@@ -114,7 +114,7 @@ TALUS_VBMI CodedHalves pack_wave(const WaveBits& bits, std::size_t pairs, std::u
   return sizes;
 }
 
-/// Of 256 bytes, those that `index` names.
+/// Looks up `index` in a table of 256 bytes.
 TALUS_VBMI __m512i look_up(const __m512i* table, __m512i index) {
   return _mm512_mask_blend_epi8(_mm512_movepi8_mask(index),
                                 _mm512_permutex2var_epi8(table[0], index, table[1]),
@@ -122,15 +122,15 @@ TALUS_VBMI __m512i look_up(const __m512i* table, __m512i index) {
 }
 
 TALUS_VBMI Numbering number(const std::uint16_t* ids, VoxelRows& rows, MaterialCode& materials) {
-  // By low byte: the high byte of the material that had it last. A voxel with another high byte is of a new
+  // By low byte: the high byte of the last material with it. A voxel with another high byte is of a new
   // material, or of one that shares its low byte. An equal high byte of kNone proves nothing: kNone fills the
-  // table at first.
+  // table initially.
   constexpr std::uint8_t kNone = 0xFF;
   constexpr std::size_t kAhead = 2048;  // voxels
   alignas(64) std::array<std::uint8_t, 256> high_of;
-  alignas(64) std::array<std::uint8_t, 256> is_taken{};  // by low byte: 0xFF where a material has it
+  alignas(64) std::array<std::uint8_t, 256> is_taken{};  // by low byte: 0xFF if a material has it
   high_of.fill(kNone);
-  bool differ = true;  // no two materials have one low byte
+  bool differ = true;  // all materials have different low bytes
   alignas(64) static constexpr auto kEven = [] {
     std::array<std::uint8_t, 64> places{};
     for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<std::uint8_t>(2 * i);
@@ -141,7 +141,7 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, VoxelRows& rows, MaterialC
   const __m512i none = _mm512_set1_epi8(static_cast<char>(kNone));
   __m512i table[4] = {none, none, none, none};
   for (std::size_t i = 0; i < kChunkVolume; i += 64) {
-    // The voxels seldom lie in a near cache: ask for them early.
+    // The voxels are seldom in a near cache: prefetch them.
     const std::uint16_t* const ahead = ids + std::min(i + kAhead, std::size_t{kChunkVolume} - 64);
     _mm_prefetch(reinterpret_cast<const char*>(ahead), _MM_HINT_T0);
     _mm_prefetch(reinterpret_cast<const char*>(ahead + 32), _MM_HINT_T0);
@@ -180,7 +180,7 @@ TALUS_VBMI Numbering number(const std::uint16_t* ids, VoxelRows& rows, MaterialC
 TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t* contexts,
                           const std::uint8_t* symbols, std::size_t count, std::uint8_t* starts,
                           std::uint8_t* sizes) {
-  // By symbol, where its intervals end: of each class.
+  // By symbol and class: end of the interval.
   alignas(64) static constexpr auto kEnds = [] {
     std::array<std::array<std::uint8_t, 64>, 3> by_symbol{};
     static_assert(kVolumeEnds.size() <= 64);
@@ -196,7 +196,7 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
     by_context[t] = _mm512_loadu_si512(ends + (odd ? 64 * t : 64 * (t % 2)));
   for (std::size_t at = 0; at < count; at += 64) {
     const __m512i which = look_up(by_context, _mm512_loadu_si512(contexts + at));
-    // Of two tables that are the same: of one, gcc 12 warns of a variable that is not initialised.
+    // Looks up two equal tables: with one, gcc 12 warns of an uninitialised variable.
     const __m512i first = _mm512_permutex2var_epi8(by_symbol[0], which, by_symbol[0]);
     const __m512i second = _mm512_permutex2var_epi8(by_symbol[1], which, by_symbol[1]);
     const __m512i third = _mm512_permutex2var_epi8(by_symbol[2], which, by_symbol[2]);
@@ -205,7 +205,7 @@ TALUS_VBMI void intervals(const std::uint8_t* ends, bool odd, const std::uint8_t
     const __mmask64 is_high = _mm512_test_epi8_mask(symbol, _mm512_set1_epi8(2));
     const __m512i start = _mm512_mask_blend_epi8(is_high, _mm512_maskz_mov_epi8(is_odd, first),
                                                  _mm512_mask_blend_epi8(is_odd, second, third));
-    // Symbol 3 ends at 256, which is 0 in a byte; no symbol has all of it.
+    // Symbol 3 ends at 256, which is 0 as a byte; no symbol spans the whole range.
     const __m512i end = _mm512_mask_blend_epi8(is_high, _mm512_mask_blend_epi8(is_odd, first, second),
                                                _mm512_maskz_mov_epi8(~is_odd, third));
     const __mmask64 coded =

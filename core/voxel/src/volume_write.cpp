@@ -42,13 +42,13 @@ bool analyse(const DenseVoxels& voxels, VolumeEvents& events) {
   return analyser.number(voxels) ? analyser.analyse() : analyse_volume_scalar(voxels, events);
 }
 
-/// The rANS states while symbols are written, the last one first.
+/// The rANS states during writing, last symbol first.
 class SymbolWriter {
  public:
   explicit SymbolWriter(RansSink& sink)
       : sink_{sink}, states_{load_words(sink.states.data())}, next_{sink.next} {}
 
-  /// Sixteen symbols; each word holds start and size of an interval.
+  /// Writes sixteen symbols; each word holds start and size of an interval.
   HWY_INLINE void put(const std::uint32_t* intervals) {
     const Words d;
     const auto* const words = reinterpret_cast<const std::uint16_t*>(intervals);
@@ -63,7 +63,7 @@ class SymbolWriter {
     encode_symbols(states_, starts, sizes, next_);
   }
 
-  /// Fewer symbols than lanes, or as many.
+  /// Writes at most as many symbols as there are lanes.
   HWY_INLINE void put(const std::uint32_t* intervals, std::size_t count) {
     if (count == kLanes) return put(intervals);
     alignas(64) std::array<std::uint32_t, kLanes> some;
@@ -73,7 +73,7 @@ class SymbolWriter {
   }
 
 #if HWY_TARGET == HWY_AVX3
-  /// Sixteen symbols; a size of 0 is one of 256, which leaves a lane as it is where the start is 0.
+  /// Writes sixteen symbols; a size of 0 means 256, which leaves a lane unchanged if the start is 0.
   HWY_INLINE void put(const std::uint8_t* starts, const std::uint8_t* sizes) {
     const Half d;
     const Words words;
@@ -86,7 +86,7 @@ class SymbolWriter {
   }
 #endif
 
-  /// The symbols of up to sixteen voxels. `intervals`: by context and symbol.
+  /// Writes the symbols of up to sixteen voxels. `intervals`: by context and symbol.
   HWY_INLINE void put_voxels(const std::uint8_t* contexts, const std::uint8_t* symbols, std::size_t count,
                              const std::uint32_t* intervals) {
 #if HWY_TARGET == HWY_AVX3
@@ -116,7 +116,7 @@ class SymbolWriter {
   }
 
  private:
-  /// The interval that leaves a lane as it is.
+  /// The interval that leaves a lane unchanged.
   static constexpr std::uint32_t kEverything = std::uint32_t{kProbabilityTotal} << 16U;
 
   RansSink& sink_;
@@ -124,7 +124,7 @@ class SymbolWriter {
   std::uint8_t* next_;
 };
 
-/// Calls put(first, count) for groups of sixteen out of `count`, the last one first.
+/// Calls put(first, count) for groups of sixteen out of `count`, last group first.
 template <class Put>
 HWY_INLINE void over_groups(std::size_t count, const Put& put) {
   for (std::size_t left = count; left > 0;) {
@@ -147,7 +147,7 @@ void write(const VolumeEvents& events, const EventBatches& batches, const Volume
   std::size_t first = batches.first_coded + batches.coded;
 #if HWY_TARGET == HWY_AVX3
   if (const VolumeVbmi* const vbmi = volume_vbmi(); HWY_LIKELY(vbmi != nullptr)) {
-    // The intervals of all batches, each from lane 0 on: then it does not matter where one ends.
+    // The intervals of all batches, each starting at lane 0: then it does not matter where a batch ends.
     alignas(64) std::array<std::uint8_t, kChunkVolume + kBatches * kLanes + 64> starts;
     alignas(64) std::array<std::uint8_t, kChunkVolume + kBatches * kLanes + 64> sizes;
     std::size_t place = 0;

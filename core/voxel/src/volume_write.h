@@ -1,4 +1,4 @@
-// The writing kernels of volumes of an instruction set; volume_kernels.h has the whole table.
+// Kernels that write volumes, per instruction set; volume_kernels.h has the complete table.
 #pragma once
 
 #include "volume_kernels.h"

@@ -1,4 +1,4 @@
-// The identity of a chunk's content, whatever codec carried it.
+// Identity of a chunk's content, independent of the codec.
 #pragma once
 
 #include <compare>
@@ -9,8 +9,8 @@
 
 namespace talus {
 
-/// XXH3-128 of the canonical voxels: uint16 little endian, y slowest, then z, then x. `low` and `high`
-/// are XXH128_hash_t's low64 and high64.
+/// XXH3-128 of the canonical voxels: little-endian uint16, y slowest, then z, then x. `low` and `high` are
+/// low64 and high64 of XXH128_hash_t.
 struct ContentHash {
   std::uint64_t low = 0;
   std::uint64_t high = 0;
@@ -19,7 +19,7 @@ struct ContentHash {
 
 [[nodiscard]] ContentHash content_hash(const Chunk& chunk);
 
-/// 32 hexadecimal digits, the high half first (as xxhsum prints it).
+/// 32 hexadecimal digits, high half first (as printed by xxhsum).
 [[nodiscard]] std::string to_string(ContentHash hash);
 
 }  // namespace talus

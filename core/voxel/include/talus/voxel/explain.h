@@ -1,4 +1,4 @@
-// A payload field by field, for somebody who writes a decoder: FORMAT.md has the meaning of each.
+// Describes a payload field by field, for authors of decoders. FORMAT.md defines the fields.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace talus {
 
-/// A part of a payload: `size` bytes from `offset` on, or 0 where what is read comes from states alone.
+/// A part of a payload: `size` bytes at `offset`. `size` is 0 if the value is read from states alone.
 struct PayloadField {
   std::size_t offset = 0;
   std::size_t size = 0;
@@ -16,9 +16,9 @@ struct PayloadField {
   std::string meaning;
 };
 
-/// The fields of a payload in the order in which a decoder reads them, with the first `symbols` coded
-/// symbols, their intervals and states. Whatever the bytes are: where a decoder would stop the last field is
-/// named "error", and any others are as far as it came.
+/// Returns the fields of a payload in decoding order, with the first `symbols` coded symbols, their intervals
+/// and states. Accepts any bytes: if a decoder would stop, the last field is named "error" and follows the
+/// fields read before.
 [[nodiscard]] std::vector<PayloadField> explain(std::span<const std::byte> payload, std::size_t symbols = 16);
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-// What a voxel is made of. Ids are assigned by a world: air 0, water 1, then its stratified and its
-// eroded materials in the order of its spec.
+// Material of a voxel. A world assigns the ids: air 0, water 1, then its stratified and its eroded materials
+// in the order of its spec.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a material may be called: in a world's file, and where a store gives one another name.
+// Rules for names of materials, in world files and for names that a store gives.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace talus {
 
-/// Bytes of a material's name.
+/// Maximum bytes of a material's name.
 inline constexpr std::size_t kMaxMaterialNameBytes = 64;
 
-/// Why no material that a world names may be called so, in one line; nothing where one may. Any bytes may be
-/// asked for.
+/// Returns the reason, in one line, why a world's material may not have this name; nullopt if it may. `name`
+/// may be any bytes.
 [[nodiscard]] std::optional<std::string> material_name_fault(std::string_view name);
 
 }  // namespace talus

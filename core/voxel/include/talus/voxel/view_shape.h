@@ -1,6 +1,6 @@
-// Which chunks a View has. Server and client both use this: what the server sends is exactly what the client
-// expects. Pure functions of values; any thread may call them. Test vectors for other implementations:
-// core/voxel/vectors.
+// Computes the chunks of a View. Server and client share this code, so the server sends exactly the chunks
+// that the client expects. Pure functions of values; any thread may call them. Test vectors for other
+// implementations: core/voxel/vectors.
 //
 // A View has a centre, which is a base chunk c (the chunk of level 0 that holds the wire's centre voxel,
 // floor(voxel / 32) along each axis), a horizontal radius h, a vertical radius v, both in base chunks, and
@@ -15,13 +15,13 @@
 //               Along x they are  ceil(b / 2^l_i)  to  floor(e / 2^l_i) - 1; along z alike. Either may be
 //               empty.
 //
-// A chunk (x, y, z) of level l_i belongs to the View where x is in X_i, y in Y_i and z in Z_i, unless x and z
-// are both in the inner box. The inner box is made from the level before as it is aligned to that level's
-// chunks, which is more than r_(i-1) base chunks wide, and it covers all rows. Chunks outside the world,
-// beyond chunk_limit(level), are left out last.
+// A chunk (x, y, z) of level l_i belongs to the View if x is in X_i, y in Y_i and z in Z_i, unless x and z
+// are both in the inner box. The inner box is computed from the previous level after alignment to that
+// level's chunks, which is wider than r_(i-1) base chunks, and it covers all rows. Finally, chunks outside
+// the world, beyond chunk_limit(level), are removed.
 //
-// A View with a horizon has all rows of its rings in which the world can hold anything but one rock or air,
-// wherever the player is. With the world's heights (HeightRange, which Welcome tells), for i > 0:
+// In a View with a horizon, the rings cover every row in which the world can hold anything but one rock or
+// air, wherever the player is. With the world's heights (HeightRange, sent in Welcome), for i > 0:
 //
 //   Y_i = ((low >> l_i) - 1) / 32  to  ((high - 1) >> l_i) / 32      instead of the above
 //   the inner box of the first ring is empty, as level 0 does not have all rows of its columns.
@@ -39,7 +39,7 @@
 
 namespace talus {
 
-/// Chunk coordinates along one axis, both ends included; empty where last < first.
+/// Chunk coordinates along one axis, both ends included; empty if last < first.
 struct ChunkRange {
   std::int64_t first = 0;
   std::int64_t last = -1;
@@ -62,13 +62,13 @@ struct ViewRing {
   bool operator==(const ViewRing&) const = default;
 };
 
-/// What decides which chunks a View has.
+/// Input of level_boxes().
 struct ViewExtent {
-  glm::i64vec3 centre{};  // base chunk; each component within +-2^59, in the world or not
+  glm::i64vec3 centre{};  // base chunk; each component within +-2^59, possibly outside the world
   int horizontal_radius = 0;
   int vertical_radius = 0;
-  std::vector<ViewRing> rings;  // levels and radii growing; radii below 2^24, with a horizon below 2^16
-  /// Of the world, where the View has a horizon. Heights beyond the world count as its edge.
+  std::vector<ViewRing> rings;  // ascending levels and radii; radii below 2^24, or below 2^16 with a horizon
+  /// The world's heights if the View has a horizon. Heights outside the world are clamped to its edge.
   std::optional<HeightRange> horizon = std::nullopt;
 };
 
@@ -78,7 +78,7 @@ struct LevelBox {
   ChunkRange x, y, z;
   ChunkRange inner_x, inner_z;
 
-  /// Whether the View has the column at this level; if so it has it in all rows y.
+  /// True if the View contains the column at this level; it then contains all rows `y` of it.
   [[nodiscard]] bool has_column(std::int64_t at_x, std::int64_t at_z) const {
     return x.contains(at_x) && z.contains(at_z) && !(inner_x.contains(at_x) && inner_z.contains(at_z));
   }
@@ -99,14 +99,14 @@ struct LevelBox {
   }
 };
 
-/// Whether the world's edge cuts a View off. Limits on the size of a View count it uncut.
+/// Selects whether the world's edge cuts a View. Limits on the size of a View apply to the uncut View.
 enum class WorldEdge : std::uint8_t { cuts, ignored };
 
-/// Level 0 and then each ring. Costs nothing that grows with the radii. With WorldEdge::cuts every range lies
-/// inside the world, and may be empty.
+/// Returns level 0, then each ring, in time independent of the radii. With WorldEdge::cuts, ranges lie inside
+/// the world and may be empty.
 [[nodiscard]] std::vector<LevelBox> level_boxes(const ViewExtent& view, WorldEdge edge = WorldEdge::cuts);
 
-/// How many chunks all levels have together.
+/// Number of chunks of all levels together.
 [[nodiscard]] std::uint64_t count_chunks(std::span<const LevelBox> boxes);
 
 }  // namespace talus
