@@ -36,23 +36,23 @@ const EditResult* Batch::result_of(EditorId id, std::uint64_t sequence) const {
   if (before == nullptr) return nullptr;
   const EditResult* const kept = before->result_of(sequence);
   if (kept == nullptr) return nullptr;
-  // The newer ones take the places of the oldest.
+  // Newer results displace the oldest.
   const auto behind = static_cast<std::size_t>(before->results.data() + before->results.size() - kept);
   return behind + newer <= kKeptResults ? kept : nullptr;
 }
 
 void Batch::forget_idle() {
-  // All of a batch has one time.
+  // A batch has a single time.
   if (std::exchange(forgot_idle_, true)) return;
   for (const EditorId id : editors_.idle_at(head_.time_ms)) {
-    // Whom this batch touched is not idle.
+    // Editors touched by this batch are not idle.
     if (touched_.try_emplace(id, std::nullopt).second) --count_;
   }
 }
 
 std::optional<EditorId> Batch::forget_never_used() {
-  // However a log is cut into batches the same one goes: by its last use, in this batch or before, and its
-  // id.
+  // The choice does not depend on how the log is divided into batches: the editor with the earliest last use,
+  // in this batch or before, then the lowest id.
   const Editors::ByUse& known = editors_.never_used();
   while (never_used_ != known.end() && touched_.contains(never_used_->second)) ++never_used_;
   std::optional<EditorId> first;
@@ -73,7 +73,7 @@ Editor& Batch::touch(EditorId id, const Editor* editor) {
   if (!touched) {
     touched.emplace();
     touched->is_new = editor == nullptr;
-    if (editor != nullptr) {  // its results stay where they are: they are 2 KiB
+    if (editor != nullptr) {  // leave out the results: they take 2 KiB
       touched->editor.epoch = editor->epoch;
       touched->editor.last_sequence = editor->last_sequence;
       touched->editor.subject = editor->subject;

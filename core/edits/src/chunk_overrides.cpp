@@ -14,7 +14,7 @@ namespace {
          (voxels.empty() || voxels.back().index < kChunkVolume);
 }
 
-/// One search and at most one move of what lies behind it.
+/// One search, and at most one move of the tail.
 void write_one(std::vector<Override>& voxels, const OverrideWrite& write) {
   const auto at = std::ranges::lower_bound(voxels, write.index, {}, &Override::index);
   const bool found = at != voxels.end() && at->index == write.index;
@@ -54,7 +54,7 @@ std::optional<MaterialId> ChunkOverrides::find(std::uint16_t index) const {
 
 void ChunkOverrides::apply(std::span<const OverrideWrite> writes) {
   assert(rises(writes));
-  // A move of n voxels costs about a sixteenth of merging as many, one by one.
+  // Moving n voxels costs about a sixteenth of merging n voxels one by one.
   if (writes.size() * 16 < voxels_.size()) {
     for (const OverrideWrite& write : writes) write_one(voxels_, write);
   } else {

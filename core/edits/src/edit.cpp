@@ -44,7 +44,7 @@ tl::expected<void, EditError> check_order(std::size_t index, const Fill& fill) {
   return {};
 }
 
-/// Voxels that the edit names, each as often as it does, or an error where one lies outside the world.
+/// Number of voxels that the edit names, with repetitions, or an error if one lies outside the world.
 tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
   std::size_t count = edit.guards.size() + edit.writes.size();
   for (const auto& [name, list] : {std::pair{"guard", &edit.guards}, std::pair{"write", &edit.writes}}) {
@@ -67,9 +67,9 @@ tl::expected<std::size_t, EditError> count_voxels(const Edit& edit) {
   return count;
 }
 
-/// Puts indices in rising order, each once. Those of one box are so already; many others go through a bitmap.
+/// Sorts indices and removes duplicates. A single box is sorted already; many indices go through a bitmap.
 void put_in_order(std::vector<std::uint16_t>& indices) {
-  constexpr std::size_t kMany = 512;  // about what clearing and reading a bitmap costs
+  constexpr std::size_t kMany = 512;  // about the cost of clearing and reading a bitmap
   if (std::ranges::adjacent_find(indices, std::greater_equal{}) == indices.end()) return;
   if (indices.size() < kMany) {
     std::ranges::sort(indices);
@@ -84,10 +84,10 @@ void put_in_order(std::vector<std::uint16_t>& indices) {
   }
 }
 
-/// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is asked first.
+/// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is checked first.
 class Touched {
  public:
-  /// False once there are more than kMaxChunks.
+  /// Returns false if there are more than kMaxChunks.
   bool insert(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
     if (last_ == chunks_.size() || chunks_[last_].chunk != chunk) {
@@ -105,7 +105,7 @@ class Touched {
   }
 
  private:
-  std::vector<TouchedChunk> chunks_;  // in order
+  std::vector<TouchedChunk> chunks_;  // sorted
   std::size_t last_ = 0;
 };
 
@@ -135,7 +135,7 @@ std::size_t volume(const Fill& fill) {
         std::pair{fill.first.z, fill.last.z}}) {
     if (first > last) return 0;
     const std::uint64_t length = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
-    // Neither factor is above 2^17, so the product cannot wrap.
+    // Each factor is at most 2^17, so the product cannot overflow.
     product *= std::min<std::uint64_t>(length, kMaxVoxels) + 1;
     product = std::min(product, kMaxVoxels + 1);
   }
@@ -183,7 +183,7 @@ std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles) {
     if (!chunk_holding(first, Lod{}) || !chunk_holding(last, Lod{})) return false;
     const ChunkCoord low = chunk_of(first);
     const ChunkCoord high = chunk_of(last);
-    // 64 bits: the world's last chunk has the greatest coordinate of 32.
+    // 64 bits: the coordinate of the world's last chunk is the maximum of 32 bits.
     for (std::int64_t y = low.y; y <= high.y; ++y) {
       for (std::int64_t z = low.z; z <= high.z; ++z) {
         for (std::int64_t x = low.x; x <= high.x; ++x) {

@@ -42,7 +42,7 @@ void Editors::put(EditorId id, EditorChange change) {
     const std::vector<EditResult>& newer = change.editor.results;
     const std::size_t kept = std::min(all.size(), kKeptResults - newer.size());
     all.erase(all.begin(), all.end() - static_cast<std::ptrdiff_t>(kept));
-    // Left to itself a vector that is full of the most takes place for up to twice as many.
+    // By default a vector at its limit would allocate up to twice the maximum.
     if (const std::size_t wanted = kept + newer.size(); wanted > all.capacity()) {
       all.reserve(std::min(kKeptResults, std::max(wanted, 2 * all.capacity())));
     }

@@ -9,13 +9,13 @@
 namespace talus::edits {
 namespace {
 
-/// Finds voxels by rising index, by steps that double: cheap for neighbours, and for few voxels among many.
+/// Finds voxels by ascending index with doubling steps: cheap for neighbours, and for few voxels among many.
 template <typename Voxel>
 class VoxelCursor {
  public:
   explicit VoxelCursor(std::span<const Voxel> voxels) : left_{voxels} {}
 
-  /// Null where there is none. REQUIRES: `index` is not below that of the call before.
+  /// Null if not found. REQUIRES: `index` is not below the previous call's.
   const Voxel* find(std::uint16_t index) {
     std::size_t step = 1;
     while (step < left_.size() && left_[step].index < index) step *= 2;
@@ -29,7 +29,7 @@ class VoxelCursor {
   std::span<const Voxel> left_;
 };
 
-/// The voxels of an edit in one chunk, as they were, which as yet is what they become.
+/// The voxels of an edit in one chunk, with `after` still equal to `before`.
 tl::expected<ChunkChanges, EditError> stage(const TouchedChunk& touched, const BaseVoxels& base,
                                             const OverrideSource& overrides) {
   ChunkChanges staged{touched.chunk, {}};
@@ -58,7 +58,7 @@ tl::expected<ChunkChanges, EditError> stage(const TouchedChunk& touched, const B
   return staged;
 }
 
-/// All of `touched`, which the edit touches.
+/// Stages all of `touched`.
 tl::expected<std::vector<ChunkChanges>, EditError> stage(std::span<const TouchedChunk> touched,
                                                          const BaseVoxels& base,
                                                          const OverrideSource& overrides) {
@@ -80,7 +80,7 @@ tl::expected<std::vector<ChunkChanges>, EditError> stage(const Edit& edit, bool 
   return stage(*touched, base, overrides);
 }
 
-/// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is asked
+/// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is checked
 /// first.
 class StagedVoxels {
  public:
@@ -104,7 +104,7 @@ class StagedVoxels {
  private:
   std::vector<ChunkChanges>& chunks_;
   ChunkChanges* last_ = nullptr;
-  std::size_t next_ = 0;  // behind its voxel that was asked for last: operations mostly ask for it
+  std::size_t next_ = 0;  // the voxel after the last one found, which operations mostly request next
 };
 
 void operate(const Edit& edit, StagedVoxels& staged) {
@@ -120,7 +120,7 @@ void operate(const Edit& edit, StagedVoxels& staged) {
   }
 }
 
-/// Lets slide what the edit set loose in the box, all of which is staged.
+/// Settles loose material in the box, all of which is staged.
 void settle_in(const VoxelBox& box, const SettleRules& rules, StagedVoxels& staged) {
   std::vector<SettlingVoxel> voxels;
   voxels.reserve(kSettleVoxels);
@@ -133,7 +133,7 @@ void settle_in(const VoxelBox& box, const SettleRules& rules, StagedVoxels& stag
   visit_box(box.first, box.last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
 }
 
-/// Whether one of the materials that edits left in voxels `first` to `last` of the chunk `is` so.
+/// True if `is` holds for a material that edits left in voxels `first` to `last` of the chunk.
 template <typename Is>
 bool any_edited(ChunkKey key, std::uint16_t first, std::uint16_t last, const OverrideSource& overrides,
                 const Is& is) {
@@ -156,8 +156,8 @@ bool any_edited(ChunkKey key, std::uint16_t first, std::uint16_t last, const Ove
   });
 }
 
-/// Whether anything may settle: something changed, and in what was looked up for the edit, or lies over that
-/// by edits, there is material of the rules. Mostly there is none, and then the box costs one read.
+/// True if anything may settle: something changed, and the voxels looked up for the edit, or edits on top of
+/// them, contain material of the rules. Mostly there is no such material, and the box costs one read.
 bool may_settle(const SettleRules& rules, std::span<const ChunkChanges> chunks, const BaseVoxels& base,
                 const OverrideSource& overrides) {
   const auto is_loose = [&](MaterialId material) {
@@ -175,7 +175,7 @@ bool may_settle(const SettleRules& rules, std::span<const ChunkChanges> chunks, 
   for (auto chunk = base.begin(); chunk != base.end() && !loose; ++chunk) {
     const std::vector<Override>& voxels = chunk->second;
     if (voxels.empty()) continue;
-    MaterialId seen = kAir;  // neighbours are mostly alike
+    MaterialId seen = kAir;  // neighbours are mostly equal
     for (auto voxel = voxels.begin(); voxel != voxels.end() && !loose; ++voxel) {
       if (voxel->material == seen) continue;
       seen = voxel->material;

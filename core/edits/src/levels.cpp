@@ -8,8 +8,8 @@
 namespace talus::edits {
 
 std::optional<CoarseVoxel> sampled_by(VoxelPos voxel) {
-  // Two's complement: a negative number has the trailing zeros and remainders of its absolute value. 0
-  // has 64.
+  // Two's complement: a negative number has the trailing zeros and remainders of its absolute value. 0 has 64
+  // trailing zeros.
   const int level = std::countr_zero(static_cast<std::uint64_t>(voxel.y)) + 1;
   if (level > Lod::kMax) return std::nullopt;
   const std::int64_t below = (std::int64_t{1} << level) - 1;
@@ -24,7 +24,7 @@ VoxelPos sample_of(Lod lod, VoxelPos voxel) {
 }
 
 std::vector<ChunkWrites> coarse_writes(ChunkCoord chunk, std::span<const OverrideWrite> writes) {
-  // A base chunk lies within one chunk of each level, where the order of voxels by index is the same.
+  // A base chunk lies within one chunk of each level, in which voxels have the same order by index.
   std::array<std::vector<OverrideWrite>, Lod::kMax + 1> levels;
   for (const OverrideWrite& write : writes) {
     const auto coarse = sampled_by(voxel_at(chunk_origin(chunk), local_of(write.index)));

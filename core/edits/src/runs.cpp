@@ -9,7 +9,7 @@
 namespace talus::edits {
 namespace {
 
-/// A run of voxels of one material; `place` is that of the material in the list.
+/// A run of voxels of one material; `place` is the material's index in the list.
 struct VoxelRun {
   std::uint32_t first = 0;
   std::uint32_t length = 0;
@@ -21,7 +21,7 @@ void put_varint(std::uint32_t value, std::vector<std::byte>& out) {
   out.push_back(static_cast<std::byte>(value));
 }
 
-/// Takes numbers from the front of bytes. The first fault stays, and all numbers after it are 0.
+/// Takes numbers from the front of bytes. After the first error, all numbers are 0.
 class NumberReader {
  public:
   explicit NumberReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -37,14 +37,14 @@ class NumberReader {
       bytes_ = bytes_.subspan(1);
       value |= (byte & 127) << shift;
       const bool padded = byte == 0 && shift > 0;
-      // Five bytes hold 35 bits, more than any number here has.
+      // Five bytes hold 35 bits, more than any number here needs.
       if (padded || value > most || (byte >= 128 && shift == 28)) fault_ = RunsError::bad_number;
       if (byte < 128) break;
     }
     return fault_ ? 0 : static_cast<std::uint32_t>(value);
   }
 
-  /// The count of things that take at least `bytes_each` bytes each.
+  /// A count of elements of at least `bytes_each` bytes each.
   std::uint32_t take_count(std::size_t bytes_each) {
     const std::uint32_t count = take(kChunkVolume);
     if (!fault_ && count > bytes_.size() / bytes_each) fault_ = RunsError::truncated;
@@ -62,7 +62,7 @@ class NumberReader {
 std::vector<MaterialId> materials_of(std::span<const Override> voxels) {
   std::vector<MaterialId> materials;
   for (const Override& voxel : voxels) {
-    // Neighbours are mostly alike.
+    // Neighbours are mostly equal.
     if (materials.empty() || materials.back() != voxel.material) materials.push_back(voxel.material);
   }
   std::ranges::sort(materials);
@@ -122,7 +122,7 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
   assert(std::ranges::adjacent_find(voxels, [](Override a, Override b) { return a.index >= b.index; }) ==
          voxels.end());
   assert(voxels.empty() || voxels.back().index < kChunkVolume);
-  if (voxels.size() == 1) {  // as most edits are
+  if (voxels.size() == 1) {  // the case of most edits
     std::array<std::byte, 16> block;
     std::size_t count = 0;
     for (std::uint32_t number :

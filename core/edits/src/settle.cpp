@@ -13,7 +13,7 @@ namespace talus::edits {
 namespace {
 
 static_assert(kSettleRows == 64);
-/// Rows of a column, the lowest in the lowest bit.
+/// Rows of a column; bit 0 is the lowest.
 using Rows = std::uint64_t;
 
 bool is_open(MaterialId material) {
@@ -23,7 +23,7 @@ bool is_open(MaterialId material) {
 constexpr Rows row(int y) {
   return Rows{1} << static_cast<unsigned>(y);
 }
-/// Below row y.
+/// Rows below row y.
 constexpr Rows below(int y) {
   return row(y) - 1;
 }
@@ -32,11 +32,11 @@ struct Column {
   Rows open = 0;
   Rows loose = 0;
   Rows was_ground = 0;
-  bool waits = false;  // to be looked at
+  bool waits = false;  // must be inspected
 };
 
-/// Works on rows as bits, so that what a look costs hangs on what lies loose in the open, and not on how high
-/// or deep anything is.
+/// Represents rows as bits, so that the cost of an inspection depends on the loose material in the open, not
+/// on heights or depths.
 class Settling {
  public:
   Settling(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
@@ -52,7 +52,7 @@ class Settling {
 
   Settled run() {
     read();
-    // In one order, whatever set them.
+    // In a fixed order, independent of the cause.
     while (std::exchange(any_wait_, false) && may_go_on()) {
       std::vector<bool> now(columns_.size());
       for (std::size_t i = 0; i < now.size(); ++i) now[i] = std::exchange(columns_[i].waits, false);
@@ -117,7 +117,7 @@ class Settling {
     any_wait_ = true;
   }
 
-  /// From the bottom up, so that what is above comes down on what has come to rest.
+  /// From the bottom up, so that material comes down on material already at rest.
   void settle_column(int x, int z) {
     ++settled_.looks;
     const Column& column = this->column(x, z);
@@ -136,8 +136,8 @@ class Settling {
     }
   }
 
-  /// The lowest of the open voxels from row y downwards; none where they reach the bottom of the box, below
-  /// which nobody looks.
+  /// The lowest row of the open voxels from row y downwards; nullopt if they reach the bottom of the box,
+  /// below which voxels are unknown.
   static std::optional<int> floor_from(const Column& column, int y) {
     const Rows ground = ~column.open & (below(y) | row(y));
     if (ground == 0) return std::nullopt;
@@ -147,19 +147,19 @@ class Settling {
   std::optional<Target> fall(int x, int y, int z) {
     const Column& here = column(x, z);
     const Rows pair = here.was_ground >> static_cast<unsigned>(y - 1);
-    if ((pair & 3U) == 2U) return std::nullopt;  // so it was generated
+    if ((pair & 3U) == 2U) return std::nullopt;  // generated like this
     const auto floor = floor_from(here, y - 1);
     if (!floor) return std::nullopt;
     return Target{x, *floor, z};
   }
 
-  /// Where it is steepest, as measured over one column to kSettleReach. Only what lies open slides.
+  /// Returns the steepest target within kSettleReach columns. Only material in the open slides.
   std::optional<Target> slide(int x, int y, int z) {
     static constexpr std::array<std::array<int, 2>, 8> kDirections{
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}};
     const std::int64_t rise = rule_of(at(x, y, z).now)->rise;
     const bool was_ground = (column(x, z).was_ground & row(y)) != 0;
-    std::array<bool, kDirections.size()> free{};  // all between is open
+    std::array<bool, kDirections.size()> free{};  // the way there is open
     free.fill(true);
     std::optional<Target> best;
     std::int64_t most = 0;
@@ -173,11 +173,11 @@ class Settling {
         const Column& there = column(to_x, to_z);
         const auto floor = floor_from(there, y);
         if (!floor) continue;
-        // A step of one voxel is no slope: the land is made of steps.
+        // A step of one voxel is not a slope: land consists of steps.
         const std::int64_t over = std::int64_t{y - *floor} * SettleRule::kUnit - rise * distance;
         if (over <= most) continue;
         const Rows room = (below(y) | row(y)) & ~below(*floor);
-        if (was_ground && (there.was_ground & room) == 0) continue;  // so it was generated
+        if (was_ground && (there.was_ground & room) == 0) continue;  // generated like this
         most = over;
         best = Target{to_x, *floor, to_z};
       }
@@ -186,7 +186,7 @@ class Settling {
   }
 
   void move(const Target& from, const Target& to) {
-    // What is above comes after it: water, or air.
+    // The voxel is replaced by what is above: water or air.
     const bool under_water = from.y + 1 < rows_ && at(from.x, from.y + 1, from.z).now == kWater;
     at(to.x, to.y, to.z).now = std::exchange(at(from.x, from.y, from.z).now, under_water ? kWater : kAir);
     Column& left = column(from.x, from.z);
@@ -223,7 +223,7 @@ std::optional<VoxelBox> settle_box(const Edit& edit) {
   for (const VoxelWrite& each : edit.writes) add(each.voxel, each.voxel);
   for (const Fill& each : edit.fills) add(each.first, each.last);
   if (edit.paste) add(edit.paste->origin, last_of(*edit.paste));
-  if (box.first.x > box.last.x) return std::nullopt;  // guards alone
+  if (box.first.x > box.last.x) return std::nullopt;  // guards only
 
   const std::int64_t width = box.last.x - box.first.x + 1;
   const std::int64_t depth = box.last.z - box.first.z + 1;
@@ -232,7 +232,7 @@ std::optional<VoxelBox> settle_box(const Edit& edit) {
   std::int64_t margin = kSettleMargin;
   while (margin > 0 && (width + 2 * margin) * (depth + 2 * margin) > kSettleColumns) --margin;
   if (margin == 0) return std::nullopt;
-  // What is above comes down; below is only what it may fall into.
+  // Material comes down from above; below, only room to fall is needed.
   const std::int64_t below = spare / 3;
   box.first = {box.first.x - margin, box.first.y - below, box.first.z - margin};
   box.last = {box.last.x + margin, box.last.y + (spare - below), box.last.z + margin};

@@ -7,7 +7,7 @@
 namespace talus::edits {
 namespace {
 
-/// Puts `later` over `writes`; both are by rising index. Few cost a move each, many a merge.
+/// Overwrites `writes` with `later`, both by ascending index. Few cost one move each, many cost a merge.
 void overwrite(std::vector<OverrideWrite>& writes, std::span<const OverrideWrite> later) {
   if (later.size() * 16 < writes.size() || later.size() == 1) {
     for (const OverrideWrite& write : later) {
@@ -37,7 +37,7 @@ void overwrite(std::vector<OverrideWrite>& writes, std::span<const OverrideWrite
 std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes) {
   std::vector<ChunkWrites> all;
   all.reserve(changes.size());
-  // Several base chunks share a coarse one, each with voxels anywhere in it.
+  // Several base chunks share a coarse chunk, each with voxels anywhere in it.
   std::map<ChunkKey, std::vector<OverrideWrite>> coarse;
   for (const ChunkChanges& each : changes) {
     all.push_back({{each.chunk, Lod{}}, writes_of(each)});

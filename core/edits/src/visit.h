@@ -1,4 +1,4 @@
-// The voxels that the operations of an edit write, in order.
+// Visits the voxels that an edit's operations write, in order.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void visit_box(VoxelPos first, VoxelPos last, Visit&& visit) {
   }
 }
 
-/// Of any origin: beyond what a coordinate can be it is the greatest, and so not in the world either.
+/// Highest corner for any origin, saturated at the maximum coordinate, which lies outside the world too.
 [[nodiscard]] inline VoxelPos last_of(const Paste& paste) {
   const auto last = [](std::int64_t first) {
     constexpr std::int64_t kFar = kChunkSize - 1;
@@ -35,14 +35,14 @@ template <typename Visit>
 void visit_paste(const Paste& paste, Visit&& visit) {
   const auto voxels = std::make_unique<DenseVoxels>();
   paste.voxels.copy_to(*voxels);
-  std::size_t index = 0;  // in the order of visit_box
+  std::size_t index = 0;  // in visit_box() order
   visit_box(paste.origin, last_of(paste), [&](VoxelPos voxel) {
     const MaterialId material = (*voxels)[index++];
     if (paste.with_air || material != kAir) visit(voxel, material);
   });
 }
 
-/// The chunk of level 0 that holds `voxel`, which lies in the world, and the voxel's index there.
+/// The chunk of level 0 that holds `voxel`, and the voxel's index in it. REQUIRES: `voxel` lies in the world.
 [[nodiscard]] inline ChunkCoord chunk_of(VoxelPos voxel) {
   return {static_cast<std::int32_t>(floor_div(voxel.x, kChunkSize)),
           static_cast<std::int32_t>(floor_div(voxel.y, kChunkSize)),

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where bytes written to `path` would go: the end of its symlinks, whether or not a file is there.
+/// Target of `path` after following symlinks, whether or not it exists.
 fs::path followed(fs::path path) {
   constexpr int kMaxLinks = 40;
   std::error_code error;
@@ -21,8 +21,8 @@ fs::path followed(fs::path path) {
   return path;
 }
 
-/// Calls take(path) with new names in `directory` until it does not fail because the name is taken. The names
-/// are short whatever the target's is, which may be as long as names may be.
+/// Calls take(path) with new names in `directory` until the name is not taken. The names are short, because
+/// the target's may already have the maximum length.
 template <typename Take>
 auto with_new_name(const fs::path& directory, const Take& take) {
   constexpr int kMaxNames = 1000;
@@ -38,7 +38,7 @@ auto with_new_name(const fs::path& directory, const Take& take) {
 tl::expected<AtomicFile, FileError> AtomicFile::create(const fs::path& target, FileLayer& layer) {
   const auto refused = [&](const char* reason) { return tl::unexpected{FileError{target, reason, {}}}; };
   fs::path file = followed(target);
-  std::error_code ignored;  // what cannot be looked at cannot be written either, and writing says why
+  std::error_code ignored;  // writing fails too then, and reports the reason
   const auto type = fs::symlink_status(file, ignored).type();
   if (type == fs::file_type::directory) return refused("is a directory; give a file name");
   if (!file.has_filename()) return refused("is not a file name; give one");
@@ -107,10 +107,10 @@ tl::expected<void, FileError> AtomicFile::resize(std::uint64_t bytes) const {
 }
 
 tl::expected<void, FileError> AtomicFile::commit() {
-  // The name must not reach the disk before the bytes do.
+  // The bytes must reach the disk before the name does.
   if (const auto synced = layer_->sync(file_); !synced) return cannot_write(synced.error());
   if (!temporary_) {
-    // A rename needs a name, and naming replaces nothing.
+    // A rename needs a name, and naming cannot replace a file.
     const auto named = with_new_name(directory_path(), [&](const fs::path& path) {
       auto result = layer_->name(file_, path);
       if (result) temporary_ = path;
@@ -127,7 +127,7 @@ tl::expected<void, FileError> AtomicFile::commit() {
 
 FileLayer::Result<void> AtomicFile::sync_directory() const {
   auto synced = layer_->sync(directory_);
-  // Some file systems cannot, and have nothing else to offer.
+  // Some file systems do not support this, and have no alternative.
   if (!synced && synced.error() == std::errc::invalid_argument) return {};
   return synced;
 }

@@ -44,7 +44,7 @@ std::string npy_header(NpyType type, std::span<const std::size_t> shape) {
   std::string axes;
   for (const std::size_t length : shape) axes += std::to_string(length) + ", ";
   if (shape.size() > 1) axes.resize(axes.size() - 2);
-  if (shape.size() == 1) axes.resize(axes.size() - 1);  // (3,) is a tuple, (3) a number
+  if (shape.size() == 1) axes.resize(axes.size() - 1);  // (3,) is a tuple, (3) is a number
   constexpr std::size_t kPreambleBytes = 10;            // magic, version, length of the dictionary
   constexpr std::size_t kDictionaryBytes = kNpyHeaderBytes - kPreambleBytes;
   std::string header{"\x93NUMPY\x01\x00", 8};

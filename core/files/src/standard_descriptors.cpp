@@ -14,7 +14,7 @@ void open_closed_standard_descriptors() {
   static_assert(STDIN_FILENO == 0 && STDOUT_FILENO == 1 && STDERR_FILENO == 2);
   for (int descriptor = 0; descriptor < 3; ++descriptor) {
     if (::fcntl(descriptor, F_GETFD) != -1 || errno != EBADF) continue;
-    // The lowest that is free, which is this one: those before are open by now.
+    // Takes the lowest free number, which is this one: lower ones are open by now.
     if (::open("/dev/null", kModes[static_cast<std::size_t>(descriptor)]) == -1) return;
   }
 }

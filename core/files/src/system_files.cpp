@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kNewFileMode = 0666;  // the umask takes from it
+constexpr mode_t kNewFileMode = 0666;  // reduced by the umask
 
 tl::unexpected<std::error_code> failure(int error) {
   return tl::unexpected{std::error_code{error, std::generic_category()}};
@@ -47,7 +47,7 @@ class SystemFiles final : public FileLayer {
   Result<int> create_unnamed(const fs::path& directory) override {
     const int file = ::open(directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kNewFileMode);
     if (file < 0) return failure(errno);
-    // name() needs /proc, which not every root has.
+    // name() needs /proc, which may be missing in some roots.
     if (::access(descriptor_link(file).c_str(), F_OK) != 0) {
       ::close(file);
       return failure(EOPNOTSUPP);

@@ -1,6 +1,6 @@
-// Entries of the log applied to a state, several at once: they are staged here, written by a store, and only
-// then made the state. Every node that applies the same entries comes to the same state and the same
-// answers, however they are cut into batches.
+// Applies several log entries to a state: they are staged here, written by a store, and only then become the
+// state. Nodes that apply the same entries reach the same state and the same answers, however the entries are
+// divided into batches.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@
 
 namespace talus::edits {
 
-/// Where a state stands.
+/// Version of a state.
 struct Head {
-  std::uint64_t position = 0;  // of the last entry of the log; every entry has one
-  std::uint64_t revision = 0;  // one more for each edit that changed something
-  std::int64_t time_ms = 0;    // since 1970, of the last batch; never falls
+  std::uint64_t position = 0;  // of the last log entry; every entry has a position
+  std::uint64_t revision = 0;  // incremented by each edit that changes something
+  std::int64_t time_ms = 0;    // time of the last batch since 1970; never decreases
   StateHash hash;
   bool operator==(const Head&) const = default;
 };
 
-/// A connection that wants to edit as `editor`. Its epoch is one more than the editor's: of two that attach
-/// at once one comes too late.
+/// A connection that attaches as `editor`. The epoch must be the editor's plus one: if two connections attach
+/// at once, the second is rejected.
 struct AttachEntry {
   EditorId editor;
   std::uint64_t epoch = 0;
@@ -40,103 +40,103 @@ struct AttachEntry {
 struct EditEntry {
   EditorId editor;
   std::uint64_t epoch = 0;
-  std::uint64_t sequence = 0;  // chosen by the client, rising; gaps are allowed
+  std::uint64_t sequence = 0;  // chosen by the client, ascending; gaps are allowed
   Edit edit;
-  BaseVoxels base;  // of all that it touches, and of what may settle
-  /// By which it sets material loose; null: by none. The entry has it, so that no node needs its world.
+  BaseVoxels base;  // of all voxels that the edit touches or may settle
+  /// Rules of settling; null: nothing settles. Part of the entry, so that nodes need not know its world.
   SettleRulesPtr settles{};
-  std::string subject{};  // for whom a game server edits; empty: for its editor's own subject
-  /// What touched_voxels() says of the edit, where it was asked already; empty: it is asked. No log has it.
+  std::string subject{};  // player for whom a game server edits; empty: the editor's own subject
+  /// Result of touched_voxels(), if already known; if empty, it is computed. Not stored in logs.
   std::vector<TouchedChunk> touched{};
 };
 
-/// Names of materials that may be placed: those that have no id yet get one.
+/// Names of placeable materials: names without an id get one.
 struct BindEntry {
   std::vector<std::string> names;
 };
 
-/// What became of an entry.
+/// Result of an entry.
 struct Applied {
   enum class Kind : std::uint8_t {
     attached,
-    superseded,    // of an attach: its epoch is not the next one
-    editors_full,  // of an attach: there are as many as there may be, and all of them have edited of late
-    done,          // an edit that happened; result says how much it changed
-    conflict,      // a guard does not hold; nothing happened
-    repeat,        // it happened before; result is that of then
-    not_applied,   // its sequence is behind, and its result is not kept: it did not happen, or long ago
-    expired,       // another connection has attached as its editor, or the editor is forgotten
-    invalid,       // it breaks a bound or lacks a base; no sound node logs such an entry
+    superseded,    // attach: its epoch is not the next one
+    editors_full,  // attach: the table of editors is full, and all of them have edited recently
+    done,          // the edit was applied; `result` has the number of changes
+    conflict,      // a guard does not hold; nothing was applied
+    repeat,        // the edit was applied before; `result` is the earlier result
+    not_applied,   // its sequence is not new, and no result is kept: not applied, or long ago
+    expired,       // another connection attached as its editor, or the editor was forgotten
+    invalid,       // it exceeds a bound or lacks base voxels; correct nodes never log such an entry
     bound,         // names of materials have ids
   };
   Kind kind = Kind::invalid;
   EditorId editor;
   std::uint64_t position = 0;
-  std::uint64_t revision = 0;         // of the state after it
-  EditResult result;                  // of done, conflict and repeat
-  std::uint64_t epoch = 0;            // of attached
-  std::string subject;                // of attached: the editor's; of done: whose edit it is
-  std::optional<EditorId> forgotten;  // of attached: who made place for it
-  std::vector<ChunkChanges> changes;  // of done: voxels of level 0
+  std::uint64_t revision = 0;         // of the state after the entry
+  EditResult result;                  // for done, conflict and repeat
+  std::uint64_t epoch = 0;            // for attached
+  std::string subject;                // attached: the editor's; done: the edit's
+  std::optional<EditorId> forgotten;  // for attached: the editor evicted for it
+  std::vector<ChunkChanges> changes;  // for done: voxels of level 0
   std::vector<ChunkWrites> writes;    // the same as writes, at all levels
-  NamedIds materials;                 // of bound: all that were asked for, also those bound before
+  NamedIds materials;                 // for bound: all requested names, also those bound before
 
-  /// Whether it made a revision.
+  /// True if the entry made a revision.
   [[nodiscard]] bool changed() const { return !changes.empty(); }
 };
 
 class Batch {
  public:
-  /// Of a state that outlives this and stays as it is meanwhile. `now_ms` is the wall clock of the node that
-  /// logs: where that went back, the head's time counts. `materials`: those that are bound; null: no entry
-  /// binds any.
+  /// Starts from a state that must outlive this object and not change meanwhile. `now_ms` is the wall clock
+  /// of the logging node; if it went backwards, the head's time is used. `materials`: bound materials; null
+  /// if no entry binds any.
   Batch(const OverrideSource& overrides, const Editors& editors, const Head& head, std::int64_t now_ms,
         const MaterialIds* materials = nullptr);
 
-  /// So many entries are about to be applied.
+  /// Reserves memory for this many entries.
   void expect(std::size_t entries) {
     applied_.reserve(entries);
     staging_.expect(entries);
   }
-  /// Each takes the next position, whatever becomes of it. What is returned lives as long as this.
+  /// Applies an entry at the next position, whatever its result. The result lives as long as this object.
   const Applied& apply(const AttachEntry& entry);
   const Applied& apply(const EditEntry& entry);
   const Applied& apply(const BindEntry& entry);
 
-  /// Of the state after all of it.
+  /// Version of the state after all entries applied.
   [[nodiscard]] const Head& head() const { return head_; }
-  /// The editors that it touched; none: forgotten.
+  /// The editors touched; nullopt: forgotten.
   [[nodiscard]] std::map<EditorId, std::optional<EditorChange>> take_editors() && {
     return std::move(touched_);
   }
-  /// One for each entry, in order.
+  /// Results of the entries, in order.
   [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
-  /// Every chunk that it changed, of any level, and how.
+  /// Changes of every changed chunk, at any level.
   [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return staging_.chunks(); }
 
  private:
-  /// As it is now, but for its results.
+  /// The editor as of now, without its results.
   [[nodiscard]] const Editor* find(EditorId id) const;
-  /// Null where it is not kept.
+  /// Null if the result is not kept.
   [[nodiscard]] const EditResult* result_of(EditorId id, std::uint64_t sequence) const;
-  /// Forgets who was idle for too long.
+  /// Forgets editors that were idle for too long.
   void forget_idle();
-  /// Forgets the editor that attached first of those that never edited, and returns it, if there is one.
+  /// Forgets the editor that attached first among the editors that never edited; nullopt if there is none.
   std::optional<EditorId> forget_never_used();
-  /// What find() returned, to be changed; null: a new one.
+  /// Returns an editor found by find(), or a new one if null, for modification.
   Editor& touch(EditorId id, const Editor* editor);
   Applied& begin(EditorId editor, Applied::Kind kind);
 
   const Editors& editors_;
   const MaterialIds* materials_;
-  std::optional<MaterialIds> bound_;  // after this batch; none: as before it
+  std::optional<MaterialIds> bound_;  // after this batch; nullopt: unchanged
   Head head_;
   Staging staging_;
   std::map<EditorId, std::optional<EditorChange>> touched_;
-  std::size_t count_ = 0;  // of editors
+  std::size_t count_ = 0;  // number of editors
   bool forgot_idle_ = false;
-  Editors::ByUse::const_iterator never_used_;  // before it the batch has touched all of the state's
-  Editors::ByUse new_;                         // never used, and touched
+  Editors::ByUse::const_iterator never_used_;  // the batch has touched all of the state's before it
+  Editors::ByUse new_;                         // never used, touched by the batch
   std::vector<Applied> applied_;
 };
 

@@ -1,5 +1,5 @@
-// The overrides of one chunk: its voxels whose material differs from the base, which is the chunk as
-// generated. A value; may be read by any number of threads while nobody changes it.
+// Overrides of one chunk: its voxels whose material differs from the base, which is the chunk as generated. A
+// value; any number of threads may read it while none modifies it.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +12,33 @@
 
 namespace talus::edits {
 
-/// What a voxel becomes: an override, or as generated. `index` is its voxel_index(), below kChunkVolume.
+/// New content of a voxel: an override, or as generated. `index` is its voxel_index(), below kChunkVolume.
 struct OverrideWrite {
   std::uint16_t index = 0;
-  std::optional<MaterialId> material;  // none: the override goes
+  std::optional<MaterialId> material;  // nullopt: the override is removed
 
-  /// A voxel that shall be of `material`, where the base has `base`: writing the base's material removes.
+  /// Sets a voxel to `material`, where the base has `base`: writing the base's material removes the override.
   [[nodiscard]] static OverrideWrite of(std::uint16_t index, MaterialId material, MaterialId base) {
     return material == base ? OverrideWrite{index, {}} : OverrideWrite{index, material};
   }
   bool operator==(const OverrideWrite&) const = default;
 };
 
-/// Four bytes a voxel, by rising index, each index once.
+/// Four bytes per voxel, by ascending index, without duplicates.
 class ChunkOverrides {
  public:
   ChunkOverrides() = default;
-  /// REQUIRES: indices rise, each once, below kChunkVolume (asserted), as decode_runs() returns them.
+  /// REQUIRES: ascending indices without duplicates below kChunkVolume (asserted), as from decode_runs().
   explicit ChunkOverrides(std::vector<Override> voxels);
 
-  /// The override at `index`, or none where the voxel is as generated.
+  /// The override at `index`; nullopt if the voxel is as generated.
   [[nodiscard]] std::optional<MaterialId> find(std::uint16_t index) const;
 
-  /// Makes every write true. Few writes into many overrides cost their moves, many cost one merge.
-  /// REQUIRES: indices rise, each once, below kChunkVolume (asserted).
+  /// Applies all writes. Few writes to many overrides move the tail each time; many writes are merged once.
+  /// REQUIRES: indices ascend without duplicates, below kChunkVolume (asserted).
   void apply(std::span<const OverrideWrite> writes);
 
-  /// `base` with these voxels; as Chunk::with_overrides has it.
+  /// Returns `base` with these voxels; see Chunk::with_overrides().
   [[nodiscard]] Chunk merged_over(const Chunk& base) const { return base.with_overrides(voxels_); }
 
   [[nodiscard]] std::span<const Override> voxels() const { return voxels_; }

@@ -1,5 +1,5 @@
-// An edit as the log holds it: what shall change, under which conditions, and the bounds of both. Coordinates
-// are base voxels.
+// An edit as stored in the log: its changes, its conditions, and the bounds of both. Coordinates are base
+// voxels.
 #pragma once
 
 #include <cstddef>
@@ -16,88 +16,88 @@
 
 namespace talus::edits {
 
-/// Bounds of one edit. A voxel that two operations write, or one writes and a guard reads, counts twice.
+/// Bounds of one edit. A voxel that several operations or guards name counts once for each.
 inline constexpr std::size_t kMaxVoxels = 65'536;
-inline constexpr std::size_t kMaxChunks = 64;  // of level 0
-/// How far above and below the world's own rows an edit may reach.
+inline constexpr std::size_t kMaxChunks = 64;  // chunks of level 0
+/// Maximum rows above and below the world's own rows that an edit may reach.
 inline constexpr std::int64_t kRowMargin = 4'096;
 
-/// A voxel that shall be of `material`; as a guard, one that must be.
+/// Sets a voxel to `material`; as a guard, requires it.
 struct VoxelWrite {
   VoxelPos voxel;
   MaterialId material{};
   bool operator==(const VoxelWrite&) const = default;
 };
 
-/// Every voxel of a box, both corners included.
+/// All voxels of a box, both corners included.
 struct Fill {
   VoxelPos first;                      // the lowest corner
   VoxelPos last;                       // the highest
-  std::optional<MaterialId> material;  // none: as generated, which undoes edits
-  std::optional<MaterialId> only;      // voxels of other materials stay; none: any
+  std::optional<MaterialId> material;  // nullopt: as generated, which undoes edits
+  std::optional<MaterialId> only;      // only voxels of this material change; nullopt: all
 };
 
-/// Voxels of the box, whatever its corners: 0 where a first coordinate is greater than the last, beyond
-/// kMaxVoxels only that they are more.
+/// Number of voxels of the box, for any corners: 0 if a first coordinate exceeds the last; only a value above
+/// kMaxVoxels if there are more.
 [[nodiscard]] std::size_t volume(const Fill& fill);
 
-/// A chunk's voxels, at any place: voxel (0, 0, 0) of `voxels` comes to `origin`.
+/// A chunk's voxels, at any position: voxel (0, 0, 0) of `voxels` is placed at `origin`.
 struct Paste {
   VoxelPos origin;
   Chunk voxels = Chunk::uniform(kAir);
-  bool with_air = false;  // whether air is written too; if not, it leaves what is there
+  bool with_air = false;  // if false, air in the paste leaves voxels unchanged
 };
 
-/// Where all guards hold, operations are done in this order, each on what those before it left.
+/// If all guards hold, the operations are applied in this order, each on the result of the previous ones.
 struct Edit {
   std::vector<VoxelWrite> guards;
-  std::vector<VoxelWrite> writes;  // in order: of two for one voxel the later counts
+  std::vector<VoxelWrite> writes;  // in order: the last write of a voxel counts
   std::vector<Fill> fills;         // in order
   std::optional<Paste> paste;
 };
 
-/// Voxels that the edit names, each as often as it does, and of a paste all, whatever its corners: what rates
-/// count. Where a fill has more than kMaxVoxels only that they are more.
+/// Number of voxels that the edit names, with repetitions, and all voxels of a paste, for any corners: the
+/// amount that rates limit. If a fill has more than kMaxVoxels, only a value above kMaxVoxels.
 [[nodiscard]] std::size_t named_voxels(const Edit& edit);
 
-/// Chunks of level 0 that hold those voxels, those of guards and writes counted once, and those of each fill
-/// and of the paste again: what it costs to look their base up. At most kMaxChunks of each fill; of a place
-/// beyond the world any number.
+/// Number of chunks of level 0 that hold named voxels, which is the cost of looking up their base. Chunks of
+/// guards and writes count once, chunks of each fill and of the paste again. Counts at most kMaxChunks per
+/// fill; the value is arbitrary for positions outside the world.
 [[nodiscard]] std::size_t named_chunks(const Edit& edit);
 
-/// The chunks of level 0 that the edit may write, and those of its guards, each once, in order: whether it
-/// writes them is not known before it happens. `settles`: with those of settle_box(). None of an edit that
-/// touched_voxels() refuses. Cheap: no voxel of a fill or paste is visited. REQUIRES: named_voxels() is at
-/// most kMaxVoxels.
+/// The chunks of level 0 that the edit may write or guards, in order, without duplicates; which ones it
+/// writes is known only when it is applied. With `settles`, also the chunks of settle_box(). Empty if
+/// touched_voxels() rejects the edit. Cheap: visits no voxels of fills or pastes. REQUIRES: named_voxels() <=
+/// kMaxVoxels.
 [[nodiscard]] std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles = false);
 
-/// Why an edit is refused, in one line: the thing, what is wrong, what would be right.
+/// Why an edit is rejected, in one line: the thing, the fault, and what is expected.
 struct EditError {
   std::string message;
 };
 
-/// A chunk of level 0 and those of its voxels that an edit may write or guards, by rising index, each once.
+/// A chunk of level 0 and its voxels that an edit may write or guards, by ascending index, each once.
 struct TouchedChunk {
   ChunkCoord chunk;
   std::vector<std::uint16_t> voxels;
 };
 
-/// The voxels whose base materials evaluate() needs, by chunk, in the order of chunk coordinates; or an error
-/// where the edit leaves the world or breaks kMaxVoxels or kMaxChunks. Cheap for any edit: volumes are
-/// counted before anything is visited, and it stops at the first chunk too many. `settles`: with those of
-/// settle_box(), which count to no bound.
+/// The voxels whose base materials evaluate() needs, ordered by chunk coordinates; an error if the edit
+/// leaves the world or exceeds kMaxVoxels or kMaxChunks. Cheap for any edit: volumes are checked before
+/// voxels are visited, and it stops at the first chunk too many. With `settles`, also the voxels of
+/// settle_box(), which are not limited.
 [[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit,
                                                                                 bool settles = false);
 
-/// What a world lets an edit write. The node that takes an edit asks this; applying never does, for lists of
-/// nodes differ.
+/// What a world lets an edit write. Checked by the node that accepts an edit, never when applying: nodes may
+/// have different lists.
 struct EditRules {
-  HeightRange rows;                       // of the world as generated; edits reach kRowMargin farther
-  std::span<const MaterialId> materials;  // which may be written, by rising id
+  HeightRange rows;                       // of the generated world; edits may reach kRowMargin farther
+  std::span<const MaterialId> materials;  // writable materials, by ascending id
 };
 
-/// The first thing in `edit` that `rules` forbid, or nothing. Says nothing of touched_voxels()' bounds: call
-/// that first.
+/// Fails with the first part of `edit` that `rules` forbid. Does not check the bounds of touched_voxels():
+/// call it first.
 [[nodiscard]] tl::expected<void, EditError> check(const Edit& edit, const EditRules& rules);
 
 }  // namespace talus::edits

@@ -1,5 +1,5 @@
-// What an edit does to a state: every node must come to the same. Nothing here generates, reads a file or
-// changes state.
+// Effect of an edit on a state; every node must compute the same. Generates nothing, reads no files and
+// changes no state.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace talus::edits {
 
-/// Base materials of voxels of level 0, by chunk, by rising index: what an entry of the log carries as runs.
-/// It holds at least the voxels of touched_voxels(), with those that settle; more do no harm.
+/// Base materials of level-0 voxels, by chunk and ascending index; log entries store them as runs. Contains
+/// at least the voxels of touched_voxels(), including settling ones; more are harmless.
 using BaseVoxels = std::map<ChunkCoord, std::vector<Override>>;
 
-/// Where overrides are looked up. What is returned lives until the state changes.
+/// Source of overrides. Returned pointers are valid until the state changes.
 class OverrideSource {
  public:
   virtual ~OverrideSource() = default;
-  /// The overrides of a chunk of any level, or null where it has none, before what staged() writes.
+  /// Overrides of a chunk of any level, without the writes of staged(); null if it has none.
   [[nodiscard]] virtual const ChunkOverrides* find(ChunkKey chunk) const = 0;
-  /// What is written over those that find() returns, by rising index.
+  /// Writes on top of find()'s overrides, by ascending index.
   [[nodiscard]] virtual std::span<const OverrideWrite> staged(ChunkKey /*chunk*/) const { return {}; }
 };
 
-/// A voxel that an edit changed; `before` and `after` differ.
+/// A voxel changed by an edit; `before` and `after` differ.
 struct VoxelChange {
   std::uint16_t index = 0;
   MaterialId before{};
@@ -39,29 +39,29 @@ struct VoxelChange {
   bool operator==(const VoxelChange&) const = default;
 };
 
-/// All that changed in a chunk of level 0, by rising index; not empty.
+/// All changes in a chunk of level 0, by ascending index; not empty.
 struct ChunkChanges {
   ChunkCoord chunk;
   std::vector<VoxelChange> voxels;
   bool operator==(const ChunkChanges&) const = default;
 };
 
-/// The same as absolute writes, which may be made any number of times.
+/// The same changes as absolute writes, which are idempotent.
 [[nodiscard]] std::vector<OverrideWrite> writes_of(const ChunkChanges& changes);
 
 struct Outcome {
-  /// The first guard that does not hold. Then nothing changed: an edit is atomic, across chunks.
+  /// The first guard that does not hold. Then nothing changed: an edit is atomic across chunks.
   std::optional<std::size_t> conflict;
-  std::size_t changed = 0;           // voxels of level 0, slid ones too; 0 takes no revision
-  std::vector<ChunkChanges> chunks;  // by rising chunk coordinate
+  std::size_t changed = 0;           // voxels of level 0, including settled ones; 0 makes no revision
+  std::vector<ChunkChanges> chunks;  // by ascending chunk coordinate
   bool operator==(const Outcome&) const = default;
 };
 
-/// `edit` on the state `overrides`, and what it sets loose by `settles`; null: nothing. An error where
-/// touched_voxels() has one, or where `base` lacks a voxel that the edit touches, or, where
-/// what `base` has may settle, one of settle_box(), which is then named; the
-/// same error at every node, as both came from the log. `touched`: touched_voxels() of `edit` without those
-/// that settle, where somebody has them already; empty: they are found.
+/// Evaluates `edit` on the state `overrides`, then settles loose material by `settles`, if not null. Fails if
+/// touched_voxels() fails, if `base` lacks a voxel that the edit touches, or if base material may settle and
+/// `base` lacks a voxel of settle_box(); the error names it. Every node gets the same error, as edit and base
+/// come from the log. `touched`: touched_voxels() of `edit` without settling ones, if already known; if
+/// empty, it is computed.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                                         const OverrideSource& overrides,
                                                         const SettleRules* settles = nullptr,

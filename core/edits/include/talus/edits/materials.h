@@ -1,5 +1,5 @@
-// Which name of a material that people may place has which id. The log gives ids, so that all nodes give the
-// same; an id is given once, for ever.
+// Ids of placeable materials by name. The log assigns them, so that all nodes agree; an assignment is
+// permanent.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,18 @@
 
 namespace talus::edits {
 
-/// Ids from this one on are given to names, each once, for ever: a store may call its material something
-/// else, and gives the old name, used again, another id. Those below are of materials that worlds generate,
-/// and follow from the world alone.
+/// First id assigned to a name. Assignments are permanent: if a store renames its material and reuses the old
+/// name, that name gets another id. Lower ids belong to generated materials and follow from the world alone.
 inline constexpr std::uint16_t kFirstBound = 256;
 using talus::kMaxMaterialNameBytes;
 
 using MaterialIds = std::map<std::string, MaterialId>;
-/// Names in the order in which they were asked for, each with its id.
+/// Names in the order of the request, each with its id.
 using NamedIds = std::vector<std::pair<std::string, MaterialId>>;
 
-/// An id for each name: its own where it is bound, else the next after the greatest that is. Names of
-/// generated materials in `known` count for nothing. Nothing where a name is empty, too long or given twice,
-/// or where ids end.
+/// Returns an id for each name: its own if bound, otherwise the next after the greatest bound id. Names of
+/// generated materials in `known` are ignored. nullopt if a name is empty, too long or duplicated, or ids are
+/// exhausted.
 [[nodiscard]] std::optional<NamedIds> ids_for(std::span<const std::string> names, const MaterialIds& known);
 
 }  // namespace talus::edits

@@ -1,5 +1,5 @@
-// Voxels of one chunk as bytes, for the store, the log and the wire: ../../../FORMAT.md, "Runs". Every set of
-// voxels has one encoding, so equal sets have equal bytes and equal hashes.
+// Encodes voxels of one chunk as bytes, for the store, the log and the wire: ../../../FORMAT.md, "Runs". The
+// encoding of a set of voxels is unique, so equal sets have equal bytes and equal hashes.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@ namespace talus::edits {
 enum class RunsError : std::uint8_t {
   truncated,      // the bytes end before the runs do
   too_long,       // bytes follow the last run
-  bad_number,     // a varint has more bytes than it needs, or a value past its range
-  bad_materials,  // the ids do not rise, or a run is not of one of them, or one of them is in no run
-  split_run,      // a run is of the material of the run that it touches
-  past_chunk,     // a run ends past the chunk's last voxel
-  too_many,       // there are more voxels than the caller takes
+  bad_number,     // a varint is out of range or has more bytes than it needs
+  bad_materials,  // the ids do not ascend, or the list of ids does not match the runs
+  split_run,      // a run has the material of an adjacent run
+  past_chunk,     // a run ends after the chunk's last voxel
+  too_many,       // more voxels than the caller accepts
 };
 
-/// One line for people: what is wrong, and what would be right.
+/// One line for humans: the error and what is expected.
 [[nodiscard]] std::string_view describe(RunsError error);
 
-/// Appends `voxels`. REQUIRES: indices rise, each once, below kChunkVolume (asserted).
+/// Appends `voxels`. REQUIRES: indices ascend without duplicates, below kChunkVolume (asserted).
 void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out);
 
-/// Reads a whole block. Any bytes are safe: what encode_runs would not have written is an error, counts are
-/// checked against the bytes that are left before memory is taken for them, and what is returned, by rising
-/// index, holds at most `most_voxels`, which are counted before they are spread out.
+/// Decodes a complete block. Safe for any bytes: anything that encode_runs() would not write is an error, and
+/// counts are checked against the remaining bytes before memory is allocated. The result, by ascending index,
+/// has at most `most_voxels` voxels, which are counted before they are expanded.
 [[nodiscard]] tl::expected<std::vector<Override>, RunsError> decode_runs(
     std::span<const std::byte> bytes, std::size_t most_voxels = kChunkVolume);
 

@@ -1,9 +1,9 @@
-// What loose material does where an edit took its support, or put it steeper than it lies: it falls, and it
-// slides until it lies at its angle of repose (thesis 3.6, which so far made land, come alive). Integers
-// alone; every node that settles the same voxels gets the same.
+// Settles loose material after an edit removed its support or left it too steep: it falls and slides until it
+// lies at its angle of repose (thesis 3.6, applied there to generated land). Integer arithmetic only; every
+// node that settles the same voxels gets the same result.
 //
-// Land stays as it was generated until something under it goes, however steep it lies: a voxel moves only
-// into room that was ground, or from where none was. So a hole is filled from above, and the hollow wanders
+// Land stays as generated, however steep, until ground is removed: a voxel moves only into space that was
+// generated as ground, or from a place that was not. So a hole is filled from above, and the hollow travels
 // up the slope.
 #pragma once
 
@@ -18,59 +18,58 @@
 
 namespace talus::edits {
 
-/// A material that slides. All others, but for air and water, do not, and hold what leans on them.
+/// A material that slides. All others except air and water stay, and support what leans on them.
 struct SettleRule {
-  /// Of rises: parts of a voxel.
+  /// Units of `rise` per voxel.
   static constexpr std::int32_t kUnit = 256;
 
   MaterialId material{};
-  std::int32_t rise = 0;  // over a run of one column, at rest: the tangent of the angle of repose
+  std::int32_t rise = 0;  // per column of run, at rest: the tangent of the angle of repose
   bool operator==(const SettleRule&) const = default;
 };
-/// By rising material, each once.
+/// By ascending material, without duplicates.
 using SettleRules = std::vector<SettleRule>;
 using SettleRulesPtr = std::shared_ptr<const SettleRules>;
 
-/// Bounds of what one edit sets loose.
+/// Limits per edit.
 inline constexpr std::int64_t kSettleColumns = 256;
 inline constexpr std::int64_t kSettleRows = 64;
 inline constexpr std::size_t kSettleVoxels = static_cast<std::size_t>(kSettleColumns * kSettleRows);
-inline constexpr std::int64_t kSettleMargin = 7;  // columns around the edit, where there are few
-inline constexpr int kSettleMoves = 4'096;        // of single voxels
-/// At columns, and at voxels that may move. So what one edit costs is bounded, however little moves each
+inline constexpr std::int64_t kSettleMargin = 7;  // columns around the edit, if it is small
+inline constexpr int kSettleMoves = 4'096;        // moves of single voxels
+/// Inspections of columns and of voxels that may move. Bounds the cost of an edit even if little moves each
 /// time.
 inline constexpr int kSettleLooks = 32'768;
-/// How many columns apart slopes are measured, so that angles of less than 45 degrees differ.
+/// Maximum distance in columns over which slopes are measured; distinguishes angles below 45 degrees.
 inline constexpr std::int64_t kSettleReach = 4;
 
-/// Both corners included.
+/// Both corners are included.
 struct VoxelBox {
   VoxelPos first;
   VoxelPos last;
   bool operator==(const VoxelBox&) const = default;
 };
 
-/// Where the edit sets material loose: around all that it writes, 64 rows and at most 256 columns; or nothing
-/// where it writes too much, or near the end of the world. REQUIRES: touched_voxels() accepts the edit.
+/// Region that an edit may set loose: around all its writes, 64 rows and at most 256 columns. nullopt if the
+/// edit writes too much, or is near the edge of the world. REQUIRES: touched_voxels() accepts the edit.
 [[nodiscard]] std::optional<VoxelBox> settle_box(const Edit& edit);
 
-/// A voxel that settles.
+/// A voxel of the region.
 struct SettlingVoxel {
   MaterialId now{};
   MaterialId base{};
-  bool edited = false;  // just now: what leans on it may move
+  bool edited = false;  // by this edit: material that leans on it may move
 };
 
-/// What settling took.
+/// Work done by settle().
 struct Settled {
   int moves = 0;
   int looks = 0;
 };
 
-/// Lets all that is loose come to rest. `voxels` are those of the box, x fastest, then z, then y; it has
-/// kSettleRows rows at most. What lies beyond it stays and holds; nothing leaves it. Ends after kSettleMoves
-/// or kSettleLooks, even where more would move. Of each material of the rules there is as much afterwards as
-/// before.
+/// Moves all loose material to rest. `voxels` are those of the box, which has at most kSettleRows rows: x
+/// fastest, then z, then y. Voxels outside are fixed and hold; nothing leaves the box. Stops after
+/// kSettleMoves or kSettleLooks, even if more would move. Preserves the amount of each material of the rules.
 Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
 
 }  // namespace talus::edits

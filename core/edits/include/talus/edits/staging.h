@@ -1,6 +1,5 @@
-// Edits that are evaluated but not yet stored: an overlay on the applied state. A batch is evaluated here,
-// edit upon edit, written, and only then made the state; if the write fails, the overlay is dropped and
-// nothing happened.
+// Edits that are evaluated but not yet stored: an overlay on the applied state. A batch of edits is evaluated
+// here, written, and only then becomes the state; if the write fails, the overlay is dropped without effect.
 #pragma once
 
 #include <span>
@@ -13,38 +12,38 @@
 
 namespace talus::edits {
 
-/// What changed at level 0 as absolute writes, at that and, by rule 1, at all other levels: first those of
-/// level 0, in the order of `changes`, then the others. Each chunk of each level at most once.
+/// Converts level-0 changes to absolute writes at all levels (rule 1): first level 0, in the order of
+/// `changes`, then the others. Each chunk of each level occurs at most once.
 [[nodiscard]] std::vector<ChunkWrites> writes_at_all_levels(std::span<const ChunkChanges> changes);
 
-/// What a batch writes to a chunk.
+/// Writes of a batch to a chunk.
 struct StagedChunk {
-  const ChunkOverrides* before = nullptr;  // of the state under the batch; null: none
-  std::vector<OverrideWrite> writes;       // by rising index, of each voxel the last
+  const ChunkOverrides* before = nullptr;  // in the state under the batch; null if not edited
+  std::vector<OverrideWrite> writes;       // by ascending index; only the last write of each voxel
 
-  /// The chunk after them.
+  /// The chunk's overrides after the writes.
   [[nodiscard]] ChunkOverrides after() const;
 };
 
-/// Of one thread. Holds what is written, not the chunks that it is written to.
+/// Not thread-safe. Holds the writes, not the chunks written to.
 class Staging final : public OverrideSource {
  public:
-  /// `applied` is the state under the batch, which must outlive this and stay as it is meanwhile; `hash` is
-  /// its S.
+  /// `applied` is the state under the batch; it must outlive this object and not change meanwhile. `hash` is
+  /// its state hash.
   Staging(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
 
-  /// About so many chunks are to be staged.
+  /// Reserves memory for about this many chunks.
   void expect(std::size_t chunks) { chunks_.reserve(chunks); }
 
   [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
   [[nodiscard]] std::span<const OverrideWrite> staged(ChunkKey chunk) const override;
 
-  /// Makes the changes of an outcome of evaluate() on this very staging, at all levels. Returns the writes,
-  /// which a store keeps and views are told of.
+  /// Stages the result of evaluate() on this object, at all levels. Returns the writes, for the store and for
+  /// broadcasts.
   std::vector<ChunkWrites> stage(const Outcome& outcome);
 
   [[nodiscard]] StateHash hash() const { return hash_; }
-  /// Every chunk that was staged.
+  /// Every chunk staged.
   [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return chunks_; }
 
  private:

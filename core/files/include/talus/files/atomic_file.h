@@ -1,4 +1,4 @@
-// A file that appears whole or not at all, also after a power cut.
+// A file that is replaced atomically, even across a power cut.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@
 namespace talus::files {
 
 /// Writes go to a temporary file in the target's directory; commit() renames it over the target. Without
-/// commit() the destructor removes the temporary and the target stays as it was. Where the file system can,
-/// the temporary has no name until commit(), so that a killed process leaves nothing behind.
+/// commit() the destructor removes the temporary and leaves the target unchanged. If the file system supports
+/// it, the temporary has no name until commit(), so that a killed process leaves nothing behind.
 class AtomicFile {
  public:
-  /// Follows symlinks of `target`. Refuses a target that exists and is no regular file, so that a device is
-  /// never replaced. `layer` outlives the file.
+  /// Follows symlinks of `target`. Rejects an existing target that is not a regular file, so that a device is
+  /// never replaced. `layer` must outlive the file.
   [[nodiscard]] static tl::expected<AtomicFile, FileError> create(const std::filesystem::path& target,
                                                                   FileLayer& layer = system_files());
 
@@ -29,16 +29,16 @@ class AtomicFile {
   AtomicFile& operator=(AtomicFile&&) = delete;
   ~AtomicFile();
 
-  /// May be called from many threads at once. Bytes between what has been written read as zero.
+  /// May be called from many threads at once. Unwritten bytes between written ones read as zero.
   [[nodiscard]] tl::expected<void, FileError> write_at(std::uint64_t offset,
                                                        std::span<const std::byte> bytes) const;
-  /// Cuts the file, or lengthens it with zeros.
+  /// Truncates the file, or extends it with zeros.
   [[nodiscard]] tl::expected<void, FileError> resize(std::uint64_t bytes) const;
-  /// Returns when the file and its name are on the disk; no other function may be called then. After an error
-  /// the target is as it was or the whole new file, the latter only where the directory could not be synced.
+  /// Returns when the file and its name are on disk; no other function may be called afterwards. After an
+  /// error the target is unchanged, or, if only syncing the directory failed, the complete new file.
   [[nodiscard]] tl::expected<void, FileError> commit();
 
-  /// As given to create().
+  /// The path given to create().
   [[nodiscard]] const std::filesystem::path& target() const { return given_; }
 
  private:
@@ -50,13 +50,13 @@ class AtomicFile {
 
   FileLayer* layer_;
   std::filesystem::path given_;
-  std::filesystem::path target_;                    // at the end of the symlinks
-  std::optional<std::filesystem::path> temporary_;  // its name, while it has one
+  std::filesystem::path target_;                    // after following symlinks
+  std::optional<std::filesystem::path> temporary_;  // set while it has a name
   int file_ = -1;
   int directory_ = -1;
 };
 
-/// Writes a whole file by an AtomicFile.
+/// Writes a complete file through an AtomicFile.
 [[nodiscard]] tl::expected<void, FileError> write_file(const std::filesystem::path& path,
                                                        std::span<const std::byte> bytes,
                                                        FileLayer& layer = system_files());

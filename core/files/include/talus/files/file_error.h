@@ -1,4 +1,4 @@
-// Why a file could not be read or written.
+// Error of reading or writing a file.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace talus::files {
 struct FileError {
   std::filesystem::path path;  // as the caller gave it
   std::string reason;          // "cannot write: No space left on device", "is not a regular file"
-  std::error_code code;        // the system's error; empty where the file was refused without one
+  std::error_code code;        // the system's error; empty if the file was rejected for another reason
 
   /// One line: "PATH: REASON".
   [[nodiscard]] std::string message() const;

@@ -1,4 +1,4 @@
-// NumPy's array files, version 1.0: C order, little endian.
+// NumPy array files, version 1.0: C order, little-endian.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ enum class NpyType : std::uint8_t { int32, uint8, uint16, float32 };
 
 [[nodiscard]] std::size_t item_bytes(NpyType type);
 
-/// Every header has this length, so that data can be written before the shape is known.
+/// Fixed length of every header, so that data can be written before the shape is known.
 inline constexpr std::size_t kNpyHeaderBytes = 128;
 
 /// Shapes of up to three axes of at most 2^31 items fit.
 [[nodiscard]] std::string npy_header(NpyType type, std::span<const std::size_t> shape);
 
-/// An array that is written piece by piece, in any order, from any thread; what is never written is zero.
+/// An array that is written in pieces, in any order, from any thread; unwritten items are zero.
 class NpyFile {
  public:
   [[nodiscard]] static tl::expected<NpyFile, FileError> create(const std::filesystem::path& target,
@@ -39,7 +39,7 @@ class NpyFile {
   [[nodiscard]] tl::expected<void, FileError> write(std::size_t first_item,
                                                     std::span<const float> items) const;
 
-  /// Writes the header and gives the file its length; what lies past the shape is cut.
+  /// Writes the header and sets the file's length; items beyond the shape are cut off.
   [[nodiscard]] tl::expected<void, FileError> finish(std::span<const std::size_t> shape) const;
   /// See AtomicFile::commit().
   [[nodiscard]] tl::expected<void, FileError> commit() { return file_.commit(); }

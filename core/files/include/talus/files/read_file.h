@@ -1,4 +1,4 @@
-// A small file's bytes.
+// Reads small files.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace talus::files {
 
-/// All of the file, which may be a pipe. The error's code is is_a_directory for a directory, and
-/// file_too_large where the file has more than `max_bytes`, as /dev/zero has; no more than that is ever read.
+/// Reads all of a file, which may be a pipe. Fails with is_a_directory for a directory, and with
+/// file_too_large if there are more than `max_bytes`, as in /dev/zero; never reads more than that.
 [[nodiscard]] tl::expected<std::string, FileError> read_file(const std::filesystem::path& file,
                                                              std::size_t max_bytes,
                                                              FileLayer& layer = system_files());
 
-/// As read_file(), but refuses what is no regular file, with an empty code: nothing waits for a pipe's
+/// Like read_file(), but rejects a file that is not regular, with an empty code: it never waits for a pipe's
 /// writer.
 [[nodiscard]] tl::expected<std::string, FileError> read_regular_file(const std::filesystem::path& file,
                                                                      std::size_t max_bytes,

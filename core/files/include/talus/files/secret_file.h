@@ -1,4 +1,4 @@
-// A small file's bytes, where they may be secret.
+// Reads small files that may hold secrets.
 #pragma once
 
 #include <sys/types.h>
@@ -15,11 +15,11 @@
 
 namespace talus::files {
 
-/// All of a regular file. The destructor overwrites the memory.
+/// Contents of a regular file. The destructor overwrites the memory.
 class SecretFile {
  public:
-  /// Never waits, as opening a pipe of that name would. The error's reason is "cannot be read: No such file
-  /// or directory", "is not a regular file" or "has over 8192 bytes".
+  /// Never blocks, as opening a pipe would. The error's reason is "cannot be read: No such file or
+  /// directory", "is not a regular file" or "has over 8192 bytes".
   [[nodiscard]] static tl::expected<SecretFile, FileError> read(const std::filesystem::path& file,
                                                                 std::size_t max_bytes,
                                                                 FileLayer& layer = system_files());
@@ -33,7 +33,7 @@ class SecretFile {
  private:
   SecretFile() = default;
 
-  std::vector<char> bytes_;  // allocated at once, so that growing leaves no copy behind
+  std::vector<char> bytes_;  // allocated at once, so that growing leaves no copies
   mode_t mode_ = 0;
 };
 
