@@ -10,13 +10,13 @@ namespace talus::tools {
 namespace {
 
 constexpr auto kSpectrumLine = static_cast<std::size_t>(kSpectrumSide);
-constexpr double kLongestWave = kSpectrumSide / 16.0;  // waves a window
+constexpr double kLongestWave = kSpectrumSide / 16.0;  // waves per window
 constexpr double kShortestWave = kSpectrumSide / 8.0;
 constexpr double kSectorDegrees = 15;
 
 using SpectrumSamples = std::vector<std::complex<double>>;
 
-// Cooley and Tukey's, in place: `line` has kSpectrumLine values, `stride` apart.
+// Cooley-Tukey, in place: `line` has kSpectrumLine values, `stride` apart.
 void transform_line(std::complex<double>* line, std::size_t stride) {
   for (std::size_t i = 1, j = 0; i < kSpectrumLine; ++i) {
     std::size_t bit = kSpectrumLine / 2;
@@ -36,7 +36,7 @@ void transform_line(std::complex<double>* line, std::size_t stride) {
       for (std::size_t i = 0; i < length / 2; ++i) {
         auto& low = line[(first + i) * stride];
         auto& high = line[(first + i + length / 2) * stride];
-        // By hand: the library's product looks for infinities.
+        // Written out: the library's complex product checks for infinities.
         const std::complex<double> root = roots[i * (kSpectrumLine / length)];
         const std::complex<double> turned{high.real() * root.real() - high.imag() * root.imag(),
                                           high.real() * root.imag() + high.imag() * root.real()};
@@ -103,7 +103,7 @@ std::optional<BandPower> band_power(std::span<const double> heights) {
       if (k < kLongestWave || k >= kShortestWave || (kz == 0 && kx < 0)) continue;
       const std::size_t x = static_cast<std::size_t>(kx + kSpectrumSide) % kSpectrumLine;
       const double power = std::norm(samples[static_cast<std::size_t>(kz) * kSpectrumLine + x]) * k * k * k;
-      all.add(power);  // land has about as much of this at every wavelength
+      all.add(power);  // land has roughly equal values at every wavelength
       const double degrees = std::atan2(std::min(std::abs(kx), kz), std::max(std::abs(kx), kz)) * 180 /
                              std::numbers::pi;  // from the nearest axis, up to 45
       if (degrees <= kSectorDegrees) axes.add(power);

@@ -20,7 +20,7 @@ Canvas::Canvas(int width, int height, terrain::Colour ground) : image_{width, he
 
 void Canvas::blend(int x, int y, terrain::Colour colour, float part) {
   if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return;
-  // Letters keep their weight when channels are mixed as they are, not as light.
+  // Letters keep their weight if channel values are mixed directly instead of as light.
   const terrain::Colour under = image_.at(x, y);
   const auto mixed = [&](std::uint8_t from, std::uint8_t to) {
     return static_cast<std::uint8_t>(
@@ -79,7 +79,7 @@ void Canvas::cut(int height) {
 std::string fitted(std::string_view words, const pictures::TextStyle& style, int width) {
   std::string text{words};
   while (!words.empty() && text_width(text, style) > static_cast<float>(width)) {
-    // Letters of several bytes go whole.
+    // Multi-byte characters are removed whole.
     std::size_t end = words.size() - 1;
     while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0U) == 0x80) --end;
     words = words.substr(0, end);

@@ -1,4 +1,4 @@
-// A picture that words, boxes and other pictures are put on.
+// A picture on which text, boxes and other pictures are drawn.
 #pragma once
 
 #include <string_view>
@@ -18,7 +18,7 @@ struct Box {
 
 enum class Align { left, middle, right };
 
-/// Everything outside of the picture is cut off.
+/// Everything outside the picture is clipped.
 class Canvas {
  public:
   Canvas(int width, int height, terrain::Colour ground);
@@ -26,18 +26,18 @@ class Canvas {
   [[nodiscard]] const Image& image() const { return image_; }
   [[nodiscard]] int height() const { return image_.height; }
 
-  /// `part` of 1 covers what was there.
+  /// `part` is the opacity.
   void fill(const Box& box, terrain::Colour colour, float part = 1);
-  /// The outline of a box, so many pixels wide, inside it.
+  /// Draws the outline of a box, `width` pixels wide, inside the box.
   void frame(const Box& box, terrain::Colour colour, int width = 1);
   void picture(int x, int y, const Image& image);
-  /// The letters' base line is the lower edge of row y.
+  /// The base line of the letters is the lower edge of row y.
   void text(int x, int y, std::string_view words, const pictures::TextStyle& style, terrain::Colour colour,
             Align align = Align::left);
-  /// The same with a dark rim, to be read on a picture.
+  /// Draws text with a dark rim, for legibility on a picture.
   void text_on_picture(int x, int y, std::string_view words, const pictures::TextStyle& style,
                        Align align = Align::left);
-  /// Without what lies below row `height`.
+  /// Removes everything below row `height`.
   void cut(int height);
 
  private:
@@ -45,7 +45,7 @@ class Canvas {
   Image image_;
 };
 
-/// So much of a text as fits, ended by two dots where that is not all.
+/// Returns `words`, shortened and ended by two dots if they do not fit.
 [[nodiscard]] std::string fitted(std::string_view words, const pictures::TextStyle& style, int width);
 
 }  // namespace talus::tools

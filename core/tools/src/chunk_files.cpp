@@ -30,7 +30,7 @@ constexpr std::string_view kWanted =
     "most "
     "32 voxels a side";
 
-// More than any file that can be read here; .vox files carry palettes and scene graphs.
+// Above the size of any readable file; .vox files include palettes and scene graphs.
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22U;
 
 using Bytes = std::string;
@@ -45,7 +45,7 @@ std::uint32_t little_endian(const char* bytes) {
   return value;
 }
 
-/// The value of `key` in the dictionary of an array's header, without spaces. A tuple is read whole.
+/// The value of `key` in the dictionary of an array's header, without spaces; a tuple is complete.
 std::string value_of(const std::string& header, const std::string& key) {
   const std::size_t at = header.find("'" + key + "':");
   if (at == std::string::npos) return {};

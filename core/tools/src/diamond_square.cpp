@@ -10,7 +10,7 @@
 namespace talus::tools {
 namespace {
 
-constexpr int kFirstPoints = 4;  // along each side of the first grid, so that a tile has more than one summit
+constexpr int kFirstPoints = 4;  // along each side of the first grid, so that a tile has several summits
 constexpr std::int64_t kFirstReach = std::int64_t{1} << 32;
 constexpr int kRoughnessBits = 16;
 
@@ -24,8 +24,8 @@ class Displaced {
     over_grid(0, 0, spacing, [&](int x, int z) { at(x, z) = displacement(x, z, kFirstReach); });
   }
 
-  // Puts a point into the middle of each square of the grid, then one into the middle of each diamond that
-  // this makes: a grid of half the spacing.
+  // Adds a point in the middle of each square of the grid, then one in the middle of each resulting diamond:
+  // a grid of half the spacing.
   void refine(int spacing, std::int64_t reach) {
     const int half = spacing / 2;
     over_grid(half, half, spacing, [&](int x, int z) {
@@ -67,7 +67,7 @@ class Displaced {
 
   static std::int64_t middle(std::int64_t sum_of_four) { return (sum_of_four + 2) >> 2; }
 
-  // From -reach to reach. It depends on the position alone, so the order of visits does not matter.
+  // From -reach to reach. Depends only on the position, so the order of visits does not matter.
   [[nodiscard]] std::int64_t displacement(int x, int z, std::int64_t reach) const {
     using terrain::derived_seed;
     const std::uint64_t column = derived_seed(seed_, static_cast<std::uint64_t>(x));

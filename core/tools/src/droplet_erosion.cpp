@@ -8,15 +8,15 @@
 namespace talus::tools {
 namespace {
 
-constexpr double kInertia = 0.05;  // of its direction that a droplet keeps in a step
-constexpr double kCapacity = 2;    // ground that water can carry, for speed and fall
+constexpr double kInertia = 0.05;  // share of its direction that a droplet keeps per step
+constexpr double kCapacity = 2;    // ground carried per unit of water, speed and fall
 constexpr double kMinCapacity = 0.0002;
-constexpr double kErosion = 0.1;       // part of the free capacity that is filled in a step
-constexpr double kDeposition = 0.1;    // part of what is too much that is laid down in a step
-constexpr double kEvaporation = 0.02;  // of the water, in a step
+constexpr double kErosion = 0.1;       // share of the free capacity filled per step
+constexpr double kDeposition = 0.1;    // share of the excess deposited per step
+constexpr double kEvaporation = 0.02;  // share of the water lost per step
 constexpr double kGravity = 4;
 constexpr int kMaxLife = 64;     // steps of one cell
-constexpr int kBrushRadius = 3;  // cells; a single cell would become a pit
+constexpr int kBrushRadius = 3;  // cells; eroding a single cell would dig a pit
 constexpr std::uint64_t kBetweenReports = 1024;
 
 struct Droplet {
@@ -29,7 +29,7 @@ struct Droplet {
   double carried = 0;
 };
 
-// Where a point lies among its four samples.
+// Position of a point among its four samples.
 struct Cell {
   std::size_t north_west = 0;
   double u = 0;
@@ -86,9 +86,9 @@ class Slopes {
 
   void exchange(Droplet& drop, double rise) {
     const double capacity = std::max(-rise * drop.speed * drop.water * kCapacity, kMinCapacity);
-    if (rise > 0) return lay_down(drop, std::min(rise, drop.carried));  // fills the pit that it runs out of
+    if (rise > 0) return lay_down(drop, std::min(rise, drop.carried));  // fills the pit that it leaves
     if (drop.carried > capacity) return lay_down(drop, (drop.carried - capacity) * kDeposition);
-    // A droplet takes no more than the height it falls, or it would dig a pit behind itself.
+    // A droplet takes at most the height it falls, or it would dig a pit behind itself.
     take_up(drop, std::min((capacity - drop.carried) * kErosion, -rise));
   }
 
@@ -139,7 +139,7 @@ class Slopes {
   double brush_sum_ = 0;
 };
 
-// From 0 up to 1, without 1 itself.
+// 0 (inclusive) to 1 (exclusive).
 double part(std::uint64_t hash) {
   return static_cast<double>(hash >> 11) / 9007199254740992.0;
 }

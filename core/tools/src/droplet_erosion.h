@@ -11,7 +11,7 @@
 
 namespace talus::tools {
 
-/// Heights over a grid, z slowest, then x.
+/// Heights on a grid, z slowest, then x.
 struct HeightGrid {
   int width = 0;  // at least 2
   int depth = 0;  // at least 2
@@ -23,11 +23,11 @@ struct DropletOptions {
   std::uint64_t seed = 0;
 };
 
-/// Lets droplets fall one after another, each where the seed and its number say; it runs downhill, takes up
-/// ground while it is fast, lays it down where it slows, and lays down the rest where it ends. What runs over
-/// the edge is lost, nothing else is. Steepness is reckoned with the map's whole relief as one cell's length,
-/// so that the unit of the heights does not matter. In doubles, in one order, with no function but sqrt: the
-/// same heights on every machine.
+/// Simulates droplets one after another, each starting at a position derived from the seed and its number. A
+/// droplet runs downhill, takes up ground while it is fast, deposits some where it slows, and the rest where
+/// it ends. Only ground carried over the edge is lost. Slopes use the map's total relief as the length of a
+/// cell, so the unit of the heights does not matter. Uses doubles, a fixed order and no function except sqrt,
+/// so heights are the same on every machine.
 void erode(HeightGrid& grid, const DropletOptions& options, ProgressBar& progress);
 
 }  // namespace talus::tools

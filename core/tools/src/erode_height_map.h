@@ -1,4 +1,4 @@
-// talus-gen erode-heightmap: a height map in, a height map out.
+// talus-gen erode-heightmap: erodes a height map file.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace talus::tools {
 
-/// Reads `input`, erodes it and writes `output`, in the input's type of samples.
+/// Reads `input`, erodes it and writes `output` with the input's sample type.
 [[nodiscard]] Expected<void> erode_height_map(const std::filesystem::path& input,
                                               const std::filesystem::path& output,
                                               const DropletOptions& options);

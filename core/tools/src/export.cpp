@@ -45,7 +45,7 @@ Expected<void> check_bytes(const ExportPlan& plan, std::uint64_t max_bytes) {
   return wrong_use(text.data());
 }
 
-// Of an earlier export, whose array would seem to be one of this.
+// Removes arrays of an earlier export, which would seem to belong to this one.
 Expected<void> remove_left_out(const ExportPlan& plan, const std::filesystem::path& directory) {
   for (const std::string& file : plan.left_out) {
     std::error_code failure;
@@ -105,7 +105,7 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
   const auto all_rows = static_cast<std::size_t>(rows);
   if (auto done = finish(plan, *arrays, all_rows); !done) return outcome_of(done);
   if (auto done = remove_left_out(plan, directory); !done) return done;
-  std::filesystem::remove(directory / "objects.json", made);  // of an earlier export
+  std::filesystem::remove(directory / "objects.json", made);  // from an earlier export
   if (world.has_objects()) {
     auto list = files::AtomicFile::create(directory / "objects.json");
     if (!list) return tl::make_unexpected(list.error());

@@ -1,4 +1,4 @@
-// export.json: what the arrays of an export mean.
+// export.json: describes the arrays of an export.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace talus::tools {
 
-/// `rows`: of voxels.npy.
+/// `rows`: rows of voxels.npy.
 [[nodiscard]] std::string export_json(const ExportPlan& plan, std::size_t rows);
 
-/// objects.json: what stands in the region, by kind, then from north-west on.
+/// objects.json: the region's objects, by kind, then from north-west on.
 [[nodiscard]] std::string objects_json(const ExportPlan& plan, std::vector<terrain::PlacedObject> objects);
 
-/// The shape of an array of the plan. `rows`: of voxels.npy.
+/// Shape of an array of the plan. `rows`: rows of voxels.npy.
 [[nodiscard]] std::vector<std::size_t> shape_of(const ExportPlan& plan, const PlannedArray& array,
                                                 std::size_t rows);
 

@@ -12,7 +12,7 @@
 namespace talus::tools {
 namespace {
 
-// First and last chunk that hold a voxel of [first, first + count).
+// First and last chunk with a voxel of [first, first + count).
 struct ChunkSpan {
   ChunkSpan(std::int64_t first_voxel, std::int64_t count)
       : first{floor_div(first_voxel, kChunkSize)}, last{floor_div(first_voxel + count - 1, kChunkSize)} {}
@@ -22,7 +22,7 @@ struct ChunkSpan {
   std::int64_t last;
 };
 
-// The voxels of a patch's columns in a row of chunks, from y0 up: [z][y][x].
+// Voxels of a patch's columns in a row of chunks, from y0 up: [z][y][x].
 template <typename Item>
 class VoxelSlab {
  public:
@@ -32,10 +32,10 @@ class VoxelSlab {
         first_z_{std::max(patch.z, chunk_z * kChunkSize)},
         last_z_{std::min(patch.z + patch.depth, (chunk_z + 1) * kChunkSize)} {}
 
-  /// z counted from the patch's.
+  /// Relative to the patch's z.
   [[nodiscard]] int first_z() const { return static_cast<int>(first_z_ - patch_.z); }
   [[nodiscard]] int last_z() const { return static_cast<int>(last_z_ - patch_.z); }
-  /// How many from y0 up are not all air.
+  /// Number of rows from y0 up to the highest that is not all air.
   [[nodiscard]] std::int32_t rows() const { return rows_; }
   [[nodiscard]] std::span<const Item> row(std::int32_t y, int z) const {
     return std::span{items_}.subspan(index(patch_.x, y, z + patch_.z),
@@ -82,7 +82,7 @@ class VoxelSlab {
 };
 
 std::int32_t scaled(float value) {
-  // To even, as the mode that programs start with has it.
+  // Rounds to even, the default mode of programs.
   const double rounded = std::nearbyint(double{value} * kFieldScale);
   return static_cast<std::int32_t>(std::clamp<double>(rounded, std::numeric_limits<std::int32_t>::min(),
                                                       std::numeric_limits<std::int32_t>::max()));
@@ -231,7 +231,7 @@ Expected<std::int32_t> PatchWriter::write_voxels(const files::NpyFile& file,
   const terrain::Stacks stacks =
       generate_stacks(*plan_.world, {xs.origin(), zs.origin(), xs.columns(), zs.columns(), patch.lod});
   std::int32_t rows = 0;
-  // A row of chunks at a time: memory stays small, and every row of voxels is one write.
+  // One row of chunks at a time: memory stays small, and every row of voxels is one write.
   for (std::int64_t chunk_z = zs.first; chunk_z <= zs.last; ++chunk_z) {
     const auto z = static_cast<std::int32_t>(chunk_z);
     std::int32_t last_y = -1;

@@ -1,4 +1,4 @@
-// A patch of an export, where it belongs in the arrays of the whole region.
+// Writes a patch of an export to its place in the arrays of the whole region.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@
 
 namespace talus::tools {
 
-/// What the whole export must know of a patch; it comes to one thread, in the order of patches.
+/// Data of a patch for the whole export; collected by one thread, in the order of patches.
 struct PatchSummary {
-  std::int32_t rows = 0;                       // of voxels from y0 up to the highest that is not air
-  std::vector<terrain::PlacedObject> objects;  // that stand in the patch, or are seen there alone
+  std::int32_t rows = 0;                       // rows of voxels from y0 up to the highest that is not air
+  std::vector<terrain::PlacedObject> objects;  // that stand in the patch, or are seen only there
 };
 
-/// Any threads may write patches at once. Plan and files must outlive it.
+/// Any number of threads may write patches at once. Plan and files must outlive this object.
 class PatchWriter {
  public:
-  /// `files[i]` is that of plan.arrays[i].
+  /// `files[i]` is the file of plan.arrays[i].
   PatchWriter(const ExportPlan& plan, std::span<const files::NpyFile> files) : plan_{plan}, files_{files} {}
 
-  /// Generates the patch, which lies in the plan's region, and writes it.
+  /// Generates and writes the patch, which must lie in the plan's region.
   [[nodiscard]] Expected<PatchSummary> write(const terrain::Region& patch) const;
 
  private:
@@ -45,13 +45,13 @@ class PatchWriter {
   [[nodiscard]] Done write_apron(const files::NpyFile& file, const terrain::Terrain& terrain) const;
   [[nodiscard]] Done write_shown(const files::NpyFile& file, const terrain::Terrain& terrain) const;
   [[nodiscard]] Done write_quantities(const files::NpyFile& file, const terrain::Region& patch) const;
-  /// How many rows from y0 up are not all air.
+  /// Returns the number of rows from y0 up to the highest that is not all air.
   template <typename Item>
   [[nodiscard]] Expected<std::int32_t> write_voxels(const files::NpyFile& file,
                                                     const terrain::Region& patch) const;
-  /// With its edits, where there are any.
+  /// Includes the edits, if any.
   [[nodiscard]] Expected<Chunk> chunk_at(const terrain::Stacks& stacks, ChunkKey key) const;
-  /// The item of the patch's column (0, z) in the region's array, on its `slice`th plane.
+  /// Index of the patch's column (0, z) in the region's array, in plane `slice`.
   [[nodiscard]] std::size_t item(const terrain::Region& patch, std::size_t slice, int z) const;
 
   const ExportPlan& plan_;

@@ -14,7 +14,7 @@ using files::NpyType;
 
 constexpr const char* kHeightUnit = "1/256 voxel of the level";
 
-// Every column has the same planes, so that one tells what all have.
+// Every column has the same planes, so one column is enough.
 std::vector<MaterialId> strata_materials(const terrain::World& world, const terrain::Region& region) {
   return generate_terrain(world, {region.x, region.z, 1, 1, region.lod}).strata_materials;
 }
@@ -46,7 +46,7 @@ void plan_loose(const ExportPlan& plan, std::vector<PlannedArray>& arrays) {
                     "surface, each heavier one under it, none below y = 0"});
 }
 
-/// Rows of voxels that edits may have changed in the region; empty: none.
+/// Rows of voxels that edits may have changed in the region; may be empty.
 ChunkRange edited_rows(const LandEdits& edits, const terrain::Region& region) {
   ChunkRange rows;
   const auto chunk = [](std::int64_t voxel) { return floor_div(voxel, kChunkSize); };

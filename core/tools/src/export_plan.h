@@ -1,4 +1,4 @@
-// What an export of a region consists of: its arrays, and what their slices are.
+// Arrays of an export of a region, and their slices.
 #pragma once
 
 #include <cstddef>
@@ -33,33 +33,33 @@ struct PlannedArray {
   ExportArray array{};
   std::string file;
   files::NpyType type{};
-  /// Along the axis before z and x, which `axis` names; none: the array is [z][x]. Of voxels it is the most
-  /// rows that the world can need.
+  /// Length of the axis before z and x, which `axis` names; nullopt: the array is [z][x]. For voxels, the
+  /// maximum number of rows.
   std::optional<std::size_t> slices{};
   std::string axis{};
   std::string unit{};
   std::string meaning{};
 };
 
-/// Of fields.npy: values times this.
+/// Factor of the values in fields.npy.
 inline constexpr std::int32_t kFieldScale = 65536;
 
-/// World and edits must outlive it.
+/// World and edits must outlive this object.
 struct ExportPlan {
   const terrain::World* world = nullptr;
-  const LandEdits* edits = nullptr;  // which voxels.npy has; null: none
+  const LandEdits* edits = nullptr;  // applied to voxels.npy; null: no edits
   terrain::Region region;
-  /// The lowest row of voxels: below it all is the first layer's material. At coarse levels the topmost solid
-  /// voxel, and what it shows, may lie just below y = 0; edits may lie anywhere.
+  /// The lowest row of voxels: everything below is the first layer's material. At coarse levels the topmost
+  /// solid voxel, and what it shows, may lie just below y = 0; edits may lie anywhere.
   std::int32_t y0 = 0;
   std::vector<MaterialId> layers;   // of strata.npy, bottom up
   std::vector<MaterialId> planes;   // of shown.npy: the layers, loose material bottom up, water
   std::vector<std::string> fields;  // of fields.npy
-  std::string slope_of;             // which land slope.npy is of
+  std::string slope_of;             // the land described by slope.npy
   std::vector<PlannedArray> arrays;
-  std::vector<std::string> left_out;  // files that other worlds' exports have
+  std::vector<std::string> left_out;  // files that exports of other worlds have
 
-  /// Bytes that a column can take in all arrays together.
+  /// Maximum bytes of a column in all arrays together.
   [[nodiscard]] std::size_t column_bytes() const;
 };
 

@@ -1,4 +1,4 @@
-// How a command of talus-gen fails: one line for the person, one exit code for the script.
+// Failure of a talus-gen command: one line for humans, one exit code for scripts.
 #pragma once
 
 #include <string>
@@ -19,14 +19,14 @@ struct Failure {
   std::string message;  // one line, no full stop, no line end
 
   Failure(int code, std::string line) : exit_code{code}, message{std::move(line)} {}
-  /// A file that cannot be read or written fails the command: functions return it as it is.
+  /// Implicit, so that functions can return file errors directly.
   Failure(const files::FileError& error) : message{error.message()} {}
 };
 
 template <typename Value>
 using Expected = tl::expected<Value, Failure>;
 
-/// The outcome of a file operation as the command's outcome.
+/// Converts the result of a file operation to a command's.
 [[nodiscard]] inline Expected<void> outcome_of(const tl::expected<void, files::FileError>& done) {
   if (!done) return tl::unexpected{Failure{done.error()}};
   return {};

@@ -12,7 +12,7 @@
 namespace talus::tools {
 namespace {
 
-constexpr std::int64_t kEveryColumn = 256;  // up to that distance
+constexpr std::int64_t kEveryColumn = 256;  // up to this distance
 constexpr int kShareSide = 512;
 
 bool in_world(std::int64_t base) {
@@ -25,7 +25,7 @@ class LookSearch {
   LookSearch(const terrain::World& world, std::uint8_t look, std::int64_t x, std::int64_t z)
       : world_{world}, look_{look}, x_{x}, z_{z} {}
 
-  // Looks at the grid's columns that are at most `within` away along x and z.
+  // Checks the grid's columns at most `within` away along x and z.
   void look_at(const map::ColumnGrid& grid, std::int64_t within) {
     const map::ColumnSamples samples = map::sample_columns(world_, grid);
     for (int k = 0; k < grid.depth; ++k) {
@@ -35,7 +35,7 @@ class LookSearch {
     }
   }
 
-  // Between the columns of the grid that found it there may be a nearer one.
+  // Searches the gaps between the columns of the grid that found it for a nearer one.
   void refine(std::int64_t spacing, std::int64_t within) {
     while (best_ && spacing > 1) {
       const std::int64_t finer = (spacing + 1) / 2;
@@ -49,7 +49,7 @@ class LookSearch {
   [[nodiscard]] double distance() const { return std::sqrt(square_); }
 
  private:
-  // Distances fit: neither side is longer than the world.
+  // Distances fit: no side exceeds the world's.
   void consider(std::int64_t x, std::int64_t z, std::int64_t within) {
     const std::int64_t dx = x - x_;
     const std::int64_t dz = z - z_;
@@ -65,7 +65,7 @@ class LookSearch {
   std::uint8_t look_;
   std::int64_t x_;
   std::int64_t z_;
-  double square_ = 0;  // of the distance of the best
+  double square_ = 0;  // of the distance to the best
   std::optional<FoundColumn> best_;
 };
 
@@ -77,8 +77,8 @@ std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t l
   std::uint64_t rings = 1;
   for (std::int64_t reach = kEveryColumn; reach < within; reach *= 2) ++rings;
   progress.expect(rings);
-  // A square is drawn in four pieces, so that the first has no hole and the others no middle: each ring is
-  // what its square has outside of the one before.
+  // A square is processed in four pieces, so that the first has no hole and the others no middle: each ring
+  // is the part of its square outside the previous one.
   std::int64_t inner = 0;
   for (std::int64_t reach = kEveryColumn, spacing = 1;; reach *= 2, spacing *= 2) {
     const auto half = static_cast<int>(std::min(reach, (within / spacing) * spacing) / spacing);
@@ -95,7 +95,7 @@ std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t l
       search.look_at(all.part(side - rim, rim, rim, side - 2 * rim), within);
     }
     progress.advance(1);
-    // A corner of the square is farther away than what lies beside it in the next.
+    // A corner of the square is farther away than columns of the next square's sides.
     if ((search.best() && search.distance() <= static_cast<double>(reach)) || reach >= within) {
       search.refine(spacing, within);
       return search.best();

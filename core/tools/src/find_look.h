@@ -1,4 +1,4 @@
-// Where the nearest column with a look is.
+// Finds the nearest column with a look.
 #pragma once
 
 #include <cstdint>
@@ -18,16 +18,15 @@ struct FoundColumn {
   bool operator==(const FoundColumn&) const = default;
 };
 
-/// The nearest base column with that look, of World::look_names(), at most `within` columns along x and z
-/// from (x, z). It looks at every column up to 256 away, at every second up to 512, and so on; then at every
-/// column around what it found. So a patch may be overlooked that is narrower than 1/128 of its distance.
-/// Depends on the world and these numbers alone.
+/// Returns the nearest base column with a look of World::look_names(), at most `within` columns along x and z
+/// from (x, z). Checks every column up to 256 away, every second up to 512, and so on; then every column
+/// around the result. A patch narrower than 1/128 of its distance may therefore be missed. Depends only on
+/// the world and the arguments.
 [[nodiscard]] std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t look,
                                                    std::int64_t x, std::int64_t z, std::int64_t within,
                                                    ProgressBar& progress);
 
-/// What part of the columns within `within` columns of (x, z) has which look, by number; of 512 x 512 of
-/// them.
+/// Shares of the looks, by number, among the columns within `within` of (x, z), from 512 x 512 samples.
 [[nodiscard]] std::vector<double> look_shares(const terrain::World& world, std::int64_t x, std::int64_t z,
                                               std::int64_t within);
 

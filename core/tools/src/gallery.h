@@ -1,4 +1,4 @@
-// The thesis' figures, drawn anew.
+// Redraws the thesis' figures.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace talus::tools {
 
-/// Writes the figures of gallery_figures.h whose file names contain `only` into `directory`, which is
-/// made where it is missing. The same world gives the same pictures, for any number of threads (0: one a
-/// core). An error where no file name does.
+/// Writes the figures of gallery_figures.h whose file names contain `only` into `directory`, which is created
+/// if missing. Fails if no file name matches. The same world gives the same pictures for any number of
+/// threads (0: one per core).
 [[nodiscard]] Expected<void> write_gallery(const WorldText& text, const std::string& only,
                                            const std::filesystem::path& directory, int threads,
                                            ProgressBar& progress);

@@ -20,7 +20,7 @@ namespace {
 constexpr int kResolution = 150;
 constexpr double kSide = 1.7;               // terrain units
 constexpr int kPanelWidth = 1000;           // pixels
-constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the light
+constexpr double kClearWaterUnits = 0.025;  // thickness of water that leaves 1/e of the light
 constexpr int kPlacesAcross = 24;
 constexpr int kPlacesPerSide = 6;
 
@@ -39,7 +39,7 @@ class Prefix {
   std::vector<double> sums_;
 };
 
-// The rock that caves take away. Columns that are open to the sky are left out.
+// The rock removed by caves, without columns that are open to the sky.
 VoxelGrid cast_of(const VoxelGrid& with, const terrain::Stacks& stacks, const VoxelGrid& rock) {
   VoxelGrid cast{with.width(), with.rows(), with.depth()};
   for (int z = 0; z < with.depth(); ++z) {

@@ -30,9 +30,9 @@ constexpr PanelSize kWhole{1200, 860};
 constexpr PanelSize kHalf{760, 600};
 constexpr PanelSize kThird{520, 420};
 
-constexpr double kGroundUnits = 0.09;       // terrain units of ground under the lowest surface
-constexpr double kClearWaterUnits = 0.025;  // of water that leave 1/e of the light
-constexpr double kLandscape = 2.4;          // terrain units along the side of a landscape
+constexpr double kGroundUnits = 0.09;       // ground below the lowest surface, terrain units
+constexpr double kClearWaterUnits = 0.025;  // thickness of water that leaves 1/e of the light
+constexpr double kLandscape = 2.4;          // side of a landscape, terrain units
 
 // Planes laid out as in terrain::Stacks, from any source.
 struct Planes {
@@ -44,7 +44,7 @@ struct Planes {
   }
 };
 
-// The rows that a panel's box holds.
+// Rows of a panel's box.
 struct Box {
   std::int32_t bottom = 0;
   int rows = 0;
@@ -55,7 +55,7 @@ Box box_over(const terrain::World& world, const terrain::Field& surface) {
   const auto ground = static_cast<std::int32_t>(std::lround(kGroundUnits * world.spec().resolution));
   const std::int32_t bottom = terrain::boundary_row(*lowest) - std::max(2, ground);
   const std::int32_t top = terrain::boundary_row(std::max(*highest, world.sea_fx().value_or(0)));
-  // At most four times as high as wide: more would be no picture, and its box would not fit into memory.
+  // Height is limited to four times the width, for the picture and for memory.
   return {bottom, std::min(top - bottom, 4 * std::max(surface.width, surface.depth))};
 }
 
@@ -103,7 +103,7 @@ Expected<Image> draw_landscape(const GalleryContext& context) {
   return draw_whole(context, *world, columns_of(scenic_place(*world, kLandscape), *world), kWhole);
 }
 
-// The surface alone: the noise as it is, and as its power makes it.
+// The surface alone: the plain noise, and the noise raised to its exponent.
 Expected<Image> draw_surface(const GalleryContext& context) {
   std::vector<Image> panels;
   const Place place = scenic_place(context.world, 3.2);
@@ -130,7 +130,7 @@ Expected<Image> draw_resolutions(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
-// The first `count` planes of rock, and the `loose_count` heaviest loose materials in their place at the top.
+// The first `count` planes of rock, and the `loose_count` heaviest loose materials at the top.
 Planes layers(const terrain::World& world, const terrain::Terrain& terrain, std::size_t count,
               std::size_t loose_count) {
   const auto& bottom_up = world.loose_bottom_up();
@@ -155,7 +155,7 @@ Planes layers(const terrain::World& world, const terrain::Terrain& terrain, std:
   return planes;
 }
 
-// For each of the planes that can be told from the one below, how many lie up to it.
+// For each plane that is visible above the one below, the number of planes up to it.
 std::vector<std::size_t> planes_that_show(const terrain::Terrain& terrain) {
   std::vector<std::size_t> counts;
   double below = 0;
@@ -205,8 +205,8 @@ Expected<Image> draw_roughness(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
-// The resolution at which the thickest loose material is `voxels` thick, or the nearest to it that the
-// bounds of a spec allow.
+// The resolution at which the thickest loose material is `voxels` thick, or the nearest one within the bounds
+// of a spec.
 int magnified_resolution(const terrain::World& world, double voxels) {
   constexpr double kOneQ16 = 65536;
   constexpr double kMaxColumns = 60;    // of halo
@@ -225,7 +225,7 @@ int magnified_resolution(const terrain::World& world, double voxels) {
   return std::max(1, static_cast<int>(std::min(voxels / thickest, most)));
 }
 
-// Thicknesses piled on each other on level rock.
+// Stacks thicknesses on level rock.
 Planes piles(const terrain::World& world, std::span<const terrain::Field> thickness, std::int32_t floor_fx) {
   Planes planes;
   terrain::Field top = thickness.front();
@@ -238,7 +238,7 @@ Planes piles(const terrain::World& world, std::span<const terrain::Field> thickn
   return planes;
 }
 
-// Loose material as equation 3 leaves it, and as it settles; lifted off the terrain onto a level floor.
+// Loose material after equation 3, and after settling, moved from the terrain to a level floor.
 Expected<Image> draw_settling(const GalleryContext& context) {
   constexpr int kSide = 64;
   constexpr double kSearched = 512;
@@ -264,7 +264,7 @@ Expected<Image> draw_settling(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
-// Rock up to what is loose, and the loose materials as they lie on it.
+// Rock below the loose material, and the loose materials on it.
 Planes planes_of(const terrain::World& world, const terrain::Terrain& terrain) {
   terrain::Field rock = terrain.surface;
   for (const terrain::Field& loose : terrain.loose) {
@@ -285,7 +285,7 @@ Planes planes_of(const terrain::World& world, const terrain::Terrain& terrain) {
   return planes;
 }
 
-// One input by both methods: the slope method, and erosion to rest.
+// One input with both methods: the slope method, and erosion to rest.
 Expected<Image> draw_methods(const GalleryContext& context) {
   const auto world = at_resolution(context, 100);
   if (!world) return tl::make_unexpected(world.error());
@@ -298,18 +298,18 @@ Expected<Image> draw_methods(const GalleryContext& context) {
   return join_panels(panels, 2);
 }
 
-// `part` of a terrain into the region that it lies in.
+// Copies a part of a terrain into its region.
 void put(const terrain::Field& part, int x, int z, terrain::Field& whole) {
   for (int row = 0; row < part.depth; ++row) {
     std::copy_n(part.row(row).begin(), part.width, whole.row(z + row).begin() + x);
   }
 }
 
-// Chunks that are eroded each for itself, and the endless land of the same steps.
+// Chunks eroded separately, and the endless land with the same steps.
 Expected<Image> draw_edges(const GalleryContext& context) {
   constexpr int kTile = 40;
   constexpr int kTiles = 4;
-  const auto uneroded = at_resolution(context, 100);  // looking about in eroded land is dear
+  const auto uneroded = at_resolution(context, 100);  // searching eroded land is expensive
   if (!uneroded) return tl::make_unexpected(uneroded.error());
   const auto world = world_variant(context.text, {.resolution = 100, .erosion_steps = 64});
   if (!world) return tl::make_unexpected(world.error());

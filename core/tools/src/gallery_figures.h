@@ -1,4 +1,4 @@
-// The pictures of the gallery: each is one function in one table.
+// Figures of the gallery: one function per figure, in one table.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,22 @@
 
 namespace talus::tools {
 
-/// What every figure is given: the world, and how to draw it.
+/// Input of every figure.
 struct GalleryContext {
-  const WorldText& text;        // for figures of the same world with a number changed
-  const terrain::World& world;  // what it says
-  int threads = 0;              // 0: one a core
-  ProgressBar& progress;        // told of each row of pixels
+  const WorldText& text;        // to derive variants of the world
+  const terrain::World& world;  // parsed from `text`
+  int threads = 0;              // 0: one per core
+  ProgressBar& progress;        // advanced for each row of pixels
 };
 
 struct Figure {
   const char* file;  // in the gallery's directory
   int pixel_rows;    // of all its panels together
   Expected<Image> (*draw)(const GalleryContext& context);
-  bool of_caves = false;  // for worlds that have them
+  bool of_caves = false;  // only for worlds with caves
 };
 
-/// All figures: those of the thesis in its order, then those that it does not have.
+/// All figures: the thesis' in its order, then additional ones.
 [[nodiscard]] std::span<const Figure> gallery_figures();
 
 }  // namespace talus::tools

@@ -18,7 +18,7 @@ constexpr double kSide = 7;  // terrain units
 constexpr int kLevel = 4;
 constexpr int kLevelSide = 1 << kLevel;
 
-// A region of level 0 whose edges are edges of columns of `kLevel`.
+// Aligns a region of level 0 to columns of `kLevel`.
 terrain::Region aligned(const terrain::Region& region) {
   const auto snapped = [](std::int64_t at) { return floor_div(at, kLevelSide) * kLevelSide; };
   const int side = region.width / kLevelSide * kLevelSide;
@@ -51,7 +51,7 @@ Expected<Image> draw_levels(const GalleryContext& context) {
     return static_cast<std::int32_t>(floor_div(row, kLevelSide)) * kLevelSide;
   };
   const std::int32_t bottom = snapped(surface.lowest_ground - kLevelSide);
-  // Level 4 may be higher by one of its own voxels. More than twice as high as wide would be no picture.
+  // Level 4 may be higher by one of its own voxels. The height is limited to twice the width.
   const int rows = std::min(snapped(surface.highest) + 2 * kLevelSide - bottom, 2 * base.width);
   std::vector<Image> panels;
   for (const int level : {0, kLevel}) {

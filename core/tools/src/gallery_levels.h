@@ -1,4 +1,4 @@
-// One view at two levels of detail.
+// The gallery's picture of two levels of detail.
 #pragma once
 
 #include "gallery_figures.h"
@@ -7,7 +7,7 @@ namespace talus::tools {
 
 inline constexpr int kLevelsPanelHeight = 640;
 
-/// The same ground at level 0 and at level 4, by the chunks that a client would get.
+/// Draws the same ground at level 0 and at level 4, from the chunks that a client would receive.
 [[nodiscard]] Expected<Image> draw_levels(const GalleryContext& context);
 
 }  // namespace talus::tools

@@ -12,10 +12,10 @@
 namespace talus::tools {
 namespace {
 
-constexpr int kSquares = 12;  // that a place is judged by, along each side
-constexpr int kReach = 48;    // squares from the origin at which places are looked at: 8 places a side
+constexpr int kSquares = 12;  // squares along each side by which a place is judged
+constexpr int kReach = 48;    // maximum distance of places from the origin, in squares: 8 places a side
 
-// The height up to which the strata differ. All rock above it is of one material.
+// The height up to which strata differ. Rock above it is of one material.
 std::int32_t banded_height_fx(const terrain::World& world) {
   std::int64_t sum_q16 = 0;
   std::int64_t banded_q16 = 0;
@@ -27,7 +27,7 @@ std::int32_t banded_height_fx(const terrain::World& world) {
       std::min<std::int64_t>(banded_q16 * world.spec().resolution / terrain::kSubvoxels, world.highest_fx()));
 }
 
-// Rates squares of a field of heights, in subvoxels, by the view that they give.
+// Rates squares of a height field, in subvoxels, by their view.
 class View {
  public:
   explicit View(const terrain::World& world)
@@ -39,7 +39,7 @@ class View {
     double back = 0;
     double front = 0;
     int wet = 0;
-    int cut_off = 0;  // where the noise passed the world's highest, which leaves a table
+    int cut_off = 0;  // columns cut off at the world's maximum, which appear as a plateau
     std::int32_t lowest = heights.at(x, z);
     std::int32_t highest = lowest;
     for (int j = 0; j < kSquares; ++j) {

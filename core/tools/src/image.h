@@ -1,4 +1,4 @@
-// Pictures as PNG files.
+// Writes pictures as PNG files.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace talus::tools {
 
-/// The most pixels that a picture may have: 768 MiB of memory.
+/// Maximum pixels of a picture: 768 MiB of memory.
 inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxPictureSide = 1 << 16;
 
@@ -25,20 +25,20 @@ using map::material_lights;
 using map::to_colour;
 using map::to_light;
 
-/// Refuses what has more than kMaxPixels or a side over kMaxPictureSide; `option` names the source.
+/// Rejects more than kMaxPixels, or a side above kMaxPictureSide; `option` names the source in the error.
 [[nodiscard]] Expected<void> check_picture_size(const char* option, std::int64_t width, std::int64_t height);
 
 struct PalettedImage;
 
-/// A PNG file that has no name yet. Create it before the picture is drawn: a path that cannot be written is
-/// an error at once.
+/// A PNG file without a name yet. Create it before drawing, so that a path that cannot be written fails at
+/// once.
 class PngFile {
  public:
   [[nodiscard]] static Expected<PngFile> create(const std::filesystem::path& target);
-  /// Writes the whole file, then gives it its name.
+  /// Writes the complete file, then renames it into place.
   [[nodiscard]] Expected<void> write(const Image& image);
   [[nodiscard]] Expected<void> write(const PalettedImage& image);
-  /// The same for grey samples of 16 bits, which are written unchanged.
+  /// Writes 16-bit grey samples unchanged.
   [[nodiscard]] Expected<void> write_grey(int width, int height, std::span<const std::uint16_t> samples);
 
  private:

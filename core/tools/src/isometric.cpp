@@ -18,15 +18,15 @@ namespace talus::tools {
 namespace {
 
 constexpr int kBandRows = 16;
-constexpr float kElevation = 0.56F;  // radians over the horizon, 32 degrees
+constexpr float kElevation = 0.56F;  // radians above the horizon, 32 degrees
 constexpr float kMargin = 0.05F;     // of the picture, on each side
 const glm::vec3 kSunlight{1.02F, 0.93F, 0.78F};
 const glm::vec3 kSkylight{0.40F, 0.47F, 0.60F};
-const glm::vec3 kGroundlight{0.15F, 0.14F, 0.135F};  // thrown back by the terrain and the table
+const glm::vec3 kGroundlight{0.15F, 0.14F, 0.135F};  // reflected by the terrain and the table
 const glm::vec3 kTableFar{0.70F, 0.77F, 0.84F};
 const glm::vec3 kTableNear{0.90F, 0.895F, 0.88F};
 
-// A number from 0 to 1 for each voxel.
+// A pseudo-random number from 0 to 1 for each voxel.
 float speckle(glm::ivec3 voxel) {
   auto hash = static_cast<std::uint32_t>(voxel.x) * 0x8DA6B343U ^
               static_cast<std::uint32_t>(voxel.y) * 0xD8163841U ^
@@ -37,7 +37,7 @@ float speckle(glm::ivec3 voxel) {
   return static_cast<float>(hash & 0xFFFFU) / 0xFFFF;
 }
 
-// Ordered dither of less than one 8-bit step either way: smooth ground stays smooth in few colours.
+// Ordered dither of less than one 8-bit step either way: smooth ground stays smooth with few colours.
 float dither(int x, int y) {
   constexpr std::array<std::array<int, 4>, 4> kOrder{
       {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
@@ -50,7 +50,7 @@ glm::vec3 developed(glm::vec3 light) {
   return light * 1.12F / (1.0F + 0.16F * light);
 }
 
-// Where rays start, for a picture into which the whole box fits.
+// Origins of rays, for a picture that contains the whole box.
 class Camera {
  public:
   Camera(const VoxelGrid& grid, int width, int height)
@@ -102,7 +102,7 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Both fade where a voxel is smaller than a few pixels: they would look like noise.
+        // Both fade if voxels are smaller than a few pixels, as they would look like noise.
         grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
         corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 
@@ -160,8 +160,8 @@ class BandPainter {
     return glm::mix(own, behind * glm::vec3{0.78F, 0.93F, 1.0F}, through) + mirrored;
   }
 
-  // The table that the block stands on, with its shadow. The shadow fades where the picture ends, so that
-  // nothing looks cut off.
+  // The table below the block, with its shadow, which fades at the edges of the picture so that it does not
+  // look cut off.
   glm::vec3 table(glm::vec3 origin, glm::vec2 pixel) const {
     const glm::vec3 direction = camera_.direction();
     const glm::vec3 point = origin + direction * (-origin.y / direction.y);

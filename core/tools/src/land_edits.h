@@ -1,4 +1,4 @@
-// Edits that are laid over what a world generates.
+// Edits on top of the land that a world generates.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 
 namespace talus::tools {
 
-/// Any thread may call any of these.
+/// Thread-safe.
 class LandEdits {
  public:
   virtual ~LandEdits() = default;
 
   [[nodiscard]] virtual ContentHash store_id() const = 0;
-  /// Of the newest edit.
+  /// Revision of the newest edit.
   [[nodiscard]] virtual std::uint64_t revision() const = 0;
-  /// Materials that edits may have beyond the world's, by rising id.
+  /// Materials of edits in addition to the world's, by ascending id.
   [[nodiscard]] virtual const std::vector<terrain::Material>& materials() const = 0;
 
-  /// Rows of the chunks of the key's column that were ever edited lie in this span; empty: none was.
+  /// A range that contains every edited row of chunks in the key's column; empty if no chunk was edited.
   [[nodiscard]] virtual ChunkRange edited_rows(ChunkKey key) const = 0;
-  /// Of a chunk of any level; empty where it is as generated.
+  /// Overrides of a chunk of any level; empty if it is as generated.
   [[nodiscard]] virtual Expected<edits::ChunkOverrides> overrides(ChunkKey key) const = 0;
 };
 
-/// Those of the store in a directory that talusd was given as --data, or in a backup of one, which must be of
-/// the world. Fails, too, where this program was built without talusd.
+/// Opens the store in a directory that talusd used as --data, or in a backup of one; it must belong to the
+/// world. Also fails if this program was built without talusd.
 [[nodiscard]] Expected<std::unique_ptr<const LandEdits>> open_store(const std::string& directory,
                                                                     const terrain::World& world);
 

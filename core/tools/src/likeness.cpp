@@ -44,7 +44,7 @@ double correlation(const terrain::Field& a, const terrain::Field& b) {
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-// The values of one row, a seed each, of which its spreads are made.
+// Values of one row, one per seed, from which its spreads are computed.
 struct Seeds {
   std::vector<double> cover_slope;
   std::vector<double> cover_erosion;

@@ -22,7 +22,7 @@ namespace {
 constexpr int kPatchSide = kSkylineDepth;  // base columns; a multiple of level 6's
 constexpr std::size_t kLevels = 6;
 
-// How many columns of a skyline are so far off, in sixteenths of the level's voxel.
+// Histogram of a skyline's errors, in sixteenths of the level's voxel.
 class SkylineErrors {
  public:
   void add(std::int64_t base_voxels, int level) {
@@ -32,7 +32,7 @@ class SkylineErrors {
   void add(const SkylineErrors& other) {
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   }
-  /// In voxels; `share` of all are not more.
+  /// The error, in voxels, that `share` of all columns do not exceed.
   [[nodiscard]] double percentile(double share) const {
     const auto all = std::accumulate(counts_.begin(), counts_.end(), std::int64_t{0});
     std::int64_t below = 0;
@@ -48,7 +48,7 @@ class SkylineErrors {
   std::array<std::int64_t, 512> counts_{};
 };
 
-// Sums of integers, which do not depend on the order of the patches.
+// Integer sums, which do not depend on the order of the patches.
 struct Sums {
   std::int64_t surface_fx = 0;
   std::int64_t most_surface_fx = 0;
@@ -57,7 +57,7 @@ struct Sums {
   std::int64_t same_material = 0;
   std::int64_t elsewhere = 0;  // columns away from widened rivers
   std::int64_t same_elsewhere = 0;
-  std::int64_t own = 0;  // of those, base columns that the level samples
+  std::int64_t own = 0;  // base columns, among these, that the level samples
   std::int64_t same_at_own = 0;
   SkylineErrors skyline;
 
@@ -95,7 +95,7 @@ class Ground {
     return wet ? std::min(row, sea_row_ - 1) : row;
   }
 
-  /// The highest rows of the ground or the sea, by x from the south and by z from the west, in base voxels.
+  /// Highest rows of the ground or the sea, by x from the south and by z from the west, in base voxels.
   [[nodiscard]] std::array<std::vector<std::int64_t>, 2> skylines() const {
     const terrain::Region& region = stacks_.region;
     std::array<std::vector<std::int64_t>, 2> lines;
@@ -117,7 +117,7 @@ class Ground {
   [[nodiscard]] MaterialId shown(int x, int z) const {
     const std::int32_t top = stacks_.ground_fx(x, z);
     if (row(x, z) < sea_row_ && !stacks_.is_entrance(x, z)) return kWater;
-    // At level 0 the material at the voxel's centre, at other levels that near the top.
+    // At level 0 the material at the voxel's centre; at other levels the material near the top.
     const Lod lod = stacks_.region.lod;
     const std::int32_t centre =
         (terrain::boundary_row(top) - 1) * terrain::kSubvoxels + terrain::kSubvoxels / 2;
@@ -164,7 +164,7 @@ std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Re
         sums.most_rows = std::max(sums.most_rows, rows);
         const int same = coarse.shown(cx, cz) == base.shown(x, z) ? 1 : 0;
         sums.same_material += same;
-        // Of what a level changes at its own base column, only wider rivers lower the ground.
+        // Of a level's changes at its own base column, only wider rivers lower the ground.
         const std::int64_t lowered =
             base.height_fx(cx << level, cz << level) - (coarse.height_fx(cx, cz) << level);
         if (lowered > std::int64_t{terrain::kSubvoxels} << (level - 1)) continue;

@@ -1,4 +1,4 @@
-// The world from above: materials as light falls on them.
+// Maps of the world from above, with relief shading.
 #pragma once
 
 #include <talus/map/edited_tops.h>
@@ -11,14 +11,14 @@
 namespace talus::tools {
 
 struct MapOptions {
-  int threads = 0;                         // 0: one a core
-  int patch_edge = 256;                    // columns; decides speed and memory, never a pixel
-  const map::EditedTops* edits = nullptr;  // over what is generated; null: none
+  int threads = 0;                         // 0: one per core
+  int patch_edge = 256;                    // columns; affects speed and memory, never the picture
+  const map::EditedTops* edits = nullptr;  // on top of the generated land; null: no edits
 };
 
-/// One pixel a column of `region`, north (low z) at the top. A pixel's colour is the mean of the topmost
-/// base voxel of its stack, so thin soil lets the rock shine through; the sea lets its bed shine through
-/// where it is shallow. Memory: the picture, and some patches a thread.
+/// One pixel per column of `region`, north (low z) at the top. A pixel has the mean colour of the topmost
+/// base voxel of its stack, so rock shows through thin soil, and the bed shows through shallow sea. Memory:
+/// the picture, and a few patches per thread.
 [[nodiscard]] Image render_map(const terrain::World& world, const terrain::Region& region,
                                const MapOptions& options, ProgressBar& progress);
 

@@ -27,7 +27,7 @@ Expected<std::int64_t> parse_integer(std::string_view option, std::string_view t
   return value;
 }
 
-// A region may start and end anywhere that chunks of its level do.
+// A region may start and end anywhere that chunks of its level can.
 Expected<terrain::Region> checked(std::string_view option, IntegerPair first, IntegerPair size, Lod lod) {
   const std::int64_t limit = chunk_limit(lod) * kChunkSize;
   const auto check_axis = [&](const char* axis, std::int64_t from, std::int64_t length) -> Expected<void> {
@@ -44,7 +44,7 @@ Expected<terrain::Region> checked(std::string_view option, IntegerPair first, In
                          static_cast<int>(size.second), lod};
 }
 
-// Checked before any arithmetic, so that none can overflow.
+// Checked before any arithmetic, which could overflow.
 Expected<void> check_base(std::string_view option, IntegerPair base) {
   const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
   const auto check_axis = [&](const char* axis, std::int64_t value) -> Expected<void> {

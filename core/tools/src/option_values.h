@@ -1,4 +1,4 @@
-// Values of options as people type them: "X,Z" pairs, sizes, and the regions that they name.
+// Parses values of options: "X,Z" pairs, sizes, and the regions that they describe.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,27 @@ struct IntegerPair {
   bool operator==(const IntegerPair&) const = default;
 };
 
-/// "X,Z": two whole numbers, either of which may be negative. `option` names the source in errors.
+/// "X,Z": two integers, possibly negative. `option` names the source in errors.
 [[nodiscard]] Expected<IntegerPair> parse_pair(std::string_view option, std::string_view text);
 
-/// "W,H": two numbers from 1 to `longest`.
+/// "W,H": two integers from 1 to `longest`.
 [[nodiscard]] Expected<IntegerPair> parse_size(std::string_view option, std::string_view text,
                                                std::int64_t longest);
 
-/// For CLI11's check(): what is wrong with a seed; empty: nothing. CLI11 reads more than 64 bits as the
-/// largest.
+/// Returns the error of a seed for CLI11's check(); empty if valid. CLI11 reads more than 64 bits as the
+/// maximum.
 [[nodiscard]] std::string fault_of_seed(const std::string& text);
-/// The same for a number from `least` to `most`. CLI::Range would accept nan.
+/// Returns the error of a number from `least` to `most`; empty if valid. CLI::Range would accept nan.
 [[nodiscard]] std::string fault_of_number(const std::string& text, double least, double most);
 
 [[nodiscard]] Expected<Lod> parse_lod(std::int64_t level);
 
-/// Columns of `lod`, the first of which holds base column `base`. Refused where a column lies outside the
+/// Columns of `lod`, the first of which contains base column `base`. Fails if a column lies outside the
 /// world; `option` names the source.
 [[nodiscard]] Expected<terrain::Region> region_from_origin(std::string_view option, IntegerPair base,
                                                            IntegerPair size, Lod lod);
 
-/// Columns of `lod`; the one that holds base column `base` is column (size / 2) of the region.
+/// Columns of `lod`; the column that contains base column `base` is column (size / 2) of the region.
 [[nodiscard]] Expected<terrain::Region> region_around(std::string_view option, IntegerPair base,
                                                       IntegerPair size, Lod lod);
 

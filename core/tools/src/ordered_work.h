@@ -1,4 +1,4 @@
-// Many threads make results; one takes them in order. Memory is bounded by a window of results.
+// Produces results on many threads and consumes them in order on one, with bounded memory.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace talus::tools {
 
-/// Threads to work with where the user asked for `wanted`; 0 means one a core.
+/// Number of threads for a requested number; 0 means one per core.
 [[nodiscard]] inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Calls produce(i) for i in 0 to count - 1 on `threads` threads, and consume(i, result) on the calling
-/// thread, in order of i, for as long as it returns true. At most four results a thread wait for their
-/// turn. An exception in either ends the work and comes out of this call. Returns whether all was consumed.
+/// thread in the order of i, until it returns false. At most four results per thread are pending. An
+/// exception in either ends the work and leaves through this call. Returns true if everything was consumed.
 template <typename Produce, typename Consume>
 bool work_in_order(std::size_t count, int threads, const Produce& produce, const Consume& consume) {
   using Result = decltype(produce(std::size_t{}));
@@ -58,7 +58,7 @@ bool work_in_order(std::size_t count, int threads, const Produce& produce, const
   };
 
   std::vector<std::jthread> workers;
-  // However this call ends, the workers are told to stop before they are joined.
+  // However this call ends, the workers are stopped before they are joined.
   struct Stop {
     State& state;
     ~Stop() {

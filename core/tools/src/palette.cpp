@@ -10,13 +10,13 @@ namespace talus::tools {
 namespace {
 
 constexpr std::size_t kColours = 256;
-constexpr int kBits = 7;  // of each channel that tell colours apart
+constexpr int kBits = 7;  // per channel, for distinguishing colours
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 using Channels = std::array<std::int64_t, 3>;
 
-// The pixels of one cell(): their channels differ in the lowest bits alone. All arithmetic is in integers,
-// so that palettes are equal on every machine.
+// Pixels of one cell(), whose channels differ only in the lowest bits. Integer arithmetic only, so that
+// palettes are the same on every machine.
 struct Shade {
   Channels sum{};
   std::int64_t pixels = 0;
@@ -34,9 +34,9 @@ std::size_t cell(terrain::Colour colour) {
 // Shades that will share one colour.
 struct Box {
   std::span<Shade> shades;
-  std::size_t axis = 0;     // along which they differ most
-  std::int64_t middle = 0;  // their mean there
-  std::int64_t spread = 0;  // how far from it they lie: squares, by pixels
+  std::size_t axis = 0;     // axis of the greatest difference
+  std::int64_t middle = 0;  // mean along this axis
+  std::int64_t spread = 0;  // sum of squared deviations, weighted by pixels
 };
 
 Box box_of(std::span<Shade> shades) {
@@ -63,7 +63,7 @@ Box box_of(std::span<Shade> shades) {
   return box;
 }
 
-// Halves the box whose shades differ most, until there are as many boxes as colours.
+// Halves the box with the greatest spread until there are as many boxes as colours.
 std::vector<Box> cut_boxes(std::span<Shade> shades) {
   std::vector<Box> boxes{box_of(shades)};
   while (boxes.size() < kColours) {
@@ -75,7 +75,7 @@ std::vector<Box> cut_boxes(std::span<Shade> shades) {
       return shade.mean(box.axis) <= box.middle;
     });
     const auto low = static_cast<std::size_t>(upper - box.shades.begin());
-    // Means are rounded down: both parts have shades, unless all means are equal.
+    // Means are rounded down: both parts contain shades, unless all means are equal.
     if (low == 0 || low == box.shades.size()) {
       widest->spread = 0;
       continue;
@@ -136,7 +136,7 @@ PalettedImage to_palette(const Image& image) {
     ++counted.pixels;
   });
 
-  std::vector<Shade> cut = shades;  // cutting changes their order
+  std::vector<Shade> cut = shades;  // cutting changes the order
   std::vector<Channels> colours;
   for (const Box& box : cut_boxes(cut)) colours.push_back(mean_of(box.shades));
   for (Shade& shade : shades) shade.colour = nearest(colours, shade);

@@ -1,4 +1,4 @@
-// Pictures of few colours, for files a third as large.
+// Reduces pictures to few colours, for files a third as large.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace talus::tools {
 
-/// One byte a pixel, rows from the top.
+/// One byte per pixel, rows from the top.
 struct PalettedImage {
   int width = 0;
   int height = 0;
@@ -18,7 +18,7 @@ struct PalettedImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// The picture in 256 colours that are near its own. Every machine makes the same picture of it.
+/// Approximates the picture with 256 colours. The result is the same on every machine.
 [[nodiscard]] PalettedImage to_palette(const Image& image);
 
 }  // namespace talus::tools

@@ -1,4 +1,4 @@
-// Several pictures as one.
+// Combines pictures into one.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace talus::tools {
 
-/// Pictures of one size in rows of `across`, from the top left, with white between them.
+/// Arranges pictures of one size in rows of `across` from the top left, with white gaps.
 [[nodiscard]] Image join_panels(std::span<const Image> panels, int across);
 
 }  // namespace talus::tools

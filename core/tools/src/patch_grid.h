@@ -1,4 +1,4 @@
-// A region cut into patches that are generated one by one, so that memory does not grow with the region.
+// Divides a region into patches that are generated one by one, so that memory does not grow with the region.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace talus::tools {
 
-/// Squares of `edge` columns from the region's origin, z slowest, then x; the last of a row or column of
-/// patches are smaller where `edge` does not divide the region.
+/// Squares of `edge` columns from the region's origin, z slowest, then x. If `edge` does not divide the
+/// region, the last patch of each row and column is smaller.
 class PatchGrid {
  public:
   PatchGrid(const terrain::Region& region, int edge);

@@ -27,16 +27,16 @@ namespace {
 
 using namespace sheet;
 
-constexpr int kRoom = 6000;  // rows, cut to what is used
+constexpr int kRoom = 6000;  // initial rows, cut to the used part
 constexpr int kTallestSection = 640;
 constexpr int kTallestProfile = 460;
-constexpr int kUnderground = 56;  // rows under the lowest ground
+constexpr int kUnderground = 56;  // rows below the lowest ground
 constexpr int kWideUnderground = 40;
 constexpr int kTilesAcross = 9;
 constexpr int kTileGap = 20;
 constexpr int kTileSide = (kInside - (kTilesAcross - 1) * kTileGap) / kTilesAcross;
 
-// A quantity as the pictures of it need it.
+// A quantity with the range of its colour scale.
 struct Tile {
   std::string name;
   float low = -1;
@@ -49,7 +49,7 @@ Tile tile_of(const std::string& name) {
   return {name, -1, 1};
 }
 
-// Those that shape the land first.
+// Quantities that shape the land come first.
 std::vector<std::string> names_in_order(const terrain::World& world) {
   std::vector<std::string> names;
   std::vector<std::string> known = place_names(world);
@@ -130,7 +130,7 @@ class Sheet {
     struct Map {
       const char* words;
       std::int64_t every;
-      std::int64_t bar;  // base columns
+      std::int64_t bar;  // length of the scale bar, base columns
       Image image;
     };
     std::vector<Map> all;
@@ -158,7 +158,7 @@ class Sheet {
       canvas_.frame(box, kInk);
       x += kMapSide + kMapGap;
     }
-    // Where the sections run: through the middle of both maps.
+    // Mark the course of the sections: through the middle of both maps.
     for (const int map_x : {kMargin, kMargin + kMapSide + kMapGap}) {
       for (int i = 0; i < kMapSide; i += 12) {
         canvas_.fill({map_x + i, y_ + 16 + kMapSide / 2, std::min(6, kMapSide - i), 1}, kWhite, 0.7F);
@@ -167,7 +167,7 @@ class Sheet {
     y_ += 16 + kMapSide;
   }
 
-  // What the map before shows.
+  // Marks the extent of the previous map.
   void mark(const Box& box) {
     const int side = kMapSide / 8;
     const Box inner{box.x + (kMapSide - side) / 2, box.y + (kMapSide - side) / 2, side, side};
@@ -186,7 +186,7 @@ class Sheet {
     canvas_.text(x + length + 10, y + 4, counted(columns), kSmall, kWhite);
   }
 
-  // Rows of base voxels that a cut shows.
+  // Rows of base voxels shown by a cut.
   [[nodiscard]] ProfileRows rows_of(const std::vector<std::int32_t>& heights_fx, int underground, int tallest,
                                     bool may_squeeze) const {
     const auto [lowest, highest] = std::minmax_element(heights_fx.begin(), heights_fx.end());
@@ -216,7 +216,7 @@ class Sheet {
     if (!whole) return tl::make_unexpected(whole.error());
     const auto heights = map::sample_columns(world_, {line.x, line.z, 1, kInside, 1}).heights_fx.values;
     ProfileRows rows = rows_of({heights.begin(), heights.end()}, kUnderground, kTallestSection, false);
-    // Row 0 is that many pixels over the picture's lower edge (section.h).
+    // Row 0 is this many pixels above the picture's lower edge (section.h).
     constexpr int kUnderZero = 8;
     const int first = std::max(0, whole->height - kUnderZero - (rows.low + rows.rows));
     rows.rows = std::min(rows.rows, whole->height - first);
@@ -236,7 +236,7 @@ class Sheet {
     title(canvas_, kMargin, y_, kInside, words, remark);
     const Box box{kMargin, y_ + 16, kInside, rows.rows};
     canvas_.picture(box.x, box.y, image);
-    // Heights over the sea at the left edge.
+    // Heights above the sea at the left edge.
     const int zero_row = zero_fx() / terrain::kSubvoxels;
     const int apart = rows.rows * rows.step > 500 ? 100 : 50;
     for (int height = -32 * apart; height <= 640 * apart; height += apart) {
@@ -246,7 +246,7 @@ class Sheet {
       canvas_.fill({box.x, box.y + y + 1, 12, 1}, kNight, 0.5F);
       canvas_.text_on_picture(box.x + 18, box.y + y + 5, rounded(height), kSmall);
     }
-    // Where the map of the same columns ends on both sides.
+    // Mark both ends of the map of the same columns.
     for (const int x : {(kInside - kMapSide) / 2, (kInside + kMapSide) / 2}) {
       for (int y = 0; y < rows.rows; y += 12) {
         canvas_.fill({box.x + x, box.y + y, 1, std::min(6, rows.rows - y)}, kWhite, 0.6F);
@@ -256,7 +256,7 @@ class Sheet {
     y_ += 16 + rows.rows;
   }
 
-  // The layers' colours and names from the bottom up, then loose material.
+  // Colours and names of the layers from the bottom up, then loose material.
   void layers() {
     y_ += 26;
     int x = kMargin;
@@ -304,7 +304,7 @@ class Sheet {
     const float high = height ? *most : what.high;
     if (what.name == "height") top_ = high;
     const auto colour_of = [&](float value) {
-      // The plain has no snow: it is seen beside the heights.
+      // Plains have no snow, as this is shown next to the heights.
       return height ? colour_of_height(value, low, std::max(high, top_ / 2), sea)
                     : scale_of(what.name).at((value - low) / (high - low));
     };
@@ -316,7 +316,7 @@ class Sheet {
     }
     canvas_.frame({x, y, kTileSide, kTileSide}, kInk);
     canvas_.text(x, y + kTileSide + 20, fitted(what.name, kWords, kTileSide - 70), kWords, kInk);
-    // The scale lies under the name, its ends at the numbers.
+    // The scale is below the name, with the numbers at its ends.
     for (int i = 0; i < kTileSide; ++i) {
       const float part = static_cast<float>(i) / static_cast<float>(kTileSide - 1);
       canvas_.fill({x + i, y + kTileSide + 28, 1, 6}, colour_of(low + part * (high - low)));
@@ -347,7 +347,7 @@ class Sheet {
     y_ = draw_preview_cards(canvas_, y_, world_, land, tops, cost);
   }
 
-  // Land at the water.
+  // True for land at the water.
   [[nodiscard]] bool coast(const terrain::Field& heights_fx, int i, int k) const {
     if (!world_.sea_fx() || heights_fx.at(i, k) < *world_.sea_fx()) return false;
     const auto wet = [&](int x, int z) {
@@ -365,7 +365,7 @@ class Sheet {
   terrain::Region middle_;
   map::ColumnGrid far_;
   Canvas canvas_;
-  float top_ = 0;  // of the heights' tile
+  float top_ = 0;  // highest height, for the heights' tile
   int y_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// One sheet that shows what a world is like, for its author.
+// Draws a sheet that shows a world to its author.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 namespace talus::tools {
 
 struct PreviewOptions {
-  int threads = 0;  // 0: one a core
+  int threads = 0;  // 0: one per core
 };
 
-/// Maps at one, 8 and 64 base columns a pixel around one base column, a section through it, the fields and
-/// quantities of the largest map, and numbers. `name` is the sheet's heading. Refused where the largest map
-/// leaves the world. All but the seconds are the same each time.
+/// Maps at 1, 8 and 64 base columns per pixel around one base column, a section through it, the fields and
+/// quantities of the largest map, and numbers. `name` is the sheet's heading. Fails if the largest map leaves
+/// the world. Everything except the timings is reproducible.
 [[nodiscard]] Expected<Image> draw_preview(const terrain::World& world, const std::string& name,
                                            std::int64_t x, std::int64_t z, const PreviewOptions& options);
 

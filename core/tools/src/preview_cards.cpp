@@ -16,7 +16,7 @@ using namespace sheet;
 constexpr int kCardGap = 48;
 constexpr int kLine = 25;
 constexpr std::size_t kMostLines = 16;
-constexpr double kLeastShare = 0.0005;  // that is worth a line
+constexpr double kLeastShare = 0.0005;  // minimum share for a line
 
 class PreviewCards {
  public:
@@ -92,7 +92,7 @@ class PreviewCards {
   void shape(int x, const LandNumbers& land) {
     title(canvas_, x, y_, card_width_, "Shape",
           world_.sea_fx() ? "heights over the sea, 1 : 64" : "heights, 1 : 64");
-    // A bar a step of height; square roots, or the plains would hide the peaks.
+    // One bar per step of height, by square root, or the plains would hide the peaks.
     constexpr int kChart = 120;
     y_ += 22;
     const double most = *std::max_element(land.heights.begin(), land.heights.end());

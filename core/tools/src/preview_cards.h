@@ -1,4 +1,4 @@
-// The numbers of a preview, in columns side by side.
+// Numbers of a preview, in adjacent columns.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace talus::tools {
 
-/// From row `y` on, across the sheet; the row where they end.
+/// Draws from row `y` across the sheet; returns the row at which the cards end.
 [[nodiscard]] int draw_preview_cards(Canvas& canvas, int y, const terrain::World& world,
                                      const LandNumbers& land, const std::vector<NamedShare>& tops,
                                      const CostNumbers& cost);

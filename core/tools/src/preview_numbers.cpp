@@ -39,7 +39,7 @@ void sort_shares(std::vector<NamedShare>& shares) {
                    [](const auto& a, const auto& b) { return a.share > b.share; });
 }
 
-// What a look of the first rules shows.
+// The colour that the first rules show for a look.
 terrain::Colour colour_of_look(const terrain::World& world, std::size_t look) {
   for (const terrain::Material& material : world.materials()) {
     const terrain::World::ShownBy* const by = world.shown_by(material.id);
@@ -120,7 +120,7 @@ struct Steep {
   std::array<std::int64_t, 3> above{};
 };
 
-// Square `index` of kSlopeSquares^2, of every base column.
+// Square `index` of kSlopeSquares^2, with every base column.
 Steep steep_in_square(const terrain::World& world, const map::ColumnGrid& grid, std::size_t index) {
   const auto apart = [&](int columns) { return grid.every * columns / kSlopeSquares; };
   const auto i = static_cast<std::int64_t>(index % kSlopeSquares);
@@ -247,7 +247,7 @@ CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& gri
     const std::int64_t chunk_x = chunk_at(grid.x, grid.width, square % kCostSquares);
     const std::int64_t chunk_z = chunk_at(grid.z, grid.depth, square / kCostSquares);
     const terrain::Region region{chunk_x * kChunkSize, chunk_z * kChunkSize, kCostSide, kCostSide, Lod{}};
-    if (square == 0) generator.generate(region, stacks);  // with memory to begin with, as a server has it
+    if (square == 0) generator.generate(region, stacks);  // with warm memory, as on a server
     const double before = cpu_ns();
     generator.generate(region, stacks);
     generating += cpu_ns() - before;
@@ -260,7 +260,7 @@ CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& gri
           payload.clear();
           const double begun = cpu_ns();
           const Chunk chunk = extract_chunk(world, stacks, {x, y, z});
-          if (chunk.is_uniform()) continue;  // the range only bounds where chunks are mixed
+          if (chunk.is_uniform()) continue;  // the range only bounds the mixed chunks
           encode(chunk, payload);
           encoding += cpu_ns() - begun;
           ++chunks;

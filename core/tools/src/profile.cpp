@@ -17,7 +17,7 @@ class ProfilePainter {
   ProfilePainter(const terrain::World& world, const ProfileRows& rows, Image& image)
       : world_{world}, rows_{rows}, image_{image}, lights_{material_lights(world)} {}
 
-  // Column x of the stacks as column `at` of the picture.
+  // Paints column x of the stacks as column `at` of the picture.
   void paint(const terrain::Stacks& stacks, int x, int at) const {
     const int level = stacks.region.lod.value();
     const std::int32_t ground = stacks.ground_fx(x, 0);

@@ -1,4 +1,4 @@
-// A vertical cut across a wide land, with its heights drawn larger than its widths.
+// A vertical cut through a wide land, with exaggerated heights.
 #pragma once
 
 #include <talus/terrain/field.h>
@@ -12,11 +12,11 @@ namespace talus::tools {
 struct ProfileRows {
   int low = 0;   // base voxel row at the lower edge
   int rows = 0;  // pixels
-  int step = 1;  // base voxels a pixel, upward
+  int step = 1;  // base voxels per pixel, upwards
 };
 
-/// `line` is one column of some level deep. A pixel is one of its columns wide. Layers, loose material and
-/// water as the stacks of that level have them, without what features put into rock.
+/// `line` is one column deep, at any level; a pixel is one of its columns wide. Shows layers, loose material
+/// and water of that level's stacks, without features inside rock.
 [[nodiscard]] Image render_profile(const terrain::World& world, const terrain::Region& line,
                                    const ProfileRows& rows, int threads, ProgressBar& progress);
 

@@ -1,5 +1,4 @@
-// A world in numbers: whether its land looks alike from every side, how different its places are, and how
-// steep, broken and high it is.
+// Measures a world: isotropy of its land, diversity of its places, and steepness, roughness and heights.
 #pragma once
 
 #include <array>
@@ -14,21 +13,21 @@
 
 namespace talus::tools {
 
-/// How many places are looked at. They lie up to 2^24 columns from the origin, the same in every world.
+/// Number of places measured, up to 2^24 columns from the origin, the same in every world.
 struct QualityOptions {
-  int threads = 0;    // 0: one a core
-  int spectra = 240;  // windows of 256 x 256 samples a band
-  int blocks = 200;   // of kBlockSide base columns a side
-  int windows = 64;   // of every base column
+  int threads = 0;    // 0: one per core
+  int spectra = 240;  // windows of 256 x 256 samples per band
+  int blocks = 200;   // squares of kBlockSide base columns
+  int windows = 64;   // windows with every base column
   int window_side = 1024;
-  int lattice_places = 40'000;  // points and middles of cells, of each noise
+  int lattice_places = 40'000;  // points and centres of cells, for each noise
 
-  /// A tenth of them, for a first look.
+  /// A tenth of the places, for a first impression.
   [[nodiscard]] static QualityOptions quick(int threads);
 };
 
 inline constexpr int kBlockSide = 4800;
-inline constexpr int kBlockEvery = 50;  // base columns between two that are looked at
+inline constexpr int kBlockEvery = 50;  // base columns between samples
 inline constexpr std::array kSlopeDegrees{35, 45, 60};
 
 struct QualityBand {
@@ -37,7 +36,7 @@ struct QualityBand {
   BandRatio power;
 };
 
-/// What covers how many blocks more than anything else does, and how much of all.
+/// A kind of ground: number of blocks in which it is the largest, and its share of all.
 struct QualityKind {
   std::string name;
   bool ground = true;  // not water
@@ -45,13 +44,13 @@ struct QualityKind {
   double share = 0;
 };
 
-/// Heights where a noise has the lattice points of its first octave, and in the middles of its cells.
+/// Heights at the lattice points of a noise's first octave, and at the centres of its cells.
 struct QualityLattice {
   std::string noise;
   double at_points = 0;  // means, voxels
   double at_middles = 0;
-  double apart = 0;  // in standard deviations of heights
-  double error = 0;  // standard, of that, if the places were independent
+  double apart = 0;  // difference, in standard deviations of heights
+  double error = 0;  // standard error of `apart`, assuming independent places
 };
 
 struct QualityPlace {
@@ -66,31 +65,31 @@ struct QualityWish {
   bool met = false;
 };
 
-/// Shares are of 1. Heights are those of the surface before talus and erosion move it, over the sea, or over
-/// y = 0 where there is none.
+/// Shares are 0 to 1. Heights are the surface's before talus and erosion, above the sea, or above y = 0 if
+/// there is no sea.
 struct Quality {
   QualityOptions options;
   std::vector<QualityBand> bands;
 
   double water_mean = 0;  // of the blocks' shares of water
   double water_deviation = 0;
-  std::array<double, 5> water_percentiles{};  // least, 10, 50, 90 %, most
+  std::array<double, 5> water_percentiles{};  // minimum, 10, 50, 90 %, maximum
   std::vector<QualityKind> kinds;             // by blocks, then share
   int kinds_somewhere = 0;                    // kinds of ground that cover most of a block
 
   double window_water = 0;                           // share of columns in windows
-  double lone_water = 0;                             // share of that water in lone pieces
-  double inland_water = 0;                           // in pieces that touch no window's edge
-  QualityPlace largest_step;                         // between two columns that share an edge
-  std::array<double, kSlopeDegrees.size()> steep{};  // of land
-  // Of surfaces of kind "regions" alone:
+  double lone_water = 0;                             // share of this water in lone pieces
+  double inland_water = 0;                           // share in pieces that touch no window's edge
+  QualityPlace largest_step;                         // between two adjacent columns
+  std::array<double, kSlopeDegrees.size()> steep{};  // shares of land
+  // Only for surfaces of kind "regions":
   bool regions = false;
   std::vector<QualityLattice> lattices;
-  QualityPlace other_step;   // the largest that no terrace makes
-  double beds = 0;           // share of columns in windows that are a river's bed, half a voxel deep or more
-  double fading_beds = 0;    // share of those where the river fades away in the hills
-  QualityPlace highest_bed;  // of whole rivers, over their flood plain
-  QualityPlace highest_fading_bed;  // of others
+  QualityPlace other_step;   // largest step not made by a terrace
+  double beds = 0;           // share of columns in windows in a river's bed, at least half a voxel deep
+  double fading_beds = 0;    // share of these beds on rivers that fade out in the hills
+  QualityPlace highest_bed;  // of complete rivers, above their flood plain
+  QualityPlace highest_fading_bed;  // of fading rivers
 
   QualityPlace highest;
   QualityPlace deepest;

@@ -12,10 +12,10 @@
 namespace talus::tools {
 namespace {
 
-constexpr int kSamplesAWave = 8;  // of a band's shortest
+constexpr int kSamplesAWave = 8;  // per shortest wave of a band
 constexpr std::int64_t kReach = std::int64_t{1} << 24;
-constexpr int kBatch = 500;  // places of a lattice that are looked at together
-constexpr std::int32_t kBedIsADepth = terrain::kSubvoxels / 2;  // less is a hollow
+constexpr int kBatch = 500;                                     // places of a lattice per batch
+constexpr std::int32_t kBedIsADepth = terrain::kSubvoxels / 2;  // a shallower one is a hollow
 
 // SplitMix64 (Steele, Lea, Flood 2014).
 std::uint64_t mixed(std::uint64_t state) {
@@ -136,7 +136,7 @@ PlaceResult QualityPlaces::block(std::size_t index) const {
   return result;
 }
 
-// Slopes need a ring around the window; the rest does without.
+// Slopes need a ring around the window; other numbers do not.
 PlaceResult QualityPlaces::window(std::size_t index) const {
   const int side = options_.window_side;
   const map::ColumnGrid grid = grid_at_random(200, index, 1, side);
@@ -170,7 +170,7 @@ PlaceResult QualityPlaces::window(std::size_t index) const {
   return result;
 }
 
-// A lattice point and a middle near each place, so that the two differ in little else.
+// Takes a lattice point and a cell centre near each place, so that they differ in little else.
 PlaceResult QualityPlaces::lattice(std::size_t noise, std::size_t batch) const {
   PlaceResult result;
   result.kind = PlaceResult::Kind::lattice;
@@ -194,7 +194,7 @@ PlaceResult QualityPlaces::lattice(std::size_t noise, std::size_t batch) const {
   return result;
 }
 
-// Beds of rivers, and steps that no terrace makes.
+// Measures river beds, and steps not made by terraces.
 void QualityPlaces::look_at_parts(const map::ColumnGrid& grid, PlaceResult& result) const {
   auto land = terrain::LandPartsSampler::make(world_);
   if (!land) return;

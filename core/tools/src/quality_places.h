@@ -1,4 +1,4 @@
-// The places of a world that its quality is measured at, and what is found at each.
+// Places of a world at which its quality is measured, and the result of each.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace talus::tools {
 
 inline constexpr std::array kBandsFrom{16, 32, 64, 128, 256, 512};  // columns
 
-/// How many numbers there are, and what their mean and variance follow from.
+/// Count of numbers, with the sums for mean and variance.
 struct Moments {
   double count = 0;
   double sum = 0;
@@ -32,7 +32,7 @@ struct Moments {
   [[nodiscard]] double variance() const;
 };
 
-/// What one place gives; parts of it are empty, by its kind.
+/// Result of one place; the parts used depend on its kind.
 struct PlaceResult {
   struct Extreme {
     std::int32_t fx = 0;
@@ -42,16 +42,16 @@ struct PlaceResult {
   enum class Kind : std::uint8_t { spectrum, block, window, lattice };
 
   Kind kind = Kind::spectrum;
-  std::size_t of = 0;  // spectrum: the band; lattice: the noise
+  std::size_t of = 0;  // spectrum: index of the band; lattice: index of the noise
   std::optional<BandPower> power;
   std::vector<std::int64_t> by_look;  // columns of land
   std::int64_t columns = 0;
   std::int64_t water = 0;
   WaterPieces pieces;
   Extreme step;
-  Extreme other_step;             // that terraces do not make
-  Extreme bed{INT32_MIN};         // how high over its flood plain a whole river's bed lies
-  Extreme fading_bed{INT32_MIN};  // and that of one that fades away in the hills
+  Extreme other_step;             // not made by terraces
+  Extreme bed{INT32_MIN};         // height of a complete river's bed above its flood plain
+  Extreme fading_bed{INT32_MIN};  // the same for a river that fades out in the hills
   std::int64_t beds = 0;          // columns
   std::int64_t fading_beds = 0;
   std::array<std::int64_t, kSlopeDegrees.size()> steep{};
@@ -63,19 +63,19 @@ struct PlaceResult {
 
 class QualityPlaces {
  public:
-  /// Both outlive it.
+  /// Both must outlive this object.
   QualityPlaces(const terrain::World& world, const QualityOptions& options);
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::uint64_t columns() const;
-  /// Any thread may call.
+  /// Thread-safe.
   [[nodiscard]] PlaceResult look_at(std::size_t index) const;
-  /// Noises whose lattices are looked at; none where the surface is not of regions.
+  /// Noises whose lattices are measured; empty if the surface is not made of regions.
   [[nodiscard]] std::vector<std::string> lattices() const;
 
  private:
   [[nodiscard]] std::size_t spectra() const;
-  [[nodiscard]] std::size_t batches() const;  // of the places of one lattice
+  [[nodiscard]] std::size_t batches() const;  // batches per lattice
   [[nodiscard]] bool is_wet(std::int32_t height_fx) const;
   [[nodiscard]] PlaceResult spectrum(std::size_t band, std::size_t index) const;
   [[nodiscard]] PlaceResult block(std::size_t index) const;

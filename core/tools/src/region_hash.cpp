@@ -55,7 +55,7 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
-// A region, counted in chunks instead of columns.
+// A region in chunks instead of columns.
 terrain::Region chunks_over(const terrain::Region& region) {
   const std::int64_t x = floor_div(region.x, kChunkSize);
   const std::int64_t z = floor_div(region.z, kChunkSize);
@@ -110,7 +110,7 @@ ContentHash hash_region(const terrain::World& world, const terrain::Region& regi
   const PatchGrid grid{chunks_over(region), options.patch_chunks};
   progress.expect(grid.region().columns());
   Hasher hasher;
-  // Patches come row by row; the order of the hash is chunk row by chunk row, so a row of patches waits.
+  // Patches arrive row by row but the hash needs chunk row by chunk row, so a row of patches is buffered.
   std::vector<std::vector<ContentHash>> waiting;
   const auto feed_waiting = [&](int depth) {
     for (int z = 0; z < depth; ++z) {

@@ -24,7 +24,7 @@ struct RowRun {
 };
 using Column = std::vector<RowRun>;
 
-// Drawn from the chunks, so that the picture shows everything that they hold.
+// Drawn from the chunks, so that the picture shows everything in them.
 std::vector<Column> cut_patch(const terrain::World& world, const terrain::Region& patch,
                               std::int32_t bottom) {
   const std::int32_t top = static_cast<std::int32_t>(highest_row(world, Lod{}));

@@ -13,13 +13,13 @@
 namespace talus::tools {
 
 struct SectionOptions {
-  int threads = 0;  // 0: one a core
-  int scale = 1;    // pixels a voxel, along both sides
+  int threads = 0;  // 0: one per core
+  int scale = 1;    // pixels per voxel, along both sides
 };
 
-/// `line` is one column wide or one deep, at level 0; its lowest coordinate comes out on the left. Voxel
-/// rows are those of the chunks. Cut from a few rows under y = 0 to a few above the highest surface.
-/// Refused where the picture would pass the limits of image.h.
+/// `line` is one column wide or one deep, at level 0; its lowest coordinate is at the left. Shows the chunks'
+/// voxels from a few rows below y = 0 to a few above the highest surface. Fails if the picture exceeds the
+/// limits of image.h.
 [[nodiscard]] Expected<Image> render_section(const terrain::World& world, const terrain::Region& line,
                                              const SectionOptions& options, ProgressBar& progress);
 

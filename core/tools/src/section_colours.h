@@ -1,4 +1,4 @@
-// How vertical cuts show what is no rock.
+// Colours of vertical cuts outside rock.
 #pragma once
 
 #include <talus/terrain/world.h>
@@ -8,7 +8,7 @@ namespace talus::tools {
 
 /// From the zenith, 0, to the horizon, 1.
 [[nodiscard]] terrain::Colour sky_colour(float down);
-/// Air in a cave; the sky's colours could be an ore's.
+/// Air in a cave; the sky's colours could be mistaken for an ore's.
 inline constexpr terrain::Colour kUnderRoof{66, 60, 82};
 /// Water darkens with depth.
 [[nodiscard]] float daylight_under(float depth_voxels);

@@ -1,4 +1,4 @@
-// What the parts of a sheet share: its measures, colours and lettering, and how it writes numbers.
+// Shared style of a sheet's parts: measures, colours, lettering and number formats.
 #pragma once
 
 #include <array>
@@ -32,21 +32,21 @@ inline constexpr pictures::TextStyle kTitle{15, 2};
 inline constexpr pictures::TextStyle kWords{11, 1.4F};
 inline constexpr pictures::TextStyle kSmall{10, 1.25F};
 
-/// As printf has it, up to 255 bytes.
+/// Formats like printf, up to 255 bytes.
 template <typename... Values>
 [[nodiscard]] std::string words_of(const char* format, Values... values) {
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(), format, values...);
   return text.data();
 }
-/// 39,424: thousands apart.
+/// Formats with thousands separators: 39,424.
 [[nodiscard]] std::string counted(std::int64_t number);
-/// The nearest whole number, so written.
+/// Rounds to the nearest integer and formats it like counted().
 [[nodiscard]] std::string rounded(double number);
 
-/// A title with a remark behind it, in a line of that width.
+/// Draws a title followed by a remark, in a line of `width`.
 void title(Canvas& canvas, int x, int y, int width, const std::string& words, const std::string& remark);
-/// A square of colour that stands on a line of text.
+/// Draws a square of colour on the base line of a text.
 void swatch(Canvas& canvas, int x, int y, terrain::Colour colour);
 
 }  // namespace talus::tools::sheet

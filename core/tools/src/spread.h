@@ -7,10 +7,10 @@ namespace talus::tools {
 
 struct Spread {
   double mean = 0;
-  double deviation = 0;  // standard, of the sample
+  double deviation = 0;  // standard deviation of the sample
 };
 
-/// There is at least one value. The deviation of a single value is 0.
+/// REQUIRES: at least one value. The deviation of a single value is 0.
 [[nodiscard]] Spread spread_of(std::span<const double> values);
 
 }  // namespace talus::tools

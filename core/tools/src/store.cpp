@@ -7,7 +7,7 @@
 namespace talus::tools {
 namespace {
 
-/// Of a material that has an id for ever, but no place in the world's file any more.
+/// For a material with a permanent id that the world's file no longer contains.
 constexpr terrain::Colour kForgotten{128, 128, 128};
 
 class StoreOfEdits final : public LandEdits {

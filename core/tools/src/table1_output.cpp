@@ -23,7 +23,7 @@ Json json_of(const Spread& seconds) {
   return {{"mean_s", seconds.mean}, {"deviation_s", seconds.deviation}};
 }
 
-// The picture: a decade of seconds is kDecade pixels high, the side runs from 50 to 200 in kWidth pixels.
+// In the picture, a decade of seconds is kDecade pixels high, and sides 50 to 200 span kWidth pixels.
 constexpr double kWidth = 560;
 constexpr double kDecade = 62;
 constexpr double kLeft = 70;

@@ -12,7 +12,7 @@
 
 namespace talus::tools {
 
-/// Of one column, from above. Rows are those over what they are of.
+/// Top of one column, from above. `row` and `water_row` are the rows above it.
 struct TopsOfEdits::Seen {
   MaterialId ground = kAir;  // neither air nor water; air: not found yet
   std::int64_t row = 0;
@@ -23,7 +23,7 @@ struct TopsOfEdits::Seen {
 
 namespace {
 
-/// Nothing where neither the world nor the store names it.
+/// nullopt if neither the world nor the store names it.
 std::optional<terrain::MaterialKind> kind_of(const terrain::World& world,
                                              const std::vector<terrain::Material>& more,
                                              MaterialId material) {
@@ -57,7 +57,7 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
   const terrain::MixedRange mixed = mixed_range(world_, stacks, column.coord.x, column.coord.z);
   const ChunkRange edited = edits_.edited_rows(column);
   const auto top = std::max(mixed.last, static_cast<std::int32_t>(edited.last));
-  // Below both lies one rock.
+  // Below both there is only one rock.
   const auto bottom = std::min(mixed.first, static_cast<std::int32_t>(edited.first)) - 1;
   Column before(kChunkArea);
   Column after(kChunkArea);

@@ -1,4 +1,4 @@
-// What edits change of the land as it is seen from above.
+// Changes by edits to the land as seen from above.
 #pragma once
 
 #include <mutex>
@@ -15,14 +15,14 @@ namespace talus::tools {
 
 class TopsOfEdits final : public map::EditedTops {
  public:
-  /// Both outlive it.
+  /// Both must outlive this object.
   TopsOfEdits(const terrain::World& world, const LandEdits& edits) : world_{world}, edits_{edits} {}
 
   const std::vector<terrain::Material>& materials() const override { return edits_.materials(); }
-  /// Generates the columns of chunks that were edited.
+  /// Generates the columns of edited chunks.
   std::vector<map::EditedTop> find(const terrain::Region& region) const override;
 
-  /// The first chunk that could not be read, or shows a material without a name; its columns are as
+  /// The first chunk that could not be read, or that shows an unnamed material; its columns are reported as
   /// generated.
   [[nodiscard]] std::optional<Failure> failure() const;
 

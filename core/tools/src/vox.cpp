@@ -14,7 +14,7 @@ namespace talus::tools {
 namespace {
 
 Expected<std::vector<terrain::Colour>> palette_of(const terrain::World& world) {
-  const std::size_t colours = world.materials().size() - 1;  // air has none
+  const std::size_t colours = world.materials().size() - 1;  // air has no colour
   if (colours > kVoxColours) {
     return failed("--world: a .vox palette has " + std::to_string(kVoxColours) + " colours, the world has " +
                   std::to_string(colours) + " materials, water included; at most " +
@@ -25,7 +25,7 @@ Expected<std::vector<terrain::Colour>> palette_of(const terrain::World& world) {
   return palette;
 }
 
-// A region cut into models of the format's size: patch by patch, in each from the bottom up.
+// Divides a region into models of the format's size: patch by patch, each from the bottom up.
 class ModelCutter {
  public:
   ModelCutter(const terrain::World& world, const terrain::Region& region, std::int32_t bottom,
@@ -54,7 +54,7 @@ class ModelCutter {
 
  private:
   void add_seen_voxels(const terrain::Region& patch, std::int32_t floor, VoxModel& model) const {
-    // One voxel more on each side that has a neighbour in the region.
+    // One extra voxel on each side that has a neighbour in the region.
     const auto west = static_cast<int>(std::min<std::int64_t>(1, patch.x - region_.x));
     const auto north = static_cast<int>(std::min<std::int64_t>(1, patch.z - region_.z));
     const bool at_east = patch.x + patch.width == region_.x + region_.width;
@@ -75,7 +75,7 @@ class ModelCutter {
     }
   }
 
-  // Water is seen where it meets air, rock where it meets either.
+  // Water is visible next to air, rock next to either.
   static bool seen(const VoxelGrid& voxels, int x, int y, int z) {
     const bool solid = is_solid(voxels.at(x, y, z));
     const auto shows = [&](MaterialId beside) { return beside == kAir || (solid && beside == kWater); };

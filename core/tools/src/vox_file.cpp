@@ -50,7 +50,7 @@ class Content {
   std::vector<std::byte> bytes_;
 };
 
-// A transform node. Every other node has one as its parent.
+// A transform node; the parent of every other node must be one.
 Content transform(std::int32_t node, std::int32_t child, std::int32_t layer, const std::string& name,
                   const std::string& translation) {
   using Entry = std::pair<std::string_view, std::string>;
@@ -65,8 +65,8 @@ Content transform(std::int32_t node, std::int32_t child, std::int32_t layer, con
   return content;
 }
 
-// Clear water, in the words of all versions that know a material of a palette index: 0.99 weighs the glass,
-// later ones give its transparency and write the refractive index in two ways.
+// Clear water, with the properties of every version that supports materials per palette index: 0.99 has a
+// weight of glass, later ones a transparency and two notations of the refractive index.
 Content water_material(std::int32_t index) {
   using Entry = std::pair<std::string_view, std::string>;
   const std::array properties{Entry{"_type", "_glass"}, Entry{"_weight", "0.7"}, Entry{"_alpha", "0.7"},
@@ -113,7 +113,7 @@ Expected<void> VoxFile::add(const VoxModel& model) {
   for (const VoxVoxel voxel : model.voxels) xyzi.byte(voxel.x).byte(voxel.y).byte(voxel.z).byte(voxel.colour);
   Content chunks;
   chunks.chunk("SIZE", size).chunk("XYZI", xyzi);
-  // A translation moves the model's middle, and the middle of an odd side is rounded down.
+  // A translation moves the model's middle, which is rounded down for an odd side.
   placed_.push_back({model.name, model.corner + model.size / 2});
   return append(chunks.bytes());
 }

@@ -1,4 +1,4 @@
-// MagicaVoxel's .vox files: what the format allows, and how its chunks are laid out.
+// MagicaVoxel's .vox files: limits of the format, and layout of its chunks.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@
 
 namespace talus::tools {
 
-inline constexpr int kVoxModelSide = 256;  // longest side of one model: a voxel's place is three bytes
-inline constexpr int kVoxColours = 255;    // palette indices 1 to 255; 0 means nothing
-inline constexpr std::int64_t kVoxSceneSide = 2048;  // MagicaVoxel's editor holds no wider scene
+inline constexpr int kVoxModelSide = 256;  // maximum side of one model: a voxel's position is three bytes
+inline constexpr int kVoxColours = 255;    // palette indices 1 to 255; 0 is unused
+inline constexpr std::int64_t kVoxSceneSide = 2048;  // MagicaVoxel's editor accepts no wider scene
 
-/// One voxel as the file has it; z is up.
+/// One voxel as stored in the file; z is up.
 struct VoxVoxel {
   std::uint8_t x = 0;
   std::uint8_t y = 0;
@@ -29,25 +29,24 @@ struct VoxVoxel {
   std::uint8_t colour = 0;  // 1 to 255
 };
 
-/// A box of voxels and where it stands in the scene.
+/// A box of voxels and its position in the scene.
 struct VoxModel {
-  glm::ivec3 size{0};    // 1 to kVoxModelSide a side
-  glm::ivec3 corner{0};  // of the scene, at which the model's voxel (0, 0, 0) stands
+  glm::ivec3 size{0};    // 1 to kVoxModelSide per side
+  glm::ivec3 corner{0};  // scene position of the model's voxel (0, 0, 0)
   std::string name;
   std::vector<VoxVoxel> voxels;
 };
 
-/// A .vox file of version 150 (MagicaVoxel 0.99 and later, and most importers), written model by model so
-/// that it never stands in memory as a whole.
+/// A .vox file of version 150 (MagicaVoxel 0.99 and later, and most importers), written model by model, so
+/// that it is never in memory as a whole.
 class VoxFile {
  public:
   [[nodiscard]] static Expected<VoxFile> create(const std::filesystem::path& target);
 
-  /// Models without voxels are left out. Refused where the file would pass the 2 GiB that its lengths can
-  /// say.
+  /// Models without voxels are skipped. Fails if the file would exceed 2 GiB, the limit of its length fields.
   [[nodiscard]] Expected<void> add(const VoxModel& model);
-  /// Scene graph and palette: colours[i] is that of index i + 1, and index `glass` lets light through. Then
-  /// the file takes its name.
+  /// Writes scene graph and palette, then renames the file into place: colours[i] is for index i + 1, and
+  /// index `glass` is transparent.
   [[nodiscard]] Expected<void> finish(std::span<const terrain::Colour> colours, std::int32_t glass);
 
  private:

@@ -11,7 +11,7 @@
 namespace talus::tools {
 namespace {
 
-// The columns of all chunks that hold a column of the region.
+// Columns of all chunks that contain a column of the region.
 terrain::Region whole_chunks(const terrain::Region& region) {
   const auto down = [](std::int64_t column) { return floor_div(column, kChunkSize) * kChunkSize; };
   const auto up = [](std::int64_t column) {
@@ -23,7 +23,7 @@ terrain::Region whole_chunks(const terrain::Region& region) {
           static_cast<int>(up(region.z + region.depth) - z), region.lod};
 }
 
-// A chunk of which one part lies in the grid.
+// Copies the part of a chunk that lies in the grid.
 void copy_chunk(const Chunk& chunk, ChunkCoord coord, const terrain::Region& region, std::int32_t bottom,
                 VoxelGrid& grid) {
   const VoxelPos origin = chunk_origin(coord);
@@ -67,7 +67,7 @@ VoxelGrid grid_of_chunks(const terrain::World& world, const terrain::Region& reg
         const ChunkCoord coord{x, y, z};
         copy_chunk(extract_chunk(world, stacks, coord), coord, region, bottom, grid);
       }
-      // The loop above must not pass the last chunk of the world.
+      // The loop must not advance past the world's last chunk.
       if (x == chunk_of(cover.x + cover.width - 1)) break;
     }
     if (z == chunk_of(cover.z + cover.depth - 1)) break;

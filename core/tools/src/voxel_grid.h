@@ -1,4 +1,4 @@
-// Dense voxels of a box of the world, for what must look at a voxel's neighbours.
+// Dense voxels of a box of the world, for algorithms that need a voxel's neighbours.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace talus::tools {
 
-/// width x rows x depth voxels, x east, y up, z south, counted from the box's own corner. A column's voxels
-/// lie together.
+/// width x rows x depth voxels, x east, y up, z south, relative to the box's corner. The voxels of a column
+/// are contiguous.
 class VoxelGrid {
  public:
   /// A grid of air.
@@ -39,7 +39,7 @@ class VoxelGrid {
   [[nodiscard]] MaterialId at(int x, int y, int z) const {
     return voxels_[offset(x, z) + static_cast<std::size_t>(y)];
   }
-  /// Sets rows [from, to), of which those outside the box are left out.
+  /// Sets rows [from, to); rows outside the box are ignored.
   void fill(int x, int z, std::int64_t from, std::int64_t to, MaterialId material);
 
  private:
@@ -58,20 +58,20 @@ class VoxelGrid {
   return material != kAir && material != kWater;
 }
 
-/// The voxels of the chunks over `region`, at any level, from voxel row `bottom` up.
+/// Voxels of the chunks over `region`, at any level, from voxel row `bottom` up.
 [[nodiscard]] VoxelGrid grid_of_chunks(const terrain::World& world, const terrain::Region& region,
                                        std::int32_t bottom, int rows);
 
-/// The voxels between planes laid out as in terrain::Stacks, from any source: materials[k] lies under
-/// tops[k], water between the last plane and the sea. From voxel row `bottom` up.
+/// Voxels between planes laid out as in terrain::Stacks, from any source, from voxel row `bottom` up:
+/// materials[k] lies below tops[k], water between the last plane and the sea.
 [[nodiscard]] VoxelGrid grid_of_planes(std::span<const MaterialId> materials,
                                        std::span<const terrain::Field> tops,
                                        std::optional<std::int32_t> sea_fx, std::int32_t bottom, int rows);
 
-/// Voxel rows between which a region's surface lies.
+/// Voxel rows that bound a region's surface.
 struct RowRange {
-  std::int32_t lowest_ground = 0;  // row of the first free voxel over the lowest ground
-  std::int32_t highest = 0;        // that over the highest ground or sea
+  std::int32_t lowest_ground = 0;  // row of the first free voxel above the lowest ground
+  std::int32_t highest = 0;        // row of the first free voxel above the highest ground or sea
   /// The range from the lower bottom to the higher top.
   [[nodiscard]] RowRange joined(RowRange other) const;
 };

@@ -32,7 +32,7 @@ glm::ivec3 whole(glm::vec3 vector) {
 }  // namespace
 
 glm::vec3 sun_direction(std::size_t which) {
-  // A sunflower's seeds fill a disc evenly, however many are looked at.
+  // A sunflower pattern fills a disc evenly for any number of samples.
   constexpr float kDisc = 0.05F;
   const float turn = static_cast<float>(which % 16) * 2.39996323F;
   const float radius = kDisc * std::sqrt((static_cast<float>(which % 16) + 0.5F) / 16);
@@ -87,14 +87,14 @@ float VoxelLight::measure_sky(const Meeting& meeting) const {
       const float x = centre.x + direction.x * static_cast<float>(reach);
       const float z = centre.z + direction.y * static_cast<float>(reach);
       const int top = rays_.top(static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z)));
-      // What is far away counts less, or the edge of `reaches_` would show as a line.
+      // Distant columns have less weight, or the end of `reaches_` would show as a line.
       const float fade = 1 - 0.6F * static_cast<float>(reach) / static_cast<float>(reaches_.back());
       tangent = std::max(tangent, (static_cast<float>(top) - centre.y) / static_cast<float>(reach) * fade);
     }
     seen += turned / (1 + tangent * tangent);
     weights += turned;
   }
-  if (weights == 0) return 0.15F;  // a face that looks down sees light from the ground alone
+  if (weights == 0) return 0.15F;  // a face that looks down receives light only from the ground
   return (level ? 1.0F : 0.5F) * seen / weights;
 }
 

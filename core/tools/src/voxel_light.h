@@ -1,4 +1,4 @@
-// How much light reaches the side of a voxel.
+// Computes the light on a voxel's face.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace talus::tools {
 
-/// The direction to one of several suns that stand close together, so that shadows have soft edges.
+/// Direction to one of several adjacent suns, which give shadows soft edges.
 [[nodiscard]] glm::vec3 sun_direction(std::size_t which);
 
-/// For one thread at a time: remembers the faces that it saw last.
+/// Not thread-safe: caches recent faces.
 class VoxelLight {
  public:
   explicit VoxelLight(const VoxelRays& rays);
 
-  /// 0 to 1: the part of the sky that a face sees over the terrain; a wall under open sky sees half.
+  /// 0 to 1: the part of the sky that a face sees above the terrain; 0.5 for a wall under open sky.
   [[nodiscard]] float sky(const Meeting& meeting);
-  /// 0 to 1: darker toward corners that other voxels close. `place` is where on the face, 0 to 1 along
+  /// 0 to 1: darker near corners that other voxels close. `place` is the position on the face, 0 to 1 along
   /// each of face_axes().
   [[nodiscard]] float corners(const Meeting& meeting, glm::vec2 place) const;
-  /// 0 to 1: what the terrain above leaves of the sun's light at a point on a face.
+  /// 0 to 1: the share of the sun's light that reaches a point on a face past the terrain above.
   [[nodiscard]] float sun(glm::vec3 point, Face face, glm::vec3 to_sun) const;
 
  private:
@@ -40,7 +40,7 @@ class VoxelLight {
   std::vector<Remembered> memory_;
 };
 
-/// The two directions that span a face, each toward growing coordinates.
+/// The two axes of a face, both in positive directions.
 struct FaceAxes {
   glm::ivec3 u{0};
   glm::ivec3 v{0};

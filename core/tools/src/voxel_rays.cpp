@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-// The part of a ray inside the box below the highest voxel, and the axis by which it came in.
+// The part of a ray inside the box below the highest voxel, and the axis along which it entered.
 struct Inside {
   float from = 0;
   float to = 0;
@@ -31,7 +31,7 @@ Inside clip(const VoxelGrid& grid, int highest, glm::vec3 origin, glm::vec3 dire
   return inside;
 }
 
-// The face through which a ray of this direction enters a voxel along an axis.
+// The face through which a ray with this direction enters a voxel along an axis.
 Face entered(int axis, glm::vec3 direction) {
   if (axis == 0) return direction.x > 0 ? Face::west : Face::east;
   if (axis == 2) return direction.z > 0 ? Face::north : Face::south;
@@ -61,7 +61,7 @@ void walk(const VoxelRays& rays, glm::vec3 origin, glm::vec3 direction, const Me
     const float y_here = origin.y + direction.y * here;
     const float y_leave = origin.y + direction.y * leave;
     if (std::min(y_here, y_leave) < static_cast<float>(top)) {
-      // A hair inside, so that a ray on a boundary begins in the row that it is about to cross.
+      // Offset slightly, so that a ray on a boundary begins in the row that it is about to cross.
       const float hair = direction.y > 0 ? 1e-4F : -1e-4F;
       int y = static_cast<int>(std::floor(y_here + (axis == 1 ? hair * 8 : hair)));
       const int last = static_cast<int>(std::floor(y_leave));

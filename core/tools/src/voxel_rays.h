@@ -1,4 +1,4 @@
-// Straight lines through a grid of voxels: what they meet first.
+// Intersects straight lines with a grid of voxels.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace talus::tools {
 
-/// The side of a voxel, named by where it looks.
+/// A side of a voxel, named by its outward direction.
 enum class Face : std::uint8_t { up, down, east, west, south, north };
 
 [[nodiscard]] glm::vec3 normal_of(Face face);
@@ -24,13 +24,13 @@ struct Meeting {
   Face face = Face::up;
 };
 
-/// The first solid voxel, and the water that was entered before it.
+/// The first solid voxel, and the water entered before it.
 struct Sight {
   std::optional<Meeting> water;
   std::optional<Meeting> solid;
 };
 
-/// Walks column by column, of which most are passed by one look at their height. The grid must outlive it.
+/// Walks column by column, skipping most of them by their height. The grid must outlive this object.
 class VoxelRays {
  public:
   explicit VoxelRays(const VoxelGrid& grid);
@@ -43,14 +43,14 @@ class VoxelRays {
                  static_cast<std::size_t>(x)];
   }
   [[nodiscard]] int highest() const { return highest_; }
-  /// Whether a voxel is solid; outside the grid none is.
+  /// False outside the grid.
   [[nodiscard]] bool solid_at(int x, int y, int z) const {
     return y >= 0 && y < top(x, z) && is_solid(grid_->at(x, y, z));
   }
 
-  /// `direction` has no zero component.
+  /// REQUIRES: no component of `direction` is zero.
   [[nodiscard]] Sight see(glm::vec3 origin, glm::vec3 direction) const;
-  /// Whether anything solid lies in the way.
+  /// True if the ray meets anything solid.
   [[nodiscard]] bool blocked(glm::vec3 origin, glm::vec3 direction) const;
 
  private:

@@ -7,7 +7,7 @@ namespace talus::tools {
 
 WaterPieces water_pieces(std::span<const std::uint8_t> wet, int width, int depth) {
   WaterPieces pieces;
-  std::vector<std::uint8_t> open{wet.begin(), wet.end()};  // water that no piece has yet
+  std::vector<std::uint8_t> open{wet.begin(), wet.end()};  // water not yet in a piece
   std::vector<std::size_t> next;
   const auto columns_across = static_cast<std::size_t>(width);
   for (std::size_t first = 0; first < open.size(); ++first) {

@@ -1,4 +1,4 @@
-// The world that a command works on.
+// Loads the world of a command.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace talus::tools {
 
-/// The text of a world spec, and the name that errors give it.
+/// Text of a world spec, and its name in errors.
 struct WorldText {
   std::string toml;
   std::string source;
 };
 
-/// The spec in the file at `path`; that of the built-in classic world, which figures of the thesis are drawn
-/// from, where `path` is empty.
+/// Reads the spec at `path`; if empty, returns the spec of the built-in classic world, used for figures of
+/// the thesis.
 [[nodiscard]] Expected<WorldText> read_world_text(const std::string& path);
 
-/// The world in that file; the built-in default world where `path` is empty.
+/// Loads the world at `path`; if empty, the built-in default world.
 [[nodiscard]] Expected<terrain::World> load_world(const std::string& path);
 
 }  // namespace talus::tools

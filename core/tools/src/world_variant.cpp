@@ -10,7 +10,7 @@
 namespace talus::tools {
 namespace {
 
-// What is changed, for errors: ": at resolution 400".
+// Describes the changes for errors: ": at resolution 400".
 std::string told(const WorldChanges& changes) {
   std::string text;
   const auto add = [&](const char* name, const auto& change) {
@@ -30,7 +30,7 @@ std::string told(const WorldChanges& changes) {
 }  // namespace
 
 Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes) {
-  // World::parse() says what is wrong with the text. What it accepts is TOML.
+  // World::parse() reports errors of the text. Text that it accepts is TOML.
   if (auto unchanged = terrain::World::parse(text.toml, text.source, world_files::beside(text.source));
       !unchanged) {
     return failed(std::move(unchanged.error().message));
@@ -56,7 +56,7 @@ Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges
   changed << document;
   auto world = terrain::World::parse(changed.str(), "", world_files::beside(text.source));
   if (world) return std::move(*world);
-  // The message begins with ":LINE: ", a line of a text that nobody wrote.
+  // The message begins with ":LINE: ", a line of generated text.
   const std::string& message = world.error().message;
   return failed(text.source + told(changes) + ": " + message.substr(message.find(": ") + 2));
 }

@@ -1,4 +1,4 @@
-// The same world with a number changed, for pictures that compare.
+// Variants of a world, for pictures that compare.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace talus::tools {
 
-/// What to change. The rest of the spec stays as it is written.
+/// Values to change. The rest of the spec is unchanged.
 struct WorldChanges {
   std::optional<std::int64_t> seed{};
   std::optional<int> resolution{};
   std::optional<int> exponent{};       // of the surface
   std::optional<double> roughness{};   // of all stratified materials
-  std::optional<int> erosion_steps{};  // by the erosion method
+  std::optional<int> erosion_steps{};  // of the erosion method
 };
 
-/// Fails as World::parse does, where the text is wrong or the change leads out of its bounds.
+/// Fails like World::parse() if the text is invalid or the change exceeds its bounds.
 [[nodiscard]] Expected<terrain::World> world_variant(const WorldText& text, const WorldChanges& changes);
 
 }  // namespace talus::tools

@@ -26,7 +26,7 @@ Expected<void> print(const std::string& text) {
   return {};
 }
 
-// For people on standard output, and for programs into a file where one is asked for.
+// Prints a table to standard output, and writes JSON to a file if requested.
 template <class Figures>
 Expected<void> report(const Figures& figures, const std::string& json_path) {
   if (auto printed = print(to_text(figures)); !printed) return printed;
@@ -92,7 +92,7 @@ struct LodErrorArguments {
   std::string output;
 };
 
-constexpr std::int64_t kCoarsest = 64;  // base columns to one of level 6
+constexpr std::int64_t kCoarsest = 64;  // base columns per column of level 6
 
 Expected<void> run_lod_error(const LodErrorArguments& arguments) {
   const auto centre = parse_pair("--center", arguments.centre);

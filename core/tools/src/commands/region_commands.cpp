@@ -36,7 +36,7 @@ struct Arguments {
   std::int64_t lod = 0;
   int threads = 0;
   std::string output;
-  std::string store;  // empty: none
+  std::string store;  // may be empty
 };
 
 struct WorldAndRegion {
@@ -44,7 +44,7 @@ struct WorldAndRegion {
   terrain::Region region;
 };
 
-// How a command's region lies to its place.
+// Position of a command's region relative to its place.
 struct Placement {
   const char* option;
   Expected<terrain::Region> (*region)(std::string_view option, IntegerPair place, IntegerPair size, Lod lod);
@@ -67,7 +67,7 @@ Expected<WorldAndRegion> world_and_region(const Arguments& arguments, const Plac
   return WorldAndRegion{*std::move(world), *region};
 }
 
-/// Null: no --store.
+/// Null without --store.
 Expected<std::unique_ptr<const LandEdits>> edits_of(const Arguments& arguments, const terrain::World& world) {
   if (arguments.store.empty()) return nullptr;
   return open_store(arguments.store, world);
@@ -92,10 +92,10 @@ Expected<void> run_map(const Arguments& arguments) {
 }
 
 struct MapArguments : Arguments {
-  std::int64_t every = 0;  // 0: not asked for
+  std::int64_t every = 0;  // 0: not given
 };
 
-// The same centre as a region of columns; what lies outside of the world is refused likewise.
+// The same centre as a region of columns; fails too if the region leaves the world.
 Expected<map::ColumnGrid> grid_of(const MapArguments& arguments) {
   const auto place = parse_pair("--center", arguments.place);
   if (!place) return tl::make_unexpected(place.error());

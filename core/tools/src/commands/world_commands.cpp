@@ -135,7 +135,7 @@ Expected<void> run_quality(const QualityArguments& arguments) {
     return measure_quality(*world, options, progress);
   }();
   std::string text = arguments.json ? to_json(quality) : to_text(quality);
-  text.pop_back();  // print_line() ends it
+  text.pop_back();  // print_line() adds it
   return print_line(text);
 }
 
