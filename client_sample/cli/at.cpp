@@ -18,7 +18,7 @@
 namespace talus::cli {
 namespace {
 
-constexpr double kGroundUnits = 256;  // of Heights in a voxel
+constexpr double kGroundUnits = 256;  // units of Heights per voxel
 
 void print(const client::Column& column, std::size_t i, const client::ColumnPlaces& places,
            const client::WorldInfo& world, const std::vector<std::string>& fields) {

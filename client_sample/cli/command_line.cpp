@@ -18,9 +18,9 @@ using command_line::kExitWrongUse;
 using command_line::within;
 
 constexpr double kMaxSeconds = 86400;
-constexpr double kMaxFlight = 10e6;  // voxels: its heights are asked for and kept before it begins
+constexpr double kMaxFlight = 10e6;  // voxels: its heights are requested and stored before it begins
 
-// What the parser cannot hold in one option.
+// Values that the parser cannot store in one option.
 struct Words {
   std::int64_t x = 0, y = 0, z = 0, lod = 0;
   std::vector<std::int64_t> center;
@@ -126,7 +126,7 @@ void add_edit(CLI::App& app, EditOptions& options, Words& words) {
   add_timeout(*command, options.timeout_seconds);
 }
 
-// What the parser cannot check. The error is one line.
+// Checks beyond the parser's. The error is one line.
 using Checked = tl::expected<CommandLine, std::string>;
 
 Checked check_get(CommandLine line, GetOptions options, const Words& words) {

@@ -1,4 +1,4 @@
-// What the words after "talus-client" ask for.
+// Command line of talus-client.
 #pragma once
 
 #include <variant>

@@ -1,5 +1,4 @@
-// What talus-client does, a function a subcommand. Each returns nothing, or one line that says what
-// failed.
+// Subcommands of talus-client, one function each. Each returns nothing, or one line describing the failure.
 #pragma once
 
 #include <cstdint>
@@ -35,15 +34,14 @@ struct FlyOptions {
   static constexpr int kRadius = 8;
   static constexpr int kFarRadius = 48;
   double seconds = 8;
-  std::optional<int> radius;  // chunks of level 0; none: kRadius, or what the server allows
-  std::optional<int>
-      far_radius;  // chunks of level 0 out to which coarser ones are wanted; 0: no coarser ones
-  std::optional<client::Column> from;  // none: the spawn point
-  std::optional<double> heading;       // degrees clockwise from north; none: where the land is worth it
+  std::optional<int> radius;           // chunks of level 0; nullopt: kRadius, or the server's limit
+  std::optional<int> far_radius;       // chunks of level 0 covered by coarser ones; 0: no coarser levels
+  std::optional<client::Column> from;  // nullopt: the spawn point
+  std::optional<double> heading;       // degrees clockwise from north; nullopt: towards scenic land
   double height = 45;                  // voxels above the ground
-  double speed = 60;                   // voxels a second
-  std::filesystem::path output;        // map; empty: none
-  std::filesystem::path view;          // what the camera saw at the end; empty: none
+  double speed = 60;                   // voxels per second
+  std::filesystem::path output;        // map; may be empty
+  std::filesystem::path view;          // final view of the camera; may be empty
 };
 [[nodiscard]] asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options);
 
@@ -56,14 +54,14 @@ struct AtOptions {
 struct EditOptions {
   VoxelPos from, to;            // corners of a box, both included, in any order
   std::string material;         // by name; empty: as generated
-  std::string only;             // voxels of other materials stay; empty: of any
-  std::string subject;          // for whom it is edited; empty: for the token's own subject
+  std::string only;             // fills only voxels of this material; empty: all
+  std::string subject;          // player for whom to edit; empty: the token's own subject
   double timeout_seconds = 30;  // without an answer
 };
 [[nodiscard]] asio::awaitable<CommandResult> edit(Connecting connecting, EditOptions options);
 
 struct MapOptions {
-  std::optional<client::Column> center;     // none: the spawn point
+  std::optional<client::Column> center;     // nullopt: the spawn point
   std::int64_t width = 1024, depth = 1024;  // base columns
   std::filesystem::path output;
   double timeout_seconds = 30;  // without an answer

@@ -9,8 +9,8 @@ namespace talus::cli {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr double kSwing = 0.06;    // of the course's length, aside
-constexpr double kBeyond = 900.0;  // voxels past the end that decide the view
+constexpr double kSwing = 0.06;    // sideways, as part of the course's length
+constexpr double kBeyond = 900.0;  // voxels past the end that determine the view
 constexpr double kSubvoxels = 256.0;
 
 client::Column column_at(glm::dvec2 place) {
@@ -55,7 +55,7 @@ std::vector<client::Column> candidate_columns(glm::dvec2 start, double length) {
 }
 
 double choose_heading(const std::vector<std::int32_t>& heights_fx) {
-  // A good last view: open ground ahead, mountains behind it.
+  // A good final view has open ground ahead and mountains behind it.
   constexpr std::size_t kWay = kSamplesPerHeading / 3;
   constexpr std::size_t kOpen = kSamplesPerHeading * 2 / 3;
   double best_score = -1e30;
@@ -87,8 +87,8 @@ std::vector<client::Column> course_columns(const Course& course) {
 }
 
 Altitude::Altitude(const std::vector<std::int32_t>& heights_fx, double clearance) {
-  constexpr std::ptrdiff_t kNear = 8;    // samples each way whose highest ground counts
-  constexpr std::ptrdiff_t kSmooth = 8;  // samples each way that a row is the mean of
+  constexpr std::ptrdiff_t kNear = 8;    // samples in each direction whose highest ground counts
+  constexpr std::ptrdiff_t kSmooth = 8;  // samples in each direction that are averaged
   const auto count = static_cast<std::ptrdiff_t>(heights_fx.size());
   std::vector<double> highest;
   for (std::ptrdiff_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Where the camera flies: a gentle curve over the ground. Pure functions of the heights below.
+// Path of the camera: a gentle curve above the ground. Pure functions of the heights below.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace talus::cli {
 
-/// A curve in the plane, base columns (x, z), walked at constant speed.
+/// A curve in the plane, in base columns (x, z), followed at constant speed.
 class Course {
  public:
-  /// From `start`, first along `heading` (radians from x towards z).
+  /// From `start`, initially along `heading` (radians from x towards z).
   Course(glm::dvec2 start, double heading, double length);
 
   [[nodiscard]] glm::dvec2 at(double distance) const;
@@ -32,20 +32,20 @@ inline constexpr int kHeadings = 16;
 inline constexpr int kSamplesPerHeading = 48;
 inline constexpr double kCourseSpacing = 8.0;  // voxels between the heights along a course
 
-/// Columns to look at before a heading is chosen: kSamplesPerHeading along each of kHeadings.
+/// Columns to examine before choosing a heading: kSamplesPerHeading along each of kHeadings.
 [[nodiscard]] std::vector<client::Column> candidate_columns(glm::dvec2 start, double length);
-/// The heading with the highest land in view at its end and low, dry land under the way, of `heights_fx`
-/// at candidate_columns().
+/// The heading with the highest land in view at its end and low, dry land on the way; `heights_fx` are the
+/// heights at candidate_columns().
 [[nodiscard]] double choose_heading(const std::vector<std::int32_t>& heights_fx);
 
-/// A Course's heading of one in degrees clockwise from north, which is towards low z.
+/// Converts degrees clockwise from north, which is towards low z, to a Course's heading.
 [[nodiscard]] double radians_of(double compass_degrees);
 
-/// Columns along a course, kCourseSpacing apart, and past its end.
+/// Columns along a course and past its end, kCourseSpacing apart.
 [[nodiscard]] std::vector<client::Column> course_columns(const Course& course);
 
-/// How high to fly: `clearance` above the highest ground near, in smooth lines. `heights_fx` at
-/// course_columns().
+/// Altitude of the flight: smoothly `clearance` above the highest ground nearby. `heights_fx` are the heights
+/// at course_columns().
 class Altitude {
  public:
   Altitude(const std::vector<std::int32_t>& heights_fx, double clearance);

@@ -33,11 +33,11 @@ constexpr milliseconds kTick{25};
 constexpr std::size_t kStoreBytes = std::size_t{1} << 30;
 constexpr int kViewWidth = 1280;
 constexpr int kViewHeight = 720;
-constexpr double kGraceSeconds = 10;  // beyond the flight's own: for its plan, and to fill the last view
+constexpr double kGraceSeconds = 10;  // besides the flight: to plan it, and to complete the last view
 constexpr std::size_t kColumnsAtOnce = 256;
-constexpr double kLookDown = 0.16;  // below the horizon, as a slope
+constexpr double kLookDown = 0.16;  // slope below the horizon
 
-// What the flight gathers while chunks come and go.
+// Data collected during the flight.
 struct Gathered {
   client::ChunkStore store{kStoreBytes};
   std::optional<SurfaceMap> surface;
@@ -72,9 +72,9 @@ client::Events events_into(Gathered& gathered) {
   return events;
 }
 
-// Level 1 three times as far as level 0, level 2 twice as far as that or kFarRadius, and each level beyond
-// twice as far: a voxel stays small in the picture. What the user did not say adapts to the server; what the
-// user did say the server may refuse.
+// Level 1 reaches three times as far as level 0, level 2 twice as far as level 1 or kFarRadius, and each
+// further level twice as far as the previous one, so that voxels stay small in the picture. Defaults adapt to
+// the server; the server may reject the user's own values.
 client::View view_shape(const FlyOptions& options, const client::ServerLimits& limits) {
   const int most = limits.view_horizontal_radius;
   const int radius = options.radius.value_or(std::min(FlyOptions::kRadius, most));
@@ -207,11 +207,11 @@ asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
   asio::steady_timer tick{executor};
   std::vector<glm::dvec2> path;
   std::optional<client::View> view;
-  client::ViewShape covered;  // by it
+  client::ViewShape covered;  // by `view`
   Camera camera;
   const auto begun = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
-  // After the flight the camera stands until all that it can see is there, or the time is over.
+  // After the flight the camera waits until everything in view has arrived, or the time is over.
   while (!gathered.lost && !timeout.has_expired()) {
     const double flown = std::min(elapsed(), options.seconds);
     camera = flight->camera_at(flown * options.speed);
@@ -233,7 +233,7 @@ asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
     co_await tick.async_wait(asio::experimental::as_tuple(asio::use_awaitable));
   }
   const double seconds = elapsed();
-  progress.reset();  // its line goes before others come
+  progress.reset();  // erases its line before other output
   client.close();
   if (gathered.lost) co_return tl::unexpected{*gathered.lost};
   if (gathered.waits.waits().count() == 0) {

@@ -36,8 +36,8 @@ void summarise(const client::ReceivedChunk& received, const client::WorldInfo& w
   }
 }
 
-/// Shape (32, 32, 32), axes y, z, x: uint8 where every material of the world has an id below 256, as
-/// talus-gen export writes it, else uint16.
+/// Shape (32, 32, 32), axes y, z, x: uint8 if every material of the world has an id below 256, as talus-gen
+/// export writes it, otherwise uint16.
 tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path, const Chunk& chunk,
                                                const std::vector<client::Material>& materials) {
   const bool narrow = std::all_of(materials.begin(), materials.end(),

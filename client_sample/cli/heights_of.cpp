@@ -15,7 +15,7 @@ asio::awaitable<Heights> heights_of(client::Client& client, RequestTimeout& time
     const std::size_t count = std::min(most, columns.size() - heights.size());
     const auto part = co_await client.get_heights({first, first + static_cast<std::ptrdiff_t>(count)});
     if (!part && part.error().kind == client::ErrorKind::out_of_range && count > 1) {
-      most = count / 2;  // in eroded land columns far apart are dear, and fewer may go into one request
+      most = count / 2;  // in eroded land distant columns are expensive, and fewer may fit one request
       continue;
     }
     if (!part) co_return tl::unexpected{part.error()};

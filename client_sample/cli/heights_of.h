@@ -1,4 +1,4 @@
-// Heights of more columns than a server takes in one request.
+// Requests heights of more columns than fit one request.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ namespace talus::cli {
 
 using Heights = client::Result<std::vector<std::int32_t>>;
 
-/// Heights of `columns`, in 1/256 voxel, in their order. Asks for `at_once` of them, fewer where the server's
-/// limit is lower, and half as many wherever it refuses; each answer restarts the timeout. `client`, which
-/// has connected, and `timeout` outlive it.
+/// Returns heights of `columns`, in 1/256 voxel, in their order. Requests `at_once` of them, fewer if the
+/// server's limit is lower, and half as many after a refusal; each answer restarts the timeout. `client` must
+/// be connected; `client` and `timeout` must outlive the call.
 [[nodiscard]] asio::awaitable<Heights> heights_of(client::Client& client, RequestTimeout& timeout,
                                                   std::vector<client::Column> columns, std::size_t at_once);
 

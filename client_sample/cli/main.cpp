@@ -1,4 +1,4 @@
-// talus-client: one chunk, what there is at a column, a flight, or a map, from a running server.
+// talus-client: fetches a chunk, a column, a flight or a map from a running server.
 #include <talus/files/standard_descriptors.h>
 
 #include "program.h"

@@ -22,7 +22,7 @@
 namespace talus::cli {
 namespace {
 
-// Asks for the chunks at the ground of every square of an extent, then upward until air is above it.
+// Requests the chunks at the ground of every square of an extent, then upwards until there is air above.
 class Survey {
  public:
   Survey(const asio::any_io_executor& executor, client::Client& client, const client::WorldInfo& world,
@@ -40,7 +40,7 @@ class Survey {
     std::int64_t x = first_x;
     std::int64_t z = first_z;
     while (!error_ && (z <= last_z || open_ > 0)) {
-      // Enough to keep the server busy; more would only wait here.
+      // Enough to keep the server busy; more would only queue here.
       for (; open_ < kMaxOpen && z <= last_z; x == last_x ? (x = first_x, ++z) : ++x) {
         start_square(static_cast<std::int32_t>(x), static_cast<std::int32_t>(z));
       }
@@ -52,7 +52,7 @@ class Survey {
     co_return std::move(surface_);
   }
 
-  /// After an error: until the last answer, which close() brings, has come.
+  /// After an error: waits for the last answer, which close() delivers.
   asio::awaitable<void> finish() {
     while (open_ > 0) co_await change();
   }
@@ -90,8 +90,8 @@ class Survey {
     finish_one();
   }
 
-  // The chunk row of the topmost solid voxel y under a height, the highest with 256 y + 128 < height. Kept to
-  // the world's rows, whatever a server answers.
+  // Chunk row of the topmost solid voxel y below a height: the highest with 256 y + 128 < height. Limited to
+  // the world's rows, whatever the server answers.
   [[nodiscard]] std::int32_t row_of_ground(std::int32_t height_fx) const {
     const std::int64_t voxel = ((std::int64_t{height_fx} + 127) >> 8) - 1;
     const std::int64_t inside = std::max(std::min(voxel, world_.max_y), world_.min_y - 1);
@@ -110,7 +110,7 @@ class Survey {
     });
   }
 
-  // All chunks of a square that were asked for are there: is air above them?
+  // Called when all requested chunks of a square have arrived: continues upwards unless there is air above.
   void climb(const ChunkKey& key) {
     const auto above = surface_.next_row_up(key.coord.x, key.coord.z);
     if (above && std::int64_t{*above} * kChunkSize <= world_.max_y) {

@@ -15,19 +15,19 @@ namespace {
 // Darker than land: light grey would look like snow or rock.
 const glm::vec3 kUnseen = to_light(0x2B313A);
 const glm::vec3 kUnseenStripe = to_light(0x3D4551);
-const glm::vec3 kEdge = to_light(0x0E1116);  // around what is known
+const glm::vec3 kEdge = to_light(0x0E1116);  // around known land
 const glm::vec3 kPath = to_light(0xFFFFFF);
 const glm::vec3 kPathOutline = to_light(0x14181E);
 const glm::vec3 kSun = glm::normalize(glm::vec3{-0.55F, 0.75F, -0.5F});  // from the north-west
 constexpr int kStripe = 2;                                               // pixels
-constexpr int kStripeApart = 7;                                          // from one to the next
+constexpr int kStripeApart = 7;                                          // distance between stripes
 constexpr double kPathHalf = 1.0;                                        // pixels
 constexpr double kOutlineHalf = 2.2;
-constexpr int kSmoothRing = 2;  // columns: voxel steps would else shade every hill as a staircase
+constexpr int kSmoothRing = 2;  // columns; without it, hills would be shaded as staircases
 
 using Points = std::vector<std::optional<SurfacePoint>>;
 
-// What is drawn: the surface at every `step`-th column.
+// The drawn surface, at every `step`-th column.
 struct Sheet {
   int width = 0;
   int height = 0;
@@ -56,7 +56,7 @@ Sheet sheet_of(const SurfaceMap& surface, const Extent& extent) {
   return sheet;
 }
 
-// Mean ground height around a pixel, of what is known there.
+// Mean ground height around a pixel, over known pixels.
 float smooth_height(const Sheet& sheet, int x, int y) {
   float sum = 0;
   float weight = 0;
@@ -94,7 +94,7 @@ class SmoothHeights {
   std::vector<float> values_;
 };
 
-// 1 on a plain: sun on the slope, and less sky in hollows than on ridges.
+// 1 on a plain; depends on the sun on the slope, and is lower in hollows than on ridges.
 float light_at(const Sheet& sheet, const SmoothHeights& heights, int x, int y) {
   const auto known = [&](int px, int py) { return sheet.at(px, py) != nullptr; };
   if (!known(x - 1, y) || !known(x + 1, y) || !known(x, y - 1) || !known(x, y + 1)) return 1.0F;
@@ -111,7 +111,7 @@ float light_at(const Sheet& sheet, const SmoothHeights& heights, int x, int y) {
   return (0.25F + 0.75F * sun) * sky;
 }
 
-// As talus-gen's maps have it: red is lost first, and water grows darker with its depth.
+// As in talus-gen's maps: red is absorbed first, and water darkens with depth.
 glm::vec3 water_over(const glm::vec3& bed, const glm::vec3& water, std::int32_t rows) {
   const auto depth = static_cast<float>(rows);
   const glm::vec3 through = 0.42F * glm::exp(-depth * glm::vec3{0.76F, 0.38F, 0.28F});
@@ -119,7 +119,7 @@ glm::vec3 water_over(const glm::vec3& bed, const glm::vec3& water, std::int32_t 
   return water * deep * (1.0F - through) + bed * through;
 }
 
-// Hatched, as maps are where nothing is known, with an edge around what is.
+// Unknown land is hatched, with an edge around known land.
 glm::vec3 unseen(const Sheet& sheet, int x, int y) {
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
     if (sheet.at(x + dx, y + dy) != nullptr) return kEdge;
@@ -127,7 +127,7 @@ glm::vec3 unseen(const Sheet& sheet, int x, int y) {
   return (x + y) % kStripeApart < kStripe ? kUnseenStripe : kUnseen;
 }
 
-// A smooth line: how far pixels are from it, for those that it may cover.
+// A smooth line: stores the distance of the pixels that it may cover.
 class Line {
  public:
   Line(int width, int height) : width_{width}, height_{height} {}
@@ -174,7 +174,7 @@ void draw_path(Picture& picture, const Extent& extent, std::int64_t step,
     const int parts = std::max(1, static_cast<int>(std::ceil(glm::length(to - from) * 2.0)));
     for (int part = 0; part < parts; ++part) line.dot(glm::mix(from, to, static_cast<double>(part) / parts));
   }
-  // A ring where the flight ended.
+  // Draw a ring at the end of the flight.
   for (int degree = 0; degree < 360; degree += 4) {
     const double angle = degree * 0.017453292519943295;
     line.dot(in_picture(path.back()) + glm::dvec2{std::cos(angle), std::sin(angle)} * 6.0);

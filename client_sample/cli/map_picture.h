@@ -1,4 +1,4 @@
-// A shaded map of the ground, from above; north (smaller z) is up.
+// Draws a shaded map of the ground, from above; north (smaller z) is up.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@
 
 namespace talus::cli {
 
-/// A pixel a column; extents wider or deeper than `kMaxMapSide` are drawn at every n-th column. `path`
-/// is drawn as a white line through base columns (x, z). What no chunk has shown is hatched in dark greys,
-/// with a darker edge around what is known.
+/// One pixel per column; extents wider or deeper than `kMaxMapSide` are drawn at every n-th column. `path` is
+/// drawn as a white line through base columns (x, z). Unknown land is hatched in dark greys, with a darker
+/// edge around known land.
 inline constexpr std::int64_t kMaxMapSide = 4096;
 
 [[nodiscard]] Picture draw_map(const SurfaceMap& surface, const std::vector<client::Material>& materials,

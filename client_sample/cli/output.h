@@ -1,4 +1,4 @@
-// Where results go, looked at before the work, so that none is lost.
+// Checks output paths before the work starts.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,7 @@
 
 namespace talus::cli {
 
-/// Whether `path`, where it is not empty, names a file in a folder that can be written to. The error is one
-/// line.
+/// Fails, with one line, unless `path` is empty or names a file in a writable folder.
 [[nodiscard]] tl::expected<void, std::string> check_output(const std::filesystem::path& path);
 
 }  // namespace talus::cli

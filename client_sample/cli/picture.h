@@ -1,4 +1,4 @@
-// Pictures: pixels as light, and PNG files.
+// Pictures: pixels as linear light, and PNG files.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace talus::cli {
 
-/// Linear light, 0 to 1 a channel and above, rows from the top.
+/// Linear light, 0 to 1 per channel or above, rows from the top.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -33,10 +33,10 @@ struct Picture {
   }
 };
 
-/// 0xRRGGBB in sRGB as linear light.
+/// Converts sRGB 0xRRGGBB to linear light.
 [[nodiscard]] glm::vec3 to_light(std::uint32_t rgb);
 
-/// Whether `path`, where it is not empty, ends in .png; the error names `option`.
+/// Fails unless `path` is empty or ends in .png; the error names `option`.
 [[nodiscard]] tl::expected<void, std::string> check_png_name(const std::filesystem::path& path,
                                                              std::string_view option);
 

@@ -39,7 +39,7 @@ CommandResult run(const CommandLine& line) {
   return result;
 }
 
-// What was printed may still lie in a buffer, and be lost.
+// Flushes output, which could otherwise be lost in a buffer.
 CommandResult finish_printing() {
   errno = 0;
   if (std::cout.flush()) return {};

@@ -1,9 +1,9 @@
-// talus-client but for its main(), which needs no header of Asio then.
+// talus-client without main(), so that main.cpp does not include Asio.
 #pragma once
 
 namespace talus::cli {
 
-/// Does what the command line says, prints what comes of it, and returns the status to exit with.
+/// Runs the command line, prints the result, and returns the exit status.
 [[nodiscard]] int run_program(int argc, const char* const* argv);
 
 }  // namespace talus::cli

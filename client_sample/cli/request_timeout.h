@@ -1,4 +1,4 @@
-// How long a command waits for a server.
+// Limits how long a command waits for a server.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace talus::cli {
 
-/// Closes a client, which fails all its requests, when the time is over. The client and `clock` outlive it.
+/// Closes a client after the time, failing its requests. The client and `clock` must outlive this.
 class RequestTimeout {
  public:
   using Seconds = std::chrono::duration<double>;
@@ -19,11 +19,11 @@ class RequestTimeout {
   RequestTimeout(const asio::any_io_executor& executor, client::Clock& clock, client::Client& client,
                  Seconds time);
 
-  /// An answer to a request has come: the time begins anew. What comes without a request must not call this.
+  /// Restarts the time after an answer to a request. Must not be called for unsolicited messages.
   void restart();
 
   [[nodiscard]] bool has_expired() const;
-  /// One line for a failed request: that the time was over where it was, else the error's message.
+  /// One line for a failed request: the timeout if it expired, otherwise the error's message.
   [[nodiscard]] std::string explain(const client::ClientError& error) const;
 
  private:

@@ -16,11 +16,11 @@ glm::ivec3 floored(const glm::dvec3& point) {
   return glm::ivec3{glm::floor(point)};
 }
 
-// A ray prepared for walking grids: everything that does not change from one cell to the next.
+// A ray prepared for traversing grids, with everything that is the same in all cells.
 struct Ray {
   glm::dvec3 from{};
   glm::dvec3 direction{};
-  glm::dvec3 inverse{};  // of the direction; huge where that is zero, so that its walls are never reached
+  glm::dvec3 inverse{};  // of the direction; huge if that is zero, so that these walls are never reached
   glm::ivec3 step{};
 
   Ray(const glm::dvec3& from_, const glm::dvec3& direction_) : from{from_}, direction{direction_} {
@@ -33,7 +33,7 @@ struct Ray {
 
   [[nodiscard]] glm::dvec3 at(double distance) const { return from + direction * distance; }
 
-  // Distances to the walls through which the ray leaves the box of edge `size` at `low`, by axis.
+  // Distances at which the ray leaves the box of edge `size` at `low`, by axis.
   [[nodiscard]] glm::dvec3 walls(const glm::ivec3& low, int size) const {
     glm::dvec3 walls;
     for (int axis = 0; axis < 3; ++axis) {
@@ -75,7 +75,7 @@ Scene::Scene(const client::ChunkStore& store, const std::vector<client::Material
     solid_[to_integer(material.id)] = material.phase == client::Phase::solid;
     not_gas_[to_integer(material.id)] = material.phase != client::Phase::gas;
   }
-  // A corner of a chunk of every level, so that cells of all levels begin at whole chunks.
+  // A chunk corner of every level, so that cells of all levels begin at whole chunks.
   const std::int64_t grain = std::int64_t{kChunkSize} << Lod::kMax;
   origin_ = {floor_div(centre.x, grain) * grain, floor_div(centre.y, grain) * grain,
              floor_div(centre.z, grain) * grain};
@@ -150,7 +150,7 @@ std::optional<Hit> Scene::cast(const glm::dvec3& from, const glm::dvec3& directi
   const Ray ray{from, direction};
   const auto& stopping = stop == Stop::at_solid ? solid_ : not_gas_;
   double distance = 0;
-  int axis = 1;  // along which the ray entered where it is
+  int axis = 1;  // along which the ray entered the current cell
   while (distance < reach) {
     const glm::ivec3 point = floored(ray.at(distance + kPast));
     const Found found = find(point);

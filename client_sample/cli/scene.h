@@ -1,4 +1,4 @@
-// Chunks of several levels of detail laid out for rays: around a point, finest first.
+// Chunks of several levels of detail around a point, arranged for ray casting, finest first.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace talus::cli {
 
-/// What a ray met. Coordinates count base voxels from Scene::origin().
+/// Intersection of a ray. Coordinates are base voxels relative to Scene::origin().
 struct Hit {
   double distance = 0;
   glm::dvec3 point{};
   glm::ivec3 voxel{};   // lowest corner of the voxel
   int size = 1;         // its edge: 1, 2, 4, ...
-  glm::ivec3 normal{};  // of the face that was met
+  glm::ivec3 normal{};  // of the face hit
   std::uint16_t material = 0;
 };
 
@@ -28,17 +28,17 @@ class Scene {
  public:
   enum class Stop : std::uint8_t { at_anything, at_solid };
 
-  /// Takes the chunks that `store` holds, whatever their level. Rays must start near `centre`.
+  /// Takes all chunks in `store`, of any level. Rays must start near `centre`.
   Scene(const client::ChunkStore& store, const std::vector<client::Material>& materials, VoxelPos centre);
 
   [[nodiscard]] VoxelPos origin() const { return origin_; }
 
-  /// The first voxel along the ray that is not air (or, at_solid, not liquid either), if one lies within
-  /// `reach`. Where no chunk is known there is air. `direction` has length 1.
+  /// The first voxel along the ray that is not air (with at_solid, nor liquid), within `reach`. Unknown
+  /// chunks count as air. REQUIRES: `direction` has length 1.
   [[nodiscard]] std::optional<Hit> cast(const glm::dvec3& from, const glm::dvec3& direction, double reach,
                                         Stop stop) const;
 
-  /// Whether the voxel that holds the point is solid.
+  /// True if the voxel that contains the point is solid.
   [[nodiscard]] bool solid_at(const glm::ivec3& point) const;
   [[nodiscard]] bool liquid(std::uint16_t material) const { return not_gas_[material] && !solid_[material]; }
 
@@ -47,10 +47,9 @@ class Scene {
   static constexpr std::size_t kMaterials = std::size_t{1} << 16U;
   using Voxels = std::array<std::uint16_t, kChunkVolume>;
 
-  // The chunks of one level. A cell is kUnknown, an index into chunks_, or for a chunk of one material
-  // that one, as -2 - material.
+  // Chunks of one level. A cell is kUnknown, an index into chunks_, or -2 - material for a uniform chunk.
   struct Level {
-    int shift = 0;  // of a base coordinate, to chunks of this level
+    int shift = 0;  // from base coordinates to chunks of this level
     glm::ivec3 low{};
     glm::ivec3 size{};
     std::vector<std::int32_t> cells;

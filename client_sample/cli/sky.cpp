@@ -17,7 +17,7 @@ float corner(std::int64_t x, std::int64_t z) {
   return static_cast<float>((bits >> 40U) & 0xFFFFU) / 65535.0F;
 }
 
-// Values at whole points, smoothly joined.
+// Random values at integer points, smoothly interpolated.
 float value_noise(glm::vec2 at) {
   const glm::vec2 low = glm::floor(at);
   const glm::vec2 part = at - low;
@@ -54,7 +54,7 @@ Sky::Sky(const glm::vec3& towards_sun) : to_sun{towards_sun} {
 float cloud_cover(const glm::vec3& direction) {
   constexpr int kOctaves = 5;
   if (direction.y <= 0.01F) return 0.0F;
-  // Where the direction meets the plane; streaks lie along one axis.
+  // Intersection of the direction with the plane; streaks lie along one axis.
   glm::vec2 at = glm::vec2{direction.x, direction.z} / (direction.y + 0.06F) * glm::vec2{1.1F, 0.55F};
   float sum = 0.0F;
   float amplitude = 0.5F;

@@ -1,4 +1,4 @@
-// The light over the landscape: sun, sky, clouds and air. Pure functions of a direction.
+// Light of the landscape: sun, sky, clouds and air. Pure functions of a direction.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,20 @@
 
 namespace talus::cli {
 
-/// How much cloud there is in a direction, 0 to 1: thin streaks on a plane high above.
+/// Amount of cloud in a direction, 0 to 1: thin streaks on a plane high above.
 [[nodiscard]] float cloud_cover(const glm::vec3& direction);
 
-/// The light of a height of the sun, as look.json has it. `to_sun` has a length of 1; a picture may have its
-/// sun at its side.
+/// Light at the sun's elevation, from look.json; the sun's azimuth is the picture's choice. `to_sun` has
+/// length 1.
 struct Sky {
   glm::vec3 to_sun;
   glm::vec3 sunlight, zenith, horizon, glow;
-  glm::vec3 from_above, from_below;  // on a face that looks up; thrown back by the ground
+  glm::vec3 from_above, from_below;  // on a face that looks up; reflected by the ground
   float exposure = 1.0F;
 
   explicit Sky(const glm::vec3& towards_sun = {0.0F, 1.0F, 0.0F});
 
-  /// Without sun and clouds: also what distance fades to.
+  /// The sky without sun and clouds, to which distant land also fades.
   [[nodiscard]] glm::vec3 clear(const glm::vec3& direction) const {
     const float up = std::max(direction.y, 0.0F);
     glm::vec3 light = glm::mix(zenith, horizon, std::exp(-4.5F * up));
@@ -45,18 +45,18 @@ struct Sky {
     return glm::mix(clear(direction) + sun, cloud, cloud_cover(direction));
   }
 
-  /// Light from the whole sky on a face.
+  /// Light of the whole sky on a face.
   [[nodiscard]] glm::vec3 ambient(const glm::vec3& normal) const {
     return glm::mix(from_below, from_above, 0.5F + 0.5F * normal.y);
   }
 
-  /// The colour that distance turns to.
+  /// The colour to which distant land fades.
   [[nodiscard]] glm::vec3 haze(const glm::vec3& direction) const {
     return clear(glm::normalize(glm::vec3{direction.x, std::max(direction.y, 0.0F) + 0.012F, direction.z}));
   }
 };
 
-/// Light as a picture shows it, 0 to 1: a filmic curve (after Hill's fit of the ACES reference).
+/// Maps light to the picture's range, 0 to 1, by a filmic curve (after Hill's fit of the ACES reference).
 [[nodiscard]] glm::vec3 shown(const glm::vec3& light);
 
 }  // namespace talus::cli

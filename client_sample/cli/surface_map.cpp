@@ -14,7 +14,7 @@ ChunkKey square_key(std::int32_t x, std::int32_t z) {
 
 tl::expected<Extent, RangeError> extent_around(std::int64_t x, std::int64_t z, std::int64_t width,
                                                std::int64_t depth) {
-  // The centre before any arithmetic, so that none can overflow.
+  // The centre is checked before any arithmetic, which could overflow.
   const auto center = chunk_holding({x, 0, z}, Lod{});
   if (!center) return tl::unexpected{center.error()};
   const Extent extent{x - width / 2, z - depth / 2, width, depth};

@@ -1,4 +1,4 @@
-// The ground as seen from above, put together from chunks in whatever order they come.
+// The ground seen from above, assembled from chunks in any order.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@
 
 namespace talus::cli {
 
-/// What lies on top of a base column.
+/// Top of a base column.
 struct SurfacePoint {
   std::int32_t top = 0;             // row of the topmost voxel that is not air
   std::int32_t ground = 0;          // row of the topmost solid voxel: lower than `top` under water
   MaterialId material{};            // of the topmost solid voxel
-  std::optional<MaterialId> water;  // the topmost liquid, where one lies on it
+  std::optional<MaterialId> water;  // the topmost liquid, if there is one above
 };
 
-/// Base columns from (x, z) on, `width` along x and `depth` along z.
+/// Base columns from (x, z), `width` along x and `depth` along z.
 struct Extent {
   std::int64_t x = 0;
   std::int64_t z = 0;
@@ -32,7 +32,7 @@ struct Extent {
   std::int64_t depth = 0;
 };
 
-/// The extent of that size around base column (x, z), or what says how it leaves the world.
+/// The extent of this size around base column (x, z), or an error if it leaves the world.
 [[nodiscard]] tl::expected<Extent, RangeError> extent_around(std::int64_t x, std::int64_t z,
                                                              std::int64_t width, std::int64_t depth);
 
@@ -40,14 +40,14 @@ class SurfaceMap {
  public:
   explicit SurfaceMap(const std::vector<client::Material>& materials);
 
-  /// Takes in a chunk of level 0; those of other levels change nothing.
+  /// Adds a chunk of level 0; chunks of other levels are ignored.
   void add(const ChunkKey& key, const Chunk& chunk);
 
-  /// The surface at a column, if chunks have shown it: what is topmost, and that air lies above it.
+  /// The surface at a column, if chunks have shown its topmost voxel and air above it.
   [[nodiscard]] std::optional<SurfacePoint> at(std::int64_t x, std::int64_t z) const;
 
-  /// The chunk rows that hold nothing known yet above the topmost voxel seen in a chunk's columns: what
-  /// to ask for next. None when the whole square of columns is known.
+  /// The next unknown chunk row above the topmost voxels seen in a chunk's columns, to be requested next.
+  /// nullopt if the whole square of columns is known.
   [[nodiscard]] std::optional<std::int32_t> next_row_up(std::int32_t chunk_x, std::int32_t chunk_z) const;
 
   /// The smallest extent of whole chunks around all columns seen.
@@ -55,11 +55,11 @@ class SurfaceMap {
 
  private:
   struct Square {
-    std::set<std::int32_t> rows;  // chunk rows that have come
+    std::set<std::int32_t> rows;  // chunk rows received
     std::array<std::int32_t, kChunkArea> top;
     std::array<std::int32_t, kChunkArea> ground;
     std::array<MaterialId, kChunkArea> material{};
-    std::array<MaterialId, kChunkArea> topmost{};  // at `top`
+    std::array<MaterialId, kChunkArea> topmost{};  // material at `top`
   };
   static constexpr std::int32_t kNothing = INT32_MIN;
 

@@ -18,18 +18,18 @@
 namespace talus::cli {
 namespace {
 
-// Two samples of a pixel agree where the roots of their light, near sRGB, differ by less in each channel.
+// Two samples of a pixel agree if the square roots of their light, near sRGB, differ by less in each channel.
 constexpr float kSameRoot = 1.0F / 64;
 constexpr double kShadowReach = 900.0;   // voxels
-constexpr float kThroughClouds = 0.85F;  // of the sun's light
-constexpr double kCalmDistance = 150.0;  // voxels in which waves fall to 1/e
-// Water as the viewer has it: client_sample/web/viewer/src/engine/shaders/water.ts and terrain.ts.
-const glm::vec3 kWaterBody{0.012F, 0.085F, 0.11F};       // what it throws back of white where it is deep
-const glm::vec3 kWaterScatter{0.012F, 0.075F, 0.095F};   // what lies between surface and bed throws back
-const glm::vec3 kWaterAbsorption{0.30F, 0.085F, 0.06F};  // of light, a voxel
-constexpr double kWaterReach = 96.0;                     // voxels to a bed; none is seen beyond
+constexpr float kThroughClouds = 0.85F;  // share of the sun's light
+constexpr double kCalmDistance = 150.0;  // voxels over which waves fall to 1/e
+// Water as in the viewer: client_sample/web/viewer/src/engine/shaders/water.ts and terrain.ts.
+const glm::vec3 kWaterBody{0.012F, 0.085F, 0.11F};       // reflectance of deep water
+const glm::vec3 kWaterScatter{0.012F, 0.075F, 0.095F};   // reflectance of the water between surface and bed
+const glm::vec3 kWaterAbsorption{0.30F, 0.085F, 0.06F};  // of light, per voxel
+constexpr double kWaterReach = 96.0;                     // maximum distance at which a bed is visible, voxels
 
-// The same voxel always has the same value, 0 to 1.
+// A constant pseudo-random value per voxel, 0 to 1.
 float speckle(const glm::i64vec3& voxel) {
   auto bits = static_cast<std::uint64_t>(voxel.x) * 0x9E3779B97F4A7C15U ^
               static_cast<std::uint64_t>(voxel.y) * 0xC2B2AE3D27D4EB4FU ^
@@ -68,8 +68,8 @@ class Painter {
       const double up = (1.0 - 2.0 * (y + down) / height) * half_width_ * height / width;
       return shown(sky_.exposure * light_along(glm::normalize(forward_ + right_ * right + up_ * up)));
     };
-    // Two samples on a diagonal, and the other two where these see an edge. An edge along the diagonal may
-    // pass between the other two unseen, so the diagonals come by turns.
+    // Two samples on a diagonal, and two more if these reveal an edge. An edge along the diagonal may be
+    // missed between the other two, so the diagonals alternate.
     const double left = (x + y) % 2 == 0 ? 0.25 : 0.75;
     const double right = 1.0 - left;
     const glm::vec3 first = sample(left, 0.25);
@@ -102,7 +102,7 @@ class Painter {
     return colour_of(hit) * (sky_.sunlight * sun + sky_.ambient(normal) * openness(hit));
   }
 
-  // The bed through so much water above it; `sun` is what reaches the surface, 0 to 1.
+  // Light of the bed seen through water; `sun` is the share that reaches the surface, 0 to 1.
   [[nodiscard]] glm::vec3 bed_light(const Hit& hit, float path, float sun) const {
     const glm::vec3 normal{hit.normal};
     const float facing = std::max(0.0F, glm::dot(normal, sky_.to_sun));
@@ -119,21 +119,21 @@ class Painter {
   [[nodiscard]] glm::vec3 colour_of(const Hit& hit) const {
     const glm::i64vec3 place = to_vec(scene_.origin()) + glm::i64vec3{hit.voxel};
     const float grain = 0.90F + 0.20F * speckle(place);
-    // Patches a few voxels wide, so that a meadow is not one colour.
+    // Patches a few voxels wide, so that a meadow is not uniform.
     const float patch = 0.94F + 0.12F * speckle({place.x >> 3, place.y >> 3, place.z >> 3});
     return colours_[hit.material] * (grain * patch);
   }
 
   [[nodiscard]] bool sunlit(const Hit& hit) const {
-    // The steps of a slope would throw a tooth of shadow each; the ray starts beyond the next few, whose
-    // shade openness() gives.
+    // The steps of a slope would each cast a small shadow; the ray starts beyond the next few, which
+    // openness() shades.
     const glm::dvec3 from =
         hit.point + glm::dvec3{hit.normal} * 0.02 + glm::dvec3{sky_.to_sun} * (1.8 * hit.size);
     return !scene_.cast(from, glm::dvec3{sky_.to_sun}, kShadowReach, Scene::Stop::at_solid);
   }
 
-  // How much of the sky a point of a face sees past the voxels beside it: each corner is darkened by the
-  // voxels around it, and the corners blend across the face.
+  // Share of the sky that a point of a face sees past neighbouring voxels: each corner is darkened by the
+  // voxels around it, and the corners are interpolated across the face.
   [[nodiscard]] float openness(const Hit& hit) const {
     const int axis = hit.normal.x != 0 ? 0 : hit.normal.y != 0 ? 1 : 2;
     const int first = (axis + 1) % 3;
@@ -163,8 +163,8 @@ class Painter {
     return glm::mix(glm::mix(corner(0, 0), corner(2, 0), u), glm::mix(corner(0, 2), corner(2, 2), u), v);
   }
 
-  // The slope of small waves: a few sines that cross, calm in the distance, where a wave is narrower than a
-  // pixel and would show as noise.
+  // Slope of small waves: a few crossing sines, which fade in the distance, where a wave would be narrower
+  // than a pixel and appear as noise.
   [[nodiscard]] glm::vec2 wave_slope(const Hit& hit) const {
     struct Wave {
       double east, south;  // 2 pi over the wavelength, 5 to 14 voxels, along each axis
@@ -181,11 +181,11 @@ class Painter {
     return slope * static_cast<float>(std::exp(-hit.distance / kCalmDistance));
   }
 
-  // How much of what a surface mirrors that way is land, 0 to 1. Heights at a few distances blend, or
-  // single voxels of the bank would stand in the mirror with sharp edges.
+  // Share of land in the mirror image in this direction, 0 to 1. Averages heights at a few distances, or
+  // single voxels of the bank would appear in the mirror with sharp edges.
   [[nodiscard]] float hills(const glm::dvec3& from, const glm::dvec3& away) const {
-    constexpr double kLow = -2.0;   // of the land above the ray: there it begins to show, and
-    constexpr double kHigh = 10.0;  // there it hides the sky
+    constexpr double kLow = -2.0;   // height of the land above the ray at which it begins to show
+    constexpr double kHigh = 10.0;  // height at which it hides the sky
     float most = 0.0F;
     for (const double distance : {14.0, 28.0, 56.0, 112.0, 224.0}) {
       const glm::dvec3 top = from + away * distance + glm::dvec3{0, kHigh, 0};
@@ -199,7 +199,7 @@ class Painter {
 
   [[nodiscard]] glm::vec3 mirrored(const glm::dvec3& from, const glm::vec3& away) const {
     const glm::vec3 sky = sky_.seen(away);
-    // One dark tone for all hills: a mirror that shows each colour is of glass.
+    // One dark tone for all hills: a mirror that shows every colour would look like glass.
     const glm::vec3 land =
         (sky_.from_above * 0.10F + sky_.sunlight * 0.04F) * glm::vec3{0.55F, 0.7F, 0.4F} + sky * 0.25F;
     return glm::mix(sky, land, 0.8F * hills(from, glm::dvec3{away}));
@@ -211,7 +211,7 @@ class Painter {
     const float sun = sunlit(hit) ? kThroughClouds : 0.0F;
     const auto bed = scene_.cast(hit.point + ray * 0.01, ray, kWaterReach, Scene::Stop::at_solid);
     const auto along = static_cast<float>(bed ? bed->distance : kWaterReach);
-    // On its way to the bed and up again light passes the water above it; through a side, what is seen.
+    // Light passes through the water above the bed twice; from the side, only the visible path counts.
     const float depth = top ? along * -direction.y : along;
     const float path = top ? depth * (1.0F + 0.6F / std::max(-direction.y, 0.25F)) : along;
     const glm::vec3 below = bed ? bed_light(*bed, path, sun) : scattered(path);
@@ -231,7 +231,7 @@ class Painter {
 
   Scene scene_;
   Sky sky_;
-  // By material; black where Welcome has none.
+  // By material; black if it is missing in Welcome.
   std::vector<glm::vec3> colours_ = std::vector<glm::vec3>(std::size_t{1} << 16U, glm::vec3{0.0F});
   glm::dvec3 eye_, forward_, right_, up_;
   double half_width_;

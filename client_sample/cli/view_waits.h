@@ -1,4 +1,4 @@
-// How long chunks took from the View that first had them to their arrival.
+// Measures the time from the first View with a chunk to the chunk's arrival.
 #pragma once
 
 #include <chrono>
@@ -16,10 +16,10 @@ class ViewWaits {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// A View that differs from the one before was set.
+  /// Call when a View that differs from the previous one was set.
   void view_set(client::ViewShape shape, Time now) { views_.emplace_back(now, std::move(shape)); }
 
-  /// A chunk arrived. It counts once, from the first View that has it; a chunk of no View does not count.
+  /// Call when a chunk arrived. Counts once, from the first View with it; chunks in no View are ignored.
   void chunk_arrived(const ChunkKey& key, Time now);
 
   [[nodiscard]] const measure::Histogram& waits() const { return waits_; }

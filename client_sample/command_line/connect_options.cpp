@@ -32,7 +32,7 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
   return *std::move(text);
 }
 
-/// Of an address with a scheme that is none of ours, or is not before the first address.
+/// Error of an address whose scheme is unknown, or not in front of the first address.
 std::string scheme_error(const ConnectWords& words, std::string_view address) {
   const std::string_view scheme = address.substr(0, address.find(kSchemeEnd) + kSchemeEnd.size());
   std::string text = "--connect " + words.connect + ": ";
@@ -52,7 +52,7 @@ void add_connect_options(CLI::App& app, ConnectWords& words) {
                  "HOST:PORT of the server, or ws://HOST:PORT[/PATH] (wss:// by TLS) for its HTTP address; "
                  "HOST:PORT,HOST:PORT,... where several have the same world")
       ->capture_default_str();
-  // A flag takes the place of both variables, so they are looked at where no flag was.
+  // A flag overrides both variables, so they are read only if neither flag was given.
   auto* file = app.add_option("--token-file", words.token_file,
                               "File with a token from the server's operator; default: $TALUS_TOKEN_FILE");
   auto* token = app.add_option(

@@ -1,4 +1,4 @@
-// Which server to connect to, by TLS or not, by WebSocket or not, and what to show it.
+// Options for connecting to a server: addresses, TLS, WebSocket and token.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ class App;
 
 namespace talus::command_line {
 
-/// As the user typed it.
+/// Values as typed by the user.
 struct ConnectWords {
   std::string connect = "localhost:4780";
   std::string token;
@@ -26,26 +26,25 @@ struct ConnectWords {
 };
 
 /// Adds --connect, --token-file (or TALUS_TOKEN_FILE), --token (or TALUS_TOKEN), --tls, --ca, --tls-name and
-/// --websocket.
-/// Variables, unlike words, are not in the list of processes; flags win over them. `words` outlives the
-/// parsing.
+/// --websocket. Flags override the environment variables, which unlike flags are hidden from the list of
+/// processes. `words` must outlive the parsing.
 void add_connect_options(CLI::App& app, ConnectWords& words);
 
 struct ConnectOptions {
   protocol::Endpoint server;
   std::vector<protocol::Endpoint> more_servers;  // of the same world
-  std::string token;                             // empty: none
+  std::string token;                             // may be empty
   client::TlsOptions tls;
   client::WebSocketOptions websocket;
 };
 
-/// The error is one line that names the option.
+/// An error is one line that names the option.
 [[nodiscard]] tl::expected<ConnectOptions, std::string> read_connect_options(const ConnectWords& words);
 
-/// As the client library takes them.
+/// Converts to the client library's type.
 [[nodiscard]] std::vector<client::ServerAddress> more_servers(const ConnectOptions& options);
 
-/// HOST:PORT of a server that listens, so not port 0. The error names `option`.
+/// HOST:PORT of a listening server, so not port 0. The error names `option`.
 [[nodiscard]] tl::expected<protocol::Endpoint, std::string> read_server_address(std::string_view option,
                                                                                 std::string_view text);
 

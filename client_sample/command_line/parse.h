@@ -1,4 +1,4 @@
-// Parsing a command line, and how a program ends that has nothing to do.
+// Parses a command line, and describes how to exit if nothing is to be run.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace talus::command_line {
 
 inline constexpr int kExitWrongUse = 2;
 
-/// --help or --version with status 0 and text for standard output, or one line with status 2.
+/// --help or --version: status 0 and text for standard output; error: status 2 and one line.
 struct Exit {
   int status = 0;
   std::string text;
 };
 
-/// Empty where the program goes on.
+/// Returns nullopt if the program continues.
 [[nodiscard]] std::optional<Exit> parse(CLI::App& app, int argc, const char* const* argv);
 
-/// As CLI::Range, which accepts "nan".
+/// Like CLI::Range, which accepts "nan".
 [[nodiscard]] CLI::Validator within(double low, double high);
 
 }  // namespace talus::command_line

@@ -7,7 +7,7 @@
 namespace talus::measure {
 namespace {
 
-// Up to 2 * kHalf every microsecond has its bucket; each doubling above has kHalf of them.
+// Up to 2 * kHalf every microsecond has a bucket; each doubling above has kHalf buckets.
 constexpr std::uint64_t kHalf = 1024;
 constexpr int kHalfBits = 10;
 constexpr std::uint64_t kMaxUs = (std::uint64_t{1} << 36) - 1;

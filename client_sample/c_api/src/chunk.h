@@ -1,4 +1,4 @@
-// What a talus_chunk is.
+// Definition of talus_chunk.
 #pragma once
 
 #include <atomic>

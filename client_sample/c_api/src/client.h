@@ -1,4 +1,4 @@
-// What a talus_client is.
+// Definition of talus_client.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 struct talus_client {
   talus::c_api::ErrorLine error;
-  // The world by the events that were polled, not by those that wait.
+  // The world according to the events polled, not to queued ones.
   std::shared_ptr<const talus::client::WorldInfo> world;
   talus::c_api::QueuedEvent current;  // the last event, which the caller reads
-  talus::c_api::ChunkHandle chunk;    // of that event
+  talus::c_api::ChunkHandle chunk;    // of this event
   std::unique_ptr<talus::c_api::Session> session;
 };

@@ -1,4 +1,4 @@
-// The header's values as the C++ library's, and back.
+// Converts between the types of talus.h and the C++ library's.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@
 
 namespace talus::c_api {
 
-/// Why an argument is wrong, as the end of "FUNCTION: ...".
+/// The error completes "FUNCTION: ...".
 template <typename T>
 using Checked = tl::expected<T, std::string>;
 
 [[nodiscard]] talus_status status_of(client::ErrorKind kind);
 
-/// NULL is the empty text.
+/// NULL is the empty string.
 [[nodiscard]] inline std::string text_of(const char* text) {
   return text == nullptr ? std::string{} : std::string{text};
 }
@@ -28,7 +28,6 @@ using Checked = tl::expected<T, std::string>;
 [[nodiscard]] Checked<client::Options> options_of(const talus_connect_options& options);
 [[nodiscard]] Checked<client::View> view_of(const talus_view& view);
 [[nodiscard]] Checked<client::Edit> edit_of(const talus_edit& edit);
-/// As Client::set_view() compares: then it sends nothing.
 [[nodiscard]] talus_world world_of(const client::WorldInfo& world);
 [[nodiscard]] talus_material material_of(const client::Material& material);
 

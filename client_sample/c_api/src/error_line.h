@@ -1,4 +1,4 @@
-// The line of talus_last_error(). Its place is fixed, so that telling of a failed allocation needs none.
+// Text of talus_last_error(), in a fixed buffer, so that reporting a failed allocation needs no memory.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace talus::c_api {
 
 class ErrorLine {
  public:
-  /// "FUNCTION: WHAT", cut where it is too long, not inside a character.
+  /// "FUNCTION: WHAT", truncated if too long, but not inside a character.
   void set(std::string_view function, std::string_view what) noexcept {
     end_ = 0;
     append(function);

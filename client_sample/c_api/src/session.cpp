@@ -10,7 +10,7 @@
 namespace talus::c_api {
 namespace {
 
-// Of callbacks that do much and tell nothing; then a poll that shall not wait returns all the same.
+// Bounds the callbacks of one poll, so that a poll without waiting returns even if they produce no events.
 constexpr int kMaxHandlers = 256;
 
 QueuedEvent with_world(std::uint32_t type, const client::WorldInfo& world) {
@@ -42,7 +42,7 @@ Session::Session(const std::string& host, const std::string& port, client::Optio
 }
 
 Session::~Session() {
-  // Closing allocates; where that fails the sockets are closed with the event loop.
+  // Closing allocates; if that fails, destroying the event loop closes the sockets.
   remember([&] { client_->close(); });
 }
 
@@ -94,7 +94,7 @@ void Session::on_joined(const client::Result<client::WorldInfo>& world) {
   }
 }
 
-// When it is over, the open requests are still to be answered.
+// At the end of the connection, open requests are still to be answered.
 void Session::on_disconnect(const client::ClientError& error, bool retrying) {
   if (retrying) {
     queue_.push_back(with_error(TALUS_EVENT_RECONNECTING, error));
@@ -139,7 +139,7 @@ client::Result<void> Session::set_view(const client::View& view) {
   if (out_of_memory_) throw std::bad_alloc{};
   if (set && view_ != view) {
     view_ = view;
-    // It would be taken for the new View's.
+    // Queued events would be taken for the new View's.
     std::erase_if(queue_, [](const QueuedEvent& e) { return e.type == TALUS_EVENT_VIEW_COMPLETE; });
   }
   return set;

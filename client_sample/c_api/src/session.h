@@ -1,4 +1,4 @@
-// One talus_connect(): a C++ client with an event loop of its own, and its callbacks as a queue.
+// One talus_connect(): a C++ client with its own event loop, and its callbacks as a queue.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@
 
 namespace talus::c_api {
 
-/// What waits to become a talus_event.
+/// A queued event, to be returned as a talus_event.
 struct QueuedEvent {
   std::uint32_t type = 0;
   std::uint32_t request = 0;
@@ -29,11 +29,11 @@ struct QueuedEvent {
   std::uint32_t field_count = 0;
   std::chrono::nanoseconds round_trip{0};
   client::EditDone done;
-  std::shared_ptr<const client::WorldInfo> world;  // of those that tell of one
+  std::shared_ptr<const client::WorldInfo> world;  // for events that report one
 };
 
-/// Everything happens inside its functions, in the thread that calls them. An allocation that fails leaves by
-/// std::bad_alloc; then the session is of no more use than to be destroyed.
+/// All work happens inside its functions, in the calling thread. A failed allocation throws std::bad_alloc;
+/// the session must then be destroyed.
 class Session {
  public:
   Session(const std::string& host, const std::string& port, client::Options options);
@@ -41,21 +41,21 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Whether it has given its last event.
+  /// True if the last event was delivered.
   [[nodiscard]] bool is_over() const { return over_; }
-  /// Whether more events wait than a program that polls ever leaves.
+  /// True if the event queue has reached kMaxQueued.
   [[nodiscard]] bool is_full() const { return queue_.size() >= kMaxQueued; }
-  /// Whether the client has joined, and has not said since that the connection is over.
+  /// True after joining, until the client reports the end of the connection.
   [[nodiscard]] bool takes_requests() const { return client_->world() != nullptr && !closed_ && !over_; }
   [[nodiscard]] const client::WorldInfo* newest_world() const { return client_->world(); }
 
-  /// Works for the network until an event waits, at most for `timeout_ms` (negative: without limit); the
-  /// event, which stays in the queue until pop(). None: none came.
+  /// Does network work until an event is queued, at most `timeout_ms` (negative: without limit). The event
+  /// stays in the queue until pop(). Null if there is none in time.
   [[nodiscard]] const QueuedEvent* wait(std::int32_t timeout_ms);
   [[nodiscard]] QueuedEvent pop();
 
   [[nodiscard]] client::Result<void> set_view(const client::View& view);
-  // Each returns the number of its request, never 0.
+  // Each function returns the number of its request, never 0.
   [[nodiscard]] std::uint32_t get_chunk(const ChunkKey& key, std::optional<ContentHash> known);
   [[nodiscard]] std::uint32_t get_heights(std::vector<client::Column> columns);
   [[nodiscard]] std::uint32_t get_places(std::vector<client::Column> columns,
@@ -73,19 +73,19 @@ class Session {
   void on_disconnect(const client::ClientError& error, bool retrying);
   [[nodiscard]] std::uint32_t new_number();
   void run_some(std::int32_t timeout_ms);
-  /// In a callback of the client, which must not throw: does `work`, and remembers that memory ran out.
+  /// For callbacks of the client, which must not throw: runs `work` and records a failed allocation.
   template <typename Work>
   void remember(Work&& work) noexcept;
 
   asio::io_context io_;
   std::deque<QueuedEvent> queue_;
-  std::optional<QueuedEvent> closed_;  // comes after all that waits
+  std::optional<QueuedEvent> closed_;  // delivered after all queued events
   bool over_ = false;
   bool out_of_memory_ = false;
   std::optional<client::View> view_;
   std::uint32_t last_number_ = 0;
-  std::unordered_map<std::uint32_t, client::RequestId> chunk_requests_;  // that are not answered
-  std::optional<client::Client> client_;  // last: the first to go, and its handlers know the rest
+  std::unordered_map<std::uint32_t, client::RequestId> chunk_requests_;  // unanswered requests
+  std::optional<client::Client> client_;  // last member: destroyed first, as its handlers use the others
 };
 
 }  // namespace talus::c_api

@@ -1,4 +1,4 @@
-// Structs that begin with their size: programs and libraries of different minor versions meet here.
+// Structs that begin with their size, for programs and libraries of different minor versions.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace talus::c_api {
 
-/// A size beyond this is no struct but a variable that nobody has set.
+/// A larger size must be an uninitialised variable.
 inline constexpr std::uint32_t kMaxStructBytes = 4096;
 
-/// The bytes that a struct has had since version 1.0: its end there.
+/// End of the fields that a struct had in version 1.0.
 template <typename T>
 inline constexpr std::size_t kFirstBytes = 0;
 template <>
@@ -39,15 +39,15 @@ inline constexpr std::size_t kFirstBytes<talus_event> = offsetof(talus_event, re
 template <>
 inline constexpr std::size_t kFirstBytes<talus_edit> = offsetof(talus_edit, reserved) + sizeof(std::uint32_t);
 
-/// Whether a caller's struct is there and says a size that it can have.
+/// True if a caller's struct is not null and has a valid size.
 template <typename T>
 [[nodiscard]] bool has_size(const T* given) {
   static_assert(kFirstBytes<T> > 0 && sizeof(T) <= kMaxStructBytes);
   return given != nullptr && given->size >= kFirstBytes<T> && given->size <= kMaxStructBytes;
 }
 
-/// A caller's struct as this library knows it; what an older program lacks is 0. None where a newer program
-/// asks by its later fields for what this library cannot do. REQUIRES: has_size().
+/// Copies a caller's struct; fields that an older program lacks are 0. nullopt if a newer program sets later
+/// fields that this library does not support. REQUIRES: has_size().
 template <typename T>
 [[nodiscard]] std::optional<T> read_struct(const T* given) {
   const std::size_t known = std::min<std::size_t>(given->size, sizeof(T));
@@ -59,7 +59,7 @@ template <typename T>
   return own;
 }
 
-/// Fills a caller's struct, and leaves its size; fields that only a newer program knows become 0. REQUIRES:
+/// Fills a caller's struct but keeps its size; fields known only to a newer program become 0. REQUIRES:
 /// has_size().
 template <typename T>
 void write_struct(T* out, T values) {

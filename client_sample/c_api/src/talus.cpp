@@ -1,4 +1,4 @@
-// The functions of talus.h: arguments are checked here, and what fails becomes a status and a line.
+// Functions of talus.h: checks arguments, and converts failures to a status and a message.
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -20,10 +20,10 @@ namespace {
 constexpr std::string_view kNoClient = "client is NULL; talus_create() makes one";
 constexpr std::string_view kNotJoined = "not connected; talus_connect() and the event JOINED come first";
 
-// Where there is no client to hold a line: talus_last_error(NULL).
+// For calls without a client: talus_last_error(NULL).
 thread_local ErrorLine error_of_thread;
 
-// One call: where its failures are told, and by which name.
+// One call: its name and the place of its error message.
 class Call {
  public:
   Call(const char* function, talus_client* client) : function_{function}, client_{client} {}
@@ -42,8 +42,7 @@ class Call {
   talus_client* client_;
 };
 
-// Does `work`. What it throws becomes a status, and the end of the session: it may have been in the middle of
-// anything.
+// Runs `work`. An exception becomes a status and ends the session, whose state may be inconsistent.
 template <typename Work>
 talus_status guarded(const char* function, talus_client* client, Work&& work) noexcept {
   const Call call{function, client};
@@ -62,7 +61,7 @@ talus_status guarded(const char* function, talus_client* client, Work&& work) no
   }
 }
 
-// The same where the client must have joined.
+// Like guarded(), for calls that require a joined client.
 template <typename Work>
 talus_status guarded_joined(const char* function, talus_client* client, Work&& work) noexcept {
   return guarded(function, client, [&](const Call& call) {
@@ -82,7 +81,7 @@ std::string newer_struct(const char* name) {
          std::to_string(TALUS_API_MAJOR) + "." + std::to_string(TALUS_API_MINOR);
 }
 
-// A caller's struct and what the library makes of it, by `convert`.
+// Copies a caller's struct and passes it to `convert`.
 template <typename T, typename Convert>
 auto read_argument(const T* given, const char* name, Convert&& convert) -> decltype(convert(*given)) {
   if (!has_size(given)) return tl::unexpected{wrong_struct(name)};
@@ -91,7 +90,7 @@ auto read_argument(const T* given, const char* name, Convert&& convert) -> declt
   return convert(*own);
 }
 
-// The columns and how many there may be; a count that nobody means is never read.
+// The columns, if their number is allowed; an absurd count is never read.
 Checked<std::vector<client::Column>> columns_of(const std::int64_t* columns, std::size_t count) {
   if (columns == nullptr || count == 0)
     return tl::unexpected<std::string>{"no columns; give x and z of at least one"};
@@ -121,7 +120,7 @@ const T* data_or_null(const std::vector<T>& list) {
   return list.empty() ? nullptr : list.data();
 }
 
-// `current` as the caller's struct; its pointers are those of the client.
+// Converts `current` to the caller's struct; its pointers belong to the client.
 talus_event told(const QueuedEvent& current, const talus_chunk* chunk) {
   talus_event event{};
   event.type = current.type;
@@ -400,7 +399,7 @@ talus_status talus_decode(const talus_chunk* chunk, std::uint16_t* voxels, std::
   if (chunk == nullptr) return call.wrong("chunk is NULL; give that of an event");
   if (voxels == nullptr) return call.wrong("voxels is NULL; give room for TALUS_CHUNK_VOLUME of them");
   if (count != kChunkVolume) return call.wrong("count is not TALUS_CHUNK_VOLUME, 32768");
-  // An enumeration is laid out as its underlying type, and no caller's compiler sees this store.
+  // An enumeration is laid out as its underlying type, and the caller's compiler does not see this store.
   static_assert(sizeof(MaterialId) == sizeof(std::uint16_t));
   chunk->voxels->copy_to(
       std::span<MaterialId, kChunkVolume>{reinterpret_cast<MaterialId*>(voxels), kChunkVolume});
@@ -412,6 +411,6 @@ void talus_chunk_retain(const talus_chunk* chunk) {
 }
 
 void talus_chunk_release(const talus_chunk* chunk) {
-  // The last one sees all that the others did with it.
+  // The last holder must see all other holders' accesses.
   if (chunk != nullptr && chunk->holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete chunk;
 }

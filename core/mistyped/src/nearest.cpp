@@ -9,7 +9,7 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kMaxCompared = 128;  // of a word: a longer one costs no more time
+constexpr std::size_t kMaxCompared = 128;  // bytes of a word compared, to bound the time
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);

@@ -19,7 +19,7 @@ tl::expected<std::vector<std::byte>, std::string> encode_png(const PngImage& ima
     png.format = PNG_FORMAT_RGB_COLORMAP;
     png.colormap_entries = static_cast<png_uint_32>(image.palette.size() / 3);
   }
-  // The bound for incompressible pixels; it passes 32 bits in no picture of at most 2^28 pixels.
+  // The bound for incompressible pixels; below 2^32 for every picture of at most 2^28 pixels.
   std::vector<std::byte> file(PNG_IMAGE_PNG_SIZE_MAX(png));
   png_alloc_size_t bytes = file.size();
   if (png_image_write_to_memory(&png, file.data(), &bytes, 0, pixels, 0, image.palette.data()) == 0) {

@@ -11,13 +11,13 @@
 namespace talus::pictures {
 namespace {
 
-// Capitals are 14 units high, small letters 10, and descend 4. y points up from the base line.
+// Capitals are 14 units high, small letters 10 with descenders of 4. y points up from the base line.
 constexpr float kCapitals = 14;
-constexpr float kGap = 4.2F;  // between two letters
+constexpr float kGap = 4.2F;  // between letters
 constexpr int kArcPieces = 6;
 
-// M x y: the pen is set down. L x y: a line. H x y and V x y: a quarter of an ellipse that starts level or
-// upright. Q x1 y1 x y: a parabola by its control point.
+// M x y: moves the pen. L x y: a line. H x y and V x y: a quarter of an ellipse that starts horizontally or
+// vertically. Q x1 y1 x y: a parabola with its control point.
 struct Letter {
   char32_t code;
   float width;
@@ -181,9 +181,9 @@ class StrokeReader {
                s * s * from.y + 2 * s * t * control.y + t * t * to.y});
     }
   }
-  // A cubic curve through the corner of the ellipse's box.
+  // A cubic curve with the corner of the ellipse's box.
   void quarter(Point to, Point corner) {
-    constexpr float kRound = 0.5523F;  // how far the controls of a circle's quarter lie toward the corner
+    constexpr float kRound = 0.5523F;  // position of a quarter circle's control points towards the corner
     const Point from = pen_;
     const Point first{from.x + kRound * (corner.x - from.x), from.y + kRound * (corner.y - from.y)};
     const Point second{to.x + kRound * (corner.x - to.x), to.y + kRound * (corner.y - to.y)};
@@ -208,7 +208,7 @@ const Letter& letter_of(char32_t code) {
   return found == kLetters.end() ? kNoLetter : *found;
 }
 
-// The next code point; a byte that begins none is one by itself.
+// Removes the next code point; an invalid byte counts as one.
 char32_t take_code(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);
@@ -230,7 +230,7 @@ float distance(Point p, const Segment& segment) {
   return std::hypot(to.x - t * along.x, to.y - t * along.y);
 }
 
-// The letter's origin lies at (x, y) in pixels, y downward.
+// The letter's origin is at (x, y) in pixels, y downwards.
 void draw_letter(const Letter& letter, float x, float y, const TextStyle& style,
                  const std::function<void(int, int, float)>& ink) {
   const std::vector<Segment> segments = StrokeReader{letter.strokes}.read();
@@ -263,7 +263,7 @@ float text_width(std::string_view text, const TextStyle& style) {
 
 void draw_text(std::string_view text, int x, int y, const TextStyle& style,
                const std::function<void(int, int, float)>& ink) {
-  // Relative to (x, y), so that a text is the same wherever it stands.
+  // Relative to (x, y), so that a text looks the same at every position.
   const float base = 1 - style.pen / 2;
   float at = style.pen / 2;
   const auto moved = [&](int px, int py, float part) { ink(x + px, y + py, part); };

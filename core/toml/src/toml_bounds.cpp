@@ -8,10 +8,10 @@ std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
     return TomlFault{1, "the file has over " + std::to_string(kMaxTomlBytes) + " bytes"};
   }
-  // Outside of strings and comments. Numbers have dots too, but no line here has that many. A parser stops at
-  // the first line end inside a string of one line, so nothing behind it matters.
+  // Counts outside strings and comments. Numbers have dots too, but never that many in a line. A parser stops
+  // at the first line end inside a single-line string, so the text after it does not matter.
   int line = 1;
-  std::size_t dots = 0;   // of the line
+  std::size_t dots = 0;   // in the line
   std::size_t depth = 0;  // of brackets and braces
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -22,8 +22,8 @@ std::string_view take_line(std::string_view& text) {
   return trimmed(line);
 }
 
-/// The table that a line opens; none where it opens none, as a line of an array does not. `counts` holds how
-/// many [[tables]] of a name there were.
+/// The table that a line opens; nullopt if it opens none, such as a line of an array. `counts` holds the
+/// number of [[tables]] so far by name.
 std::optional<std::string> header(std::string_view line, std::map<std::string, int, std::less<>>& counts) {
   if (!line.starts_with('[')) return std::nullopt;
   const bool of_array = line.starts_with("[[");
@@ -68,7 +68,7 @@ std::string toml_error_text(std::string_view description, std::string_view key) 
   constexpr std::string_view kPreamble = "Error while parsing ";
   std::string text = shortened(description, kMaxDescription);
   if (text.starts_with(kPreamble)) {
-    // What was parsed says where, unless the key does.
+    // The parsed type tells the place, unless the key does.
     const std::size_t colon = text.find(": ");
     text.erase(0, key.empty() || colon == std::string::npos ? kPreamble.size() : colon + 2);
   }

@@ -1,4 +1,4 @@
-// Height maps: one function a format. Private to core/world_files.
+// Decoders of height maps, one function per format. Private to core/world_files.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ using Decoded = tl::expected<terrain::HeightMap, std::string>;
 [[nodiscard]] bool is_npy(std::span<const std::byte> bytes);
 [[nodiscard]] Decoded decode_npy(std::span<const std::byte> bytes);
 
-/// What is wrong with a size that a file claims, if anything.
+/// Returns the error of a claimed size, if any.
 [[nodiscard]] std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth);
 
 }  // namespace talus::world_files

@@ -1,4 +1,4 @@
-// NumPy's array files, versions 1 to 3:
+// NumPy array files, versions 1 to 3:
 // https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #include <bit>
 #include <cstring>
@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "samples are taken as 
 constexpr std::string_view kMagic{"\x93NUMPY"};
 constexpr std::size_t kMaxHeaderBytes = 4096;
 
-// The header is a Python dictionary with three keys. Text after `"'key': "`, or nothing.
+// The header is a Python dictionary with three keys. Returns the text after `"'key': "`, if present.
 std::optional<std::string_view> value_of(std::string_view header, std::string_view key) {
   const std::string quoted = "'" + std::string{key} + "':";
   const std::size_t at = header.find(quoted);

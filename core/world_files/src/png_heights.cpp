@@ -1,4 +1,4 @@
-// Samples as they lie in the file: libpng's simplified interface would apply the file's gamma to them.
+// Reads unmodified samples: libpng's simplified interface would apply the file's gamma to them.
 #include <png.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class Reader {
   Reader& operator=(const Reader&) = delete;
   ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
-  // libpng jumps out of these two: nothing with a destructor may live in them.
+  // libpng leaves these two functions by longjmp: no object with a destructor may live in them.
   bool read_header() {
     if (info_ == nullptr) return false;
     if (setjmp(png_jmpbuf(png_)) != 0) return false;

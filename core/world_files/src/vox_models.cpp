@@ -1,5 +1,5 @@
-// .vox files of MagicaVoxel: 8 bytes, then parts of id, bytes of content, bytes of children, and the content.
-// MAIN has all others as children; SIZE and XYZI come in pairs, one a model.
+// MagicaVoxel's .vox files: 8 bytes, then chunks of id, bytes of content, bytes of children, and content.
+// MAIN has all other chunks as children; SIZE and XYZI come in pairs, one per model.
 #include <array>
 #include <cstring>
 #include <optional>
@@ -78,7 +78,7 @@ class VoxReader {
     terrain::VoxelModel made{static_cast<int>(width), static_cast<int>(height), static_cast<int>(depth), {}};
     made.voxels.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      std::array<std::uint8_t, 4> voxel{};  // x, y, z and colour; z goes up, and y away from who looks
+      std::array<std::uint8_t, 4> voxel{};  // x, y, z and colour; z is up, and y points away from the viewer
       std::memcpy(voxel.data(), bytes_.data() + at + 4 + 4 * i, voxel.size());
       if (voxel[0] >= width || voxel[1] >= depth || voxel[2] >= height || voxel[3] == 0) {
         return model() + ": voxel " + std::to_string(i + 1) + " is outside its size or has colour 0";

@@ -10,17 +10,17 @@
 namespace talus::world_files {
 namespace {
 
-// The largest map at four bytes a sample, and a header.
+// The largest map at four bytes per sample, and a header.
 constexpr std::size_t kMaxHeightMapBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
 
-// Models of the largest sizes; .vox files carry palettes and scene graphs, too.
+// Models of the largest sizes; .vox files also contain palettes and scene graphs.
 constexpr std::size_t kMaxModelFileBytes = std::size_t{1} << 22;
 
 tl::expected<std::filesystem::path, std::string> path_of(const std::filesystem::path& folder,
                                                          const std::string& name) {
   const auto is_control = [](unsigned char c) { return c < 32 || c == 127; };
   if (std::any_of(name.begin(), name.end(), is_control)) return refused("has control characters in its name");
-  // Worlds come from strangers, and what they name is read.
+  // Worlds may be untrusted, and the files that they name are read.
   const std::filesystem::path path{name};
   if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
     return refused("is not below the world file's folder; a path from there without .. is needed");

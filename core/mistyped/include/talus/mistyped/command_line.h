@@ -1,4 +1,4 @@
-// What CLI11 found wrong with a command line, in one line. Inline: whoever parses has read CLI11 already.
+// Describes CLI11's parse errors in one line. Inline: every file that parses includes CLI11 anyway.
 #pragma once
 
 #include <string>
@@ -10,9 +10,8 @@
 
 namespace talus {
 
-/// Names the words that were not expected, in their order, and what was meant where that is near: a command
-/// of `app` or a flag of it or of the command that was given. All else is as CLI11 says it. REQUIRES: `error`
-/// is of app.parse().
+/// Names unexpected words in their order, each with the nearest command of `app`, or flag of `app` or of the
+/// given command, if one is near. Other errors are CLI11's text. REQUIRES: `error` was thrown by app.parse().
 [[nodiscard]] inline std::string describe(const CLI::App& app, const CLI::ParseError& error) {
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
   const auto given = app.get_subcommands();

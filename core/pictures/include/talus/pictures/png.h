@@ -1,4 +1,4 @@
-// PNG files.
+// Encodes PNG files.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace talus::pictures {
 
-/// Pixels in rows from the top. Views of the caller's memory; width and height are at least 1.
+/// Pixels in rows from the top. Refers to the caller's memory; width and height are at least 1.
 struct PngImage {
   int width = 0;
   int height = 0;
-  /// One of them: red, green and blue of 8 bits a pixel; a sample of 16 bits; or an index into the palette.
+  /// Exactly one is set: 8-bit red, green and blue; 16-bit samples; or indexes into the palette.
   std::span<const std::uint8_t> rgb{};
   std::span<const std::uint16_t> grey{};
   std::span<const std::uint8_t> indices{};
   std::span<const std::uint8_t> palette{};  // red, green and blue of up to 256 colours
 };
 
-/// The whole file, or libpng's words.
+/// Returns the complete file, or libpng's error.
 [[nodiscard]] tl::expected<std::vector<std::byte>, std::string> encode_png(const PngImage& image);
 
 }  // namespace talus::pictures

@@ -1,5 +1,5 @@
-// Letters as strokes of a round pen, for pictures that carry words: no font file is needed, and every machine
-// draws the same.
+// Letters as strokes of a round pen, for text in pictures: needs no font file, and draws the same on every
+// machine.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@ struct TextStyle {
   float pen = 1.4F;  // width of the strokes, in pixels
 };
 
-/// How far a text reaches to the right, in pixels. UTF-8; what is no letter of the font is drawn as a box.
+/// Width of a text in pixels. UTF-8; characters that the font lacks are drawn as boxes.
 [[nodiscard]] float text_width(std::string_view text, const TextStyle& style);
 
-/// Calls ink(x, y, part) for every pixel that the text covers some part of, 0 to 1; letters begin at pixel x
-/// and stand on the bottom of pixel row y.
+/// Calls ink(x, y, part) for every pixel that the text covers, with the covered part, 0 to 1. Letters begin
+/// at pixel x and stand on the lower edge of pixel row y.
 void draw_text(std::string_view text, int x, int y, const TextStyle& style,
                const std::function<void(int, int, float)>& ink);
 

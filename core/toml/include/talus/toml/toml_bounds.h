@@ -1,5 +1,5 @@
-// Bounds that a file must keep before a TOML parser may see it. The parser recurses over the parts of a key
-// and over brackets, and would overflow its stack; so would the destructor of what it has parsed.
+// Bounds to check before a TOML parser reads a file. The parser recurses over the parts of a key and over
+// brackets, and could overflow its stack, as could the destructor of the result.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,20 @@
 
 namespace talus {
 
-/// Bytes of a file worth reading: the sample worlds have 4,000.
+/// Maximum bytes of a file: the sample worlds have 4,000.
 inline constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
-/// Parts of a dotted key.
+/// Maximum parts of a dotted key.
 inline constexpr std::size_t kMaxKeyParts = 64;
-/// Arrays, inline tables and headers within each other, so that nothing lies deeper than 16 * 64 tables.
+/// Maximum nesting of arrays, inline tables and headers, which limits tables to a depth of 16 * 64.
 inline constexpr std::size_t kMaxTomlDepth = 16;
 
 struct TomlFault {
   int line = 0;
-  std::string what;  // what is wrong and what would be right
+  std::string what;  // the fault and what is expected
 };
 
-/// The first bound that the text breaks: length, parts of a key, depth of brackets, no strings of several
-/// lines (""" and ''', in which a line's end would hide what follows). Says nothing of whether the text is
-/// TOML.
+/// Returns the first bound that the text exceeds: length, parts of a key, depth of brackets, or a multi-line
+/// string (""" or '''), which could hide the rest of a line. Does not check that the text is TOML.
 [[nodiscard]] std::optional<TomlFault> find_toml_fault(std::string_view text);
 
 }  // namespace talus

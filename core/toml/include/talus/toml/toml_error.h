@@ -1,5 +1,4 @@
-// What a TOML parser's error tells a person: which key it is about, and what is wrong, without the parser's
-// own words for its own parts.
+// Converts a TOML parser's errors for users: the key and the fault, without the parser's internal names.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +7,14 @@
 
 namespace talus {
 
-/// At most `max_bytes` of the text, "..." among them where it is longer; no UTF-8 character is cut in two.
+/// At most `max_bytes` of the text, including "..." if it is longer; no UTF-8 character is cut.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t max_bytes);
 
-/// The key that a line of the text assigns to, with its tables: "surface.gain", "stratified[1].colour". Empty
-/// where the line assigns to none. For texts without a fault of toml_bounds.h; the first line is 1.
+/// The key assigned in a line (from 1), with its tables: "surface.gain", "stratified[1].colour". Empty if it
+/// assigns nothing. REQUIRES: find_toml_fault() finds no fault in the text.
 [[nodiscard]] std::string toml_key_at_line(std::string_view toml, int line);
 
-/// The parser's description of an error at `key`, or at none: shortened, without names of macros.
+/// The parser's description of an error at `key`, which may be empty: shortened, without macro names.
 [[nodiscard]] std::string toml_error_text(std::string_view description, std::string_view key);
 
 }  // namespace talus
