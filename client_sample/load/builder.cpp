@@ -42,7 +42,7 @@ Builder::Builder(Worker& worker, const ClientProfile& profile, std::shared_ptr<E
       place_{place_in_group(worker.plan().options, profile.number)},
       period_{period_of(worker.plan().options)} {}
 
-// ---- when
+// ---- schedule
 
 void Builder::joined(Time now) {
   revisions_.assign(site_->parts().size(), std::nullopt);
@@ -50,7 +50,7 @@ void Builder::joined(Time now) {
   attach_ = Attach::wanted;
   hold_until_ = {};
   if (next_due_ == Time::max() && period_ != Clock::duration{}) {
-    // Builders do not hammer in step.
+    // Spreads the builders over the period.
     next_due_ =
         join_due() + std::chrono::duration_cast<Clock::duration>(
                          period_ * Random{worker().plan().options.seed ^ 0xED17, profile().number}.part());
@@ -94,7 +94,7 @@ void Builder::send_due(Time now) {
   }
 }
 
-// ---- what is sent
+// ---- sending
 
 void Builder::send_view() {
   const VoxelPos at = site_->voxel(place_ * EditSite::kFloor);
@@ -135,7 +135,7 @@ void Builder::send_write(std::uint64_t sequence) {
   }));
 }
 
-// ---- what becomes of it
+// ---- answers
 
 void Builder::take(const wire::Attached& attached) {
   if (attach_ != Attach::sent || attached.editor() == nullptr || attached.limits() == nullptr) {
@@ -145,7 +145,7 @@ void Builder::take(const wire::Attached& attached) {
   if (lost_) is_back(*std::exchange(lost_, std::nullopt));
   editor_ = {attached.editor()->low(), attached.editor()->high()};
   seen_revision_ = std::max(seen_revision_, attached.revision());
-  // No more than its floor has voxels: none is written again before it is answered.
+  // Fewer than its floor's voxels: a voxel is never written again before the answer.
   unanswered_ = std::clamp<std::size_t>(attached.limits()->unanswered(), 1, EditSite::kFloor - 1);
   for (const OpenWrite& lost : open_.attached(attached.known(), attached.last_sequence())) {
     ++tally().edits_unknown;
@@ -199,7 +199,7 @@ void Builder::take(const wire::Error& error) {
   }
 }
 
-// ---- what is seen
+// ---- observation
 
 std::optional<std::size_t> Builder::part_of(const wire::ChunkKey* key) const {
   if (key == nullptr || key->lod() != 0) return std::nullopt;
@@ -254,7 +254,7 @@ void Builder::take(const wire::UniformColumn& column) {
 
 void Builder::take(const wire::EditBroadcast& broadcast) {
   const auto part = part_of(broadcast.key());
-  if (!part) return;  // of another level, or what others do nearby
+  if (!part) return;  // of another level, or edited by others nearby
   std::optional<std::uint64_t>& held = revisions_[*part];
   if (!held) return wrong(tally().outside, "an EditBroadcast of a chunk that was not sent");
   if (broadcast.revision() <= *held) return;

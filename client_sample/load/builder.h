@@ -1,5 +1,5 @@
-// A player who stands in a View and edits, at a rate or as fast as it is answered, and looks whether it sees
-// all that its group was told is stored.
+// A player that stands in a View and edits, at a rate or as fast as edits are answered, and checks that it
+// sees every acknowledged edit of its group.
 #pragma once
 
 #include <deque>
@@ -17,7 +17,7 @@ namespace talus::load {
 
 class Builder final : public SimulatedClient {
  public:
-  /// `site` is its group's.
+  /// `site` is shared by its group.
   Builder(Worker& worker, const ClientProfile& profile, std::shared_ptr<EditSite> site);
   [[nodiscard]] bool satisfied() const override;
 
@@ -47,27 +47,27 @@ class Builder final : public SimulatedClient {
   void forget(const OpenWrite& write);
 
   [[nodiscard]] std::optional<std::size_t> part_of(const wire::ChunkKey* key) const;
-  /// It sees this there; `update`: the chunk was here, and has changed.
+  /// Records the material observed at `cell`. `update`: the chunk was already held.
   void sees(std::uint32_t cell, MaterialId material, Time now, bool update);
   [[nodiscard]] std::size_t missing() const;
 
   const std::shared_ptr<EditSite> site_;
-  const std::uint32_t place_;     // in its group
-  const Clock::duration period_;  // zero: as fast as it is answered
-  std::size_t next_cell_ = 0;     // of its floor
+  const std::uint32_t place_;     // index in its group
+  const Clock::duration period_;  // zero: as fast as edits are answered
+  std::size_t next_cell_ = 0;     // in its floor
 
   OpenWrites open_;
-  std::deque<Time> due_;  // edits that are to be sent, and wait for room
+  std::deque<Time> due_;  // edits to be sent that wait for room
   Time next_due_ = Time::max();
-  Time hold_until_{};  // as the server asked
+  Time hold_until_{};  // as requested by the server
 
-  std::optional<Time> lost_;  // when its connection was, where it is not attached again
+  std::optional<Time> lost_;  // when the connection was lost, until it has attached again
   Attach attach_ = Attach::wanted;
   edits::EditorId editor_;
   std::uint64_t seen_revision_ = 0;
-  std::size_t unanswered_ = 1;  // at most
+  std::size_t unanswered_ = 1;  // maximum
 
-  std::vector<std::optional<std::uint64_t>> revisions_;  // of the site's parts, as they came
+  std::vector<std::optional<std::uint64_t>> revisions_;  // of the site's parts, as received
   std::vector<std::optional<MaterialId>> seen_;          // of the site's cells
 };
 

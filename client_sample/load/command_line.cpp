@@ -135,7 +135,7 @@ void add_others(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 1'000'000U))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of all randomness, such as the players' start positions")
-      ->check([](const std::string& text) {  // CLI11 takes one past 64 bits for the largest
+      ->check([](const std::string& text) {  // CLI11 reads more than 64 bits as the maximum
         std::uint64_t seed = 0;
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, seed);

@@ -1,4 +1,4 @@
-// talus-load's command line.
+// Command line of talus-load.
 #pragma once
 
 #include <tl/expected.hpp>

@@ -7,7 +7,7 @@
 namespace talus::load {
 namespace {
 
-/// The table is to be read at a glance: what lies between the percentiles it shows is in the JSON.
+/// Keeps the table short: percentiles in between are only in the JSON.
 bool is_shown(std::string_view figure) {
   const auto ends_with = [&](std::string_view end) { return figure.ends_with(end); };
   return !ends_with("p95_ms") && !ends_with("p99_9_ms") && !figure.starts_with("harness_");

@@ -1,4 +1,4 @@
-// This run beside one before.
+// Compares this run with an earlier one.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace talus::load {
 
-/// A table of the figures that both have, with their ratios, and a line for each setting in which the runs
-/// differ. Both are as report_json() makes them; `old_text` may be anything, and the error says what is
-/// wrong.
+/// Returns a table of the figures that both runs have, with ratios, and a line for each setting that differs.
+/// Both have the format of report_json(); `old_text` may be invalid, which the error describes.
 [[nodiscard]] tl::expected<std::string, std::string> compare(const std::string& old_text,
                                                              const nlohmann::json& now);
 

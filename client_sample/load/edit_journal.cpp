@@ -13,7 +13,7 @@ tl::expected<std::shared_ptr<EditJournal>, std::string> EditJournal::open(const 
 }
 
 void EditJournal::add(std::uint64_t revision, VoxelPos at, MaterialId material) {
-  // One call is one line, whichever threads call; flush() says whether it was written.
+  // One call writes one line, from any thread; flush() reports errors.
   (void)std::fprintf(file_.get(), "%" PRIu64 " %" PRId64 " %" PRId64 " %" PRId64 " %u\n", revision, at.x,
                      at.y, at.z, static_cast<unsigned>(to_integer(material)));
 }

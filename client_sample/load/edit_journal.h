@@ -1,4 +1,4 @@
-// A file of the edits that were acknowledged, so that another program can work out what the world must be.
+// A file of acknowledged edits, from which another program can compute the expected world.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace talus::load {
 
-/// A line for each edit that changed its voxel: revision, x, y, z and the material's id, in decimal and with
-/// blanks between them. In no order: answers come as they come. Any thread may call.
+/// One line for each edit that changed its voxel: revision, x, y, z and material id, in decimal, separated by
+/// blanks. Unordered. Thread-safe.
 class EditJournal {
  public:
-  /// Appends to `path`, where that is there. An error is one line.
+  /// Appends to `path` if it exists. An error is one line.
   [[nodiscard]] static tl::expected<std::shared_ptr<EditJournal>, std::string> open(const std::string& path);
 
   void add(std::uint64_t revision, VoxelPos at, MaterialId material);
-  /// Everything so far is in the file. An error is one line: some of it is not.
+  /// Writes everything so far to the file. An error, one line, means that some of it is missing.
   [[nodiscard]] tl::expected<void, std::string> flush();
 
  private:

@@ -15,7 +15,7 @@ struct Percentile {
 constexpr std::array kPercentiles{Percentile{"p50_ms", 0.5}, Percentile{"p95_ms", 0.95},
                                   Percentile{"p99_ms", 0.99}, Percentile{"p99_9_ms", 0.999}};
 
-// Prefixes of the percentiles: all chunks, those of joins, those of travel, and so on.
+// Prefixes of the percentiles: all chunks, chunks of joins, chunks of travel, and so on.
 constexpr std::array kSpreads{
     "",          "join_",         "travel_",           "request_", "first_chunk_", "full_view_",
     "horizon_",  "near_",         "return_",           "back_",    "full_again_",  "harness_late_",

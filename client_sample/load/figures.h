@@ -1,4 +1,4 @@
-// What a run found, as numbers with names that do not change: for --fail-if, --compare and the JSON.
+// Results of a run as numbers with stable names: for --fail-if, --compare and the JSON.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which revision a player holds of the chunks of its View that were edited. No I/O.
+// Revisions that a player holds of edited chunks in its View. No I/O.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace talus::load {
 
 class HeldRevisions {
  public:
-  /// The chunk came, or what was changed of it: it is of this revision or, where a newer one is held, stays.
-  /// Returns whether that is news; of a chunk that is not remembered revision 0 is held.
+  /// Records that a chunk or its changes arrived: keeps the higher revision. Returns true if it is new;
+  /// chunks that are not recorded have revision 0.
   bool raise(ChunkKey chunk, std::uint64_t revision) {
     if (revision == 0) return false;
     std::uint64_t& held = revisions_[chunk];

@@ -41,7 +41,7 @@ void Link::open(const Opening& opening) {
   std::error_code error;
   socket_.open(opening.server.protocol(), error);
   if (!error && opening.from) {
-    // The port is chosen when the connection is made, or 64,512 would be all there are.
+    // Choose the port on connecting, or there would be only 64,512 ports for all servers.
     const int on = 1;
     ::setsockopt(socket_.native_handle(), IPPROTO_IP, IP_BIND_ADDRESS_NO_PORT, &on, sizeof(on));
     socket_.bind({*opening.from, 0}, error);
@@ -115,13 +115,13 @@ void Link::established() {
 std::size_t Link::read_some(std::span<std::byte> into, std::error_code& error) {
   if (!tls_) return socket_.read_some(asio::buffer(into.data(), into.size()), error);
   std::size_t all = 0;
-  while (all < into.size()) {  // a record at a time
+  while (all < into.size()) {  // one record at a time
     const tls::Step step = tls_->read(into.subspan(all));
     error = error_of(step);
     if (error) break;
     all += step.bytes;
   }
-  if (all > 0) error.clear();  // what stopped it comes again
+  if (all > 0) error.clear();  // the error will recur
   return all;
 }
 
@@ -150,7 +150,7 @@ void Link::send_bytes(std::span<const std::byte> bytes) {
   if (unsent_.empty()) {
     std::error_code error;
     bytes = bytes.subspan(write_some(bytes, error));
-    if (error && error != asio::error::would_block) return;  // a broken connection is found by reading
+    if (error && error != asio::error::would_block) return;  // reading detects a broken connection
   }
   if (bytes.empty()) return;
   unsent_.insert(unsent_.end(), bytes.begin(), bytes.end());

@@ -1,5 +1,5 @@
-// One connection: frames in, frames out, on one thread. An idle one holds no buffer of its own: bytes are
-// read into a scratch that all connections of a thread share.
+// One connection on one thread: frames in, frames out. An idle connection has no buffer: all connections of a
+// thread read into a shared one.
 #pragma once
 
 #include <cstddef>
@@ -21,37 +21,36 @@
 
 namespace talus::load {
 
-/// Called by its Link; may call it back, close() included.
+/// Called by its Link; may call the Link back, even close().
 class LinkOwner {
  public:
   virtual ~LinkOwner() = default;
   virtual void opened() = 0;
   virtual void received(const wire::Message& message, std::size_t frame_bytes) = 0;
-  /// Everything of one read was received.
+  /// Everything from one read was delivered.
   virtual void read_done() = 0;
-  /// The connection is gone, and not by close(). `broken`: by bytes that are no message.
+  /// The connection ended other than by close(). `broken`: because of bytes that are not a message.
   virtual void ended(const std::string& reason, bool broken) = 0;
 };
 
 class Link {
  public:
-  /// All three outlive it.
+  /// `io`, `scratch` and `owner` must outlive the Link.
   Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner);
 
   struct Opening {
     asio::ip::tcp::endpoint server;
     std::optional<asio::ip::address> from;
-    bool paced = false;  // bytes are read by take() alone, and the kernel is asked to keep few
-    tls::Context tls{};  // null: plain
+    bool paced = false;  // only take() reads bytes, and the kernel is asked to buffer few
+    tls::Context tls{};  // null: no TLS
     client::TlsOptions tls_options{};
     client::WebSocketOptions websocket{};
   };
   void open(const Opening& opening);
   void send(std::span<const std::byte> frame);
-  /// Reads `most` bytes at most, of those that are there. Nothing before opened(): what comes until then is
-  /// the handshake's.
+  /// Reads at most `most` available bytes. No effect before opened(): earlier bytes belong to the handshake.
   void take(std::size_t most);
-  /// `abruptly`: by a reset, as a connection that is cut.
+  /// `abruptly`: with a reset, like a connection that is cut.
   void close(bool abruptly);
 
   [[nodiscard]] std::uint64_t received_bytes() const { return received_bytes_; }
@@ -82,7 +81,7 @@ class Link {
   std::vector<std::byte> unsent_;
   bool writing_ = false;
   std::uint64_t received_bytes_ = 0;
-  std::uint32_t opening_ = 0;  // so that what belongs to a connection before is told apart
+  std::uint32_t opening_ = 0;  // distinguishes callbacks of an earlier connection
 };
 
 }  // namespace talus::load

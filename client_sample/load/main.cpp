@@ -1,4 +1,4 @@
-// talus-load: simulated players for a running server, and what they waited.
+// talus-load: simulates players of a running server and measures their waits.
 #include <unistd.h>
 
 #include <csignal>
@@ -34,7 +34,7 @@ tl::expected<std::string, std::string> read_whole(const std::string& path) {
   return files::read_file(path, kMaxBytes).map_error([](const auto& error) { return error.message(); });
 }
 
-/// Before the work, so that none is lost: where results cannot go, or what they cannot be compared with.
+/// Checks output files, and the file to compare with, before the work starts.
 tl::expected<void, std::string> check_files(const Options& options) {
   for (const std::string& path : {options.json, options.plot, options.edits_file}) {
     if (path.empty()) continue;
@@ -94,7 +94,7 @@ std::string plot_of(const Plan& plan, const RunResult& result) {
   return plot("How long chunks took", subtitle.str(), curves);
 }
 
-/// What is printed and written of a run; the lines say what went wrong with that.
+/// Prints and writes the results of a run; returns one line for each failure to do so.
 std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
   const Options& options = plan.options;
   std::vector<std::string> failures;

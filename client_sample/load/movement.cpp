@@ -12,7 +12,7 @@ namespace talus::load {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr double kApart = 8;  // voxels at most between a group's players at the start
+constexpr double kApart = 8;  // maximum distance within a group at the start, voxels
 
 glm::dvec3 ahead(double heading) {
   return {std::cos(heading), 0, std::sin(heading)};
@@ -43,7 +43,7 @@ class Flying final : public Motion {
   double speed_;
 };
 
-/// Straight on for some seconds, then another way.
+/// Straight on for some seconds, then in another direction.
 class Walking final : public Motion {
  public:
   Walking(const glm::dvec3& start, double speed, Random random)
@@ -75,7 +75,7 @@ class Teleporting final : public Motion {
  public:
   Teleporting(const glm::dvec3& origin, double dwell_seconds, Random random)
       : origin_{origin}, place_{origin}, dwell_{dwell_seconds}, random_{random} {
-    until_ = random_.between(0, dwell_);  // so that not all jump at once
+    until_ = random_.between(0, dwell_);  // so that players do not all jump at once
   }
   Pose at(double seconds) override {
     constexpr double kFar = 1 << 20;
@@ -91,7 +91,7 @@ class Teleporting final : public Motion {
   Random random_;
 };
 
-/// From around to one place, and then about in it.
+/// From the surroundings to one place, then around in it.
 class Swarming final : public Motion {
  public:
   Swarming(const glm::dvec3& goal, double speed, Random random)

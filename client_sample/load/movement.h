@@ -1,4 +1,4 @@
-// Where a player is at a time. Pure: a seed and the times decide.
+// Position of a player over time. Pure: determined by a seed and the time.
 #pragma once
 
 #include <memory>
@@ -14,34 +14,35 @@ namespace talus::load {
 
 struct Pose {
   glm::dvec3 place{};      // voxels
-  glm::dvec3 direction{};  // of the view; zero where it has none
+  glm::dvec3 direction{};  // of the view; zero: no direction
 };
 
 class Motion {
  public:
   virtual ~Motion() = default;
-  /// `seconds` since the player joined for the first time; never less than in the call before.
+  /// `seconds` since the player first joined; must not decrease between calls.
   [[nodiscard]] virtual Pose at(double seconds) = 0;
-  /// Whether it will ever be somewhere else.
+  /// True if it will ever be elsewhere.
   [[nodiscard]] virtual bool moves() const { return true; }
 };
 
-/// A way that was recorded. Voxels relative to where it begins, times in seconds from 0 on, growing.
+/// A recorded path: voxels relative to its beginning, ascending times in seconds from 0.
 struct TracePoint {
   double seconds = 0;
   glm::dvec3 place{};
 };
 using Trace = std::vector<TracePoint>;
 
-/// Lines of "seconds x y z", empty ones and those that begin with # left out. An error names the line.
+/// Parses lines of "seconds x y z", ignoring empty lines and lines that begin with #. An error names the
+/// line.
 [[nodiscard]] tl::expected<Trace, std::string> parse_trace(const std::string& text);
 
 struct MotionPlan {
   Role model = Role::stand;  // one of the first six, or slow, which walks
-  glm::dvec3 origin{};       // where the player's group begins
+  glm::dvec3 origin{};       // start of the player's group
   double heading = 0;        // of the group, radians from x towards z
-  double speed = 0;          // voxels a second
-  double dwell_seconds = 5;  // teleport: from jump to jump
+  double speed = 0;          // voxels per second
+  double dwell_seconds = 5;  // teleport: time between jumps
   std::shared_ptr<const Trace> trace;
 };
 

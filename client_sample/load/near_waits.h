@@ -1,4 +1,4 @@
-// Of one player: how long its Views took until their two nearest rings were there, and how long it went
+// For one player: the time until the two nearest rings of its Views were complete, and the longest time
 // without any chunk while it waited for some. No I/O, no clock.
 #pragma once
 
@@ -11,21 +11,21 @@ namespace talus::load {
 
 class NearWaits {
  public:
-  /// The longest time without a chunk is looked for from `from` on.
+  /// The longest time without a chunk is measured from `from`.
   void measure_from(Time from) { from_ = from; }
 
-  /// A View due at `due` was sent, and `pending` knows it.
+  /// A View due at `due` was sent and passed to `pending`.
   void step(Time due, const PendingChunks& pending);
-  /// A chunk that was waited for came.
+  /// An awaited chunk arrived.
   void came(Time now, const PendingChunks& pending);
-  /// Nothing is waited for any more: the connection ended, or the run.
+  /// Ends all waits: the connection or the run ended.
   void stop(Time now);
 
   struct Wait {
     Time since{};
     Clock::duration time{};
   };
-  /// Views whose nearest rings are there, or never will be, since the last call.
+  /// Views whose nearest rings were completed or given up since the last call.
   [[nodiscard]] std::vector<Wait> take_done() { return std::exchange(done_, {}); }
   [[nodiscard]] Clock::duration longest_without() const { return longest_without_; }
 
@@ -34,10 +34,10 @@ class NearWaits {
   void end_fast(Time now);
 
   Time from_{};
-  std::vector<Time> open_;  // Views whose nearest rings are not there
+  std::vector<Time> open_;  // Views with incomplete nearest rings
   std::vector<Wait> done_;
   bool waits_ = false;  // for a chunk
-  Time fast_since_{};   // where it waits: when it began to, or the last chunk came
+  Time fast_since_{};   // while waiting: start of the wait, or arrival of the last chunk
   Clock::duration longest_without_{};
 };
 

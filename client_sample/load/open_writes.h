@@ -1,5 +1,5 @@
-// A builder's edits that are not answered yet, as the protocol wants them sent: each with its sequence, again
-// after a lost connection and where the server refused it for now, those before the new ones. No I/O.
+// A builder's unanswered edits, in the order that the protocol requires: each with its sequence; edits sent
+// before, after a lost connection or a temporary refusal, precede new ones. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -26,23 +26,23 @@ class OpenWrites {
   [[nodiscard]] std::size_t size() const { return open_.size(); }
   [[nodiscard]] bool empty() const { return open_.empty(); }
 
-  /// A new one; returns its sequence. It is to be sent.
+  /// Adds an edit to be sent; returns its sequence.
   std::uint64_t add(const OpenWrite& write);
-  /// The first that is not on its way, which is then. None: all are.
+  /// Marks the first edit that is not in flight as in flight; nullopt if all are.
   [[nodiscard]] std::optional<std::uint64_t> send_next();
   [[nodiscard]] const OpenWrite& at(std::uint64_t sequence) const { return open_.at(sequence); }
 
   [[nodiscard]] static std::uint32_t id_of(std::uint64_t sequence) {
     return static_cast<std::uint32_t>(sequence % 0x7FFF'FFFF) + 1;
   }
-  /// The sequence of one that is on its way. None: none is by this id.
+  /// The sequence of an edit in flight; nullopt if the id is unknown.
   [[nodiscard]] std::optional<std::uint64_t> in_flight(std::uint32_t id) const;
 
-  /// It is answered.
+  /// Removes an answered edit.
   OpenWrite take(std::uint64_t sequence);
-  /// It is to be sent again with its sequence.
+  /// To be sent again with its sequence.
   void put_back(std::uint64_t sequence) { open_.at(sequence).in_flight = false; }
-  /// It did not happen, and shall: it is to be sent with a sequence of its own.
+  /// Was not applied, and must be: to be sent with a new sequence.
   void renew(std::uint64_t sequence) {
     OpenWrite write = take(sequence);
     write.in_flight = false;
@@ -50,8 +50,8 @@ class OpenWrites {
   }
   /// The connection broke.
   void put_all_back();
-  /// The server has decided about all up to `last_sequence`. Where it does not know the editor any more,
-  /// returns those of which nobody knows.
+  /// The server has decided all edits up to `last_sequence`. If it no longer knows the editor, returns the
+  /// edits with unknown outcome.
   [[nodiscard]] std::vector<OpenWrite> attached(bool known, std::uint64_t last_sequence);
 
  private:

@@ -1,4 +1,4 @@
-// What the words after "talus-load" ask for.
+// Options of talus-load.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,20 @@ struct Options {
   command_line::ConnectOptions connect;
 
   std::uint32_t players = 100;
-  double seconds = 30;                    // measured
-  double ramp_up_seconds = 0;             // in which the players join
-  std::optional<double> warm_up_seconds;  // what is measured begins so long after the last join; else at once
-  double drain_seconds = 10;              // for what is still wanted at the end
+  double seconds = 30;                    // measured time
+  double ramp_up_seconds = 0;             // time in which the players join
+  std::optional<double> warm_up_seconds;  // delay from the last join to the measurement; nullopt: measure
+                                          // from the start
+  double drain_seconds = 10;              // for chunks still awaited at the end
   std::uint64_t seed = 1;
   std::uint32_t threads = 1;
   std::uint32_t from_addresses = 1;
-  bool groups_together = false;  // all of a group go to one of several servers
+  bool groups_together = false;  // each group uses a single one of several servers
 
   std::string model = "walk";
   PlayerMix mix;  // of `model`
   std::uint32_t groups = 0;
-  std::optional<double> speed;  // voxels a second
+  std::optional<double> speed;  // voxels per second
   std::uint16_t radius = 8;     // chunks
   std::uint16_t vertical = 4;
   std::uint16_t horizon = 0;  // chunks; 0: no rings
@@ -42,13 +43,14 @@ struct Options {
   std::uint32_t slow = 0;
   double slow_kbit = 64;
 
-  double edits = 0;                   // a second, of each player; 0: players do not edit, unless in flight
-  std::uint32_t edit_group = 1;       // players who share a place
-  std::uint32_t edits_in_flight = 0;  // of each player, in place of a rate
-  std::string edits_file;             // for those that were acknowledged; empty: none
+  double edits = 0;                   // per second and player; 0: players edit only if `edits_in_flight` is
+                                      // set
+  std::uint32_t edit_group = 1;       // players that share a place
+  std::uint32_t edits_in_flight = 0;  // per player, instead of a rate
+  std::string edits_file;             // for acknowledged edits; may be empty
   [[nodiscard]] bool builds() const { return edits > 0 || edits_in_flight != 0; }
 
-  std::uint32_t in_flight = 0;  // requests mode where not 0
+  std::uint32_t in_flight = 0;  // requests mode unless 0
   std::uint32_t fixed_set = 1024;
 
   int patch_tiles = 0;  // 0: patches of new land are not counted

@@ -6,9 +6,9 @@
 namespace talus::load {
 namespace {
 
-// A View is forgotten when nothing that was sent for it can still be on its way.
+// A View is forgotten when nothing sent for it can still be in flight.
 constexpr std::chrono::seconds kOnItsWay{20};
-constexpr std::size_t kMaxPast = 1024;  // also of a program that was stopped for minutes, and catches up
+constexpr std::size_t kMaxPast = 1024;  // for a program that was stopped for minutes and catches up
 constexpr std::size_t kNearRings = 2;
 
 template <typename Visit>
@@ -36,7 +36,7 @@ std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const 
   while (!past_.empty() && (past_.back().until + kOnItsWay < now || past_.size() >= kMaxPast))
     past_.pop_back();
 
-  // Of Views that were far away no chunk is asked for one by one: who jumps has hundreds of them.
+  // Distant Views are skipped before checking single chunks: a jumping player has hundreds of them.
   std::vector<Box> left_near;
   for (const Past& past : past_) {
     if (past.box.meets(box)) left_near.push_back(past.box);

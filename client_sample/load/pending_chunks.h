@@ -1,5 +1,4 @@
-// Which chunks of a player's View have not come yet, and whether a chunk that comes was expected. No I/O, no
-// clock.
+// Tracks the missing chunks of a player's View, and whether arriving chunks were expected. No I/O, no clock.
 #pragma once
 
 #include <chrono>
@@ -16,7 +15,7 @@ namespace talus::load {
 using Clock = std::chrono::steady_clock;
 using Time = Clock::time_point;
 
-/// Chunks of level 0, both corners included; empty where high < low.
+/// Chunks of level 0, both corners included; empty if high < low.
 struct Box {
   glm::i64vec3 low{0};
   glm::i64vec3 high{-1};
@@ -39,19 +38,19 @@ struct Box {
 class PendingChunks {
  public:
   enum class Verdict : std::uint8_t {
-    came,       // waited for
-    repeated,   // held already, but it had left the View and come back, so both may cross
-    duplicate,  // held already
-    stale,      // of a View that has moved on
-    outside,    // of no View
+    came,       // awaited
+    repeated,   // already held, but it left the View and returned, so messages may have crossed
+    duplicate,  // already held
+    stale,      // in an earlier View
+    outside,    // in no View
   };
   struct Arrival {
     Verdict verdict{};
-    Time since{};       // came: when the View that first wanted it was due
-    bool join = false;  // came: that View shared nothing with the one before
+    Time since{};       // for `came`: due time of the View that first wanted it
+    bool join = false;  // for `came`: that View shared nothing with the previous one
     std::uint32_t steps_late = 0;
-    /// Came in the first View after a join or a jump, and no step since: how many rings of whole chunks
-    /// nearer the nearest one is that still waits. -1 where the order is not looked at.
+    /// For arrivals in the first View after a join or a jump, before any step: number of complete rings
+    /// between the chunk and the nearest ring still awaited. -1 if order is not checked.
     std::int64_t ring_gap = -1;
   };
   struct Missed {
@@ -60,25 +59,25 @@ class PendingChunks {
     bool returned = false;
   };
 
-  /// A View due at `due` is sent at `now`, later where this program was late: what the server sent for the
-  /// View before is still on its way then. Its chunks that the one before had keep their state; the result is
-  /// what was waited for and is wanted no more.
+  /// Sends a View due at `due` at `now`, which is later if this program was late: chunks for the previous
+  /// View may be in flight until then. Chunks shared with the previous View keep their state; returns the
+  /// chunks that were awaited and are no longer wanted.
   [[nodiscard]] std::vector<Missed> move_to(const Box& box, const glm::i64vec3& centre, Time due, Time now);
   [[nodiscard]] Arrival arrive(ChunkCoord chunk);
-  /// What still waits, which is then forgotten.
+  /// Returns and forgets the chunks still awaited.
   [[nodiscard]] std::vector<Missed> give_up();
 
   [[nodiscard]] const Box& box() const { return box_; }
-  /// Chunks that must come: not those that came back, which the server may know to be held.
+  /// Chunks that must arrive; excludes returned ones, which the server may know to be held.
   [[nodiscard]] std::size_t waiting() const { return waiting_; }
-  /// Those of them in the two nearest rings: the 27 chunks around the player.
+  /// Awaited chunks in the two nearest rings: the 27 chunks around the player.
   [[nodiscard]] std::size_t near_waiting() const { return near_waiting_; }
-  /// When the last join or jump was due.
+  /// Due time of the last join or jump.
   [[nodiscard]] Time jumped() const { return jumped_; }
 
  private:
-  // A chunk's state: 0 is held; else the number of the step that first wanted it, from 1 on. With kReturned
-  // it left the View and came back at once.
+  // State of a chunk: 0 if held, otherwise the number of the step that first wanted it, from 1. kReturned is
+  // set if it left the View and returned soon.
   using Cell = std::uint32_t;
   static constexpr Cell kReturned = Cell{1} << 31;
 
@@ -100,10 +99,10 @@ class PendingChunks {
   glm::i64vec3 centre_{};
   std::vector<Cell> cells_;
   std::vector<Step> steps_;
-  std::deque<Past> past_;  // the newest first
+  std::deque<Past> past_;  // newest first
   std::size_t waiting_ = 0, near_waiting_ = 0;
   Time jumped_{};
-  std::vector<std::uint32_t> waiting_by_ring_;  // empty: the order is not looked at
+  std::vector<std::uint32_t> waiting_by_ring_;  // empty: order is not checked
 };
 
 }  // namespace talus::load

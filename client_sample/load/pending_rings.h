@@ -1,5 +1,4 @@
-// Which chunks of the rings of a player's View have not come yet, and whether one that comes was expected. No
-// I/O, no clock.
+// Tracks the missing chunks of a View's rings, and whether arriving chunks were expected. No I/O, no clock.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +11,21 @@
 
 namespace talus::load {
 
-/// Remembers every chunk that left: a View's rings leave few behind, however long a player flies.
+/// Remembers every chunk that left: rings leave few behind, however long a player flies.
 class PendingRings {
  public:
   using Verdict = PendingChunks::Verdict;
 
-  /// A View of this shape is sent.
+  /// A View of this shape was sent.
   void move_to(const client::ViewShape& shape);
-  /// Of level 1 and up.
+  /// `chunk` is of level 1 or above.
   [[nodiscard]] Verdict arrive(ChunkKey chunk);
   [[nodiscard]] bool covers(ChunkKey chunk) const { return shape_.covers(chunk); }
   [[nodiscard]] ChunkRange rows(std::int32_t x, std::int32_t z, Lod lod) const {
     return shape_.rows(x, z, lod);
   }
 
-  /// Chunks that must come: not those that left and came back, which the server may know to be held.
+  /// Chunks that must arrive; excludes returned ones, which the server may know to be held.
   [[nodiscard]] std::size_t waiting() const { return waiting_; }
 
  private:

@@ -1,4 +1,4 @@
-// What all clients of a run know. Made before the first of them, and not changed then.
+// Data shared by all clients of a run: created before the first client, and constant.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ namespace talus::load {
 
 struct Plan {
   Options options;
-  asio::ip::tcp::endpoint server;                  // the first of them
-  std::vector<asio::ip::tcp::endpoint> servers{};  // of one world
-  tls::Context tls;                                // null: plain
+  asio::ip::tcp::endpoint server;                  // the first server
+  std::vector<asio::ip::tcp::endpoint> servers{};  // all servers, of one world
+  tls::Context tls;                                // null: no TLS
   client::WorldInfo world;
-  std::shared_ptr<const Trace> trace;      // where the mix has one
-  std::vector<glm::dvec3> origins;         // where each group begins, on its ground
-  std::vector<ChunkKey> fixed_set;         // requests mode: chunks with a surface in them
-  std::shared_ptr<EditJournal> journal{};  // null: none is kept
+  std::shared_ptr<const Trace> trace;      // if the mix uses one
+  std::vector<glm::dvec3> origins;         // start of each group, on its ground
+  std::vector<ChunkKey> fixed_set;         // requests mode: chunks that contain a surface
+  std::shared_ptr<EditJournal> journal{};  // null: not recorded
 
-  /// What a player there asks for.
+  /// The View of a player at this position.
   [[nodiscard]] client::View view_at(VoxelPos centre, const glm::dvec3& direction) const {
     client::View view{centre, glm::vec3{direction}, options.radius, options.vertical, {}};
     if (options.horizon != 0) {

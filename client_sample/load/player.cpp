@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWalkingSpeed = 5;  // voxels a second
 constexpr double kFlyingSpeed = 20;
-constexpr double kTurned = 0.966;  // cosine of the 15 degrees from which on a turn is worth a View
+constexpr double kTurned = 0.966;  // cosine of 15 degrees, the smallest turn that sends a View
 
 MotionPlan motion_plan(const Plan& plan, const ClientProfile& profile) {
   const Options& options = plan.options;
@@ -70,7 +70,8 @@ void Player::joined(Time now) {
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
   look_around(now, now, true);
-  // Its ticks stay where they were laid when it first was to join, however late the server is.
+  // The phase of its ticks follows from the time when it should first have joined, however late the server
+  // is.
   const Time first_tick = began_ + phase_;
   tick_due_ = motion_->moves() ? first_tick + tick_ * ((now - first_tick + tick_) / tick_) : Time::max();
 }
@@ -132,7 +133,7 @@ void Player::record_near() {
   tally().longest_without = std::max(tally().longest_without, near_.longest_without());
 }
 
-// Of level 0, by the squares of terrain that a server generates at once.
+// Counts at level 0, by the squares of terrain that a server generates at once.
 void Player::count_new_patches(const Box& before, Time due) {
   const int tiles = worker().plan().options.patch_tiles;
   if (tiles == 0 || !worker().counts(due)) return;
@@ -141,7 +142,7 @@ void Player::count_new_patches(const Box& before, Time due) {
   };
   const Box& now = pending_.box();
   const std::int64_t all = squares(now.low.x, now.high.x) * squares(now.low.z, now.high.z);
-  // Of the squares of both Views, none is new.
+  // Squares of both Views are not new.
   const auto common = [&](std::int64_t low, std::int64_t high, std::int64_t old_low, std::int64_t old_high) {
     if (old_low > old_high) return std::int64_t{0};
     const std::int64_t first = std::max(floor_div(low, tiles), floor_div(old_low, tiles));
@@ -219,7 +220,7 @@ void Player::take(const wire::UniformColumn& column) {
 
 bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how) {
   const bool is_newer = revisions_.raise(chunk, how.revision);
-  // A run may cover rows that are held: it says nothing of how they came.
+  // A run may cover rows already held, without meaning that they were sent.
   switch (verdict) {
     case PendingChunks::Verdict::stale:
       ++tally().stale;

@@ -1,4 +1,4 @@
-// A client with a View: walks, flies or stands, and looks at what comes for it.
+// A client with a View: walks, flies or stands, and checks the chunks that arrive for it.
 #pragma once
 
 #include <memory>
@@ -33,30 +33,30 @@ class Player final : public SimulatedClient {
   void record_near();
   void count_new_patches(const Box& before, Time due);
   void record_missed(const PendingChunks::Missed& missed, Time now);
-  /// How a chunk of the View came: in a UniformColumn with others, or by a message for it alone.
+  /// Form in which a chunk arrived: in a UniformColumn with others, or in its own message.
   struct Coming {
     bool alone = false;
     std::uint64_t revision = 0;
   };
   void arrive(ChunkKey chunk, Time now, const Coming& how);
   void arrive_near(ChunkCoord chunk, Time now, const Coming& how);
-  /// Counts a verdict; true where the chunk was waited for.
+  /// Counts a verdict; returns true if the chunk was awaited.
   [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how);
-  /// A chunk came, perhaps the last of the View.
+  /// Call when a chunk arrived: checks whether the View is complete.
   void look_whether_full(Time now);
 
   std::unique_ptr<Motion> motion_;
   Clock::duration tick_;
-  Clock::duration phase_;     // of its ticks: players join evenly, and their clocks are not one
-  Time began_ = Time::max();  // when it joined first: its time is counted from there
+  Clock::duration phase_;     // of its ticks: players join evenly, but their ticks are not synchronous
+  Time began_ = Time::max();  // when it first joined: origin of its time
   Time tick_due_ = Time::max();
   Pose pose_;              // of the last View
   PendingChunks pending_;  // of level 0
   PendingRings rings_;
   HeldRevisions revisions_;
   NearWaits near_;
-  std::optional<Time> lost_;      // when its connection was, where its nearest rings have not come since
-  std::optional<Time> lost_all_;  // the same of its View
+  std::optional<Time> lost_;      // when the connection was lost, until the nearest rings are complete again
+  std::optional<Time> lost_all_;  // the same for the whole View
   bool first_to_come_ = false;
   bool full_to_come_ = false;
   bool horizon_to_come_ = false;

@@ -1,4 +1,4 @@
-// Which players move in which way.
+// Distribution of players over the models of movement.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace talus::load {
 
-/// Shares of the models, by Role; any positive sum.
+/// Shares of the models, by Role; their sum may be any positive number.
 struct PlayerMix {
   std::array<double, kModels> shares{};
-  std::string trace_file;  // where trace has a share
+  std::string trace_file;  // set if trace has a share
 };
 
-/// "walk", "mixed", "trace:FILE" or "walk=80,fly=15,teleport=5"; else one line that says what is wrong.
+/// Parses "walk", "mixed", "trace:FILE" or "walk=80,fly=15,teleport=5"; an error is one line.
 [[nodiscard]] tl::expected<PlayerMix, std::string> parse_player_mix(const std::string& text);
 
-/// One model a player. Any run of players has the shares as nearly as can be.
+/// Assigns a model to each player. Any sequence of players matches the shares as closely as possible.
 [[nodiscard]] std::vector<Role> deal(const PlayerMix& mix, std::size_t players);
 
 }  // namespace talus::load

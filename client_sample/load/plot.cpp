@@ -34,7 +34,7 @@ std::string wait_text(double ms) {
 
 struct Axes {
   double low_ms, high_ms;  // powers of ten
-  int nines;               // the farthest percentile is 1 - 10^-nines
+  int nines;               // the highest percentile is 1 - 10^-nines
 
   [[nodiscard]] double x(double nines_at) const {
     return kLeft + nines_at / nines * (kWidth - kLeft - kRight);
@@ -113,7 +113,7 @@ std::string plot(const std::string& title, const std::string& subtitle, const st
       "<text x='{:.1f}' y='{}' class='tick' text-anchor='middle'>part of all that came no later</text>\n",
       (kLeft + kWidth - kRight) / 2, kHeight - 14);
 
-  // Names stand at the ends of their lines, pushed apart where these are near each other.
+  // Names are at the ends of their lines, moved apart if they are close.
   struct Label {
     double y;
     std::size_t curve;

@@ -1,4 +1,4 @@
-// Waits by percentile, drawn.
+// Draws waits by percentile.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct Curve {
   const measure::Histogram* waits = nullptr;  // at least one wait
 };
 
-/// An SVG of its own: from left to right the part of all chunks, each nine between two lines ten times rarer
-/// than the nine before; upwards the wait in milliseconds, logarithmic. At most six curves.
+/// Returns a self-contained SVG: rightwards the share of all chunks, with equal space for each further nine;
+/// upwards the wait in milliseconds, logarithmic. At most six curves.
 [[nodiscard]] std::string plot(const std::string& title, const std::string& subtitle,
                                const std::vector<Curve>& curves);
 

@@ -1,4 +1,4 @@
-// Numbers that a seed decides, on every machine alike (the standard library's distributions differ).
+// Seeded random numbers, the same on every machine (the standard library's distributions differ).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class Random {
     mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBU;
     return mixed ^ (mixed >> 31);
   }
-  /// 0 or more, less than 1.
+  /// 0 (inclusive) to 1 (exclusive).
   [[nodiscard]] double part() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   [[nodiscard]] double between(double low, double high) { return low + (high - low) * part(); }
   [[nodiscard]] std::uint64_t below(std::uint64_t end) { return next() % end; }

@@ -1,5 +1,5 @@
-// Whether a rate that the server told has held players up: its token bucket, filled and emptied by what was
-// seen to come. No I/O, no clock.
+// Estimates whether a rate advertised by the server delayed players: simulates its token bucket with the
+// observed arrivals. No I/O, no clock.
 #pragma once
 
 #include <algorithm>
@@ -10,24 +10,24 @@ namespace talus::load {
 
 class RateModel {
  public:
-  /// 0 a second: no limit. The bucket is full at first.
+  /// 0 per second: unlimited. The bucket is initially full.
   RateModel(std::uint64_t per_second, std::chrono::milliseconds burst)
       : per_second_{static_cast<double>(per_second)},
         most_{per_second_ * static_cast<double>(burst.count()) / 1000},
         level_{most_} {}
 
-  /// `count` were sent in the next `seconds`. `counts`: this time is of those that are looked at.
+  /// `count` arrived in the next `seconds`. `counts`: this time is part of the measurement.
   void add(double seconds, double count, bool counts) {
     level_ = std::max(0.0, std::min(most_, level_ + per_second_ * seconds) - count);
     if (!counts) return;
     seconds_ += seconds;
     count_ += count;
-    // What the server has counted and the players have not yet: a quarter of a second.
+    // The server has counted a quarter of a second more than the players have received.
     if (level_ <= std::min(per_second_ / 4, most_ / 10)) empty_seconds_ += seconds;
   }
 
-  /// The part of the time, 0 to 1, in which the bucket was empty. A bucket that was not full at first shows
-  /// in a rate that is the limit's all the time.
+  /// The share of time, 0 to 1, in which the bucket was empty. If the bucket was not full at first, the
+  /// observed rate equals the limit all the time.
   [[nodiscard]] double held() const {
     if (per_second_ == 0 || seconds_ == 0) return 0;
     const double share_of_limit = count_ / (per_second_ * seconds_);

@@ -11,7 +11,7 @@
 namespace talus::load {
 namespace {
 
-/// So far behind its schedule a harness measures itself.
+/// A harness this far behind its schedule measures itself.
 constexpr double kVoidMs = 1'000;
 
 std::string row(const std::string& name, const measure::Histogram& waits) {
@@ -88,7 +88,7 @@ std::string troubles_of(const RunResult& result) {
   return text;
 }
 
-/// One line, where the server's own rates held the players.
+/// One line if the server's own rates delayed the players.
 std::string held_by(const Plan& plan, const RunResult& result) {
   const auto held = result.held_by();
   if (held.empty()) return "";

@@ -1,4 +1,4 @@
-// What a run found, for people and for programs.
+// Results of a run for humans and for programs.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace talus::load {
 
 [[nodiscard]] std::string report(const Plan& plan, const RunResult& result);
 
-/// Its keys are told in tests/load/README.md and do not change; `format` would.
+/// Keys are documented in tests/load/README.md and are stable, unless `format` changes.
 [[nodiscard]] nlohmann::json report_json(const Plan& plan, const RunResult& result);
 
 }  // namespace talus::load

@@ -34,7 +34,7 @@ void Requester::disconnected(bool /*lost*/) {
 ChunkKey Requester::next_key() {
   const Plan& plan = worker().plan();
   if (role() == Role::requests) return plan.fixed_set[random().below(plan.fixed_set.size())];
-  // Fresh ground, row after row, far from the others'.
+  // Fresh ground, row by row, far from other groups.
   constexpr std::int64_t kRow = 256;
   const glm::dvec3& origin = plan.origins[profile().group];
   const auto chunk = [](double voxel) { return static_cast<std::int64_t>(voxel) / kChunkSize; };

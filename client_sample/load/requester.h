@@ -1,5 +1,5 @@
-// A client that asks chunk by chunk: of the fixed set so many at a time, or (greedy) as many of fresh terrain
-// as the server lets it open, for ever. A closed loop: the next is asked when the one before is answered.
+// A client that requests single chunks in a closed loop: `in_flight` at a time from the fixed set, or
+// (greedy) as much fresh terrain as the server allows, for ever. An answer triggers the next request.
 #pragma once
 
 #include <vector>
@@ -30,14 +30,14 @@ class Requester final : public SimulatedClient {
   void give_up() override;
 
   [[nodiscard]] ChunkKey next_key();
-  /// The request's slot, now closed and to be asked anew; null where it is not open.
+  /// Closes the request's slot for reuse; null if it is not open.
   [[nodiscard]] Slot* close(std::uint32_t id);
   void ask();
 
   std::vector<Slot> slots_;            // request id - 1
   std::vector<std::uint32_t> to_ask_;  // ids
   std::size_t open_ = 0;
-  Time ask_due_ = Time::max();  // the server has refused some, and asks to come back then
+  Time ask_due_ = Time::max();  // retry time that the server asked for after refusals
   std::int64_t swept_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What a simulated client does.
+// Behaviours of simulated clients.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace talus::load {
 
-/// The first six are ways of moving; `slow` walks and reads slowly; `build` stands and edits; the others
+/// The first six are models of movement; `slow` walks and reads slowly; `build` stands and edits; the others
 /// send no View.
 enum class Role : std::uint8_t {
   stand,
@@ -27,12 +27,12 @@ enum class Role : std::uint8_t {
 inline constexpr std::array<std::string_view, 11> kRoleNames{
     "stand", "walk", "fly", "teleport", "swarm", "trace", "slow", "greedy", "requests", "idle", "build"};
 inline constexpr std::size_t kRoles = kRoleNames.size();
-inline constexpr std::size_t kModels = 6;  // roles that --model can name
+inline constexpr std::size_t kModels = 6;  // roles that --model accepts
 
 [[nodiscard]] constexpr std::string_view name_of(Role role) {
   return kRoleNames[static_cast<std::size_t>(role)];
 }
-/// Whether its figures are those of the players; what greedy and slow clients meet is told apart.
+/// True if its figures count as the players'; greedy and slow clients are reported separately.
 [[nodiscard]] constexpr bool is_player(Role role) {
   return role != Role::slow && role != Role::greedy;
 }

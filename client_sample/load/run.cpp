@@ -43,7 +43,7 @@ tl::expected<void, std::string> raise_file_limit(std::uint64_t needed) {
   ::getrlimit(RLIMIT_NOFILE, &limit);
   if (limit.rlim_cur >= needed) return {};
   limit.rlim_cur = needed;
-  limit.rlim_max = std::max(limit.rlim_max, needed);  // where this process may
+  limit.rlim_max = std::max(limit.rlim_max, needed);  // if permitted
   if (::setrlimit(RLIMIT_NOFILE, &limit) == 0) return {};
   return tl::unexpected{
       fmt::format("{} open files are needed and the system allows fewer; raise ulimit -n", needed)};
@@ -93,7 +93,9 @@ class Run {
   }
 
   tl::expected<RunResult, std::string> go() {
-    if (watch_.watches()) wait_until(Clock::now() + kBetweenLooks);  // until it has seen the probe disconnect
+    if (watch_.watches())
+      wait_until(Clock::now() + kBetweenLooks);  // until the probe's disconnect is
+                                                 // visible
     auto before = watch_.sample();
     if (!before) return tl::unexpected{before.error()};
     result_.before = *before;
@@ -137,7 +139,7 @@ class Run {
   void measure() {
     const Options& options = plan_.options;
     start_ = Clock::now();
-    if (!options.warm_up_seconds) result_.begin = moment();  // before who joins at once is served
+    if (!options.warm_up_seconds) result_.begin = moment();  // before players that join at once are served
     const Time first_join = Clock::now() + std::chrono::milliseconds{10};
     const Time from = options.warm_up_seconds
                           ? first_join + seconds(options.ramp_up_seconds + *options.warm_up_seconds)
@@ -156,7 +158,7 @@ class Run {
     for (const auto& worker : workers_) worker->finish(Clock::now() + seconds(options.drain_seconds));
   }
 
-  /// Models of the rates that the server told; they count for as many as share each.
+  /// Models of the advertised rates, scaled by the number of clients that share each.
   void watch_rates() {
     const Options& options = plan_.options;
     const auto& limits = plan_.world.limits;
@@ -224,7 +226,7 @@ class Run {
     }
     workers_.clear();
     if (!watch_.watches()) return;
-    // The server needs a moment to see that they left.
+    // The server takes a moment to notice that they left.
     const Time deadline = Clock::now() + kServerSettles;
     do {
       wait_until(Clock::now() + kBetweenLooks);
@@ -255,7 +257,7 @@ class Run {
     std::uint64_t chunks = 0, bytes = 0;
   };
   RatesSeen rates_seen_;
-  std::map<std::string, double> shares_;  // of all that came, by who has a rate: one session, one address
+  std::map<std::string, double> shares_;  // share of all arrivals, by scope of the rate
   bool measures_ = false;
   RunResult result_;
 };

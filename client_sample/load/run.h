@@ -10,7 +10,8 @@
 
 namespace talus::load {
 
-/// Blocks until it is over; SIGINT ends it early, with what was measured until then. `plan` has been probed.
+/// Blocks until the run is over; SIGINT ends it early and keeps the results so far. REQUIRES: `plan` was
+/// probed.
 [[nodiscard]] tl::expected<RunResult, std::string> run(const Plan& plan);
 
 }  // namespace talus::load

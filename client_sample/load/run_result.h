@@ -1,4 +1,4 @@
-// Everything that a run found.
+// All results of a run.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace talus::load {
 
 /// Totals at one moment.
 struct Moment {
-  double seconds = 0;  // since the players began
+  double seconds = 0;  // since the players started
   std::uint64_t chunks = 0, uniform = 0, bytes = 0, edits = 0;
   double harness_cpu_seconds = 0;
   ServerSample server;
@@ -25,22 +25,22 @@ struct Moment {
 struct RunResult {
   Tallies tallies;
   measure::Histogram lateness;         // of the harness itself
-  ServerSample before, after;          // before the first client; when all had left
+  ServerSample before, after;          // before the first client; after all have left
   ServerSample idle;                   // with the idle connections, before the players
-  Moment begin, end;                   // of what is measured
-  std::vector<double> resident_bytes;  // the server's, about once a second of it
+  Moment begin, end;                   // of the measured time
+  std::vector<double> resident_bytes;  // the server's, measured about once per second
   std::uint64_t idle_joined = 0;
-  std::map<std::string, RateModel> rates;  // that the server told, by the names of its settings
+  std::map<std::string, RateModel> rates;  // advertised by the server, by the names of its settings
   bool interrupted = false;
 
-  /// How much more was resident in the last tenth of the measured time than in the first, means of each: from
-  /// one second to the next it goes up and down by what an allocator keeps.
+  /// Increase of resident memory from the first to the last tenth of the measured time, by the mean of each,
+  /// because allocators make it vary from second to second.
   [[nodiscard]] std::optional<double> resident_growth_percent() const;
 
-  /// Those of the server's rates that held the players for more than a twentieth of the measured time.
+  /// The server's rates that delayed players for more than a twentieth of the measured time.
   [[nodiscard]] std::map<std::string, RateModel> held_by() const;
 
-  /// The players' alone, and everybody's.
+  /// Tally of the players only; all() merges all roles.
   [[nodiscard]] Tally players() const;
   [[nodiscard]] Tally all() const;
 };

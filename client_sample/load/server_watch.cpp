@@ -68,7 +68,7 @@ ServerSample read_metrics(const std::string& text) {
   std::string line;
   while (std::getline(lines, line)) {
     if (line.empty() || line.front() == '#') continue;
-    // A name, labels in braces perhaps, a value. What is in the labels may hold spaces.
+    // A name, optional labels in braces, a value. Labels may contain spaces.
     const auto name_end = line.find_first_of("{ ");
     const auto labels_end = line.rfind('}');
     const auto value_at = labels_end != std::string::npos ? labels_end + 1 : name_end;

@@ -1,4 +1,4 @@
-// What the server spends, as its own metrics or the system's tables tell it.
+// Reads the server's resource usage from its metrics or from /proc.
 #pragma once
 
 #include <map>
@@ -13,16 +13,16 @@ namespace talus::load {
 
 struct ServerSample {
   std::optional<double> cpu_seconds, resident_bytes, open_files;
-  std::map<std::string, double> counters;  // talus_..., labels summed away, where there are metrics
+  std::map<std::string, double> counters;  // talus_..., summed over labels, if there are metrics
 };
 
 class ServerWatch {
  public:
-  /// `pid` 0 and no `metrics`: nothing is known. Both: the metrics say what they know, the pid the rest.
+  /// Without `pid` (0) and `metrics`, nothing is known. With both, `pid` supplements the metrics.
   ServerWatch(std::optional<protocol::Endpoint> metrics, int pid) : metrics_{std::move(metrics)}, pid_{pid} {}
 
   [[nodiscard]] bool watches() const { return metrics_ || pid_ != 0; }
-  /// Blocks for as long as the server takes to answer, two seconds at most. An error is one line.
+  /// Blocks until the server answers, at most two seconds. An error is one line.
   [[nodiscard]] tl::expected<ServerSample, std::string> sample() const;
 
  private:

@@ -20,13 +20,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr std::chrono::seconds kConnectTimeout{10};  // to connect, and again to be greeted
+constexpr std::chrono::seconds kConnectTimeout{10};  // to connect, and again until Welcome
 constexpr std::chrono::seconds kPingInterval{20};
 constexpr milliseconds kBetweenReads{50};  // of a slow reader
 
 protocol::Frame hello_frame(const std::string& token) {
   return protocol::make_frame([&](auto& b) {
-    std::vector<std::uint8_t> codecs;  // all that decode() reads, the newest first
+    std::vector<std::uint8_t> codecs;  // all codecs that decode() reads, newest first
     for (int version = kCodecVersion; version >= kOldestCodecVersion; --version) {
       codecs.push_back(static_cast<std::uint8_t>(version));
     }
@@ -143,7 +143,7 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
     case wire::Body::GoAway: {
       const auto& away = *message.body_as_GoAway();
       close_reason_ = "GoAway";
-      if (!lost_) lost_ = Clock::now();  // from here on it gets nothing new
+      if (!lost_) lost_ = Clock::now();  // after this it gets nothing new
       retry_after_ = milliseconds{away.retry_after_ms()};
       return;
     }
@@ -173,7 +173,7 @@ void SimulatedClient::welcome(const wire::Welcome& welcome) {
   ping_interval_ =
       idle.count() == 0 ? Clock::duration{kPingInterval} : std::min<Clock::duration>(kPingInterval, idle / 3);
   const Time now = Clock::now();
-  // The first one early for some, so that a crowd that joined at once does not ping at once.
+  // Randomly early at first, so that clients that joined together do not ping together.
   ping_due_ = now + seconds(random_.part() * std::chrono::duration<double>(ping_interval_).count());
   const double stay = worker_.plan().options.churn_seconds;
   const bool churns = stay > 0 && is_player(profile_.role) && profile_.role != Role::idle && !finished_;
@@ -225,7 +225,7 @@ void SimulatedClient::ended(const std::string& reason, bool broken) {
     disconnected(true);
   }
   awaits_pong_.reset();
-  // A wait that a server asks for is before one comes back to it, not to the next.
+  // A wait requested by a server applies to this server, not to the next one.
   ++server_;
   if (worker_.plan().servers.size() > 1) retry_after_ = {};
   reconnect_at(Clock::now() + back_off());
@@ -235,7 +235,7 @@ std::size_t SimulatedClient::server() const {
   return server_ % worker_.plan().servers.size();
 }
 
-// As the client library does, but for ever.
+// As in the client library, but without a limit of attempts.
 Clock::duration SimulatedClient::back_off() {
   if (!backoff_) {
     client::ReconnectPolicy policy;

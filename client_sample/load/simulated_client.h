@@ -1,5 +1,5 @@
-// One simulated client: joins when it is due, keeps its connection alive, gives credit, may be cut, and comes
-// back. What it wants is its descendants' matter; by itself it is an idle connection.
+// One simulated client: joins when due, keeps its connection alive, sends credit, may be cut, and reconnects.
+// Derived classes define its requests; without them it is an idle connection.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ struct Tally;
 
 struct ClientProfile {
   Role role = Role::idle;
-  std::uint32_t number = 0;  // of all clients
+  std::uint32_t number = 0;  // among all clients
   std::uint32_t group = 0;
-  Clock::duration joins_after{};  // from when its kind begins
+  Clock::duration joins_after{};  // after its role begins
   std::optional<asio::ip::address> from;
 };
 
@@ -33,24 +33,24 @@ class SimulatedClient : public LinkOwner {
   SimulatedClient(Worker& worker, const ClientProfile& profile);
 
   void start(Time from);
-  /// What is due is done.
+  /// Performs due actions.
   void act(Time now);
   [[nodiscard]] Time due() const;
-  Time scheduled = Time::max();  // the Worker's: the due time that it knows of
+  Time scheduled = Time::max();  // for the Worker: the due time that it has scheduled
 
   [[nodiscard]] Role role() const { return profile_.role; }
-  /// Wants nothing more than it does.
+  /// Stops it from requesting anything new.
   void finish();
   [[nodiscard]] virtual bool satisfied() const { return true; }
-  /// What it did not get is counted.
+  /// Disconnects, and counts what it did not get.
   void leave();
 
  protected:
-  // ---- for descendants
+  // ---- for derived classes
   virtual void joined(Time /*now*/) {}
-  /// The connection ended, unasked where `lost`.
+  /// The connection ended; `lost`: not on purpose.
   virtual void disconnected(bool /*lost*/) {}
-  /// What is due of its own, while joined.
+  /// Performs the derived class's due actions, while joined.
   virtual void act_joined(Time /*now*/) {}
   [[nodiscard]] virtual Time own_due() const { return Time::max(); }
   virtual void take(const wire::Chunk& chunk);
@@ -66,21 +66,21 @@ class SimulatedClient : public LinkOwner {
   [[nodiscard]] Worker& worker() { return worker_; }
   [[nodiscard]] const Worker& worker() const { return worker_; }
   [[nodiscard]] Tally& tally();
-  /// Since when it has lost its connection, and not seen a Pong of the next one.
+  /// When the connection was lost; nullopt after a Pong of the next one.
   [[nodiscard]] std::optional<Time> lost_since() const { return lost_ ? lost_ : awaits_pong_; }
   [[nodiscard]] const ClientProfile& profile() const { return profile_; }
   [[nodiscard]] Random& random() { return random_; }
   [[nodiscard]] bool is_joined() const { return state_ == State::joined; }
-  /// Something that it had before its connection was lost is there again: its session, or its editor.
+  /// Something was restored after a lost connection: its session, or its editor.
   void is_back(Time lost);
   /// When it should have begun to connect.
   [[nodiscard]] Time join_due() const { return join_due_; }
   [[nodiscard]] std::uint32_t server_frame_bytes() const { return frame_bytes_; }
-  /// Which of the plan's it goes to.
+  /// Index of its server in the plan.
   [[nodiscard]] std::size_t server() const;
   void send(std::span<const std::byte> frame) { link_.send(frame); }
-  /// Whether the chunk is what its hash and codec say, where it is one of those that are looked at; what is
-  /// not is counted.
+  /// Returns true if the chunk matches its hash and codec, or is not in the sample to be checked; counts a
+  /// mismatch.
   bool verify(const wire::Chunk& chunk);
   void wrong(std::uint64_t& counter, const std::string& what);
   void never_came(const std::string& what);
@@ -107,16 +107,16 @@ class SimulatedClient : public LinkOwner {
   State state_ = State::away;
   bool finished_ = false;
   Time join_due_ = Time::max();
-  Time deadline_ = Time::max();  // for connecting and greeting
+  Time deadline_ = Time::max();  // for connecting and for Welcome
   Time ping_due_ = Time::max();
   Time cut_due_ = Time::max();
   Time read_due_ = Time::max();  // of a slow reader
   Clock::duration ping_interval_{};
   std::chrono::milliseconds retry_after_{};
-  std::optional<client::Backoff> backoff_;  // from the first failure on
-  std::size_t server_ = 0;                  // of the plan's
-  std::optional<Time> lost_;                // when its connection was, where it has not joined since
-  std::optional<Time> awaits_pong_;         // from when it was lost, the first since
+  std::optional<client::Backoff> backoff_;  // from the first failure
+  std::size_t server_ = 0;                  // in the plan
+  std::optional<Time> lost_;                // time of a lost connection, until it joins
+  std::optional<Time> awaits_pong_;         // time of that loss, until the first Pong
   std::string close_reason_;
   std::uint32_t frame_bytes_ = 0;
   std::uint8_t codec_ = 0;

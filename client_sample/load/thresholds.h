@@ -9,11 +9,11 @@
 
 namespace talus::load {
 
-/// What a run measured, flat; what it could not measure is missing.
+/// Measurements of a run; values that could not be measured are missing.
 using Figures = std::map<std::string, double>;
 
 struct Threshold {
-  std::string text;  // as it was given
+  std::string text;  // as given
   std::string figure;
   std::string relation;  // > >= < <= == !=
   double bound = 0;
@@ -21,7 +21,7 @@ struct Threshold {
 
 [[nodiscard]] tl::expected<Threshold, std::string> parse_threshold(const std::string& text);
 
-/// One line a threshold that holds, with the figure's value; and one a threshold whose figure is missing.
+/// One line for each threshold that holds, with the figure's value, and for each one whose figure is missing.
 [[nodiscard]] std::vector<std::string> crossed_thresholds(const std::vector<Threshold>& thresholds,
                                                           const Figures& figures);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kScratchBytes = std::size_t{256} * 1024;
 constexpr std::chrono::milliseconds kBetweenLooks{20};
 
-/// What builders build of: solid, and the world's own only where it has no other.
+/// Building material: the last solid one, so a placeable rather than a generated one if possible.
 MaterialId building_material(const client::WorldInfo& world) {
   MaterialId material{1};
   for (const client::Material& each : world.materials) {
@@ -80,8 +80,7 @@ void Worker::begin(bool idle, Time from, Time measure_from) {
 }
 
 void Worker::finish(Time deadline) {
-  // At once: a worker that is behind may owe its clients' steps for minutes before it looks at what is
-  // posted.
+  // At once: a worker that is behind may execute overdue steps for minutes before it reaches posted work.
   finishing_ = true;
   asio::post(io_, [this, deadline] {
     for (const auto& client : clients_) client->finish();
@@ -124,7 +123,7 @@ void Worker::wake_at(Time due) {
 
 void Worker::act() {
   timer_due_ = Time::max();
-  // One look at the sockets between batches, so that a crowd that is due does not keep answers waiting.
+  // Polls the sockets between batches, so that many due clients do not delay answers.
   constexpr int kBatch = 64;
   for (int done = 0; done < kBatch && !entries_.empty(); ++done) {
     const Entry entry = entries_.top();

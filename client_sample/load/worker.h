@@ -1,4 +1,4 @@
-// A thread with its clients. Everything but the functions that say otherwise is for the worker's own thread.
+// A thread with its clients. Only that thread may call, unless stated otherwise.
 #pragma once
 
 #include <atomic>
@@ -23,11 +23,11 @@
 
 namespace talus::load {
 
-/// What can be read while a worker runs, from any thread.
+/// Counters that any thread may read while a worker runs.
 struct Live {
   std::atomic<std::uint64_t> chunks{0};  // Chunk messages
   std::atomic<std::uint64_t> uniform{0};
-  std::atomic<std::uint64_t> bytes{0};   // all that was received
+  std::atomic<std::uint64_t> bytes{0};   // all bytes received
   std::atomic<std::uint64_t> joined{0};  // now, of all roles
   std::atomic<std::uint64_t> troubles{0};
   std::atomic<std::uint64_t> edits{0};  // acknowledged
@@ -44,22 +44,22 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // ---- for the thread that made it
-  /// Before run(). The client joins with others of its kind: idle ones first. All of a group that builds are
-  /// of one worker.
+  // ---- for the creating thread
+  /// Call before run(). The client joins with others of its kind: idle ones first. All builders of a group
+  /// must belong to one worker.
   void add(const ClientProfile& profile);
   void run();
-  /// Clients of role idle, or all others, join: the n-th at `from` and n of its own steps later. Waits of
-  /// Views from `measure_from` on are counted.
+  /// Makes idle clients, or all others, join: the n-th at `from` plus n steps. Waits of Views from
+  /// `measure_from` on are recorded.
   void begin(bool idle, Time from, Time measure_from);
-  /// Sends no more Views or requests; ends when what was asked for has come, or at `deadline`. Call join()
-  /// then.
+  /// Stops sending Views and requests; ends when everything requested has arrived, or at `deadline`. Call
+  /// join() afterwards.
   void finish(Time deadline);
   void join();
   [[nodiscard]] const Live& live() const { return live_; }
-  /// After join().
+  /// Call after join().
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
-  /// How much later than due the clients acted: what the harness itself adds.
+  /// Delay of the clients' actions: the harness's own contribution.
   [[nodiscard]] const measure::Histogram& lateness() const { return lateness_; }
 
   // ---- for its clients
@@ -71,9 +71,9 @@ class Worker {
   [[nodiscard]] Time measure_from() const { return measure_from_; }
   [[nodiscard]] bool counts(Time since) const { return since >= measure_from_; }
   [[nodiscard]] bool finishing() const { return finishing_; }
-  /// Whether the next chunk is of the share that is decoded and hashed.
+  /// True if the next chunk belongs to the sample that is decoded and hashed.
   [[nodiscard]] bool picks_to_verify();
-  /// The client's due time may have changed.
+  /// Call when the client's due time may have changed.
   void reschedule(SimulatedClient& client);
 
  private:
@@ -94,9 +94,9 @@ class Worker {
   asio::steady_timer timer_;
   asio::steady_timer end_timer_;
   std::vector<std::byte> scratch_;
-  std::map<std::uint32_t, std::shared_ptr<EditSite>> sites_;  // of groups that build
+  std::map<std::uint32_t, std::shared_ptr<EditSite>> sites_;  // of building groups
   std::vector<std::unique_ptr<SimulatedClient>> clients_;
-  std::priority_queue<Entry> entries_;  // those whose due time has changed since count for nothing
+  std::priority_queue<Entry> entries_;  // entries with an outdated due time are ignored
   Time timer_due_ = Time::max();
   Time measure_from_ = Time::max();
   std::atomic<bool> finishing_ = false;

@@ -23,7 +23,7 @@ struct Failed {
   std::string line;
 };
 
-/// Groups on a square grid, somewhere that the seed decides, so that another seed meets fresh terrain.
+/// Groups on a square grid at a place that the seed selects, so that another seed gets fresh terrain.
 std::vector<Column> group_columns(const Options& options, std::size_t groups) {
   Random random{options.seed, 0x6E0};
   const auto somewhere = [&] { return (static_cast<std::int64_t>(random.below(2048)) - 1024) * (1 << 20); };
@@ -37,7 +37,7 @@ std::vector<Column> group_columns(const Options& options, std::size_t groups) {
   return columns;
 }
 
-/// The middles of a square of chunks around the spawn.
+/// Centres of a square of chunks around the spawn.
 std::vector<Column> fixed_columns(const client::WorldInfo& world, std::size_t chunks) {
   const auto side = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(chunks))));
   std::vector<Column> columns;
@@ -52,7 +52,7 @@ std::vector<Column> fixed_columns(const client::WorldInfo& world, std::size_t ch
 
 asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
                                                       const std::vector<Column>& columns) {
-  // A world may allow few tiles a request: the size that it takes is found by halving.
+  // A world may allow few tiles per request: find an accepted size by halving.
   std::size_t most = client.world()->limits.heights_per_request;
   if (most == 0) throw Failed{"the server allows no heights in a request: limits.heights_per_request is 0"};
   std::vector<std::int32_t> heights;
@@ -71,7 +71,7 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
   co_return heights;
 }
 
-/// Once connected: whether the server takes what is asked for, and where players begin.
+/// After connecting: checks that the server accepts the options, and finds the players' places.
 asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
   const Options& options = plan.options;
   const auto& limits = plan.world.limits;
@@ -122,7 +122,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   if (connecting.websocket.host.empty()) connecting.websocket.host = to_string(options.connect.server);
   plan.options.connect.websocket = connecting.websocket;
   if (options.connect.tls.on) {
-    // Players connect to the address that was found, and expect who was named.
+    // Players connect to the address found, and expect the name given.
     if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.connect.server.host;
     plan.options.connect.tls = connecting.tls;
     const auto context = client::make_tls_context(connecting.tls);
@@ -130,7 +130,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
     plan.tls = *context;
   }
   client::Client client{io.get_executor(), connecting};
-  // The first address that answers is the players', too.
+  // The first address that answers is used for the players too.
   std::string why;
   for (const auto& entry : found) {
     const auto endpoint = entry.endpoint();
@@ -151,7 +151,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   if (client.world() == nullptr || !client.connected()) {
     throw Failed{why.empty() ? "the server ended the connection right after Welcome" : why};
   }
-  // A server that never answers must not keep everybody waiting.
+  // Bounds the wait for a server that never answers.
   asio::steady_timer deadline{io, kProbeTimeout};
   bool late = false;
   deadline.async_wait([&](std::error_code cancelled) {

@@ -1,4 +1,4 @@
-// What must be known of a world before players are put into it.
+// Collects facts about a world before players join.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace talus::load {
 
-/// Connects once, and fills in what `plan.options` leaves open: the server's address, its world, where the
-/// groups begin and the fixed set. Else one line that says why not.
+/// Connects once, and completes `plan`: the server's address, its world, the groups' starts and the fixed
+/// set. An error is one line.
 [[nodiscard]] tl::expected<void, std::string> probe_world(Plan& plan);
 
 }  // namespace talus::load
