@@ -20,7 +20,7 @@ glm::ivec3 floored(const glm::dvec3& point) {
 struct Ray {
   glm::dvec3 from{};
   glm::dvec3 direction{};
-  glm::dvec3 inverse{};  // of the direction; huge if that is zero, so that these walls are never reached
+  glm::dvec3 inverse{};  // 1 / direction; huge for 0, so that these walls are never reached
   glm::ivec3 step{};
 
   Ray(const glm::dvec3& from_, const glm::dvec3& direction_) : from{from_}, direction{direction_} {

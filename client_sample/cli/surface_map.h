@@ -20,7 +20,7 @@ namespace talus::cli {
 struct SurfacePoint {
   std::int32_t top = 0;             // row of the topmost voxel that is not air
   std::int32_t ground = 0;          // row of the topmost solid voxel: lower than `top` under water
-  MaterialId material{};            // of the topmost solid voxel
+  MaterialId material{};            // the topmost solid voxel's
   std::optional<MaterialId> water;  // the topmost liquid, if there is one above
 };
 

@@ -26,7 +26,7 @@ constexpr double kCalmDistance = 150.0;  // voxels over which waves fall to 1/e
 // Water as in the viewer: client_sample/web/viewer/src/engine/shaders/water.ts and terrain.ts.
 const glm::vec3 kWaterBody{0.012F, 0.085F, 0.11F};       // reflectance of deep water
 const glm::vec3 kWaterScatter{0.012F, 0.075F, 0.095F};   // reflectance of the water between surface and bed
-const glm::vec3 kWaterAbsorption{0.30F, 0.085F, 0.06F};  // of light, per voxel
+const glm::vec3 kWaterAbsorption{0.30F, 0.085F, 0.06F};  // light absorbed per voxel
 constexpr double kWaterReach = 96.0;                     // maximum distance at which a bed is visible, voxels
 
 // A constant pseudo-random value per voxel, 0 to 1.

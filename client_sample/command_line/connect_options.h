@@ -32,7 +32,7 @@ void add_connect_options(CLI::App& app, ConnectWords& words);
 
 struct ConnectOptions {
   protocol::Endpoint server;
-  std::vector<protocol::Endpoint> more_servers;  // of the same world
+  std::vector<protocol::Endpoint> more_servers;  // same world
   std::string token;                             // may be empty
   client::TlsOptions tls;
   client::WebSocketOptions websocket;

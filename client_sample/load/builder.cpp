@@ -254,7 +254,7 @@ void Builder::take(const wire::UniformColumn& column) {
 
 void Builder::take(const wire::EditBroadcast& broadcast) {
   const auto part = part_of(broadcast.key());
-  if (!part) return;  // of another level, or edited by others nearby
+  if (!part) return;  // another level, or an edit by others nearby
   std::optional<std::uint64_t>& held = revisions_[*part];
   if (!held) return wrong(tally().outside, "an EditBroadcast of a chunk that was not sent");
   if (broadcast.revision() <= *held) return;

@@ -67,8 +67,8 @@ class Builder final : public SimulatedClient {
   std::uint64_t seen_revision_ = 0;
   std::size_t unanswered_ = 1;  // maximum
 
-  std::vector<std::optional<std::uint64_t>> revisions_;  // of the site's parts, as received
-  std::vector<std::optional<MaterialId>> seen_;          // of the site's cells
+  std::vector<std::optional<std::uint64_t>> revisions_;  // by the site's parts, as received
+  std::vector<std::optional<MaterialId>> seen_;          // by the site's cells
 };
 
 }  // namespace talus::load

@@ -30,7 +30,7 @@ int failed(const std::string& line, int status = 1) {
 }
 
 tl::expected<std::string, std::string> read_whole(const std::string& path) {
-  constexpr std::size_t kMaxBytes = 256U << 20;  // of a trace, or of figures
+  constexpr std::size_t kMaxBytes = 256U << 20;  // maximum for a trace, or for figures
   return files::read_file(path, kMaxBytes).map_error([](const auto& error) { return error.message(); });
 }
 

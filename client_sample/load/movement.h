@@ -14,7 +14,7 @@ namespace talus::load {
 
 struct Pose {
   glm::dvec3 place{};      // voxels
-  glm::dvec3 direction{};  // of the view; zero: no direction
+  glm::dvec3 direction{};  // view direction; zero if it has no direction
 };
 
 class Motion {
@@ -40,7 +40,7 @@ using Trace = std::vector<TracePoint>;
 struct MotionPlan {
   Role model = Role::stand;  // one of the first six, or slow, which walks
   glm::dvec3 origin{};       // start of the player's group
-  double heading = 0;        // of the group, radians from x towards z
+  double heading = 0;        // the group's, radians from x towards z
   double speed = 0;          // voxels per second
   double dwell_seconds = 5;  // teleport: time between jumps
   std::shared_ptr<const Trace> trace;

@@ -6,7 +6,7 @@ namespace talus::load {
 
 void NearWaits::step(Time due, const PendingChunks& pending) {
   open_.push_back(due);
-  // A newer View's nearest rings replace those of earlier Views, which the player has flown through.
+  // A newer View's nearest rings replace the earlier Views', which the player has flown through.
   if (pending.near_waiting() == 0) close_steps(due);
   const bool waited = std::exchange(waits_, pending.waiting() > 0);
   if (!waited) fast_since_ = due;

@@ -27,7 +27,7 @@ struct Options {
   bool groups_together = false;  // each group uses a single one of several servers
 
   std::string model = "walk";
-  PlayerMix mix;  // of `model`
+  PlayerMix mix;  // parsed from `model`
   std::uint32_t groups = 0;
   std::optional<double> speed;  // voxels per second
   std::uint16_t radius = 8;     // chunks

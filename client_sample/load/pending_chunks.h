@@ -49,8 +49,8 @@ class PendingChunks {
     Time since{};       // for `came`: due time of the View that first wanted it
     bool join = false;  // for `came`: that View shared nothing with the previous one
     std::uint32_t steps_late = 0;
-    /// For arrivals in the first View after a join or a jump, before any step: number of complete rings
-    /// between the chunk and the nearest ring still awaited. -1 if order is not checked.
+    /// For arrivals in the first View after a join or a jump, before any step: distance in rings to the
+    /// nearest ring still awaited. -1 if order is not checked.
     std::int64_t ring_gap = -1;
   };
   struct Missed {

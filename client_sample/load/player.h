@@ -50,8 +50,8 @@ class Player final : public SimulatedClient {
   Clock::duration phase_;     // of its ticks: players join evenly, but their ticks are not synchronous
   Time began_ = Time::max();  // when it first joined: origin of its time
   Time tick_due_ = Time::max();
-  Pose pose_;              // of the last View
-  PendingChunks pending_;  // of level 0
+  Pose pose_;              // in the last View
+  PendingChunks pending_;  // level 0
   PendingRings rings_;
   HeldRevisions revisions_;
   NearWaits near_;

@@ -24,10 +24,10 @@ struct Moment {
 
 struct RunResult {
   Tallies tallies;
-  measure::Histogram lateness;         // of the harness itself
+  measure::Histogram lateness;         // the harness's own
   ServerSample before, after;          // before the first client; after all have left
   ServerSample idle;                   // with the idle connections, before the players
-  Moment begin, end;                   // of the measured time
+  Moment begin, end;                   // bounds of the measured time
   std::vector<double> resident_bytes;  // the server's, measured about once per second
   std::uint64_t idle_joined = 0;
   std::map<std::string, RateModel> rates;  // advertised by the server, by the names of its settings

@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 
 constexpr std::chrono::seconds kConnectTimeout{10};  // to connect, and again until Welcome
 constexpr std::chrono::seconds kPingInterval{20};
-constexpr milliseconds kBetweenReads{50};  // of a slow reader
+constexpr milliseconds kBetweenReads{50};  // for a slow reader
 
 protocol::Frame hello_frame(const std::string& token) {
   return protocol::make_frame([&](auto& b) {

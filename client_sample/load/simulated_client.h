@@ -110,7 +110,7 @@ class SimulatedClient : public LinkOwner {
   Time deadline_ = Time::max();  // for connecting and for Welcome
   Time ping_due_ = Time::max();
   Time cut_due_ = Time::max();
-  Time read_due_ = Time::max();  // of a slow reader
+  Time read_due_ = Time::max();  // for a slow reader
   Clock::duration ping_interval_{};
   std::chrono::milliseconds retry_after_{};
   std::optional<client::Backoff> backoff_;  // from the first failure

@@ -63,7 +63,7 @@ struct Tally {
   std::uint64_t bad_messages = 0;
   std::string first_wrong;
 
-  std::uint64_t ordered = 0, disordered = 0;  // chunks whose order was checked; those beyond the tolerance
+  std::uint64_t ordered = 0, disordered = 0;  // chunks whose order was checked; number beyond the tolerance
   std::int64_t worst_ring_gap = 0;
 
   std::uint64_t joins = 0, cuts = 0;

@@ -94,7 +94,7 @@ class Worker {
   asio::steady_timer timer_;
   asio::steady_timer end_timer_;
   std::vector<std::byte> scratch_;
-  std::map<std::uint32_t, std::shared_ptr<EditSite>> sites_;  // of building groups
+  std::map<std::uint32_t, std::shared_ptr<EditSite>> sites_;  // building groups
   std::vector<std::unique_ptr<SimulatedClient>> clients_;
   std::priority_queue<Entry> entries_;  // entries with an outdated due time are ignored
   Time timer_due_ = Time::max();

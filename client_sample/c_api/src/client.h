@@ -14,6 +14,6 @@ struct talus_client {
   // The world according to the events polled, not to queued ones.
   std::shared_ptr<const talus::client::WorldInfo> world;
   talus::c_api::QueuedEvent current;  // the last event, which the caller reads
-  talus::c_api::ChunkHandle chunk;    // of this event
+  talus::c_api::ChunkHandle chunk;    // belongs to `current`
   std::unique_ptr<talus::c_api::Session> session;
 };

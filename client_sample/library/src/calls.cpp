@@ -150,8 +150,7 @@ Result<void> Core::set_view(const View& view) {
   return {};
 }
 
-// A callback may set another View: the nested call then reports all remaining chunks, and this loop finds
-// none.
+// A callback may set another View: the nested call then reports all remaining chunks, and this loop ends.
 void Core::tell_left(Generation mine) {
   while (mine == generation_ && !left_to_tell_.empty()) {
     events_.on_left_view(left_to_tell_.extract(left_to_tell_.begin()).value());

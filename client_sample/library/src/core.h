@@ -153,9 +153,9 @@ class Core : public std::enable_shared_from_this<Core> {
   ViewTracker tracker_;
   bool view_to_send_ = false;
   bool view_sent_ = false;                             // on this connection
-  ViewShape sent_shape_;                               // of the last View sent
-  std::uint32_t view_number_ = 0;                      // of that View; never reused
-  std::uint32_t completed_number_ = 0;                 // of the last View that the server reported complete
+  ViewShape sent_shape_;                               // the last View sent
+  std::uint32_t view_number_ = 0;                      // number of that View; never reused
+  std::uint32_t completed_number_ = 0;                 // last View that the server reported complete
   bool complete_to_tell_ = false;                      // for the last View sent
   std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after it was last sent, or arrived
                                                        // after leaving: the server still counts them

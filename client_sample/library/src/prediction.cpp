@@ -113,7 +113,7 @@ void Prediction::edit(Client& client, const Edit& edit, std::function<void(Resul
 }
 
 void Prediction::ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id) {
-  // Most of the chunks are in flight already. Those missing after the server's next answer are requested.
+  // Most of the chunks are in flight already. The rest is requested after the next answer.
   client.ping([self, &client, id](Result<std::chrono::nanoseconds> answered) {
     const auto there = self.lock();
     if (there == nullptr || *there == nullptr) return;
@@ -238,7 +238,7 @@ std::vector<ChunkKey> Prediction::show(const Overlays& overlays) {
     store_.put(chunk);
     changed.push_back(chunk.key);
   };
-  // Restore chunks that are no longer covered; forget those evicted from the store.
+  // Restore chunks that are not covered any more; forget chunks evicted from the store.
   for (auto each = confirmed_.begin(); each != confirmed_.end();) {
     const bool gone = !store_.contains(each->second.key);
     if (gone || !overlays.contains(each->first)) {

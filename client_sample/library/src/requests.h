@@ -1,4 +1,4 @@
-// Unanswered requests: those waiting for their turn, and those in flight.
+// Unanswered requests, waiting for their turn or in flight.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +47,8 @@ class Requests {
   /// Returns the request's state. If it was waiting, the caller must take() and answer it.
   [[nodiscard]] Cancelled cancel(std::uint32_t id);
 
-  /// The connection broke: requests in flight wait again, oldest first. Returns those that had been
-  /// cancelled, which are not sent again.
+  /// The connection broke: requests in flight wait again, oldest first. Returns cancelled ones, which are not
+  /// sent again.
   [[nodiscard]] std::vector<Request> send_again();
 
   /// The server refused the request temporarily: it waits again, before all never sent and in order of ids.

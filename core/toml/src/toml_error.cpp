@@ -68,7 +68,7 @@ std::string toml_error_text(std::string_view description, std::string_view key) 
   constexpr std::string_view kPreamble = "Error while parsing ";
   std::string text = shortened(description, kMaxDescription);
   if (text.starts_with(kPreamble)) {
-    // The parsed type tells the place, unless the key does.
+    // Without a key, keep the name of the parsed construct.
     const std::size_t colon = text.find(": ");
     text.erase(0, key.empty() || colon == std::string::npos ? kPreamble.size() : colon + 2);
   }

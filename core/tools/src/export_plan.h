@@ -52,9 +52,9 @@ struct ExportPlan {
   /// The lowest row of voxels: everything below is the first layer's material. At coarse levels the topmost
   /// solid voxel, and what it shows, may lie just below y = 0; edits may lie anywhere.
   std::int32_t y0 = 0;
-  std::vector<MaterialId> layers;   // of strata.npy, bottom up
-  std::vector<MaterialId> planes;   // of shown.npy: the layers, loose material bottom up, water
-  std::vector<std::string> fields;  // of fields.npy
+  std::vector<MaterialId> layers;   // in strata.npy, bottom up
+  std::vector<MaterialId> planes;   // in shown.npy: the layers, loose material bottom up, water
+  std::vector<std::string> fields;  // in fields.npy
   std::string slope_of;             // the land described by slope.npy
   std::vector<PlannedArray> arrays;
   std::vector<std::string> left_out;  // files that exports of other worlds have

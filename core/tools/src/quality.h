@@ -71,7 +71,7 @@ struct Quality {
   QualityOptions options;
   std::vector<QualityBand> bands;
 
-  double water_mean = 0;  // of the blocks' shares of water
+  double water_mean = 0;  // mean share of water in blocks
   double water_deviation = 0;
   std::array<double, 5> water_percentiles{};  // minimum, 10, 50, 90 %, maximum
   std::vector<QualityKind> kinds;             // by blocks, then share
@@ -88,8 +88,8 @@ struct Quality {
   QualityPlace other_step;   // largest step not made by a terrace
   double beds = 0;           // share of columns in windows in a river's bed, at least half a voxel deep
   double fading_beds = 0;    // share of these beds on rivers that fade out in the hills
-  QualityPlace highest_bed;  // of complete rivers, above their flood plain
-  QualityPlace highest_fading_bed;  // of fading rivers
+  QualityPlace highest_bed;  // complete rivers, above their flood plain
+  QualityPlace highest_fading_bed;  // fading rivers
 
   QualityPlace highest;
   QualityPlace deepest;

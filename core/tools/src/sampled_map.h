@@ -16,8 +16,8 @@ struct SampledMapOptions {
 
 /// One pixel per column of the grid, north (low z) at the top. Relief shading uses the heights of the grid's
 /// columns, exaggerated with their distance. If columns are at least 16 base columns apart and the world has
-/// looks, the colour is that of the look and of the loose material of level ground there; otherwise it is the
-/// top of the stack in the nearest level of detail.
+/// looks, the look and the loose material of level ground there determine the colour; otherwise the top of
+/// the stack in the nearest level of detail does.
 [[nodiscard]] Image render_sampled_map(const terrain::World& world, const map::ColumnGrid& grid,
                                        const SampledMapOptions& options, ProgressBar& progress);
 

@@ -15,9 +15,9 @@ namespace talus::tools {
 struct WorldChanges {
   std::optional<std::int64_t> seed{};
   std::optional<int> resolution{};
-  std::optional<int> exponent{};       // of the surface
-  std::optional<double> roughness{};   // of all stratified materials
-  std::optional<int> erosion_steps{};  // of the erosion method
+  std::optional<int> exponent{};       // the surface's
+  std::optional<double> roughness{};   // for all stratified materials
+  std::optional<int> erosion_steps{};  // for the erosion method
 };
 
 /// Fails like World::parse() if the text is invalid or the change exceeds its bounds.

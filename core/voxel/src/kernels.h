@@ -18,7 +18,7 @@ struct Extent {
 
 /// A horizontal slice of voxels at row y and the planes that cut it, lowest first.
 struct CutSlice {
-  const std::uint8_t* tops = nullptr;  // of the first plane, followed by the others
+  const std::uint8_t* tops = nullptr;  // tops of the first plane, followed by the others
   std::size_t planes = 0;
   const std::uint8_t* bytes = nullptr;  // values to write: below the first plane, then above each plane
   std::uint8_t y = 0;

@@ -27,7 +27,7 @@ enum class PlaneFault : std::uint8_t { none, truncated, bad_number };
 
 /// Encoded form of a plane; in each row the even columns come before the odd ones.
 struct PlaneIntervals {
-  std::array<std::uint16_t, kChunkArea> start;   // of kProbabilityTotal
+  std::array<std::uint16_t, kChunkArea> start;   // 0 to kProbabilityTotal
   std::array<std::uint16_t, kChunkArea> size;    // 1 to 255
   std::array<std::uint32_t, kChunkSize> others;  // by row: bit x is set if a change follows for column x
   std::array<std::int8_t, kChunkArea> changes;   // by column, valid in rows with any change

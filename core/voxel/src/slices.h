@@ -26,7 +26,7 @@ class Slices {
   /// Slices are composed in bytes: material ids if all fit a byte, otherwise places in the list.
   std::array<std::uint8_t, Layers::kMaxMaterials> bytes_;
   bool bytes_are_materials_;
-  std::array<Extent, Layers::kMaxMaterials - 1> extents_;  // of each plane
+  std::array<Extent, Layers::kMaxMaterials - 1> extents_;  // by plane
   std::size_t first_ = 0;  // the first plane that reaches above the bottom of the slice
   std::uint8_t y_ = 0;
 };

@@ -65,7 +65,7 @@ class VolumeAnalyser {
   }
 
  private:
-  /// Fills in missing rows around those of a wave, as rows_around() defines.
+  /// Fills in missing neighbours of a wave's rows, as rows_around() defines.
   HWY_INLINE void add_missing_rows(int wave) {
     const auto copy = [](const std::uint8_t* from, std::uint8_t* to)
                           HWY_ATTR { std::memcpy(to, from, kRowBytes); };
@@ -98,8 +98,8 @@ class VolumeAnalyser {
     }
   }
 
-  /// Compares the voxels of a wave with those below, to the north and to the west. Returns true if all are
-  /// equal to all three.
+  /// Compares the voxels of a wave with the voxels below, to the north and to the west. Returns true if all
+  /// are equal to all three.
   HWY_INLINE bool compare_near(const WaveSpan& span, int wave) {
     const std::uint8_t* const bytes = rows_.of(wave) + span.first * kRowBytes;
     const std::uint8_t* const north = rows_.of(wave - 1) + span.first * kRowBytes;
@@ -246,8 +246,8 @@ class VolumeAnalyser {
     }
   }
 
-  /// Among the voxels of a pair of rows that are neither the first nor the second candidate, finds those that
-  /// are not any candidate.
+  /// Finds the voxels of a pair of rows that equal no candidate, among voxels marked as neither the first nor
+  /// the second.
   HWY_INLINE void find_escapes(const WaveSpan& span, std::size_t pair, int wave) {
     const std::uint64_t high = load_bits(bits_.symbol[1].data() + 2 * pair);
     std::uint64_t escapes = 0;
@@ -374,7 +374,7 @@ class VolumeAnalyser {
   std::uint64_t any_escapes_ = 0;
   std::uint64_t any_exceptional_ = 0;
   std::uint32_t gap_ = 0;
-  bool quiet_ = false;  // true if all voxels of the last wave equal those near them
+  bool quiet_ = false;  // true if all voxels of the last wave equal their neighbours
   bool quiet_before_ = false;
 };
 

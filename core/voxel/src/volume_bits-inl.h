@@ -112,7 +112,7 @@ HWY_INLINE RowVec pick_odd(RowVec odd, RowVec even) {
   return pick_bits(row_bits(0xAAAAAAAAU), odd, even);
 }
 
-/// Equality of the last four waves' voxels with those below, to the north and to the west.
+/// Equality of the last four waves' voxels with the voxels below, to the north and to the west.
 struct NearEquals {
   EqualWords below;
   EqualWords north;

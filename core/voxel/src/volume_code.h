@@ -74,7 +74,7 @@ inline constexpr SlotTable kGapSlots = slots_of(kGapSizes);
 struct VolumeCode {
   MaterialId first{};  // material of the row north of the first row
   const VolumeIntervals* intervals = nullptr;
-  SlotTable materials;  // of exceptions and escapes; values are ids
+  SlotTable materials;  // exceptions and escapes; values are ids
   std::size_t exceptions = 0;
 };
 

@@ -30,7 +30,7 @@ inline constexpr std::size_t kMaxExceptions = kChunkVolume / 2 + kChunkArea / 2;
 
 /// Encoder output for a chunk, in coding order. Vectors may write some entries past `coded`.
 struct VolumeEvents {
-  std::array<std::uint8_t, kChunkVolume + 64> context;  // of each coded voxel, within its half
+  std::array<std::uint8_t, kChunkVolume + 64> context;  // by coded voxel, relative to its half
   std::array<std::uint8_t, kChunkVolume + 64> symbol;
   std::array<std::uint16_t, kBatches> batch;          // number of coded voxels per batch
   std::array<std::uint16_t, kBatches> batch_escapes;  // number of these with symbol kEscape

@@ -91,7 +91,7 @@ struct NearRows {
   std::uint8_t* equals_below;
 };
 
-/// Fills in missing rows around those of a wave, as rows_around() defines.
+/// Fills in missing neighbours of a wave's rows, as rows_around() defines.
 HWY_INLINE void add_missing_rows(const NearRows& rows, int wave) {
   const hn::CappedTag<std::uint8_t, kRowBytes> d;
   for (std::size_t i = 0; i < kRowBytes; i += hn::MaxLanes(d)) {
@@ -199,7 +199,7 @@ HWY_INLINE HalfPart odd_half(const NearPart& near, PartVec now, const std::uint8
   return half;
 }
 
-/// Stores the equalities of a part's voxels, now known. Returns those that differ from any around.
+/// Stores the equalities of a part's voxels, now known. Returns the voxels that differ from a neighbour.
 HWY_INLINE PartBits find_equals(const NearRows& rows, const NearPart& near, PartVec now, std::size_t part,
                                 int wave) {
   const std::uint8_t* const bytes = rows.now + near.at;

@@ -111,7 +111,7 @@ HWY_INLINE bool have_one_high_byte(const std::uint16_t* ids) {
   return hn::AllTrue(d, hn::Eq(hn::ShiftRight<8>(differ), hn::Zero(d)));
 }
 
-/// Numbers the materials of voxels `begin` to `end` - 1. Looks up only those that differ from all the voxels
+/// Numbers the materials of voxels `begin` to `end` - 1. Looks up only voxels that differ from all the voxels
 /// `before` positions earlier. Returns false if there are too many materials.
 template <std::size_t count>
 HWY_INLINE bool find_materials(const std::uint16_t* ids, std::size_t begin, std::size_t end,

@@ -159,7 +159,7 @@ class Reader {
   }
 
  private:
-  /// Makes all voxels of a wave equal to those around, as in parts that are not mixed.
+  /// Makes all voxels of a wave equal to their neighbours, as in parts that are not mixed.
   HWY_INLINE void repeat_rows(const NearRows& rows, const WaveParts& parts) {
     for (std::size_t p = parts.first; p <= parts.last; ++p) {
       store(load(rows.below + p * kPartBytes), rows.now + p * kPartBytes);
@@ -225,7 +225,7 @@ class Reader {
     }
     source_.keep_ahead();
     batch_.decode(source_, code_.intervals->data() + (odd ? kOddContexts : 0));
-    // Which parts have symbols other than 0 is unpredictable: if any does, all are finished.
+    // The parts with symbols other than 0 are unpredictable: if there are any, all parts are finished.
     std::uint32_t surprising = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       symbols_[i] = batch_.take(static_cast<std::size_t>(std::popcount(coded_[i])));

@@ -9,8 +9,8 @@
 
 namespace talus::codec {
 
-/// One byte per voxel. The rows of a wave are adjacent, by y, with room around them, where encoders put
-/// replacements of missing rows; they may read uninitialised bytes.
+/// One byte per voxel. The rows of a wave are adjacent, by y, with room around them: encoders put
+/// replacements of missing rows there, and may read uninitialised bytes.
 class VoxelRows {
  public:
   static constexpr std::size_t kRow = kChunkSize;

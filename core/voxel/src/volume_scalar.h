@@ -18,11 +18,11 @@ VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, Pad
 struct VolumeSymbol {
   std::size_t voxel;
   std::size_t context;
-  std::uint32_t ends;  // of its context's intervals, as in VolumeIntervals
+  std::uint32_t ends;  // the context's intervals, as in VolumeIntervals
   std::size_t symbol;
   std::size_t lane;
-  std::uint32_t state;     // of the lane, before the symbol
-  std::size_t bytes_left;  // of the payload, before the symbol
+  std::uint32_t state;     // the lane's, before the symbol
+  std::size_t bytes_left;  // left in the payload, before the symbol
 };
 using SeeSymbol = std::function<void(const RansSource&, const VolumeSymbol&)>;
 VolumeFault read_volume_scalar(VolumeSource& source, const VolumeCode& code, PaddedVoxels& padded,

@@ -134,8 +134,8 @@ class Client {
   [[nodiscard]] const WorldInfo* world() const;
 
   /// Requests one chunk. If `known`, the hash of the caller's copy, still matches, the answer is unchanged().
-  /// Any number of requests may be open; those above the server's limit or rate wait here. Answers arrive in
-  /// any order, exactly one for each request.
+  /// Any number of requests may be open; requests above the server's limit or rate wait here. Answers arrive
+  /// in any order, exactly one for each request.
   [[nodiscard]] asio::awaitable<Result<ReceivedChunk>> get(ChunkKey key,
                                                            std::optional<ContentHash> known = std::nullopt);
   RequestId get(ChunkKey key, std::optional<ContentHash> known,

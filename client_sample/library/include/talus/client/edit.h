@@ -22,7 +22,7 @@ struct Edit : edits::Edit {
 
 /// The edit was applied and is stored.
 struct EditDone {
-  std::uint64_t revision = 0;  // of the world after the edit
+  std::uint64_t revision = 0;  // world revision after the edit
   std::uint32_t changed = 0;   // voxels; 0: they already had these materials
 };
 

@@ -1,4 +1,4 @@
-// How a client connects and reconnects.
+// Options of a client: connecting, reconnecting, TLS and WebSocket.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ struct ReconnectPolicy {
   int max_attempts = 0;  // consecutive failures until the client gives up; 0: never reconnect
   std::chrono::milliseconds first_delay{500};
   std::chrono::milliseconds max_delay{10'000};
-  std::optional<std::uint64_t> seed;  // of the random delays; equal seeds give equal delays. Empty: each
+  std::optional<std::uint64_t> seed;  // for the random delays; equal seeds give equal delays. Empty: each
                                       // client draws its own
 };
 

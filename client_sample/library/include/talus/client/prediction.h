@@ -65,8 +65,8 @@ class Prediction {
   enum class Id : std::uint64_t {};
   Id begin(const Edit& edit);
   void done(Id id, const Result<EditDone>& result);
-  /// Chunks touched by an applied edit but held at an older revision. Most arrive soon; those that the edit
-  /// did not change, as loose material slid into a dug hole, never do. Request them once after done() by
+  /// Chunks touched by an applied edit but held at an older revision. Most arrive soon; a chunk that the edit
+  /// did not change, as loose material slid into a dug hole, never does. Request them once after done() by
   /// Client::get(), and pass the answer to put() and then resolve().
   [[nodiscard]] std::vector<ChunkKey> behind(Id id) const;
   /// The held chunk includes the edit, or never will: show it as it is.

@@ -22,7 +22,7 @@ namespace talus::edits {
 
 /// Version of a state.
 struct Head {
-  std::uint64_t position = 0;  // of the last log entry; every entry has a position
+  std::uint64_t position = 0;  // last log entry; every entry has a position
   std::uint64_t revision = 0;  // incremented by each edit that changes something
   std::int64_t time_ms = 0;    // time of the last batch since 1970; never decreases
   StateHash hash;
@@ -42,7 +42,7 @@ struct EditEntry {
   std::uint64_t epoch = 0;
   std::uint64_t sequence = 0;  // chosen by the client, ascending; gaps are allowed
   Edit edit;
-  BaseVoxels base;  // of all voxels that the edit touches or may settle
+  BaseVoxels base;  // all voxels that the edit touches or may settle
   /// Rules of settling; null: nothing settles. Part of the entry, so that nodes need not know its world.
   SettleRulesPtr settles{};
   std::string subject{};  // player for whom a game server edits; empty: the editor's own subject

@@ -89,8 +89,8 @@ struct TouchedChunk {
 [[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit,
                                                                                 bool settles = false);
 
-/// What a world lets an edit write. Checked by the node that accepts an edit, never when applying: nodes may
-/// have different lists.
+/// Edits that a world allows. Checked by the node that accepts an edit, never when applying: nodes may have
+/// different lists.
 struct EditRules {
   HeightRange rows;                       // of the generated world; edits may reach kRowMargin farther
   std::span<const MaterialId> materials;  // writable materials, by ascending id

@@ -48,7 +48,7 @@ struct Editor {
   std::uint64_t epoch = 0;          // incremented by each connection that attaches
   std::uint64_t last_sequence = 0;  // edits up to this one are decided
   std::int64_t used_ms = 0;         // by the log's time
-  std::string subject;              // of the token; empty if the token has none
+  std::string subject;              // the token's; may be empty
   std::vector<EditResult> results;  // the newest kKeptResults, by ascending sequence
   /// True if at least one of its edits is decided.
   [[nodiscard]] bool is_used() const { return last_sequence != 0; }

@@ -67,9 +67,9 @@ struct Settled {
   int looks = 0;
 };
 
-/// Moves all loose material to rest. `voxels` are those of the box, which has at most kSettleRows rows: x
-/// fastest, then z, then y. Voxels outside are fixed and hold; nothing leaves the box. Stops after
-/// kSettleMoves or kSettleLooks, even if more would move. Preserves the amount of each material of the rules.
+/// Moves all loose material to rest. `voxels` are the box's, x fastest, then z, then y; the box has at most
+/// kSettleRows rows. Voxels outside are fixed and hold; nothing leaves the box. Stops after kSettleMoves or
+/// kSettleLooks, even if more would move. Preserves the amount of each material of the rules.
 Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
 
 }  // namespace talus::edits

@@ -20,7 +20,7 @@ class FileLayer {
   template <typename Value>
   using Result = tl::expected<Value, std::error_code>;
 
-  /// Whether opening and reading may block, as on a pipe without a writer.
+  /// Selects whether opening and reading may block, as on a pipe without a writer.
   enum class Waiting : std::uint8_t { allowed, never };
 
   virtual ~FileLayer() = default;

@@ -95,8 +95,7 @@ class Chunk {
   using Dense = std::shared_ptr<const DenseVoxels>;
   struct Overridden {
     Layers base;
-    std::vector<Override>
-        overrides;  // each index once, rising; none with the material that the base has there
+    std::vector<Override> overrides;  // by ascending index, without duplicates; each differs from the base
   };
   using Form = std::variant<Layers, Overridden, Dense>;
   explicit Chunk(Form form) : form_{std::move(form)} {}

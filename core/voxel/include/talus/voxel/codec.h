@@ -16,8 +16,8 @@
 
 namespace talus {
 
-/// What a session agrees on. The first byte of a payload of this codec is 4, or 3 where the chunk is layered:
-/// these payloads are as they were in version 3.
+/// Version negotiated by sessions. The first byte of a payload is 4, or 3 for a layered chunk, whose encoding
+/// has not changed since version 3.
 inline constexpr std::uint8_t kCodecVersion = 4;
 
 /// What decode still reads, down from kCodecVersion.
@@ -34,7 +34,7 @@ enum class DecodeError : std::uint8_t {
   too_long,          // bytes follow the end of the chunk, or the payload exceeds kMaxPayloadBytes
   bad_materials,     // the list of materials is empty, too long, not minimal, or not in the required order
   bad_number,        // a number is out of range, or has more bytes than it needs
-  bad_ending,        // the last bytes are not those that the encoder writes for this chunk
+  bad_ending,        // the last bytes differ from the encoder's for this chunk
 };
 
 /// One line for humans: the error and what is expected.
