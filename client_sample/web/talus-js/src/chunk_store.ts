@@ -1,5 +1,4 @@
-// The chunks that an application holds, decoded, and what a mesher needs of them: one chunk with a rim of its
-// neighbours' voxels.
+// The decoded chunks that an application holds. Gives a mesher one chunk with a rim of its neighbours' voxels.
 //
 //   const store = new ChunkStore(256 << 20);
 //   client.on('chunk', (chunk) => store.put(chunk.key, decodeChunk(chunk.payload)));
@@ -15,12 +14,12 @@ const SIZE = 32;
 const VOLUME = SIZE * SIZE * SIZE;
 const BOOKKEEPING_BYTES = 256;
 
-/** Voxels of a chunk with `width` more on every side. */
+/** Number of voxels of a chunk extended by `width` on every side. */
 export function apronVolume(width: number): number {
   return (SIZE + 2 * width) ** 3;
 }
 
-/** Of dx, dy, dz from -1 to 1 the bit in what apron() returns; (0, 0, 0) is the chunk itself. */
+/** The bit in apron()'s result for dx, dy, dz from -1 to 1; (0, 0, 0) is the chunk itself. */
 export function neighbourBit(dx: number, dy: number, dz: number): number {
   return 1 << (((dy + 1) * 3 + dz + 1) * 3 + dx + 1);
 }
@@ -35,13 +34,13 @@ function bytesOf(chunk: Voxels): number {
 }
 
 export class ChunkStore {
-  private readonly held = new Map<string, Held>(); // that unused for longest first
+  private readonly held = new Map<string, Held>(); // least recently used first
   private usedBytes = 0;
 
-  /** Holds about `maxBytes` of voxels; when more come, those unused for longest go first. The chunk put last stays. */
+  /** Holds about `maxBytes` of voxels; evicts the least recently used chunks, but never the one put last. */
   constructor(private readonly maxBytes: number) {}
 
-  /** In place of what was held for the key. The voxels are kept, not copied. */
+  /** Replaces the chunk of this key. The voxels are kept, not copied. */
   put(key: ChunkKey, chunk: Voxels): void {
     if (chunk.voxels !== null && chunk.voxels.length !== VOLUME) {
       throw new RangeError(`ChunkStore.put: a chunk has ${VOLUME} voxels, not ${chunk.voxels.length}`);
@@ -98,7 +97,7 @@ export class ChunkStore {
     return this.usedBytes;
   }
 
-  /** The material at a voxel of the level `lod`, in its coordinates; undefined where its chunk is not held. */
+  /** The material at a voxel of level `lod`, in its coordinates; undefined if its chunk is not held. */
   at(lod: number, x: number, y: number, z: number): number | undefined {
     const chunkOf = (at: number) => Math.floor(at / SIZE);
     const held = this.held.get(keyName({ lod, x: chunkOf(x), y: chunkOf(y), z: chunkOf(z) }));
@@ -111,12 +110,10 @@ export class ChunkStore {
     for (const { key, chunk } of this.held.values()) visit(key, chunk);
   }
 
-  /**
-   * Writes the (32 + 2 width)^3 voxels from `width` below the chunk's lowest corner on, y slowest, then z, then x, into
-   * `out` of apronVolume(width). Width is 0 to MAX_APRON. Neighbours are of the same level. What is not held is filled
-   * with `filler`; the result has its neighbourBit(), and is 0 where all are held. The store's bound must allow 27
-   * chunks.
-   */
+  /** Writes (32 + 2 width)^3 voxels, starting `width` below the chunk's lowest corner, y slowest, then z, then x, into
+   *  `out` of apronVolume(width). Width is 0 to MAX_APRON. Neighbours are of the same level. Chunks that are not held
+   *  are filled with `filler` and reported by their neighbourBit() in the result, which is 0 if all are held. The
+   *  store's bound must allow 27 chunks. */
   apron(key: ChunkKey, width: number, filler: number, out: Uint16Array): number {
     if (!Number.isInteger(width) || width < 0 || width > MAX_APRON || out.length !== apronVolume(width)) {
       throw new RangeError(
@@ -139,7 +136,7 @@ export class ChunkStore {
   }
 }
 
-/** Of one axis: which voxels of the neighbour on `side`, and how much farther they are in the result. */
+/** Along one axis: the neighbour's voxels on `side`, and their offset in the result. */
 function part(side: number, width: number): { from: number; to: number; offset: number } {
   if (side < 0) return { from: SIZE - width, to: SIZE, offset: width - SIZE };
   if (side > 0) return { from: 0, to: width, offset: width + SIZE };

@@ -1,5 +1,5 @@
-// From the payload of a chunk to its voxels: core/voxel/FORMAT.md, codec version 4. Needs nothing else of this
-// package, so that a worker may take it alone.
+// Decodes a chunk's payload: core/voxel/FORMAT.md, codec version 4. Independent of the rest of this package, so that a
+// worker can load it alone.
 import { DecodeError, type DecodeFault } from './codec/decode_error.js';
 import { LayersDecoder } from './codec/layers.js';
 import { decodePalette } from './codec/palette.js';
@@ -14,7 +14,7 @@ export { DecodeError, type DecodeFault };
 export const CHUNK_SIZE = 32;
 export const CHUNK_VOLUME = 32_768;
 
-/** What decoding works in; made at the first chunk. */
+/** Working memory of the decoder, created for the first chunk. */
 class Workshop {
   readonly source = new Source();
   readonly layers = new LayersDecoder();
@@ -23,11 +23,9 @@ class Workshop {
 }
 let workshop: Workshop | undefined;
 
-/**
- * The voxels of a payload. Throws DecodeError where it is none, or where its voxels do not have the hash `hash`, which
- * costs more than decoding. `into`, of 32,768, is filled and returned as `voxels` instead of a new array, unless the
- * chunk is uniform; after an error its content is undefined.
- */
+/** Returns the voxels of a payload. Throws DecodeError if it is invalid, or if its voxels do not match `hash`, a check
+ *  that costs more than decoding. `into`, of 32,768 elements, is filled and returned as `voxels` instead of a new
+ *  array, unless the chunk is uniform; its content is undefined after an error. */
 export function decodeChunk(
   payload: Uint8Array,
   options: { readonly hash?: string | null; readonly into?: Uint16Array<ArrayBuffer> } = {},

@@ -1,5 +1,5 @@
-// Events by name. A handler may add and remove handlers. What it throws is an error of the application, which nobody here
-// can handle: it is thrown once more where nothing of this package is under way, and the other handlers are called.
+// Named events. A handler may add and remove handlers. An exception of a handler is the application's error: it is
+// rethrown outside this package's calls, and the other handlers still run.
 
 type Handlers = Record<string, (...args: never[]) => void>;
 

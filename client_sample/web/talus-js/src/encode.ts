@@ -1,5 +1,5 @@
-// From voxels to a payload: for pastes, and for chunks that edits changed. Of FORMAT.md's encodings those that are short
-// to write: uniform, runs, raw. A server makes shorter ones.
+// Encodes voxels, for pastes and for chunks that edits changed. Uses only the simplest of FORMAT.md's encodings:
+// uniform, runs, raw. A server's payloads are shorter.
 import { Encoder, intervals } from './codec/encoder.js';
 import { LANES } from './codec/source.js';
 import type { Voxels } from './types.js';
@@ -9,7 +9,7 @@ const VOLUME = 32_768;
 const MAX_MATERIALS = 256;
 const DIGIT_COUNTS = 16;
 
-/** A payload that decodeChunk() and every server read. */
+/** Returns a payload that decodeChunk() and every server can read. */
 export function encodeChunk({ uniform, voxels }: Voxels): Uint8Array<ArrayBuffer> {
   if (voxels === null) return uniformPayload(uniform);
   if (voxels.length !== VOLUME) throw new RangeError(`encodeChunk: a chunk has ${VOLUME} voxels, not ${voxels.length}`);
@@ -46,7 +46,7 @@ function starts(sizes: readonly number[]): number[] {
   return sizes.map((size) => (at += size) - size);
 }
 
-/** FORMAT.md, "Runs"; null where it has no room for so many materials. */
+/** FORMAT.md, "Runs"; null if there are too many materials. */
 function encodeRuns(materials: readonly number[], lengths: readonly number[]): Uint8Array<ArrayBuffer> | null {
   const ids = [...new Set(materials)].sort((a, b) => a - b);
   if (ids.length > MAX_MATERIALS) return null;
@@ -57,7 +57,7 @@ function encodeRuns(materials: readonly number[], lengths: readonly number[]): U
   const digitsOf = (value: number) => 32 - Math.clz32(value);
   const digitUses = new Array<number>(DIGIT_COUNTS).fill(0);
   for (const length of lengths) ++digitUses[digitsOf(length - 1)]!;
-  // A size of 256 does not fit its byte: where all lengths are alike, another gets 1.
+  // A size of 256 does not fit its byte: if all lengths are equal, another size becomes 1.
   const sizes = intervals(uses, 256);
   const digitSizes = intervals(digitUses, 255);
   const bytes = [4, 3];

@@ -1,20 +1,20 @@
-// Everything that goes wrong in this package is a TalusError.
+// All errors of this package are TalusErrors.
 
 export type TalusErrorKind =
-  | 'unreachable' // nobody answers there
-  | 'refused' // the server will not have this client: version, token; or its edits
+  | 'unreachable' // nothing answers at the address
+  | 'refused' // the server rejects this client (version, token) or its edits
   | 'disconnected' // the connection broke, or the server closed it
   | 'timed_out'
-  | 'broken_protocol' // the server sent what the protocol does not allow
-  | 'bad_chunk' // a payload that does not decode, or is not what its hash says
-  | 'out_of_range' // beyond the world or the server's limits
-  | 'overloaded' // the server asks to come back after retryAfterMs
+  | 'broken_protocol' // the server violated the protocol
+  | 'bad_chunk' // a payload failed to decode, or does not match its hash
+  | 'out_of_range' // outside the world or the server's limits
+  | 'overloaded' // the server asks for a retry after retryAfterMs
   | 'cancelled'
-  | 'conflict' // a guard of the edit does not hold: nothing happened
-  | 'not_applied' // the edit did not happen
-  | 'outcome_unknown' // nobody can say any more whether the edit happened
-  | 'server_failed' // the server could not answer; repeating may help
-  | 'closed'; // asked of a client that was closed
+  | 'conflict' // a guard of the edit does not hold: nothing was applied
+  | 'not_applied' // the edit was not applied
+  | 'outcome_unknown' // it can no longer be known whether the edit was applied
+  | 'server_failed' // the server could not answer; a retry may succeed
+  | 'closed'; // called on a closed client
 
 export class TalusError extends Error {
   override readonly name = 'TalusError';
@@ -22,7 +22,7 @@ export class TalusError extends Error {
   constructor(
     readonly kind: TalusErrorKind,
     message: string,
-    /** When to try again; 0: no hint. */
+    /** Delay before a retry; 0: no hint. */
     readonly retryAfterMs = 0,
   ) {
     super(message);

@@ -1,10 +1,10 @@
 // XXH3-128 with seed 0 (xxHash 0.8) of the 65,536 bytes of a chunk's voxels, without BigInt: 64-bit numbers are pairs
-// of 32-bit halves, low first. Only the long form of the hash, for this one length.
+// of 32-bit halves, low first. Implements only the long form of the hash, for this length.
 import type { Voxels } from './types.js';
 
 const VOLUME = 32_768;
 const BYTES = 2 * VOLUME;
-const STRIPE_WORDS = 16; // of 32 bits
+const STRIPE_WORDS = 16; // 32-bit words
 const BLOCK_STRIPES = 16;
 const STRIPES = BYTES / 64;
 
@@ -20,7 +20,7 @@ const SECRET = Uint8Array.from(
 
 type Words = Int32Array;
 
-/** Of the secret from byte `at` on. */
+/** Words of the secret, starting at byte `at`. */
 function secretWords(at: number, words: number): Words {
   return Int32Array.from({ length: words }, (_, i) => {
     const byte = at + 4 * i;
@@ -45,7 +45,7 @@ class Hasher {
   private readonly lowSecret = secretWords(11, STRIPE_WORDS);
   private readonly highSecret = secretWords(192 - 64 - 11, STRIPE_WORDS);
 
-  /** Of `voxels`, as 32 hexadecimal digits, the high half first. */
+  /** Hash of `voxels` as 32 hexadecimal digits, high half first. */
   hash(): string {
     this.sums.set(FIRST);
     for (let stripe = 0; stripe < STRIPES - 1; ++stripe) {
@@ -54,7 +54,7 @@ class Hasher {
       if (inBlock === BLOCK_STRIPES - 1) this.scramble();
     }
     this.accumulate((STRIPES - 1) * STRIPE_WORDS, this.lastSecret, 0);
-    // The length times PRIME64_1; and the complement of the length times PRIME64_2.
+    // The length times PRIME64_1, and the complement of the length times PRIME64_2.
     const low = this.merge(this.lowSecret, 0x85ebca87 << 16, (0x9e3779b1 << 16) | (0x85ebca87 >>> 16));
     const high = this.merge(this.highSecret, ~(0x27d4eb4f << 16), ~((0xc2b2ae3d << 16) | (0x27d4eb4f >>> 16)));
     return high + low;
@@ -137,7 +137,7 @@ function multiply128(aLow: number, aHigh: number, bLow: number, bHigh: number): 
     [1, aHigh, bLow],
     [2, aHigh, bHigh],
   ] as const;
-  const halves = [0, 0, 0, 0, 0]; // sums of unsigned halves: exact, and carried at the end
+  const halves = [0, 0, 0, 0, 0]; // sums of unsigned halves: exact, carried at the end
   for (const [at, a, b] of parts) {
     halves[at]! += Math.imul(a, b) >>> 0;
     halves[at + 1]! += highOfProduct(a, b) >>> 0;
@@ -155,7 +155,7 @@ function hex(word: number): string {
 
 let hasher: Hasher | undefined;
 
-/** The content hash of a chunk, as Chunk.hash has it. */
+/** The content hash of a chunk, in the format of Chunk.hash. */
 export function hashVoxels(chunk: Voxels): string {
   hasher ??= new Hasher();
   if (chunk.voxels === null) hasher.voxels.fill(chunk.uniform);

@@ -14,8 +14,8 @@ export { TalusError, type TalusErrorKind } from './errors.js';
 export type * from './types.js';
 export { MAX_LOD, type Range, ringsBetween, ViewShape } from './view_shape.js';
 
-/** Connects, and joins; see ConnectOptions.url for which way. Nothing is to be awaited: what the client is told before
- *  it has joined, it keeps. */
+/** Connects and joins; ConnectOptions.url selects the transport. There is nothing to await: calls made before the
+ *  client has joined are kept. */
 export function connect(options: ConnectOptions): Client {
   const urls = urlsOf(options.url);
   const [first] = urls.map((url) => new URL(url, globalThis.location?.href));

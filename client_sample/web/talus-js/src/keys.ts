@@ -1,7 +1,7 @@
 import { TalusError } from './errors.js';
 import type { ChunkKey } from './types.js';
 
-/** Names a chunk in maps and messages. */
+/** Identifies a chunk in maps and messages. */
 export function keyName(key: ChunkKey): string {
   return `${key.lod}/${key.x}/${key.y}/${key.z}`;
 }
@@ -10,7 +10,7 @@ export function sameKey(a: ChunkKey, b: ChunkKey): boolean {
   return a.x === b.x && a.y === b.y && a.z === b.z && a.lod === b.lod;
 }
 
-/** Throws a TalusError where a chunk lies in no world. */
+/** Throws a TalusError if the chunk lies outside every world. */
 export function checkKey(key: ChunkKey): void {
   const limit = 2 ** (31 - key.lod);
   const inside = (at: number) => Number.isInteger(at) && -limit <= at && at < limit;

@@ -1,4 +1,4 @@
-// For Node: everything of talus-client, and plain TCP and TLS.
+// For Node: everything in talus-client, plus plain TCP and TLS.
 import net from 'node:net';
 import tls from 'node:tls';
 import { TalusError } from './errors.js';
@@ -13,12 +13,12 @@ export * from './index.js';
 const DEFAULT_PORT = 4780;
 
 export interface NodeConnectOptions extends ConnectOptions {
-  /** Of tls://: what node:tls takes, such as `ca` and `servername`. */
+  /** For tls://: options of node:tls, such as `ca` and `servername`. */
   readonly tls?: tls.ConnectionOptions;
 }
 
-/** As connect() of talus-client; a url may also be tcp://HOST:PORT or tls://HOST:PORT, of port 4780 unless told. Of several
- *  all are, or none. */
+/** Like connect() of talus-client, but a url may also be tcp://HOST:PORT or tls://HOST:PORT, by default with port 4780.
+ *  Either all urls or none may use these schemes. */
 export function connect(options: NodeConnectOptions): Client {
   const urls = urlsOf(options.url);
   if (!urls.some(isSocket)) return connectAnywhere(options);
@@ -30,7 +30,7 @@ const isSocket = (url: string) => /^(tcp|tls):/.test(url);
 function openAny(text: string, options: NodeConnectOptions): OpenTransport {
   if (!isSocket(text)) throw new TalusError('unreachable', `url ${text}: others are tcp: or tls:, so this must be, too`);
   const url = new URL(text);
-  const host = url.hostname.replace(/^\[|\]$/g, ''); // of IPv6
+  const host = url.hostname.replace(/^\[|\]$/g, ''); // brackets of IPv6
   const port = url.port === '' ? DEFAULT_PORT : Number(url.port);
   if (url.protocol === 'tcp:') return openSocket(text, () => net.connect({ host, port }), 'connect');
   const secure = { host, port, minVersion: 'TLSv1.3', ...(net.isIP(host) ? {} : { servername: host }) } as const;

@@ -1,11 +1,11 @@
-// What an application sees of Talus. Axes: x east, y up, z south. The unit of length is the base voxel; a chunk is
-// 32 x 32 x 32 voxels of one level of detail, and a voxel of level l spans 2^l base voxels along each axis.
+// Public types. Axes: x east, y up, z south. The unit of length is the base voxel; a chunk has 32 x 32 x 32 voxels of
+// one level of detail, and a voxel of level l spans 2^l base voxels along each axis.
 import type { Edit, EditDone, EditLimits } from './edits/types.js';
 import type { TalusError } from './errors.js';
 
 export type { Edit, EditDone, EditLimits, Fill, Paste, VoxelWrite } from './edits/types.js';
 
-/** A chunk. Coordinates count chunks of its level. */
+/** A chunk. Coordinates are in chunks of its level. */
 export interface ChunkKey {
   readonly lod: number;
   readonly x: number;
@@ -25,18 +25,18 @@ export interface LodRing {
   readonly radius: number;
 }
 
-/** What a player wants to have around it. */
+/** The chunks that a player wants around it. */
 export interface View {
   /** Base voxels; fractions are rounded down. */
   readonly centre: Position;
-  /** Of any length: chunks along it come first. Absent or zero: no preference. */
+  /** Need not be normalised: chunks along it come first. Absent or zero: no preference. */
   readonly direction?: Position;
   /** Chunks of level 0 around the chunk that holds the centre. */
   readonly horizontalRadius: number;
   readonly verticalRadius: number;
-  /** Levels and radii growing. */
+  /** Ascending levels and radii. */
   readonly rings?: readonly LodRing[];
-  /** Rings have all rows that the world's ground can lie in; only where `limits.viewHorizon`. */
+  /** Rings cover every row in which the world's ground can lie; requires `limits.viewHorizon`. */
   readonly horizon?: boolean;
 }
 
@@ -50,7 +50,7 @@ export interface Material {
   readonly phase: Phase;
 }
 
-/** What a server grants a second, by token buckets; 0: no limit. */
+/** Rates that a server grants per second, enforced by token buckets; 0: unlimited. */
 export interface Rates {
   readonly chunks: number;
   readonly bytes: number;
@@ -64,7 +64,7 @@ export interface Limits {
   readonly heightsPerRequest: number;
   readonly viewHorizontalRadius: number;
   readonly viewVerticalRadius: number;
-  /** Of all levels in one View. */
+  /** All levels of one View together. */
   readonly viewChunks: number;
   readonly windowBytes: number;
   readonly idleTimeoutMs: number;
@@ -73,17 +73,17 @@ export interface Limits {
   readonly viewHorizon: boolean;
 }
 
-/** What a server tells about its world. */
+/** The server's description of its world. */
 export interface World {
-  /** Of the stream, as agreed; by HTTP 0. */
+  /** Negotiated version of the stream; 0 over HTTP. */
   readonly protocol: number;
-  /** 32 hexadecimal digits; worlds of one fingerprint have equal voxels everywhere. */
+  /** 32 hexadecimal digits; equal fingerprints: equal voxels everywhere. */
   readonly fingerprint: string;
-  /** Revisions can be compared within one; 32 zeros: nothing is stored, so nobody edits. */
+  /** Revisions are comparable if store ids are equal; 32 zeros: nothing is stored, so edits are impossible. */
   readonly storeId: string;
   readonly codec: number;
   readonly materials: readonly Material[];
-  /** Base rows: below minY everything is one rock, at and above maxY everything is air. */
+  /** Base rows: below minY all voxels are one rock, from maxY up all are air. */
   readonly minY: number;
   readonly maxY: number;
   /** The base voxel for a player's feet. */
@@ -94,155 +94,152 @@ export interface World {
   readonly fields: readonly string[];
 }
 
-/** A chunk as it came: not decoded, so that the application decides where to do that. */
+/** A chunk as received: not decoded, so that the application chooses where to do that. */
 export interface Chunk {
   readonly key: ChunkKey;
-  /** 0n: as generated; a higher one is newer. By HTTP it may be that of the chunk's whole column. */
+  /** 0n: as generated; increases with each change. Over HTTP it may be the revision of the chunk's whole column. */
   readonly revision: bigint;
-  /** XXH3-128 of the voxels, 32 hexadecimal digits, as decodeChunk() checks it; null where the source has none
-   *  (HTTP, and uniform chunks). */
+  /** XXH3-128 of the voxels, 32 hexadecimal digits, for decodeChunk(); null if unknown (HTTP, and uniform chunks). */
   readonly hash: string | null;
-  /** For decodeChunk(). The bytes own their ArrayBuffer: it may be transferred to a worker. */
+  /** For decodeChunk(). The bytes own their ArrayBuffer, which may be transferred to a worker. */
   readonly payload: Uint8Array<ArrayBuffer>;
-  /** The one material of a chunk known to be uniform without decoding it; else null. */
+  /** The material of a chunk that is known to be uniform without decoding; otherwise null. */
   readonly material: number | null;
 }
 
-/** Voxels of a chunk, 32 x 32 x 32; that of (x, y, z) is at (y * 32 + z) * 32 + x. */
+/** Voxels of a chunk, 32 x 32 x 32; voxel (x, y, z) is at index (y * 32 + z) * 32 + x. */
 export type Voxels =
   | { readonly uniform: number; readonly voxels: null }
   | { readonly uniform: null; readonly voxels: Uint16Array<ArrayBuffer> };
 
-/** What there is at columns of base voxels, in the order of the question. */
+/** Data of columns of base voxels, in the order of the request. */
 export interface Places {
   /** Height of the ground in 1/256 base voxel above y = 0. */
   readonly heightsFx: Int32Array;
-  /** Places in World.looks; where asked for. */
+  /** Indexes into World.looks; null if not requested. */
   readonly looks: Uint8Array | null;
-  /** Of each column the values of all fields; where asked for. */
+  /** Values of all fields of a column, then of the next; null if not requested. */
   readonly values: Float32Array | null;
 }
 
-/** Running totals since the client was made. */
+/** Totals since the client was created. */
 export interface Stats {
   readonly chunks: number;
   readonly uniformChunks: number;
-  /** Of a View, held since before and not sent again. */
+  /** Chunks of a View that were already held and not sent again. */
   readonly unchangedChunks: number;
   readonly receivedBytes: number;
   readonly sentBytes: number;
   readonly chunkBytes: number;
   readonly connections: number;
-  /** HTTP: requests made. */
+  /** HTTP requests made. */
   readonly requests: number;
-  /** Of the last ping or HTTP request; null: none yet. */
+  /** Of the last ping or HTTP request; null before the first. */
   readonly latencyMs: number | null;
-  /** From setView() to the first chunk, and to the whole View; null: not yet. */
+  /** From setView() to the first chunk, and to the complete View; null: not yet. */
   readonly firstChunkMs: number | null;
   readonly viewCompleteMs: number | null;
 }
 
 export interface ClientEvents {
-  /** The client has joined, for the first time or again. Where `sameWorld` is false, chunkLeft told of all chunks
-   *  that were held before. */
+  /** The client joined, for the first time or again. If `sameWorld` is false, chunkLeft was emitted for all chunks held
+   *  before. */
   connected: (world: World, sameWorld: boolean) => void;
-  /** A chunk of the current View has come, or has changed. */
+  /** A chunk of the current View arrived or changed. */
   chunk: (chunk: Chunk) => void;
-  /** A chunk that `chunk` delivered is not in the View any more, and will not be kept up to date. */
+  /** A chunk delivered by `chunk` left the View and will no longer be updated. */
   chunkLeft: (key: ChunkKey) => void;
-  /** Every chunk of the View has come, but for those that `error` told of. */
+  /** Every chunk of the View arrived, except any reported by `error`. */
   viewComplete: (view: View) => void;
-  /** The connection broke. `retryInMs` is when the client tries again; null: it does not, and `closed` follows. */
+  /** The connection broke. `retryInMs`: delay until the next attempt; null: no attempt, `closed` follows. */
   disconnected: (error: TalusError, retryInMs: number | null) => void;
-  /** Something that the connection survives. */
+  /** An error that the connection survives. */
   error: (error: TalusError) => void;
-  /** The end, for good: by close() (null), or because no attempt helps. */
+  /** The final event: after close() (null), or if further attempts are useless. */
   closed: (error: TalusError | null) => void;
 }
 
 export interface ReconnectPolicy {
-  /** Failures in a row before the client gives up; Infinity: never. 0: it does not reconnect. */
+  /** Consecutive failures until the client gives up; Infinity: never. 0: it does not reconnect. */
   readonly maxAttempts?: number;
   readonly firstDelayMs?: number;
   readonly maxDelayMs?: number;
 }
 
 export interface ConnectOptions {
-  /** ws:, wss:, http: or https: of the server's HTTP port. By http(s) chunks come by HTTP, through any cache; by
-   *  ws(s) through the socket /v1/stream. `talus-client/node` also takes tcp://HOST:PORT and tls://HOST:PORT.
-   *  Several, but for http(s): servers of one world. Where one cannot be reached, goes away or breaks off, the next is
-   *  tried, and around again. One is enough where a balancer stands for all. */
+  /** ws:, wss:, http: or https: URL of the server's HTTP port. With http(s), chunks are fetched over HTTP, through any
+   *  cache; with ws(s), over the WebSocket /v1/stream. `talus-client/node` also accepts tcp://HOST:PORT and
+   *  tls://HOST:PORT. Several URLs, except http(s), are servers of one world: if one cannot be reached, goes away or
+   *  disconnects, the next is tried, then around again. One URL is enough if a balancer covers all servers. */
   readonly url: string | readonly string[];
   readonly token?: string;
   /** For the server's log. */
   readonly clientName?: string;
-  /** Chunk bytes in flight at most; default 1 MiB. */
+  /** Maximum chunk bytes in flight; default 1 MiB. */
   readonly windowBytes?: number;
-  /** Payloads kept of chunks that left the View, so that only their hashes travel when they return; default 16 MiB. */
+  /** Payload bytes kept of chunks that left the View; only their hashes are sent when they return. Default 16 MiB. */
   readonly keepBytes?: number;
-  /** Whether the application says by Client.taken() when it is done with a chunk; else it is at once. Then the
-   *  server never sends more than windowBytes ahead of a slow application. */
+  /** True if the application calls Client.taken() when it is done with a chunk, so that the server never sends more
+   *  than windowBytes ahead of a slow application. Otherwise chunks count as done at once. */
   readonly manualCredit?: boolean;
   readonly reconnect?: ReconnectPolicy;
-  /** Until the server has answered an attempt to connect; default 10 s. */
+  /** Limit for the server's answer to an attempt to connect; default 10 s. */
   readonly connectTimeoutMs?: number;
-  /** HTTP: requests at once, at most 6, which is the default. */
+  /** HTTP: maximum concurrent requests, at most 6, which is the default. */
   readonly requestsAtOnce?: number;
-  /** HTTP: so often is asked which columns of the View's regions were edited since; default 5,000. Infinity: never
-   *  again. */
+  /** HTTP: interval of asking which columns of the View's regions were edited; default 5,000. Infinity: ask only
+   *  once. */
   readonly editsIntervalMs?: number;
-  /** An implementation of WebSocket, where there is no global one (Node before 22). */
+  /** An implementation of WebSocket, if there is no global one (Node before 22). */
   readonly WebSocket?: unknown;
   readonly fetch?: typeof fetch;
 }
 
-/** The same over a stream (WebSocket, TCP) and over HTTP. */
+/** The same interface over a stream (WebSocket, TCP) and over HTTP. */
 export interface Client {
-  /** What the server last said; null until `connected`. */
+  /** The server's last description; null until `connected`. */
   readonly world: World | null;
   readonly connected: boolean;
   readonly stats: Stats;
 
-  /** What a handler throws is reported as any uncaught error is; the client and its other handlers go on. */
+  /** An exception of a handler is reported like any uncaught error; the client and its other handlers continue. */
   on<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this;
   off<K extends keyof ClientEvents>(event: K, handler: ClientEvents[K]): this;
 
-  /** Resolves with the world once joined; rejects when the client gave up. */
+  /** Resolves with the world after joining; rejects if the client gave up. */
   ready(): Promise<World>;
 
-  /** In place of the View before; null: none. Cheap: call it every frame. Before `connected` it is kept. Throws a
-   *  TalusError where the View is over the server's limits; the View before then stays. */
+  /** Replaces the View; null: no View. Cheap: call it every frame. Kept until `connected`. Throws a TalusError, and
+   *  keeps the previous View, if the View exceeds the server's limits. */
   setView(view: View | null): void;
 
-  /** With manualCredit: the application is done with the chunk. */
+  /** With manualCredit: call when the application is done with the chunk. */
   taken(chunk: Chunk): void;
 
-  /** One chunk, in the View or not. */
+  /** Requests a chunk inside or outside the View. */
   getChunk(key: ChunkKey): Promise<Chunk>;
 
-  /** Heights at columns of base voxels, and their looks and the values of World.fields there. */
+  /** Heights at columns of base voxels, with their looks and values of World.fields on request. */
   getPlaces(
     columns: readonly { readonly x: number; readonly z: number }[],
     wanted?: { readonly looks?: boolean; readonly fields?: readonly string[] },
   ): Promise<Places>;
 
-  /**
-   * Changes voxels. Edits happen in the order of the calls, each once, however often the connection breaks meanwhile; at
-   * most as many as the server allows are on their way, the others wait here. One that the server refuses for now is
-   * sent again, behind those that were sent since: where order matters, use guards. Resolves when the edit is stored;
-   * chunks of the View change by `chunk`, before or after that. Rejects with a TalusError: `conflict`, `out_of_range`,
-   * `not_applied`, `outcome_unknown`; `refused` where the token does not give the right, where the server stores no
-   * edits, and by HTTP.
-   */
+  /** Changes voxels. Edits are applied in the order of the calls, each once, however often the connection breaks; at
+   *  most as many as the server allows are in flight, the rest wait here. An edit that the server refuses temporarily
+   *  is sent again, after edits sent meanwhile: if order matters, use guards. Resolves when the edit is stored; changed
+   *  chunks of the View arrive by `chunk`, before or after that. Rejects with a TalusError: `conflict`, `out_of_range`,
+   *  `not_applied`, `outcome_unknown`; `refused` if the token lacks the right, if the server stores no edits, and over
+   *  HTTP. */
   edit(edit: Edit): Promise<EditDone>;
 
-  /** What this client may edit. Rejects as edit() does, so an application may ask before it offers to edit. */
+  /** Limits of this client's edits. Rejects like edit(), so call it before offering to edit. */
   editLimits(): Promise<EditLimits>;
 
   /** Round-trip time in milliseconds. */
   ping(): Promise<number>;
 
-  /** Where the connection is lost: tries at once what would be tried later. */
+  /** If the connection is lost: makes the next attempt at once. */
   retry(): void;
 
   close(): void;

@@ -1,4 +1,4 @@
-// Payloads of chunks of one material: the shortest that FORMAT.md has.
+// Payloads of uniform chunks: the shortest that FORMAT.md defines.
 
 /** 03 00 01, then the id as a number. */
 export function uniformPayload(material: number): Uint8Array<ArrayBuffer> {
@@ -9,7 +9,7 @@ export function uniformPayload(material: number): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(bytes);
 }
 
-/** The material of such a payload; null: it is another, or wrong. */
+/** The material of a uniform payload; null if it is another kind, or invalid. */
 export function materialOf(payload: Uint8Array): number | null {
   if (payload.length < 4 || payload.length > 6 || payload[0] !== 3 || payload[1] !== 0 || payload[2] !== 1) return null;
   let material = 0;

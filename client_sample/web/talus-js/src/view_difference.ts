@@ -1,9 +1,9 @@
-// What one View has and another has not, as boxes of chunks: found from the shapes' edges, so that a View that moves by a
-// chunk costs what enters and leaves, not what stays.
+// Chunks of one View that another lacks, as boxes, computed from the shapes' edges, so that the cost of moving a View
+// by a chunk depends on the chunks that enter and leave.
 import type { ChunkKey } from './types.js';
 import { type LevelBox, type Range, sizeOf, type ViewShape } from './view_shape.js';
 
-/** Both ends included, none empty. */
+/** Both ends included; never empty. */
 export interface ChunkBox {
   readonly lod: number;
   readonly x: Range;
@@ -22,7 +22,7 @@ function overlap(a: Range, b: Range): Range {
   return { first: Math.max(a.first, b.first), last: Math.min(a.last, b.last) };
 }
 
-/** What `a` has before `b` and behind it. */
+/** The parts of `a` before and after `b`. */
 function minus(a: Range, b: Range): Range[] {
   if (isEmpty(overlap(a, b))) return isEmpty(a) ? [] : [a];
   const parts = [
@@ -49,7 +49,7 @@ const innerOf = (box: LevelBox): Rectangle => ({ x: box.innerX, z: box.innerZ })
 /** The columns of a level. */
 const columnsOf = (box: LevelBox): Rectangle[] => without(box, innerOf(box));
 
-/** Columns of `a` that `b` has not: beyond its outer rectangle, or in its inner one. */
+/** Columns of `a` that `b` lacks: outside its outer rectangle, or in its inner one. */
 function columnsLeft(a: LevelBox, b: LevelBox): Rectangle[] {
   const outside = without(a, b);
   const inside = common(a, b).flatMap((both) => common(both, innerOf(b)));
@@ -60,7 +60,7 @@ function columnsKept(a: LevelBox, b: LevelBox): Rectangle[] {
   return columnsOf(a).flatMap((part) => columnsOf(b).flatMap((other) => common(part, other)));
 }
 
-/** The chunks of `from` that `other` has not; null has none. No two boxes overlap. */
+/** The chunks of `from` that `other` lacks; null means no chunks. Boxes do not overlap. */
 export function chunksOutside(from: ViewShape, other: ViewShape | null): ChunkBox[] {
   const outside: ChunkBox[] = [];
   for (const box of from.boxes) {

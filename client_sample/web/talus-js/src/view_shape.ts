@@ -1,11 +1,11 @@
-// Which chunks a View has: PROTOCOL.md, "Which chunks". Coordinates may exceed 32 bits before the world's edge cuts
-// them, so levels are divided by, not shifted.
+// Computes the chunks of a View: PROTOCOL.md, "Which chunks". Coordinates may exceed 32 bits before the world's edge
+// cuts them, so levels are divided, not shifted.
 import { TalusError } from './errors.js';
 import type { ChunkKey, Limits, LodRing, View } from './types.js';
 
 export const MAX_LOD = 6;
 
-/** Both ends included; empty where last < first. */
+/** Both ends included; empty if last < first. */
 export interface Range {
   readonly first: number;
   readonly last: number;
@@ -43,7 +43,7 @@ function touching(centre: number, radius: number, size: number): Range {
   return { first: Math.floor((centre - radius) / size), last: Math.floor((centre + radius) / size) };
 }
 
-/** Chunks of `size` base chunks wholly inside chunks of `finerSize`. */
+/** Chunks of `size` base chunks entirely inside chunks of `finerSize`. */
 function whollyInside(finer: Range, finerSize: number, size: number): Range {
   return {
     first: Math.ceil((finer.first * finerSize) / size) + 0, // not -0
@@ -78,7 +78,7 @@ function countOf(box: LevelBox): number {
   return (sizeOf(box.x) * sizeOf(box.z) - inner) * sizeOf(box.y);
 }
 
-/** Level 0 and then each ring, before the world's edge cuts them. */
+/** Level 0, then each ring, before the world's edge cuts them. */
 function levelBoxes(view: View, heights: Heights): LevelBox[] {
   const x = Math.floor(view.centre.x / 32);
   const y = Math.floor(view.centre.y / 32);
@@ -95,7 +95,7 @@ function levelBoxes(view: View, heights: Heights): LevelBox[] {
   for (const ring of view.rings ?? []) {
     const finer = boxes[boxes.length - 1]!;
     const box = outer(ring.lod, ring.radius);
-    const hasInner = !view.horizon || boxes.length > 1; // level 0 does not have all rows of its columns
+    const hasInner = !view.horizon || boxes.length > 1; // level 0 does not contain all rows of its columns
     boxes.push({
       ...box,
       y: view.horizon ? rowsOfWorld(heights, 2 ** ring.lod) : box.y,
@@ -110,11 +110,11 @@ function levelBoxes(view: View, heights: Heights): LevelBox[] {
 export class ViewShape {
   readonly boxes: readonly LevelBox[];
   readonly count: number;
-  /** What limits.viewChunks bounds: the same where the world's edge cuts none off. */
+  /** count if the world's edge cut off nothing: the number that limits.viewChunks bounds. */
   readonly uncutCount: number;
   private readonly byLod: (LevelBox | undefined)[] = [];
 
-  /** `heights` of the world; only a View with a horizon needs them. */
+  /** `heights`: the world's; needed only for a View with a horizon. */
   constructor(view: View, heights: Heights = { minY: 0, maxY: 0 }) {
     const uncut = levelBoxes(view, heights);
     this.boxes = uncut.map(cutToWorld);
@@ -133,12 +133,12 @@ export class ViewShape {
     return box !== undefined && contains(box.y, key.y) && boxHasColumn(box, key.x, key.z);
   }
 
-  /** The rows of a column; empty where the View does not have it. */
+  /** Rows of a column; empty if the View does not contain it. */
   rows(lod: number, x: number, z: number): Range {
     return this.hasColumn(lod, x, z) ? this.byLod[lod]!.y : EMPTY;
   }
 
-  /** Of every column, the finest level first. */
+  /** Visits every column, finest level first. */
   forEachColumn(visit: (lod: number, x: number, z: number, rows: Range) => void): void {
     for (const box of this.boxes) {
       if (sizeOf(box.y) === 0) continue;
@@ -161,8 +161,8 @@ function boxHasColumn(box: LevelBox, x: number, z: number): boolean {
   return contains(box.x, x) && contains(box.z, z) && !(contains(box.innerX, x) && contains(box.innerZ, z));
 }
 
-/** Rings of levels 1 to 6 around `radius`, out to `farthest` base chunks, each wider by the same ratio; fewer where
- *  whole radii would not grow. */
+/** Rings of levels 1 to 6 from `radius` out to `farthest` base chunks, each wider by the same ratio; fewer if rounding
+ *  would make two radii equal. */
 export function ringsBetween(radius: number, farthest: number): LodRing[] {
   const begin = Math.max(1, radius);
   const rings: LodRing[] = [];
@@ -180,7 +180,7 @@ function refuse(what: string): never {
   throw new TalusError('out_of_range', what);
 }
 
-/** The View with whole numbers; throws a TalusError where a server would refuse it. */
+/** Rounds the View to whole numbers; throws a TalusError if a server would reject it. */
 export function checkedView(view: View): View {
   for (const axis of ['x', 'y', 'z'] as const) {
     if (!Number.isFinite(view.centre[axis])) {
@@ -204,7 +204,7 @@ export function checkedView(view: View): View {
     lod = ring.lod;
     before = ring.radius;
   }
-  // Worlds end at 2^36: what lies farther out than numbers are exact has no chunks anyway.
+  // Worlds end at 2^36: there are no chunks where numbers are inexact.
   const whole = (at: number) => Math.max(-(2 ** 52), Math.min(2 ** 52, Math.floor(at)));
   return {
     centre: { x: whole(view.centre.x), y: whole(view.centre.y), z: whole(view.centre.z) },
@@ -216,7 +216,7 @@ export function checkedView(view: View): View {
   };
 }
 
-/** Throws a TalusError where the View is over the server's limits. */
+/** Throws a TalusError if the View exceeds the server's limits. */
 export function checkLimits(view: View, shape: ViewShape, limits: Limits): void {
   const within = (value: number, most: number, name: string) => {
     if (value > most) refuse(`the View's ${name} is ${value}; this server allows ${most}`);

@@ -1,4 +1,4 @@
-// What clients over a stream and over HTTP have in common: events, the View, statistics.
+// Common parts of clients over a stream and over HTTP: events, the View, statistics.
 import { Emitter } from '../emitter.js';
 import { TalusError } from '../errors.js';
 import type {
@@ -21,7 +21,7 @@ import { Tracker } from './tracker.js';
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** Views are sent no oftener, as servers do not apply them much oftener. */
+/** Minimum interval between Views, as servers do not apply them much more often. */
 const VIEW_INTERVAL_MS = 50;
 
 const COUNTS = {
@@ -48,7 +48,7 @@ export abstract class ClientBase implements Client {
   protected isClosed = false;
   private readonly events = new Emitter<ClientEvents>();
   private closeError: TalusError | null = null;
-  private wanted: View | null = null; // the newest View; the tracker's is the one applied last
+  private wanted: View | null = null; // the newest View; the tracker has the last one applied
   private viewTimer: ReturnType<typeof setTimeout> | undefined;
   private retryTimer: ReturnType<typeof setTimeout> | undefined;
   private appliedAt = -Infinity;
@@ -126,7 +126,7 @@ export abstract class ClientBase implements Client {
     }, wait);
   }
 
-  /** Makes the newest View that of the tracker, and tells the server. */
+  /** Applies the newest View to the tracker, and sends it to the server. */
   private applyView(): void {
     const view = this.wanted;
     const before = this.tracker.view;
@@ -139,10 +139,10 @@ export abstract class ClientBase implements Client {
     if (this.connected && this.tracker.view === view) this.viewApplied();
   }
 
-  /** The tracker has a new View. */
+  /** Called when the tracker has a new View. */
   protected abstract viewApplied(): void;
 
-  /** Tells of the world that a server has; the View goes on. */
+  /** Reports the server's world; the View is kept. */
   protected joined(world: World): void {
     const before = this.world;
     const sameWorld = before !== null && before.fingerprint === world.fingerprint;
@@ -168,10 +168,10 @@ export abstract class ClientBase implements Client {
     if (this.wanted !== null) this.applyView();
   }
 
-  /** Before the application hears of it. */
+  /** Called before the application is notified. */
   protected abstract worldKnown(sameWorld: boolean): void;
 
-  /** Gives the application a chunk of the View, unless it has it. */
+  /** Delivers a chunk of the View, unless the application has it. */
   protected deliver(chunk: Chunk): boolean {
     if (!this.tracker.deliver(chunk)) return false;
     ++this.stats.chunks;
@@ -181,20 +181,20 @@ export abstract class ClientBase implements Client {
     return true;
   }
 
-  /** Unless a newer View waits to be applied. */
+  /** Unless a newer View is waiting to be applied. */
   protected tellComplete(): void {
     if (this.tracker.view !== this.wanted) return;
     this.stats.viewCompleteMs ??= performance.now() - this.viewSince;
     this.emit('viewComplete', this.tracker.view!);
   }
 
-  /** The connection is gone: comes back by itself, or ends. */
+  /** The connection is gone: reconnects, or ends. */
   protected lost(error: TalusError): void {
     if (this.isClosed) return;
     this.connected = false;
     clearTimeout(this.viewTimer);
     this.viewTimer = undefined;
-    // What a server asks for is before one comes back to it, not to the next.
+    // A delay requested by a server applies to this server, not to the next one.
     const asked = typeof this.options.url !== 'string' && this.options.url.length > 1 ? 0 : error.retryAfterMs;
     const wait = error.kind === 'refused' ? null : this.backoff.next(asked);
     this.emit('disconnected', error, wait);
@@ -217,7 +217,7 @@ export abstract class ClientBase implements Client {
     this.attempt();
   };
 
-  /** Connects; calls joined() or lost(). */
+  /** Connects; must call joined() or lost(). */
   protected abstract attempt(): void;
 
   protected end(error: TalusError | null): void {
@@ -233,7 +233,7 @@ export abstract class ClientBase implements Client {
     this.emit('closed', error);
   }
 
-  /** Frees what the connection held, and fails what is unanswered. */
+  /** Must free the connection's state, and fail what is unanswered. */
   protected abstract stopped(): void;
 
   close(): void {
@@ -255,7 +255,7 @@ function sameRings(a: View, b: View): boolean {
   return JSON.stringify(a.rings) === JSON.stringify(b.rings);
 }
 
-/** Whether two Views have the same chunks. */
+/** True if two Views have the same chunks. */
 function sameChunks(a: View, b: View): boolean {
   const chunk = (at: number) => Math.floor(at / 32);
   return (
@@ -269,7 +269,7 @@ function sameChunks(a: View, b: View): boolean {
   );
 }
 
-/** Whether a server would send the same chunks in nearly the same order: while they come, small turns say nothing. */
+/** True if a server would send the same chunks in nearly the same order: small turns need no new View. */
 function sameView(a: View | null, b: View | null): boolean {
   if (a === null || b === null) return a === b;
   return sameChunks(a, b) && isNear(a.direction, b.direction);

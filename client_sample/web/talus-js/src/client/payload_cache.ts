@@ -1,4 +1,4 @@
-// Payloads of chunks that a client may need again, so that only their hashes travel.
+// Payloads of chunks that a client may need again, so that only their hashes are sent.
 import type { ChunkKey } from '../types.js';
 
 export interface KeptPayload {
@@ -8,10 +8,10 @@ export interface KeptPayload {
   readonly payload: Uint8Array<ArrayBuffer>;
 }
 
-/** Of an entry beside its payload, roughly. */
+/** Approximate overhead of an entry. */
 const BOOKKEEPING_BYTES = 200;
 
-/** Holds about `maxBytes`; those unused for longest go first. */
+/** Holds about `maxBytes`; evicts the least recently used. */
 export class PayloadCache {
   private readonly kept = new Map<string, KeptPayload>();
   private bytes = 0;

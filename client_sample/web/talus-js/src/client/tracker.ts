@@ -1,4 +1,4 @@
-// The View, and which chunks of it the application was given.
+// The View, and the chunks of it that were delivered to the application.
 import { keyName } from '../keys.js';
 import type { Chunk, ChunkKey, View } from '../types.js';
 import { chunksOutside, countOf, forEachChunk } from '../view_difference.js';
@@ -17,13 +17,13 @@ export class Tracker {
   shape: ViewShape | null = null;
   private readonly delivered = new Map<string, Delivered>();
 
-  /** Takes a View in place of the one before; gives the chunks that left. */
+  /** Replaces the View; returns the chunks that left. */
   replace(view: View | null, heights: Heights): ChunkKey[] {
     const before = this.shape;
     this.view = view;
     this.shape = view === null ? null : new Shape(view, heights);
     const left: ChunkKey[] = [];
-    if (before === null) return left; // nothing was given
+    if (before === null) return left; // nothing was delivered
     const outside = chunksOutside(before, this.shape);
     if (countOf(outside) > this.delivered.size) {
       for (const [name, { key }] of this.delivered) {
@@ -46,12 +46,12 @@ export class Tracker {
     return left;
   }
 
-  /** Revisions of another store cannot be compared with those held. */
+  /** Revisions of another store are not comparable with the held ones. */
   forgetRevisions(): void {
     for (const [name, chunk] of this.delivered) this.delivered.set(name, { ...chunk, revision: -1n });
   }
 
-  /** Whether the application is to be told of the chunk: it is in the View, and new or newer. */
+  /** True if the chunk must be delivered: it is in the View, and new or newer. */
   deliver(chunk: Chunk): boolean {
     if (!this.shape?.covers(chunk.key)) return false;
     const name = keyName(chunk.key);
@@ -76,7 +76,7 @@ export class Tracker {
     return this.delivered.get(keyName(key));
   }
 
-  /** What the application holds is that of a newer revision too. */
+  /** The chunk that the application holds is also current at a newer revision. */
   confirm(held: Delivered, revision: bigint): void {
     this.delivered.set(keyName(held.key), { ...held, revision });
   }

@@ -1,6 +1,6 @@
 import { TalusError } from '../errors.js';
 
-/** What is wrong with a payload, by the names of core/voxel/FORMAT.md, "Errors". */
+/** Faults of a payload, named as in core/voxel/FORMAT.md, "Errors". */
 export type DecodeFault =
   | 'empty'
   | 'unknown_version'
@@ -10,7 +10,7 @@ export type DecodeFault =
   | 'bad_materials'
   | 'bad_number'
   | 'bad_ending'
-  /** The payload decodes, but to other voxels than its hash says. */
+  /** The payload decodes, but its voxels do not match the hash. */
   | 'bad_hash';
 
 const TEXTS: Record<DecodeFault, string> = {
@@ -25,7 +25,7 @@ const TEXTS: Record<DecodeFault, string> = {
   bad_hash: 'decodes to voxels that do not have the hash it came with',
 };
 
-/** A payload that is no chunk. */
+/** An invalid payload. */
 export class DecodeError extends TalusError {
   constructor(readonly fault: DecodeFault) {
     super('bad_chunk', `the chunk payload ${TEXTS[fault]}`);

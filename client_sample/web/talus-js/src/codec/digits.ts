@@ -4,7 +4,7 @@ import type { Slots, Source } from './source.js';
 /** Reads `count` numbers into `numbers`. May read past the end: the caller checks. */
 export function readDigits(source: Source, counts: Slots, count: number, numbers: Int32Array): void {
   for (let i = 0; i < count; ++i) numbers[i] = source.read(counts, i);
-  let bits = 0; // that were taken from the payload and not yet used, in `rest`
+  let bits = 0; // read from the payload and not yet used, in `rest`
   let rest = 0;
   for (let i = 0; i < count; ++i) {
     const digits = numbers[i]!;

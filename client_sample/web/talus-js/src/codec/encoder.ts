@@ -1,11 +1,11 @@
-// Writes what Source reads: FORMAT.md, "Entropy coding". What a decoder reads is noted in its order; the bytes are then
-// made from the last of it to the first.
+// Inverse of Source: FORMAT.md, "Entropy coding". Records symbols in decoding order; the bytes are then produced from
+// the last to the first.
 import { LANES } from './source.js';
 
 const FIRST_STATE = 256;
 
 export class Encoder {
-  /** A symbol: lane | start << 8 | size << 16; plain bytes: -1 - the byte. */
+  /** A symbol: lane | start << 8 | size << 16; a plain byte: -1 - the byte. */
   private readonly steps: number[] = [];
 
   symbol(lane: number, start: number, size: number): void {
@@ -41,12 +41,12 @@ export class Encoder {
   }
 }
 
-/** Sizes of intervals that fill 0 to 255, as near to the counts as may be; none is over `most`. */
+/** Sizes of intervals that fill 0 to 255, as close to the counts as possible; none exceeds `most`. */
 export function intervals(counts: readonly number[], most: number): number[] {
   const total = counts.reduce((sum, count) => sum + count, 0);
   const sizes = counts.map((count) => (count === 0 ? 0 : Math.min(most, Math.max(1, Math.round((count * 256) / total)))));
   let left = 256 - sizes.reduce((sum, size) => sum + size, 0);
-  // From the largest, or to it: there it matters least.
+  // Adjusts the largest, where it matters least.
   for (; left !== 0; left -= Math.sign(left)) {
     let best = -1;
     for (let i = 0; i < sizes.length; ++i) {

@@ -1,22 +1,22 @@
-// Steady voxels that are not as predicted: FORMAT.md, "Volume: reading a batch".
+// Steady voxels that differ from the prediction: FORMAT.md, "Volume: reading a batch".
 import { DecodeError } from './decode_error.js';
 import { readDigits } from './digits.js';
 import type { MaterialCode } from './material_code.js';
 import { fillSlots, LANES, type Slots, type Source } from './source.js';
 import { GAP_SIZES } from './volume_tables.js';
 
-/** More steady voxels than a chunk has. */
+/** More than the steady voxels of a chunk. */
 const NEVER = 1 << 30;
 
 export class Exceptions {
-  /** Steady voxels before the next exception. The caller counts them down. */
+  /** Steady voxels before the next exception, counted down by the caller. */
   gap = NEVER;
   private readonly counts: Slots = new Int32Array(256);
   private readonly gaps = new Int32Array(LANES);
   private readonly ids = new Int32Array(LANES);
   private materials!: MaterialCode;
   private inGroup = 0;
-  private taken = 0; // of the group
+  private taken = 0; // from the group
   private left = 0; // after the group
 
   constructor() {
@@ -29,7 +29,7 @@ export class Exceptions {
     this.readGroup(source);
   }
 
-  /** The material of the exception whose gap is counted down. May read past the end: the caller checks. */
+  /** The material of the exception whose gap was counted down. May read past the end: the caller checks. */
   take(source: Source): number {
     const id = this.ids[this.taken++]!;
     if (this.taken < this.inGroup) this.gap = this.gaps[this.taken]!;

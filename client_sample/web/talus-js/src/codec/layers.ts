@@ -7,7 +7,7 @@ import { LANES, type Source } from './source.js';
 const SIZE = 32;
 const AREA = SIZE * SIZE;
 const MAX_MATERIALS = 64;
-// Without bundler each use of an imported constant is a load and checks; one of this module is a number in the code.
+// Without a bundler, each use of an imported constant is a load with checks; a module's own constant is inlined.
 const STATES: number = LANES;
 
 // Kinds of rows, in the order of their weights.
@@ -25,21 +25,21 @@ export class LayersDecoder {
   private readonly even = new PlaneModel(false);
   private readonly odd = new PlaneModel(true);
   private readonly slots = planeSlots();
-  // The planes one after the other, the first of them all 0: the floor of the second.
-  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and a row that is read past the last
+  // Consecutive planes, the first of them all 0: the floor of the second.
+  private readonly planes = new Uint8Array(AREA * MAX_MATERIALS + SIZE); // and one row that is read past the last
   private readonly planeWords = new Int32Array(this.planes.buffer);
   private readonly keys = new PlaneKeys();
-  private readonly intervals = new Int32Array(LANES); // where they begin in slots
+  private readonly intervals = new Int32Array(LANES); // starts in slots
   private readonly symbols = new Uint8Array(SIZE + 4); // and one beyond the row, 0
   private readonly symbolWords = new Int32Array(this.symbols.buffer);
   private readonly stepSigns = new Int32Array(WORDS);
   private readonly stepSignBytes = new Uint8Array(this.stepSigns.buffer);
-  // Places in the planes, in lists by the height that stands there.
+  // Places in the planes, in lists by height.
   private readonly firstOfHeight = new Int32Array(SIZE + 1);
   private readonly nextOfHeight = new Int32Array(AREA * MAX_MATERIALS);
   private ids: number[] = [];
 
-  /** The one material of a uniform chunk; else null, and expand() gives the voxels. */
+  /** Returns the material of a uniform chunk; otherwise null, and expand() produces the voxels. */
   decode(source: Source): number | null {
     const before = source.next;
     const count = source.number();
@@ -89,8 +89,8 @@ export class LayersDecoder {
     }
   }
 
-  /** Reads the symbols of every second column from `first` on. Four at a time, written out: in each turn of a loop V8
-   *  checks and loads every array anew, which takes as long as two symbols. */
+  /** Reads the symbols of every second column from `first`. Unrolled four times: V8 checks and loads every array again
+   *  in each iteration, which takes as long as two symbols. */
   private readSymbols(source: Source, model: PlaneModel, keys: Int32Array, first: number): void {
     const { symbols, slots, intervals } = this;
     const { bytes, states } = source;
@@ -134,15 +134,15 @@ export class LayersDecoder {
     source.next = next;
   }
 
-  /** Makes the heights of the row at `row`, and stepSigns, of the symbols. True where a height is wrong. */
+  /** Computes the heights of the row at `row`, and stepSigns, from the symbols. Returns true if a height is invalid. */
   private readRow(source: Source, row: number, kind: number): boolean {
     const { planeWords, symbolWords, stepSigns } = this;
     const floorRow = (row - AREA) >> 2;
     const north = kind === FIRST ? floorRow : (row - SIZE) >> 2;
     const floorNorth = kind === FIRST ? floorRow : (row - AREA - SIZE) >> 2;
     const at = row >> 2;
-    let sum = 0; // of the changes so far, each one more than it is
-    let counts = 0x04030201; // how many these are
+    let sum = 0; // of the changes so far, each plus 1
+    let counts = 0x04030201; // number of these changes
     let good = GUARDS;
     for (let i = 0; i < WORDS; i = (i + 1) | 0) {
       const symbols = symbolWords[i]!;
@@ -158,7 +158,7 @@ export class LayersDecoder {
       }
       const floor = planeWords[(floorRow + i) | 0]!;
       const toNorth = planeWords[(north + i) | 0]!;
-      // To the north, but not below the floor, unless the material is absent there.
+      // The height to the north, but not below the floor, unless the material is absent there.
       const above = (toNorth | GUARDS) - floor;
       const present = ((toNorth ^ planeWords[(floorNorth + i) | 0]!) + SEVENS) >>> 7;
       const risen = above & Math.imul((above >>> 7) & present & ONES, 0x7f);
@@ -170,7 +170,7 @@ export class LayersDecoder {
     return good !== GUARDS;
   }
 
-  /** The same column by column, where some change by more than 1. */
+  /** The same column by column, for rows with changes above 1. */
   private readRowWithOthers(source: Source, row: number, kind: number): boolean {
     const { planes, symbols, stepSignBytes } = this;
     const { bytes } = source;
@@ -193,16 +193,16 @@ export class LayersDecoder {
     return bad;
   }
 
-  /** From planes to voxels: each slice is the one below it, but for the columns in which a material begins there. */
+  /** Converts planes to voxels: each slice equals the one below, except in columns where a material begins. */
   expand(voxels: Uint16Array): void {
     const { ids, planeWords, firstOfHeight, nextOfHeight } = this;
-    // Of one height the lowest plane comes first, so that the highest counts.
+    // Among planes of equal height the lowest comes first, so that the highest takes effect.
     firstOfHeight.fill(-1);
     for (let p = ids.length - 1; p > 0; --p) {
       const begin = p * WORDS * SIZE;
       for (let i = begin; i < begin + WORDS * SIZE; ++i) {
         const heights = planeWords[i]!;
-        // What the plane above covers in all four columns is left out.
+        // Skips heights that the plane above covers in all four columns.
         if (p + 1 < ids.length && heights === planeWords[i + WORDS * SIZE]) continue;
         for (let k = 0; k < 4; ++k) {
           const height = (heights >>> (8 * k)) & 0xff;

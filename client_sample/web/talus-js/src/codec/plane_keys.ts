@@ -1,11 +1,11 @@
-// The keys of a row's columns: what stands around a column, two bits for each feature. FORMAT.md, "Layered: the model".
+// Keys of a row's columns: the features around a column, two bits each. FORMAT.md, "Layered: the model".
 
 const SIZE = 32;
-const COLUMNS = 16; // of one parity in a row
+const COLUMNS = 16; // columns of one parity in a row
 const WORDS = SIZE / 4;
 
-// Five cells of six bits hold a sign of a step, how the row rises to its west, and a thickness: of the columns from two to
-// the west (highest) to two to the east. What of them is no feature makes room for other features.
+// Five cells of six bits hold the sign of a step, the row's rise to its west, and a thickness, for the columns from two
+// to the west (highest) to two to the east. Bits that are not features make room for other features.
 const STEP_BITS = 0;
 const RISE_BITS = 2;
 const THICKNESS_BITS = 4;
@@ -20,7 +20,7 @@ const THICKNESS = 16;
 const STEP_WEST = 18;
 const THICKNESS_WEST = 22;
 const STEP_FAR_WEST = 24;
-/** The features that a key has from the cells. */
+/** The features that a key takes from the cells. */
 const FROM_CELLS = [
   STEP_FAR_EAST, STEP_EAST, EAST, THICKNESS_EAST, STEP, WEST, THICKNESS, STEP_WEST, THICKNESS_WEST, STEP_FAR_WEST,
 ].reduce((mask, at) => mask | (3 << at), 0);
@@ -30,7 +30,7 @@ export const KIND = 20;
 const FAR_EAST = 26;
 const FLOOR = 28;
 
-/** The pairs of features that have weights: the last four those of odd columns alone. */
+/** The pairs of features that have weights; the last four apply to odd columns only. */
 export const PAIRS = [
   [STEP_WEST, STEP_EAST],
   [FLOOR, THICKNESS_EAST],
@@ -52,7 +52,7 @@ const ONES = 0x01010101;
 const SEVENS = 0x7f7f7f7f;
 const GUARDS = 0x80808080 | 0;
 
-/** Of bytes below 128: 2 where a > b, 1 where they are equal, 0 where a < b. */
+/** For bytes below 128: 2 if a > b, 1 if equal, 0 if a < b. */
 export const signs = (a: number, b: number): number => {
   const notBelow = (((a | GUARDS) - b) >>> 7) & ONES;
   const notAbove = (((b | GUARDS) - a) >>> 7) & ONES;
@@ -65,17 +65,17 @@ const FROM_EXTRAS = (3 << FAR_EAST) | (3 << FLOOR);
 
 export class PlaneKeys {
   readonly even = new Int32Array(COLUMNS);
-  /** Without the symbols beside them until addSymbols(). */
+  /** Without neighbouring symbols until addSymbols(). */
   readonly odd = new Int32Array(COLUMNS);
 
-  /** Makes the keys of a row, from the words of the row to its north, the floor of that, its own floor, and the signs of
-   *  the northern row's steps. */
+  /** Computes the keys of a row from the words of the row to its north, the floor of that row, its own floor, and the
+   *  signs of the northern row's steps. */
   make(planeWords: Int32Array, north: number, floorNorth: number, floor: number, stepSigns: Int32Array, rowKind: number): void {
     const { even, odd } = this;
     const kind = rowKind << KIND;
     let here = planeWords[north]!;
     let before = here << 24; // the height west of this word, in the highest byte
-    // Of the word before: its keys need the cells of this one.
+    // For the previous word: its keys need the cells of this one.
     let cells = 0;
     let extras = 0;
     let window = 0;
@@ -83,7 +83,7 @@ export class PlaneKeys {
       let nextCells = FLAT | ((cells >>> 24) & CELL_THICKNESS) | (FLAT << 8); // beyond the row's end
       let nextExtras = 0;
       if (i < WORDS) {
-        // Beyond the row's end heights repeat.
+        // Heights repeat beyond the row's end.
         const next = i < WORDS - 1 ? planeWords[(north + i + 1) | 0]! : Math.imul(here >>> 24, ONES);
         const below = planeWords[(floorNorth + i) | 0]!;
         const rises = signs(here, (here << 8) | (before >>> 24));
@@ -115,7 +115,7 @@ export class PlaneKeys {
     }
   }
 
-  /** Adds to the keys of odd columns the symbols to their west and east, of four columns a word and 0 beyond the row. */
+  /** Adds the symbols to the west and east to the keys of odd columns; four columns per word, 0 beyond the row. */
   addSymbols(symbolWords: Int32Array): void {
     const { odd } = this;
     let here = symbolWords[0]!;

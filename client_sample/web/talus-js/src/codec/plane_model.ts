@@ -1,5 +1,5 @@
-// The probabilities of a column's symbol: FORMAT.md, "Layered: the model". Terrain has few neighbourhoods, which come
-// again and again: a cache keeps the intervals of each.
+// Probabilities of a column's symbol: FORMAT.md, "Layered: the model". Terrain repeats few neighbourhoods, so a cache
+// holds the intervals of each.
 import { KIND, PAIRS } from './plane_keys.js';
 import { fillSlots } from './source.js';
 import { OTHER_START, SAME_END, UP_SPLIT, WEIGHTS } from './plane_weights.js';
@@ -10,7 +10,7 @@ const ROW_KIND: number = KIND;
 const EVEN_PAIRS = 9;
 const CLASSES = 16;
 
-/** By pair and by what its features are: the weight of the first score in the upper half, of the second in the lower. */
+/** By pair and value of its features: the weight of the first score in the upper half, of the second in the lower. */
 function parseWeights(text: string): Int32Array {
   const all = text.trim().split(/\s+/).map(Number);
   return Int32Array.from({ length: all.length / 2 }, (_, i) => {
@@ -19,7 +19,7 @@ function parseWeights(text: string): Int32Array {
   });
 }
 
-// Steep land has some hundred thousand keys, and a chunk of it asks for a thousand of them.
+// Steep land has several hundred thousand keys; a chunk of it uses a thousand of them.
 const PLACE_BITS = 16;
 const REST_BITS = 32 - PLACE_BITS;
 const REST = (1 << REST_BITS) - 1;
@@ -29,8 +29,8 @@ const KEYS = 16;
 
 /** The intervals of even columns, or of odd ones, by key. */
 export class PlaneModel {
-  // A key times an odd number is as good as the key: its upper bits are its place here, its lower ones stand there,
-  // and above them the class of its intervals.
+  // A key times an odd number identifies the key: its upper bits are the place, the lower ones are stored there, below
+  // the class of its intervals.
   private readonly cache = new Int32Array(1 << PLACE_BITS).fill(EMPTY);
   private readonly weights: Int32Array[];
   private readonly pairs: number;
@@ -40,8 +40,8 @@ export class PlaneModel {
     this.pairs = odd ? PAIRS.length : EVEN_PAIRS;
   }
 
-  /** Where in planeSlots() the intervals of each of sixteen keys begin. Four at a time, as in LayersDecoder.readSymbols, and
-   *  without calls but where a key is new. */
+  /** Looks up the starts in planeSlots() of the intervals of sixteen keys. Unrolled four times, like
+   *  LayersDecoder.readSymbols, without calls except for new keys. */
   look(keys: Int32Array, intervals: Int32Array): void {
     const { cache } = this;
     let missing = 0;
@@ -95,7 +95,7 @@ export class PlaneModel {
   }
 }
 
-/** By the classes of both scores and then by slot: symbol | start << 8 | size << 16. */
+/** By the classes of both scores, then by slot: symbol | start << 8 | size << 16. */
 export function planeSlots(): Int32Array {
   const slots = new Int32Array(CLASSES * CLASSES << 8);
   for (let same = 0; same < CLASSES; ++same) {

@@ -1,12 +1,12 @@
-// The trained tables of FORMAT.md, "Layered: the model", as they stand there (test/tables.test.js compares).
+// The trained tables of FORMAT.md, "Layered: the model", unchanged (test/tables.test.js compares).
 
-/** By the class of a score: where the interval of symbol 0 ends, where that of 3 begins, and how the rest divides. */
+/** By class of a score: end of symbol 0's interval, start of symbol 3's, and division of the range between. */
 export const SAME_END = [23, 41, 65, 96, 118, 143, 167, 193, 209, 227, 243, 246, 250, 253, 252, 253];
 export const OTHER_START = [250, 253, 253, 252, 254, 254, 255, 255, 254, 255, 255, 255, 255, 255, 255, 255];
 export const UP_SPLIT = [1, 10, 11, 26, 44, 55, 75, 121, 145, 171, 194, 228, 235, 245, 253, 255];
 
-/** Of each pair of features two lines of sixteen weights: of the first score, then of the second. By kind of row
- *  (level, carried, first), and there of even columns (nine pairs), then of odd ones (thirteen). */
+/** Two lines of sixteen weights for each pair of features: for the first score, then for the second. By kind of row
+ *  (level, carried, first), then for even columns (nine pairs) and odd ones (thirteen). */
 export const WEIGHTS: readonly string[] = [
   // level-even
   `41 52 53 40 54 68 55 40 53 54 47 40 40 40 40 40

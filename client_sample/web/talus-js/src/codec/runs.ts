@@ -43,7 +43,7 @@ export class RunsDecoder {
     for (let left = count; left > 0; left -= LANES) {
       const size = Math.min(left, LANES);
       readDigits(source, this.digits, size, this.lengths);
-      // Materials are read to the group's end even where a length is wrong: that the bytes end is told first.
+      // Materials are read to the group's end even if a length is invalid, because truncation is reported first.
       let bad = false;
       for (let i = 0; i < size; ++i) {
         const id = this.materials.read(source, i);

@@ -1,13 +1,13 @@
-// The bytes of a payload, and the interleaved rANS states that read from them: FORMAT.md, "Entropy coding".
-// Coded parts check for the payload's end after each step of some hundred bytes, not at each byte. So the bytes are
-// copied to where MARGIN more can be read.
+// A payload's bytes, and the interleaved rANS states that read from them: FORMAT.md, "Entropy coding". The end is
+// checked after each step of several hundred bytes, not at each byte, so the bytes are copied to a buffer with MARGIN
+// more readable bytes.
 import { DecodeError } from './decode_error.js';
 
 export const LANES = 16;
 const MIN_STATE = 256;
 const STATES_BYTES = 2 * LANES;
 export const MAX_PAYLOAD_BYTES = 65_538;
-/** More than a step can read: of a volume's batch 256 symbols, 256 escapes, and 17 groups of exceptions of 62 bytes. */
+/** Upper bound of a step: a volume's batch has 256 symbols, 256 escapes, and 17 groups of exceptions of 62 bytes. */
 const MARGIN = 4_096;
 
 /** Intervals of up to 256 values, by slot: value | start << 8 | size << 16. */
@@ -19,7 +19,7 @@ export class Source {
   next = 0;
   end = 0;
 
-  /** Begins with the body of `payload`, after version and encoding. */
+  /** Begins at the body of `payload`, after version and encoding. */
   begin(payload: Uint8Array): void {
     this.bytes.set(payload);
     this.next = 2;
@@ -44,7 +44,7 @@ export class Source {
     throw new DecodeError('bad_number');
   }
 
-  /** A list of 1 to `most` ids; their order is the caller's to check. */
+  /** A list of 1 to `most` ids; the caller must check their order. */
   materials(most: number): number[] {
     const count = this.number();
     if (count === 0 || count > most) throw new DecodeError('bad_materials');
@@ -63,7 +63,7 @@ export class Source {
     }
   }
 
-  /** One symbol, by state `lane`. Reads past the end: the caller checks. */
+  /** Reads one symbol with state `lane`. May read past the end: the caller checks. */
   read(slots: Slots, lane: number): number {
     let state = this.states[lane]!;
     const slot = slots[state & 0xff]!;
@@ -88,7 +88,7 @@ export class Source {
   }
 }
 
-/** Fills `slots` with intervals of `sizes`, one after the other from 0; they must end at 256. */
+/** Fills `slots` with adjacent intervals of `sizes` from 0, which must end at 256. */
 export function fillSlots(slots: Slots, sizes: ArrayLike<number>): void {
   let start = 0;
   for (let i = 0; i < sizes.length; ++i) {

@@ -1,5 +1,5 @@
-// Any voxels, each predicted from those around it: FORMAT.md, "Volume". Works by rows of 32 voxels, and by masks with a
-// bit for each: where a mask is full, as in rock and in air, nothing is done voxel by voxel.
+// Arbitrary voxels, each predicted from its neighbours: FORMAT.md, "Volume". Works on rows of 32 voxels and masks with
+// a bit for each: full masks, as in rock and in air, need no work per voxel.
 import { DecodeError } from './decode_error.js';
 import { Exceptions } from './exceptions.js';
 import { MaterialCode } from './material_code.js';
@@ -13,7 +13,7 @@ const WAVES = 94;
 const EVEN = 0x55555555;
 const ODD = 0xaaaaaaaa | 0;
 const ALL = -1;
-const MIXED = -1; // of a row's material
+const MIXED = -1; // as a row's material
 const WAVE_ROWS = 16;
 const BATCH = WAVE_ROWS * (SIZE / 2);
 
@@ -21,16 +21,16 @@ export class VolumeDecoder {
   private readonly intervals = parseIntervals();
   private readonly materials = new MaterialCode();
   private readonly exceptions = new Exceptions();
-  // The voxels, and one row more: that around the first.
+  // The voxels, and one more row: the one around the first.
   private readonly buffer = new ArrayBuffer((ROWS + 1) * SIZE * 2);
   private readonly voxels = new Uint16Array(this.buffer);
   private readonly pairs = new Uint32Array(this.buffer);
-  // Of rows that are read: their material or MIXED; which voxels equal those to their west, north and below.
+  // For rows already read: their material or MIXED; masks of voxels equal to those to their west, north and below.
   private readonly rowMaterial = new Int32Array(ROWS + 1);
   private readonly equalsWest = new Int32Array(ROWS + 1);
   private readonly equalsNorth = new Int32Array(ROWS + 1);
   private readonly equalsBelow = new Int32Array(ROWS + 1);
-  // Of the rows of a wave: the rows around them, and masks.
+  // For the rows of a wave: the rows around them, and masks.
   private readonly north = new Int32Array(WAVE_ROWS);
   private readonly below = new Int32Array(WAVE_ROWS);
   private readonly belowNorth = new Int32Array(WAVE_ROWS);
@@ -39,9 +39,9 @@ export class VolumeDecoder {
   private readonly upright = new Int32Array(WAVE_ROWS);
   private readonly level = new Int32Array(WAVE_ROWS);
   private readonly levelSouth = new Int32Array(WAVE_ROWS);
-  private readonly full = new Int32Array(WAVE_ROWS); // same, and all the surroundings
-  private readonly quiet = new Uint8Array(WAVE_ROWS); // full, and so far as predicted
-  // Of the voxels of a batch that are not steady.
+  private readonly full = new Int32Array(WAVE_ROWS); // `same`, and all surroundings
+  private readonly quiet = new Uint8Array(WAVE_ROWS); // full, and as predicted so far
+  // For the voxels of a batch that are not steady:
   private readonly contexts = new Int32Array(BATCH);
   private readonly places = new Int32Array(BATCH); // row of the wave << 16 | voxel
   private readonly escapes = new Int32Array(BATCH);
@@ -60,7 +60,7 @@ export class VolumeDecoder {
       const firstRow = Math.max(0, (wave - SIZE + 2) >> 1);
       const lastRow = Math.min(SIZE - 1, wave >> 1);
       const rows = lastRow - firstRow + 1;
-      const first = firstRow * SIZE + wave - 2 * firstRow; // from one row of the wave to the next it is 30
+      const first = firstRow * SIZE + wave - 2 * firstRow; // rows of a wave are 30 apart
       this.coded = 0;
       for (let i = 0; i < rows; ++i) this.beginRow(source, i, first + 30 * i);
       this.readBatch(source, intervals);
@@ -81,7 +81,7 @@ export class VolumeDecoder {
     this.equalsWest[ROWS] = ALL;
   }
 
-  /** The masks of row `row`, number `i` of its wave; and its even columns, but for those that are coded. */
+  /** Computes the masks of row `row`, number `i` of its wave, and its even columns, except coded ones. */
   private beginRow(source: Source, i: number, row: number): void {
     const z = row & (SIZE - 1);
     let north = row - 1;
@@ -143,7 +143,7 @@ export class VolumeDecoder {
         (((eastBelow >>> x) & 1) << 5);
       const u = (upright >>> x) & 1;
       const s = (levelSouth >>> x) & 1;
-      // Which of the two it is cannot be foreseen: both are made.
+      // The choice is unpredictable: compute both.
       const ofSame = u | (s << 1) | sides;
       const ofOther =
         64 |
@@ -159,7 +159,7 @@ export class VolumeDecoder {
     this.coded = coded;
   }
 
-  /** The odd columns of a row, but for those that are coded. */
+  /** Computes the odd columns of a row, except coded ones. */
   private finishRow(source: Source, i: number, row: number): void {
     const { voxels, exceptions, contexts, places } = this;
     if (this.quiet[i]) {
@@ -247,7 +247,7 @@ export class VolumeDecoder {
     else this.takeExceptions(source, row, steady, count);
   }
 
-  /** Gives exceptions among the steady voxels of a row their materials. */
+  /** Assigns the materials of exceptions among the steady voxels of a row. */
   private takeExceptions(source: Source, row: number, steady: number, count: number): void {
     const { exceptions } = this;
     while (exceptions.gap < count) {
@@ -319,7 +319,7 @@ export class VolumeDecoder {
     );
   }
 
-  /** Fills a row with the first candidates of its even columns: north where level, else below. */
+  /** Fills a row with the first candidates of its even columns: north if level, otherwise below. */
   private copyBase(row: number, north: number, below: number, level: number): void {
     const { pairs, voxels } = this;
     const to = row * (SIZE / 2);
@@ -332,11 +332,11 @@ export class VolumeDecoder {
     }
   }
 
-  /** What later rows ask of a row that is read. */
+  /** Computes what later rows need of a row. */
   private compareRow(i: number, row: number): void {
     const north = this.north[i]!;
     if (this.quiet[i]) {
-      // Its rows around are of one material, as full says, and so is it.
+      // Rows around it are of one material, according to `full`, and so is this row.
       this.rowMaterial[row] = this.rowMaterial[north]!;
       this.equalsWest[row] = this.equalsNorth[row] = this.equalsBelow[row] = ALL;
       return;
@@ -375,8 +375,8 @@ export class VolumeDecoder {
   }
 }
 
-/** Of two voxels each in two halves: bit 0 where the low ones are equal, bit 1 where the high ones are. Without a branch
- *  that nobody could foresee. */
+/** For two voxels each, in two halves: bit 0 is set if the low ones are equal, bit 1 if the high ones are. Avoids an
+ *  unpredictable branch. */
 function equalInPair(a: number, b: number): number {
   const differ = a ^ b;
   return (((differ & 0xffff) - 1) >>> 31) | ((((differ >>> 16) - 1) >>> 30) & 2);

@@ -2,8 +2,8 @@
 
 const SIZE = 32;
 
-/** Candidate `wanted` (0 to 2) of the voxel at `x` of `row`; -1 where there are not so many. Rows are places of their
- *  first voxels. */
+/** Candidate `wanted` (0 to 2) of the voxel at `x` of `row`; -1 if there are fewer. Rows are indexes of their first
+ *  voxels. */
 export function candidate(
   voxels: Uint16Array,
   row: number,

@@ -7,7 +7,7 @@ function classOf(letter: number): number {
   return letter <= 0x5a ? letter - 0x41 + 10 : letter - 0x61 + 36; // A to Z, a to z
 }
 
-/** Of each table the intervals of all contexts: the ends of those of symbols 0, 1 and 2, eight bits each. */
+/** By table, the intervals of all contexts: the ends of the intervals of symbols 0, 1 and 2, eight bits each. */
 export function parseIntervals(): Int32Array[] {
   const ends = ENDS.trim().split(/\s+/).map(Number);
   return CLASSES.map((text) => {

@@ -1,9 +1,9 @@
-// The trained tables of FORMAT.md, "Volume", as they stand there (test/tables.test.js compares).
+// The trained tables of FORMAT.md, "Volume", unchanged (test/tables.test.js compares).
 
-/** Of the digits' counts of gaps between exceptions. */
+/** For the digit counts of gaps between exceptions. */
 export const GAP_SIZES = [60, 10, 11, 12, 17, 12, 13, 17, 22, 24, 20, 15, 11, 6, 4, 2];
 
-/** By class: where the intervals of symbols 0, 1 and 2 end. */
+/** By class: ends of the intervals of symbols 0, 1 and 2. */
 export const ENDS = `
 53 85 199 28 163 242 50 180 206 83 153 208 43 218 236 91 198 217 110 180 237 122 229 245
 134 210 236 151 250 253 151 173 218 21 46 248 8 20 28 15 28 42 18 254 255 44 85 240
@@ -15,7 +15,7 @@ export const ENDS = `
 240 244 250 249 250 251 250 254 255 252 254 255 253 254 255 132 182 228
 `;
 
-/** Of each table the class of each context: 0 to 9, A to Z and a to z are classes 0 to 61. */
+/** By table, the class of each context: 0 to 9, A to Z and a to z are classes 0 to 61. */
 export const CLASSES: readonly string[] = [
   `5555777d777ddfhk577d7bfebdbhfjjm57797dbh7bjefjjp7999bdhkb9hkenna
 G3Aa377a3d7aaaaaHL5a2hSa4kIaaaaaD3aa3NdaGXXaaaaaCa2a3h9aHhZaaaaa

@@ -1,4 +1,4 @@
-// An edit as an application gives it, checked and in the shape that goes on the wire.
+// Checks an application's edit and converts it to the form for the wire.
 import { encodeChunk } from '../encode.js';
 import { TalusError } from '../errors.js';
 import type { Position } from '../types.js';
@@ -35,7 +35,7 @@ function fill({ first, last, material: to, only }: Fill): WireFill {
   };
 }
 
-/** A copy. Throws a TalusError where it is none. */
+/** Returns a copy. Throws a TalusError if the edit is invalid. */
 export function checkedEdit(edit: Edit): WireEdit {
   const { paste } = edit;
   return {

@@ -1,23 +1,23 @@
-// Edits that have no answer yet, as which editor they are sent, and what is sent again when. No I/O.
+// Unanswered edits: under which editor they are sent, and when they are sent again. No I/O.
 //
-// An edit gets its sequence when it is first sent. What is sent again, after a new connection or as the server refused it
-// for now, goes first, in order and with its sequence: the server answers by what became of it, and does none twice. Where
-// it says that the edit did not happen, and a later one did, it goes as a new one.
+// An edit gets its sequence number when it is first sent. Edits sent again, after a reconnect or because the server
+// refused them temporarily, go first, in order and with their number: the server answers with their outcome and applies
+// none twice. If the answer is that the edit was not applied but a later one was, it is sent as a new edit.
 import type { TalusError } from '../errors.js';
 import type { WireEdit } from '../wire/write_edit.js';
 import type { EditDone } from './types.js';
 
 export interface OpenEdit {
   readonly edit: WireEdit;
-  /** 0: never sent. Of one that waits to be sent as a new one: that under which it was sent before. */
+  /** 0: never sent. For an edit to be sent as a new one: the number under which it was sent before. */
   sequence: bigint;
-  /** It was, and is not known since not to have happened. */
+  /** True if it was sent, and is not known to be unapplied. */
   sentBefore: boolean;
   resolve(done: EditDone): void;
   reject(error: TalusError): void;
 }
 
-/** Ids of edits have this bit, those of other requests do not. */
+/** Set in ids of edits, clear in ids of other requests. */
 export const EDIT_ID_BIT = 0x8000_0000;
 export const NO_EDITOR = '0'.repeat(32);
 
@@ -28,7 +28,7 @@ export class OpenEdits {
   seenRevision = 0n;
   private state: 'none' | 'sent' | 'attached' = 'none';
   private lastSequence = 0n;
-  private unanswered = 1; // at most
+  private unanswered = 1; // maximum
   private waiting: OpenEdit[] = []; // never sent, or to be sent as new
   private again: OpenEdit[] = []; // sent by an earlier connection
   private readonly inFlight = new Map<number, OpenEdit>();
@@ -42,7 +42,7 @@ export class OpenEdits {
     return this.waiting.length === 0 && this.again.length === 0 && this.inFlight.size === 0;
   }
 
-  // ---- as which editor
+  // ---- editor
 
   get attachState(): 'none' | 'sent' | 'attached' {
     return this.state;
@@ -52,12 +52,12 @@ export class OpenEdits {
     this.state = 'sent';
   }
 
-  /** The server asked to come back. */
+  /** The server asked to retry later. */
   attachRefused(): void {
     this.state = 'none';
   }
 
-  /** Another connection took the editor: Attach once more, unless that is on its way already. */
+  /** Another connection took over the editor: attach again, unless that is already in progress. */
   expired(): void {
     if (this.state === 'attached') this.state = 'none';
   }
@@ -66,8 +66,8 @@ export class OpenEdits {
     if (revision > this.seenRevision) this.seenRevision = revision;
   }
 
-  /** Gives the edits of which nobody will ever say whether they happened: an earlier connection sent them, as an editor
-   *  that the server does not know any more. */
+  /** Returns the edits whose outcome can never be known: an earlier connection sent them as an editor that the server
+   *  no longer knows. */
   attached(editor: string, known: boolean, lastSequence: bigint, revision: bigint, unanswered: number): OpenEdit[] {
     const lost = known ? [] : this.again;
     if (!known) {
@@ -82,7 +82,7 @@ export class OpenEdits {
     return lost;
   }
 
-  /** Another store: nothing is left of the editor, nor of its edits. Gives those that were sent. */
+  /** Drops the editor, after the server changed its store. Returns the edits already sent. */
   forgetEditor(): OpenEdit[] {
     this.connectionEnded();
     const sent = this.again;
@@ -92,7 +92,7 @@ export class OpenEdits {
     return sent;
   }
 
-  // ---- what to send
+  // ---- sending
 
   get hasNext(): boolean {
     return (
@@ -102,7 +102,7 @@ export class OpenEdits {
     );
   }
 
-  /** The next one, in flight from now on. REQUIRES: hasNext. */
+  /** Marks the next edit as in flight. REQUIRES: hasNext. */
   sendNext(): { id: number; open: OpenEdit } {
     let open = this.again.shift();
     if (open === undefined) {
@@ -120,21 +120,21 @@ export class OpenEdits {
     return this.inFlight.has(id);
   }
 
-  /** It is answered. */
+  /** Removes an answered edit. */
   take(id: number): OpenEdit {
     const open = this.inFlight.get(id)!;
     this.inFlight.delete(id);
     return open;
   }
 
-  /** It is to be sent again as it is: it may have happened. */
+  /** To be sent again with its sequence number: it may have been applied. */
   putBack(id: number): void {
     const open = this.take(id);
     open.sentBefore = true;
     this.again = [...this.again, open].sort(bySequence);
   }
 
-  /** It did not happen, and shall: before those never sent, and in order among those that were put there. */
+  /** Was not applied, and must be: sent before edits never sent, in order among the edits put back here. */
   sendAsNew(id: number): void {
     const open = this.take(id);
     open.sentBefore = false;
@@ -150,7 +150,7 @@ export class OpenEdits {
     this.inFlight.clear();
   }
 
-  /** Gives those that were sent, and those that certainly did not happen. */
+  /** Returns the edits that were sent, and the edits that certainly were not applied. */
   takeAll(): { sent: OpenEdit[]; unsent: OpenEdit[] } {
     this.connectionEnded();
     const all = { sent: this.again, unsent: this.waiting };

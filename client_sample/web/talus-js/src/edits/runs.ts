@@ -1,10 +1,10 @@
-// Which voxels of a chunk changed, and to what: core/edits/FORMAT.md, "Runs".
+// Changed voxels of a chunk and their materials: core/edits/FORMAT.md, "Runs".
 import { broken } from '../wire/table.js';
 
 const VOLUME = 32_768;
 
-/** Calls `visit` for runs of voxels, `first` to `end` - 1 of the chunk, by rising index. Throws a TalusError where the
- *  bytes are none, or not in the one form that a set of voxels has; what was visited until then is to be dropped. */
+/** Calls `visit` for runs of voxels, `first` to `end` - 1 of the chunk, by ascending index. Throws a TalusError if the
+ *  bytes are invalid, or not the unique form of a set of voxels; runs visited before must then be dropped. */
 export function readRuns(bytes: Uint8Array, visit: (first: number, end: number, material: number) => void): void {
   let next = 0;
   const number = (most: number): number => {
@@ -27,7 +27,7 @@ export function readRuns(bytes: Uint8Array, visit: (first: number, end: number, 
   }
   const used = new Set<number>();
   let end = 0;
-  let before = -1; // place of the material of the run before
+  let before = -1; // list index of the previous run's material
   for (let left = number(VOLUME); left > 0; --left) {
     const gap = number(VOLUME - 1);
     if (ids.length === 0) throw broken('runs of voxels without a material');

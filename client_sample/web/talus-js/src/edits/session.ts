@@ -1,4 +1,4 @@
-// Edits of a client over a stream: what is sent, and what the server says of it.
+// Edits of a client over a stream: sending them, and the server's answers.
 import { TalusError } from '../errors.js';
 import type { World } from '../types.js';
 import type { ServerMessage } from '../wire/messages.js';
@@ -18,7 +18,7 @@ interface Asker {
   reject(error: TalusError): void;
 }
 
-/** Why nobody edits there; null: one may try. */
+/** Error if edits are impossible in this world; null: they may be tried. */
 export function noEditsIn(world: World): TalusError | null {
   if (world.protocol < EDITS_PROTOCOL) return new TalusError('refused', 'this server is of a release without edits');
   if (world.storeId === NO_STORE) return new TalusError('refused', 'this server stores no edits');
@@ -38,10 +38,10 @@ export class EditSession {
   private limits: EditLimits | null = null;
   private storeId: string | null = null;
 
-  /** `wake`: there may be something to send. */
+  /** `wake` is called when there may be something to send. */
   constructor(private readonly wake: () => void) {}
 
-  // ---- what the application asks
+  // ---- the application's requests
 
   edit(edit: Edit, world: World | null): Promise<EditDone> {
     return new Promise((resolve, reject) => {
@@ -82,7 +82,7 @@ export class EditSession {
     this.limits = null;
   }
 
-  /** What was sent and is not answered may have happened. */
+  /** Edits sent and not answered may have been applied. */
   failAll(error: TalusError): void {
     const { sent, unsent } = this.open.takeAll();
     rejectAll(sent, error.kind === 'closed' ? error : outcomeUnknown());
@@ -90,7 +90,7 @@ export class EditSession {
     for (const { reject } of this.askers.splice(0)) reject(error);
   }
 
-  // ---- what is sent
+  // ---- sending
 
   get hasNext(): boolean {
     return this.mustAttach || this.open.hasNext;
@@ -100,7 +100,7 @@ export class EditSession {
     return this.open.attachState === 'none' && (!this.open.isEmpty || this.askers.length > 0);
   }
 
-  /** The next frame; null: it turned out to be none. REQUIRES: hasNext. */
+  /** The next frame; null if there turned out to be nothing to send. REQUIRES: hasNext. */
   next(frameBytes: number): Uint8Array | null {
     if (this.mustAttach) {
       this.open.attachSent();
@@ -114,7 +114,7 @@ export class EditSession {
     return null;
   }
 
-  // ---- what the server says
+  // ---- the server's messages
 
   handleAttached(message: Message<'attached'>): void {
     if (this.open.attachState !== 'sent' || message.editor === NO_EDITOR) {
@@ -132,7 +132,7 @@ export class EditSession {
     this.open.take(id).resolve({ revision, changed });
   }
 
-  /** `comesBack`: it is to be sent again, later. */
+  /** `comesBack`: to be sent again later. */
   editRefused(message: Message<'error'>, error: TalusError, comesBack: boolean): void {
     const id = message.requestId;
     if (!this.open.has(id)) throw broken(`an Error about request ${id}, which is no edit in flight`);
@@ -145,12 +145,12 @@ export class EditSession {
       this.open.sendAsNew(id);
     } else {
       const open = this.open.take(id);
-      // Of one that was sent before, only a conflict says that it did not happen.
+      // For an edit sent before, only a conflict proves that it was not applied.
       open.reject(open.sentBefore && message.code !== 'conflict' ? outcomeUnknown() : error);
     }
   }
 
-  /** Without an editor no edit goes: where the server asks to come back they wait, else none ever will. */
+  /** Edits need an editor: if the server asks to retry, they wait; otherwise they fail. */
   attachRefused(error: TalusError, comesBack: boolean): void {
     if (this.open.attachState !== 'sent') return;
     this.open.attachRefused();

@@ -1,59 +1,59 @@
-// What a client may change, and what it is told: PROTOCOL.md, "Edit".
+// Edits of a client, and their result: PROTOCOL.md, "Edit".
 import type { Position, Voxels } from '../types.js';
 
-/** Of an edit's writes, what a voxel is to be of; of its guards, what it must be of. */
+/** In an edit's writes, the new material of a voxel; in its guards, the required one. */
 export interface VoxelWrite {
   /** Base voxel. */
   readonly voxel: Position;
   readonly material: number;
 }
 
-/** Every voxel of a box. */
+/** All voxels of a box. */
 export interface Fill {
-  /** The lowest corner, and the highest; both are of the box. */
+  /** The lowest and the highest corner, both included. */
   readonly first: Position;
   readonly last: Position;
-  /** 'generated' undoes edits: as the voxels were made. */
+  /** 'generated' undoes edits: restores the generated voxels. */
   readonly material: number | 'generated';
-  /** Voxels of other materials stay as they are; absent: all are filled. */
+  /** Only voxels of this material change; absent: all. */
   readonly only?: number;
 }
 
-/** A chunk's voxels, at any place. */
+/** A chunk's voxels, at any position. */
 export interface Paste {
-  /** Base voxel to which voxel (0, 0, 0) comes. */
+  /** Base voxel at which voxel (0, 0, 0) is placed. */
   readonly origin: Position;
   readonly voxels: Voxels;
-  /** Whether its air is written too; default false. */
+  /** True if its air is written too; default false. */
   readonly withAir?: boolean;
 }
 
-/** Where all guards hold, writes, fills and the paste are done in this order, each on what those before it left. It
- *  happens whole or not at all, in whatever chunks it reaches. */
+/** If all guards hold, writes, fills and the paste are applied in this order, each on the result of the previous ones.
+ *  The edit is applied completely or not at all, in all chunks that it touches. */
 export interface Edit {
   readonly guards?: readonly VoxelWrite[];
   readonly writes?: readonly VoxelWrite[];
   readonly fills?: readonly Fill[];
   readonly paste?: Paste;
-  /** Of a game server whose token has the right "gateway": the player for whom it edits, at most 256 bytes. */
+  /** For a game server whose token has the right "gateway": the player that edits, at most 256 bytes. */
   readonly subject?: string;
 }
 
-/** The edit happened, and is stored. */
+/** The edit was applied and is stored. */
 export interface EditDone {
-  /** Of the world after it. */
+  /** World revision after the edit. */
   readonly revision: bigint;
-  /** Voxels; 0: all was so before. */
+  /** Voxels; 0: they already had these materials. */
   readonly changed: number;
 }
 
-/** What one edit may have, and how fast edits may come; 0: no limit. */
+/** Limits of one edit and of their rate; 0: unlimited. */
 export interface EditLimits {
-  /** That an edit names, guards and all operations together. */
+  /** Named voxels, guards and all operations together. */
   readonly voxels: number;
-  /** Of level 0 that it reaches. */
+  /** Touched chunks of level 0. */
   readonly chunks: number;
-  /** Edits without an answer; the client keeps more back by itself. */
+  /** Unanswered edits; the client holds back further ones. */
   readonly unanswered: number;
   readonly voxelsPerSecond: number;
 }

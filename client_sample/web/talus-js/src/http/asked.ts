@@ -1,11 +1,11 @@
-// What the application asks for: in its order, in turn with the View's requests, and before them.
+// The application's requests: in their order, alternating with the View's requests, and before them.
 import type { TalusError } from '../errors.js';
 
 export class Asked {
   private readonly waiting: (() => void)[] = [];
   running = 0;
 
-  /** `ended()` is why nothing starts any more, or null; `pump()` is called when something may start. */
+  /** `ended()` returns why nothing may start any more, or null; `pump()` is called when something may start. */
   constructor(
     private readonly ended: () => TalusError | null,
     private readonly pump: () => void,
@@ -33,14 +33,14 @@ export class Asked {
     });
   }
 
-  /** Whether there was one to start. */
+  /** Returns true if there was a request to start. */
   startNext(): boolean {
     const next = this.waiting.shift();
     next?.();
     return next !== undefined;
   }
 
-  /** The client ended: all fail at once. */
+  /** The client ended: all requests fail at once. */
   failAll(): void {
     for (const start of this.waiting.splice(0)) start();
   }

@@ -1,6 +1,6 @@
-// A client over HTTP, through any cache: PROTOCOL.md, "HTTP". Of each column of the View it gets all chunks at once, of
-// far ones by squares. Before columns it asks which of their region were edited, and again at an interval: those come by
-// their revision, all others as generated, from where every cache has them for ever.
+// A client over HTTP, through any cache: PROTOCOL.md, "HTTP". It fetches all chunks of a column at once, and distant
+// columns in squares. Before columns, and again at an interval, it asks which columns of their region were edited:
+// edited ones are fetched by revision, all others as generated, which every cache keeps for ever.
 import { ClientBase } from '../client/base.js';
 import { TalusError } from '../errors.js';
 import { checkKey, keyName } from '../keys.js';
@@ -33,14 +33,14 @@ const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_EDITS_INTERVAL_MS = 5_000;
 const NO_STORE = '0'.repeat(32);
 
-/** Something to get; nearest first. */
+/** A unit of fetching; nearest first. */
 type Task = { readonly tile: Tile } | { readonly key: ChunkKey } | { readonly region: Region };
 
-/** A column that the application was given. */
+/** A column delivered to the application. */
 interface GivenColumn {
   readonly rows: Range;
   readonly revision: bigint;
-  /** Of one with edits, by row: of the next revision only what differs is given. */
+  /** For a column with edits, by row: only differences to it are delivered from the next revision. */
   readonly payloads: ReadonlyMap<number, Uint8Array> | null;
 }
 
@@ -59,7 +59,7 @@ export class HttpClient extends ClientBase {
     () => this.pump(),
   );
   private readonly columns = new Map<string, GivenColumn>();
-  private store = NO_STORE; // whose edits the columns have
+  private store = NO_STORE; // whose edits are in the columns
   private readonly regions = new EditedRegions();
   private editsTimer: ReturnType<typeof setTimeout> | undefined;
   private completeToTell = false;
@@ -78,7 +78,7 @@ export class HttpClient extends ClientBase {
     return `${this.base}/v1/${this.world!.fingerprint}`;
   }
 
-  /** Of a chunk, a column or a square, by its name, of a revision. */
+  /** URL of a chunk, a column or a square, by name, at a revision. */
   private chunksUrl(name: string, revision: bigint): string {
     if (revision === 0n) return `${this.worldUrl}/${this.world!.codec}/${name}`;
     return `${this.worldUrl}/${this.store}/${this.world!.codec}/${name}@${revision}`;
@@ -97,7 +97,7 @@ export class HttpClient extends ClientBase {
     return got;
   }
 
-  // ---- the connection, as far as HTTP has one: whether the server answered last
+  // ---- connection: for HTTP, whether the last request was answered
 
   protected attempt(): void {
     const { signal } = (this.abort = new AbortController());
@@ -149,7 +149,7 @@ export class HttpClient extends ClientBase {
     }, interval);
   }
 
-  /** Asks for all regions of the View that are not being asked for, before all else. */
+  /** Requests all regions of the View that are not being requested, before anything else. */
   private lookForEdits(): void {
     const asked = new Set<string>();
     for (const task of [...this.tasks, ...this.running.keys()]) {
@@ -254,7 +254,7 @@ export class HttpClient extends ClientBase {
     this.pump();
   }
 
-  /** Starts what may be started, the application's own requests first. */
+  /** Starts as many tasks as allowed, the application's requests first. */
   private pump(): void {
     if (!this.connected) return;
     const most = Math.max(1, Math.min(MAX_REQUESTS_AT_ONCE, this.options.requestsAtOnce ?? MAX_REQUESTS_AT_ONCE));
@@ -275,7 +275,7 @@ export class HttpClient extends ClientBase {
     }
   }
 
-  /** Once it is known which columns of its region were edited. */
+  /** True if the edited columns of its region are known. */
   private mayStart(task: Task): boolean {
     if ('region' in task) return true;
     const { lod, x, z } = 'tile' in task ? task.tile : task.key;
@@ -325,7 +325,7 @@ export class HttpClient extends ClientBase {
     return { payload: got.body.slice(), revision: revisionOfAnswer(got, asked) };
   }
 
-  /** `revision`: of the square. That of a column in it is at least what was known of it when it was asked for. */
+  /** `revision`: the square's. A column in it is at least at the revision known when it was requested. */
   private takeTile(tile: Tile, body: Uint8Array, edited: EditedColumns, revision: bigint): void {
     const bodies = tile.n === 1 ? [body] : readSquare(body, tile.n);
     let i = 0;
@@ -392,7 +392,7 @@ export class HttpClient extends ClientBase {
       return;
     }
     if (error instanceof HttpError && error.status === 404) {
-      // Another world stands behind this address, perhaps.
+      // Another world may be behind this address.
       this.fail(new TalusError('disconnected', error.message));
       return;
     }
@@ -401,7 +401,7 @@ export class HttpClient extends ClientBase {
       return;
     }
     if (error.kind === 'out_of_range' || error.kind === 'broken_protocol') {
-      if ('region' in task) this.takeRegion(task.region, EditedColumns.none); // until it is asked for again
+      if ('region' in task) this.takeRegion(task.region, EditedColumns.none); // until it is requested again
       this.emit('error', error);
       return;
     }
@@ -418,13 +418,13 @@ export class HttpClient extends ClientBase {
     return tasks;
   }
 
-  // ---- what the application asks
+  // ---- the application's requests
 
   async getChunk(key: ChunkKey): Promise<Chunk> {
     checkKey(key);
     const { payload, revision } = await this.asked.inTurn(async () => {
       if (!this.hasEdits) return this.getPayload(key, this.abort.signal);
-      // Whatever is known of its region may be old.
+      // Known data of its region may be outdated.
       const region = regionOf(key.lod, key.x, key.z);
       const { body } = await this.get(this.regionUrl(region), MAX_REGION_BYTES);
       const asked = EditedColumns.read(body).revision(key.x, key.z);

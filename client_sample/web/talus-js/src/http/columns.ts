@@ -3,14 +3,14 @@ import { broken } from '../wire/table.js';
 
 export const MAX_BODY_BYTES = 4 << 20;
 
-/** Chunks one over the other of one payload. */
+/** Vertically consecutive chunks with one payload. */
 export interface Run {
   readonly firstY: number;
   readonly count: number;
   readonly payload: Uint8Array;
 }
 
-/** The runs of a column, from the lowest chunk of the level to the highest, none left out. */
+/** The runs of a column, from the lowest chunk of the level to the highest, without gaps. */
 export function readColumn(body: Uint8Array, lod: number): Run[] {
   const data = new DataView(body.buffer, body.byteOffset, body.byteLength);
   if (body.length < 4 || body[0] !== 1 || body[1] !== 0) throw broken('no column of chunks of version 1');

@@ -1,4 +1,4 @@
-// What is known of edits in the regions of the View.
+// Known edits in the regions of the View.
 import type { ViewShape } from '../view_shape.js';
 import { EditedColumns, type Region, regionName, regionOf } from './edits.js';
 
@@ -14,7 +14,7 @@ export class EditedRegions {
     this.regions.clear();
   }
 
-  /** Those of the View; what is known of others is forgotten. */
+  /** Follows the View's regions; forgets all others. */
   follow(shape: ViewShape | null): void {
     const before = this.regions;
     this.regions = new Map();
@@ -29,19 +29,19 @@ export class EditedRegions {
     return this.regions.has(regionName(region));
   }
 
-  /** Whether it is of the View, so that somebody wants to know. */
+  /** Stores the result; returns false if the region left the View. */
   take(region: Region, edited: EditedColumns): boolean {
     const known = this.regions.get(regionName(region));
     if (known !== undefined) known.edited = edited;
     return known !== undefined;
   }
 
-  /** Of the region of a column; null: not known yet. */
+  /** Edited columns of a column's region; null: not known yet. */
   of(lod: number, x: number, z: number): EditedColumns | null {
     return this.regions.get(regionName(regionOf(lod, x, z)))?.edited ?? null;
   }
 
-  /** But those of these names; with `unknown`, only those of which nothing is known. */
+  /** Regions except these names; with `unknown`, only those without a result. */
   others(names: ReadonlySet<string>, unknown = false): Region[] {
     const found: Region[] = [];
     for (const [name, { region, edited }] of this.regions) {

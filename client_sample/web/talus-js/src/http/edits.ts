@@ -1,4 +1,4 @@
-// Which columns of chunks were edited: PROTOCOL.md, "Edited land". Nothing of it is trusted.
+// Edited columns of chunks: PROTOCOL.md, "Edited land". Input is not trusted.
 import { broken } from '../wire/table.js';
 import type { Got } from './get.js';
 import type { Tile } from './tiles.js';
@@ -42,13 +42,13 @@ export class EditedColumns {
     return new EditedColumns(revisions);
   }
 
-  /** Of the column (x, z), which is in the region; 0n: it was never edited. */
+  /** Revision of column (x, z), which must be in the region; 0n: never edited. */
   revision(x: number, z: number): bigint {
     return this.revisions.get((z & (REGION - 1)) * REGION + (x & (REGION - 1))) ?? 0n;
   }
 }
 
-/** The greatest revision of a square's columns; they lie in one region, which has squares whole. */
+/** The greatest revision of a square's columns, which lie in one region. */
 export function revisionOf(tile: Tile, edited: EditedColumns): bigint {
   let greatest = 0n;
   for (let z = tile.z; z < tile.z + tile.n; ++z) {
@@ -60,14 +60,14 @@ export function revisionOf(tile: Tile, edited: EditedColumns): bigint {
   return greatest;
 }
 
-/** Of an answer: what it says itself; else what its path says, as a redirection may have led to a newer one; else `asked`. */
+/** Revision of an answer: its header; else its path, as a redirect may lead to a newer one; else `asked`. */
 export function revisionOfAnswer({ url, revision }: Pick<Got, 'url' | 'revision'>, asked: bigint): bigint {
   if (revision === null) return revisionOfPath(url, asked);
   if (!/^[0-9]{1,20}$/.test(revision)) throw broken(`a revision ${revision.slice(0, 40)}`);
   return BigInt(revision);
 }
 
-/** What a path says; else `asked`. */
+/** The revision in a path; otherwise `asked`. */
 export function revisionOfPath(url: string, asked: bigint): bigint {
   const mark = /@([0-9]{1,20})$/.exec(url);
   return mark === null ? asked : BigInt(mark[1]!);

@@ -1,4 +1,4 @@
-// One GET: its answer is bounded before it is held, and every failure is a TalusError.
+// One GET request: the answer's size is bounded, and every failure is a TalusError.
 import { TalusError, type TalusErrorKind } from '../errors.js';
 
 export class HttpError extends TalusError {
@@ -7,7 +7,7 @@ export class HttpError extends TalusError {
     message: string,
     retryAfterMs: number,
     readonly status: number,
-    /** An ErrorCode of the protocol; empty: the answer was none of a Talus server. */
+    /** An ErrorCode of the protocol; empty if the answer is not from a Talus server. */
     readonly code: string,
   ) {
     super(kind, message, retryAfterMs);
@@ -22,15 +22,15 @@ export interface Getter {
   readonly token: string | undefined;
 }
 
-/** An answer, and the URL from which it came in the end. */
+/** An answer, and its final URL. */
 export interface Got {
   readonly body: Uint8Array;
   readonly url: string;
-  /** Of land that is edited just now, another than the URL's: Talus-Revision; null: it is the URL's. */
+  /** Talus-Revision, for land being edited just now; null: the URL's revision. */
   readonly revision: string | null;
 }
 
-/** The body has at most `most` bytes. */
+/** `most`: maximum bytes of the body. */
 export async function get(
   { fetch, token }: Getter,
   url: string,
@@ -61,7 +61,7 @@ export async function get(
   } finally {
     signal.removeEventListener('abort', pass);
     timeout.removeEventListener('abort', pass);
-    abort.abort(); // of what is not read
+    abort.abort(); // drops unread data
   }
 }
 
@@ -101,7 +101,7 @@ async function failure(response: Response, url: string): Promise<TalusError> {
     text = `the server says: ${String(error.text)}`;
     retryAfterMs = Number(error.retry_after_ms) || retryAfterMs;
   } catch {
-    // Not of a Talus server but of what stands in front: the status has to do.
+    // Not from a Talus server but from a proxy: only the status is known.
   }
   return new HttpError(kindOf(response.status), text, retryAfterMs, response.status, code);
 }

@@ -1,4 +1,4 @@
-// /v1/heights: PROTOCOL.md, "Heights". Nothing of it is trusted.
+// /v1/heights: PROTOCOL.md, "Heights". Input is not trusted.
 import type { Places } from '../types.js';
 import { broken } from '../wire/table.js';
 
@@ -44,11 +44,11 @@ export function readHeights(
   return { heightsFx, looks: places, values };
 }
 
-const PATH_BYTES = 700; // of columns; servers and caches bound the length of a path
+const PATH_BYTES = 700; // for columns; servers and caches limit the length of a path
 
 type Columns = readonly { readonly x: number; readonly z: number }[];
 
-/** Asks for columns by as many requests as their paths take; `get(query)` gives a body. */
+/** Requests columns in as many queries as path lengths require; `get(query)` returns a body. */
 export async function askHeights(
   columns: Columns,
   { looks = false, fields = [] }: { readonly looks?: boolean; readonly fields?: readonly string[] },

@@ -1,8 +1,8 @@
-// Which requests bring a View: squares of columns, nearest first, larger ones farther out.
+// Divides a View into requests: squares of columns, nearest first, larger ones farther out.
 import type { View } from '../types.js';
 import type { ViewShape } from '../view_shape.js';
 
-/** n x n columns of a level, from (x, z) on; x and z are multiples of n, and n is 1, 2 or 4. */
+/** n x n columns of a level, from (x, z); x and z are multiples of n, and n is 1, 2 or 4. */
 export interface Tile {
   readonly lod: number;
   readonly x: number;
@@ -14,12 +14,12 @@ export function tileName({ lod, x, z, n }: Tile): string {
   return n === 1 ? `${lod}/${x}/${z}` : `${lod}/${x}/${z}/${n}x${n}`;
 }
 
-/** From so many columns of its level on a square may be so large: what is near comes alone, and so at once. */
+/** Minimum distance of squares by size, in columns of the level: near columns come alone, and so sooner. */
 const NEAREST_OF_EDGE: readonly (readonly [n: number, nearest: number])[] = [
   [4, 6],
   [2, 3],
 ];
-const BEHIND = 1.5; // as much farther what lies behind the player seems
+const BEHIND = 1.5; // factor on the distance of columns behind the player
 
 export function forEachColumn(tile: Tile, visit: (x: number, z: number) => void): void {
   for (let z = tile.z; z < tile.z + tile.n; ++z) {
@@ -27,13 +27,13 @@ export function forEachColumn(tile: Tile, visit: (x: number, z: number) => void)
   }
 }
 
-/** The same columns, by smaller squares. */
+/** The same columns as smaller squares. */
 export function quarters(tile: Tile): Tile[] {
   const n = tile.n / 2;
   return [0, 1, 2, 3].map((i) => ({ lod: tile.lod, x: tile.x + n * (i & 1), z: tile.z + n * (i >> 1), n }));
 }
 
-/** Tiles with every column of `wanted` that the View has, in the order in which they should come. */
+/** Tiles with every column of `wanted` that the View contains, in the order of fetching. */
 export function tilesOf(
   view: View,
   shape: ViewShape,
@@ -49,7 +49,7 @@ export function tilesOf(
   return [...tiles.values()].map((tile) => ({ tile, at: far(tile) })).sort((a, b) => a.at - b.at).map(({ tile }) => tile);
 }
 
-/** The largest aligned square that holds a column and is far enough. */
+/** The largest aligned square that contains a column and is far enough. */
 function tileAround(view: View, lod: number, x: number, z: number): Tile {
   const size = 32 * 2 ** lod;
   for (const [n, nearest] of NEAREST_OF_EDGE) {
@@ -61,7 +61,7 @@ function tileAround(view: View, lod: number, x: number, z: number): Tile {
   return { lod, x, z, n: 1 };
 }
 
-/** Of its centre, in base voxels; more where it lies behind. */
+/** Distance of its centre, in base voxels; greater if it lies behind. */
 function distance(view: View, { lod, x, z, n }: Tile): number {
   const size = 32 * 2 ** lod;
   const toX = (x + n / 2) * size - view.centre.x;

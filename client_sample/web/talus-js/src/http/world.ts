@@ -1,4 +1,4 @@
-// /v1/world: what Welcome says, as JSON. Nothing of it is trusted.
+// /v1/world: Welcome as JSON. Input is not trusted.
 import type { Material, Phase, Rates, World } from '../types.js';
 import { checkHeights } from '../wire/heights.js';
 import { broken } from '../wire/table.js';
@@ -61,7 +61,7 @@ function ratesOf(from: Json, name: string): Rates {
   };
 }
 
-/** Limits of a stream are 0. */
+/** Limits that only streams have are 0. */
 export function readWorld(json: unknown): World {
   if (typeof json !== 'object' || json === null) wrong('JSON');
   const from = json as Json;
@@ -92,7 +92,7 @@ export function readWorld(json: unknown): World {
       idleTimeoutMs: 0,
       sessionRates: ratesOf(limits, 'session'),
       addressRates: ratesOf(limits, 'address'),
-      viewHorizon: true, // which chunks a View has is worked out here
+      viewHorizon: true, // the chunks of a View are computed here
     },
     server: textOf(from, 'server'),
     looks: textsOf(from, 'looks'),

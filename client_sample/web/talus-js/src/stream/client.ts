@@ -23,15 +23,15 @@ import { chunkOf, ViewContents } from './view_contents.js';
 const OLDEST_PROTOCOL = 1;
 const PROTOCOL = 2;
 const CODEC = 4;
-const MAX_TEXT_BYTES = 4_096; // of token and client in Hello
+const MAX_TEXT_BYTES = 4_096; // for token and client in Hello
 const DEFAULT_WINDOW_BYTES = 1 << 20;
 const DEFAULT_KEEP_BYTES = 16 << 20;
 const DEFAULT_CONNECT_TIMEOUT_MS = 10_000;
 const PING_INTERVAL_MS = 20_000;
-/** Whatever a server says of its idle timeout. */
+/** Applied whatever a server's idle timeout is. */
 const SHORTEST_PING_INTERVAL_MS = 5;
 const SILENCE_MS = 60_000;
-/** A server ignores what a View knows beyond a bound; this fits any frame. */
+/** A server ignores further known chunks in a View; this number fits any frame. */
 const MAX_KNOWN = 8_192;
 /** Far outside every world: a View without chunks. */
 const NOWHERE = 2 ** 40;
@@ -48,7 +48,7 @@ export class StreamClient extends ClientBase {
   private readonly pings = new Pings();
   private readonly credit = new Credit();
   private viewNumber = 0;
-  /** Of the View that the server has; null: none, or it is not known which. */
+  /** The shape of the server's View; null: no View, or unknown. */
   private sentShape: ViewShape | null = null;
   private readonly contents: ViewContents;
   private readonly edits = new EditSession(() => this.connected && this.sending.later(0));
@@ -139,7 +139,7 @@ export class StreamClient extends ClientBase {
   }
 
   private disconnect(): void {
-    ++this.connection; // what the transport still says is of no interest
+    ++this.connection; // ignore further events of the transport
     clearTimeout(this.deadline);
     clearInterval(this.heartbeat);
     this.sending.stop();
@@ -241,7 +241,7 @@ export class StreamClient extends ClientBase {
       return;
     }
     if (!this.pings.isEmpty) return; // it is not idle
-    this.ping().catch(() => {}); // the connection's end is told elsewhere
+    this.ping().catch(() => {}); // the connection's end is reported elsewhere
   }
 
   private handleChunk(message: Message<'chunk'>, frameBytes: number): void {
@@ -278,7 +278,7 @@ export class StreamClient extends ClientBase {
   }
 
   private handleViewComplete({ number }: Message<'view_complete'>): void {
-    if (number !== this.viewNumber || this.sending.viewWaits || this.tracker.view === null) return; // one replaced since
+    if (number !== this.viewNumber || this.sending.viewWaits || this.tracker.view === null) return; // replaced
     this.contents.viewComplete();
   }
 
@@ -321,7 +321,7 @@ export class StreamClient extends ClientBase {
     const error = errorOf(message);
     const comesBack = message.code === 'overloaded' && message.retryAfterMs > 0;
     if (comesBack) this.pace.refused(message.retryAfterMs, performance.now());
-    // A server that leaves takes nothing any more: what it did not take goes to the next.
+    // A departing server accepts nothing more: whatever it refused goes to the next.
     const waits = message.code === 'overloaded' && (comesBack || this.leaving !== null);
     switch (message.about) {
       case 'request':
@@ -337,7 +337,7 @@ export class StreamClient extends ClientBase {
         this.sending.now();
         return;
       case 'view':
-        this.sentShape = null; // which View the server has now is not known
+        this.sentShape = null; // the server's View is unknown
         if (message.viewNumber !== this.viewNumber) return;
         if (comesBack) this.sending.viewWaits = true;
         else this.emit('error', error);
@@ -353,14 +353,14 @@ export class StreamClient extends ClientBase {
         this.pings.refuseOldest(error);
         return;
       case 'connection':
-        this.leaving = error; // the close that follows tells
+        this.leaving = error; // the close that follows reports it
         return;
       default:
         this.emit('error', error);
     }
   }
 
-  // ---- what the application asks
+  // ---- the application's requests
 
   protected viewApplied(): void {
     this.contents.viewApplied();
@@ -417,7 +417,7 @@ export class StreamClient extends ClientBase {
   private ask(request: Parameters<Requests['add']>[0]): void {
     if (this.isClosed) throw this.closedError();
     this.requests.add(request);
-    // Soon, so that requests that are made together go together.
+    // Deferred, so that requests made together are sent together.
     if (this.connected) this.sending.later(0);
   }
 

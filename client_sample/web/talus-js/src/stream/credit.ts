@@ -1,4 +1,4 @@
-// Bytes of chunks that the application is done with: the server sends as many again. PROTOCOL.md, "Credit".
+// Bytes of chunks with which the application is done, and which the server may send again. PROTOCOL.md, "Credit".
 import type { Chunk } from '../types.js';
 
 interface Debt {
@@ -8,7 +8,7 @@ interface Debt {
 
 export class Credit {
   private readonly debts = new WeakMap<Chunk, Debt>();
-  private connection = 0; // counts them: what came by one before is not owed any more
+  private connection = 0; // connection number: chunks of earlier connections are not credited
   private takenBytes = 0;
   private creditedBytes = 0;
 
@@ -22,7 +22,7 @@ export class Credit {
     this.debts.set(chunk, { connection: this.connection, bytes });
   }
 
-  /** The sum to tell the server, once half a window is taken; null: not yet. */
+  /** The total to send to the server after half a window; null: not yet. */
   taken(chunk: Chunk, windowBytes: number): number | null {
     const debt = this.debts.get(chunk);
     if (debt === undefined) return null;

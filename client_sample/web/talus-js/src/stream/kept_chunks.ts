@@ -1,4 +1,4 @@
-// Payloads that are kept, so that a chunk is told by its hash, and changed by what is broadcast.
+// Kept payloads, so that chunks can be sent as their hash and edited by broadcasts.
 import { type KeptPayload, PayloadCache } from '../client/payload_cache.js';
 import type { Delivered } from '../client/tracker.js';
 import { decodeChunk } from '../decode.js';
@@ -33,7 +33,7 @@ export class KeptChunks {
     return kept?.hash === hash ? kept : undefined;
   }
 
-  /** Of what `shape` has and `before` has not: `most` that are kept. A View brings no other chunks back. */
+  /** Up to `most` kept chunks in `shape` but not in `before`: a View brings back no others. */
   known(most: number, shape: ViewShape, before: ViewShape | null): KnownChunk[] {
     const known: KnownChunk[] = [];
     const entering = chunksOutside(shape, before);
@@ -50,7 +50,7 @@ export class KeptChunks {
     return known;
   }
 
-  /** What is held, with the edit; null: it was not kept, or the edit does not apply to it. */
+  /** The held chunk with the edit applied; null if it was not kept, or the edit does not apply to it. */
   edited(held: Delivered, { key, revision, previousRevision, runs }: Extract<ServerMessage, { kind: 'edit_broadcast' }>): Chunk | null {
     const payload = held.material === null ? this.find(key, held.hash)?.payload : uniformPayload(held.material);
     if (payload === undefined || runs.length === 0 || previousRevision > held.revision) return null;

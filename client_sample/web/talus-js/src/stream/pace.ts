@@ -1,8 +1,8 @@
-// What a client may ask for in a second: PROTOCOL.md, "Rates". Requests, Views and Pings count one each.
+// Limits requests per second: PROTOCOL.md, "Rates". Requests, Views and Pings count one each.
 import { boundedRetryAfter } from '../client/backoff.js';
 import type { Limits } from '../types.js';
 
-/** An eighth is left, for the two clocks do not agree. */
+/** An eighth is reserved, as the two clocks differ. */
 const SHARE = 7 / 8;
 
 export class Pace {
@@ -10,9 +10,9 @@ export class Pace {
   private most = Infinity;
   private perMs = 0;
   private at = 0;
-  private heldUntil = 0; // as the server said
+  private heldUntil = 0; // requested by the server
 
-  /** By what Welcome tells: the lower one of the session's rate and the address's. `now` in milliseconds. */
+  /** Starts with the rates in Welcome: the lower of the session's and the address's. `now` in milliseconds. */
   begin({ sessionRates, addressRates }: Pick<Limits, 'sessionRates' | 'addressRates'>, now: number): void {
     this.perMs = 0;
     this.tokens = this.most = Infinity;
@@ -25,7 +25,7 @@ export class Pace {
     this.heldUntil = 0;
   }
 
-  /** The server refused something, for so long. */
+  /** The server refused a request for this time. */
   refused(retryAfterMs: number, now: number): void {
     this.heldUntil = Math.max(this.heldUntil, now + boundedRetryAfter(retryAfterMs));
   }

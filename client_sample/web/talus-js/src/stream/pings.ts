@@ -1,4 +1,4 @@
-// Pings that are not answered; a server answers them in their order.
+// Unanswered pings; a server answers them in order.
 import type { TalusError } from '../errors.js';
 
 interface OpenPing {
@@ -15,13 +15,13 @@ export class Pings {
     return this.open.size === 0;
   }
 
-  /** The nonce to send. */
+  /** Returns the nonce to send. */
   add(now: number, resolve: (milliseconds: number) => void, reject: (error: TalusError) => void): number {
     this.open.set(BigInt(++this.lastNonce), { sent: now, resolve, reject });
     return this.lastNonce;
   }
 
-  /** Milliseconds that the answer took; null: nobody asked. */
+  /** Returns the round-trip time in milliseconds; null if the Pong is unsolicited. */
   answered(nonce: bigint, now: number): number | null {
     const ping = this.open.get(nonce);
     if (ping === undefined) return null;

@@ -1,4 +1,4 @@
-// Requests that are not answered: those in flight, by id, and those that wait for room in the server's limits.
+// Unanswered requests: in flight, by id, or waiting for room in the server's limits.
 import type { TalusError } from '../errors.js';
 import type { Chunk, ChunkKey, Places } from '../types.js';
 
@@ -33,7 +33,7 @@ export class Requests {
     return this.inFlight.size;
   }
 
-  /** The next to be sent, with its id: below 2^31, as ids of edits are not. */
+  /** Moves the next request to in-flight; its id is below 2^31, unlike ids of edits. */
   next(): { id: number; request: Wanted } | null {
     const request = this.waiting.shift();
     if (request === undefined) return null;
@@ -57,13 +57,13 @@ export class Requests {
     return request;
   }
 
-  /** The server refused it for now. */
+  /** The server refused it temporarily. */
   putBack(id: number): void {
     const request = this.take(id);
     if (request !== undefined) this.waiting.unshift(request);
   }
 
-  /** The connection ended: what was in flight is to be sent again. */
+  /** The connection ended: requests in flight must be sent again. */
   putAllBack(): void {
     this.waiting = [...this.inFlight.values(), ...this.waiting];
     this.inFlight.clear();

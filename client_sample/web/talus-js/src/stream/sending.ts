@@ -1,4 +1,4 @@
-// What is sent when: a View before edits, those before requests, each as soon as the server's limits and rates allow.
+// Order of sending: a View before edits, edits before requests, each when the server's limits and rates allow.
 import type { EditSession } from '../edits/session.js';
 import { TalusError } from '../errors.js';
 import type { World } from '../types.js';
@@ -14,7 +14,7 @@ import type { Pace } from './pace.js';
 import type { PlacesWanted, Requests } from './requests.js';
 
 export interface Sender {
-  /** Of the server that takes something now; null: none does. */
+  /** The world of a server that accepts requests now; null: not connected. */
   openWorld(): World | null;
   send(frame: Uint8Array): void;
   sendView(): void;

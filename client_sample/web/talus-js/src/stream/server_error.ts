@@ -1,4 +1,4 @@
-// What an Error of the server means to an application.
+// Converts a server's Error for the application.
 import { TalusError } from '../errors.js';
 import type { ServerMessage } from '../wire/messages.js';
 

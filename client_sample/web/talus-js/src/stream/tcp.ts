@@ -3,7 +3,7 @@ import type net from 'node:net';
 import { TalusError } from '../errors.js';
 import type { OpenTransport } from './transport.js';
 
-/** `connect` begins to connect; `ready` is the event that tells that the connection stands. */
+/** `connect` begins to connect; `ready` is the event that reports success. */
 export function openSocket(
   where: string,
   connect: () => net.Socket,

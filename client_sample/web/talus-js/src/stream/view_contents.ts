@@ -1,4 +1,4 @@
-// What comes of the View: chunks, in whichever message, until all of them are there.
+// Collects the View's chunks, in whichever messages, until they are complete.
 import type { Tracker } from '../client/tracker.js';
 import type { TalusError } from '../errors.js';
 import { keyName } from '../keys.js';
@@ -11,14 +11,14 @@ import type { KeptChunks } from './kept_chunks.js';
 type Message<K extends ServerMessage['kind']> = Extract<ServerMessage, { kind: K }>;
 
 export interface Receiver {
-  /** Of the server that is joined; null: none is. */
+  /** The world of the server joined; null: not joined. */
   world(): World | null;
   isClosed(): boolean;
-  /** The server did something for us: it is not one to come back to later and later. */
+  /** The server did something useful: reset the back-off. */
   served(): void;
-  /** Whether the application was given it. */
+  /** Returns true if the chunk was delivered to the application. */
   deliver(chunk: Chunk): boolean;
-  /** What was not given takes no room. */
+  /** Credits a chunk that was not delivered. */
   settle(chunk: Chunk, given: boolean): void;
   getChunk(key: ChunkKey): Promise<Chunk>;
   failed(error: TalusError): void;
@@ -28,7 +28,7 @@ export interface Receiver {
 
 export class ViewContents {
   private completeToTell = false;
-  /** Whether the chunk changed again while it is on its way. */
+  /** True if the chunk changed again while it is in flight. */
   private readonly refetching = new Map<string, boolean>();
   private readonly uniform = new Map<number, Uint8Array<ArrayBuffer>>();
 
@@ -44,12 +44,12 @@ export class ViewContents {
     this.completeToTell = false;
   }
 
-  /** Another View: that before is not told to be complete any more. */
+  /** Another View: completion of the previous one is not reported any more. */
   viewApplied(): void {
     this.completeToTell = false;
   }
 
-  /** Whether the application was given it. */
+  /** Returns true if the chunk was delivered to the application. */
   chunk(chunk: Chunk): boolean {
     if (!this.tracker.shape?.covers(chunk.key)) return false;
     this.receiver.served();
@@ -63,15 +63,15 @@ export class ViewContents {
     this.receiver.served();
     this.receiver.countUnchanged();
     const held = this.tracker.find(key);
-    if (held !== undefined && revision < held.revision) return; // it crossed an edit
+    if (held !== undefined && revision < held.revision) return; // crossed by an edit
     if (held?.hash === hash) return this.tracker.confirm(held, revision);
     const kept = this.kept.find(key, hash);
     if (kept === undefined) this.refetch(key);
     else this.receiver.deliver({ key, revision, hash, payload: kept.payload.slice(), material: null });
   }
 
-  /** The revision says whether it is news, and whether it applies to what is here. Where it does not, or what is here was
-   *  not kept, the chunk is asked for: that is always right. */
+  /** The revision shows whether the broadcast is new, and whether it applies to the held chunk. If it does not apply,
+   *  or the chunk was not kept, the chunk is requested: that is always correct. */
   editBroadcast(message: Message<'edit_broadcast'>): void {
     const { key, revision } = message;
     const held = this.tracker.find(key);
@@ -90,7 +90,7 @@ export class ViewContents {
       const payload = this.uniformPayload(run.material);
       const shape = this.tracker.shape;
       if (shape === null) return;
-      // A run may name 2^32 rows: only those of the View count.
+      // A run may cover 2^32 rows: only the View's rows count.
       const rows = shape.rows(lod, x, z);
       const last = Math.min(rows.last, run.lastY);
       for (let y = Math.max(rows.first, run.firstY); y <= last; ++y) {
@@ -113,10 +113,10 @@ export class ViewContents {
     return payload;
   }
 
-  /** The server sent all of it. */
+  /** The server sent everything. */
   viewComplete(): void {
     this.completeToTell = true;
-    // Sent, but while a View that the server then refused did not have it.
+    // Sent while a View, refused later, did not cover it.
     for (const key of this.tracker.missing()) {
       if (!this.refetching.has(keyName(key))) this.refetch(key);
     }
@@ -129,7 +129,7 @@ export class ViewContents {
     this.receiver.tellComplete();
   }
 
-  /** Asks anew for a chunk of the View. */
+  /** Requests a chunk of the View again. */
   refetch(key: ChunkKey): void {
     const name = keyName(key);
     if (this.refetching.has(name)) return void this.refetching.set(name, true);

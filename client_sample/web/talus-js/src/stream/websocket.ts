@@ -2,7 +2,7 @@
 import { TalusError } from '../errors.js';
 import type { OpenTransport } from './transport.js';
 
-/** What this package needs of an implementation: browsers', Node 22's, or that of the package ws. */
+/** Required interface of an implementation: browsers', Node 22's, or the package ws. */
 interface Socket {
   binaryType: string;
   readonly readyState: number;
@@ -31,7 +31,7 @@ export function openWebSocket(url: string, implementation: unknown): OpenTranspo
     let opened = false;
     const end = (error: TalusError) => {
       socket.onopen = socket.onmessage = socket.onclose = null;
-      socket.onerror = () => {}; // ws throws errors that nobody hears
+      socket.onerror = () => {}; // ws emits errors that must be handled
       events.ended(error);
     };
     socket.onopen = () => {
@@ -46,7 +46,7 @@ export function openWebSocket(url: string, implementation: unknown): OpenTranspo
       end(new TalusError('broken_protocol', 'the server sent text, where the protocol has bytes only'));
       socket.close();
     };
-    socket.onerror = () => {}; // onclose follows, and says as much
+    socket.onerror = () => {}; // onclose follows, and reports it
     socket.onclose = ({ code, reason }) => {
       const why = reason === '' ? `code ${code}` : `${reason} (code ${code})`;
       end(

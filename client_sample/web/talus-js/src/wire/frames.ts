@@ -1,17 +1,17 @@
-// From a stream of bytes to frames: PROTOCOL.md, "Frames".
+// Splits a stream of bytes into frames: PROTOCOL.md, "Frames".
 import { broken } from './table.js';
 
 const LENGTH_BYTES = 4;
 const MIN_FRAME_BYTES = 12;
 export const MAX_SERVER_FRAME_BYTES = 262_144;
 
-/** Takes bytes as they come, and gives whole frames, their lengths included. Holds less than one frame. */
+/** Takes bytes as they arrive, and returns complete frames with their lengths. Holds less than one frame. */
 export class FrameReader {
   private held = new Uint8Array(0);
   private count = 0;
 
-  /** Calls `handle` for each frame that `bytes` completes; the frame is valid during the call only. Throws a
-   *  TalusError where the bytes are no frames; the reader is then to be dropped. */
+  /** Calls `handle` for each frame that `bytes` completes; the frame is valid only during the call. Throws a TalusError
+   *  if the bytes are not frames; the reader must then be dropped. */
   push(bytes: Uint8Array, handle: (frame: Uint8Array) => void): void {
     let rest = bytes;
     while (rest.length > 0) {
@@ -23,7 +23,7 @@ export class FrameReader {
           continue;
         }
       }
-      // One that began before, or goes on after, these bytes.
+      // A frame that began before these bytes, or continues after them.
       const known = this.count < LENGTH_BYTES ? LENGTH_BYTES : frameBytes(this.held)!;
       const taken = Math.min(known - this.count, rest.length);
       this.keep(rest.subarray(0, taken));
@@ -36,7 +36,7 @@ export class FrameReader {
     }
   }
 
-  /** Grows with what arrives, not by the length that is told. */
+  /** Grows with the bytes received, not with the length claimed. */
   private keep(bytes: Uint8Array): void {
     if (this.count + bytes.length > this.held.length) {
       const grown = new Uint8Array(Math.max(1_024, 2 * this.held.length, this.count + bytes.length));
@@ -48,7 +48,7 @@ export class FrameReader {
   }
 }
 
-/** Of the frame that begins here; null: not enough bytes to know. */
+/** Length of the frame that begins here; null: not enough bytes. */
 function frameBytes(bytes: Uint8Array): number | null {
   if (bytes.length < LENGTH_BYTES) return null;
   const size = (bytes[0]! | (bytes[1]! << 8) | (bytes[2]! << 16)) + bytes[3]! * 0x1000000 + LENGTH_BYTES;

@@ -1,4 +1,4 @@
-// What a server says: protocol/schema/talus.fbs, read and checked. Numbers of fields are those of the schema's tables.
+// A server's messages: protocol/schema/talus.fbs, read and checked. Field numbers are those of the schema's tables.
 import type { EditLimits } from '../edits/types.js';
 import type { ChunkKey, Limits, Material, Phase, Position, Rates, World } from '../types.js';
 import { checkHeights } from './heights.js';
@@ -92,7 +92,7 @@ export type ServerMessage =
 
 type Reader = (body: Table) => ServerMessage;
 
-/** By the number of the member of the union Body; 1 to 8 and 20 are a client's. */
+/** By index in the union Body; 1 to 8 and 20 are sent by clients. */
 const READERS: Record<number, Reader> = {
   9: readWelcome,
   10: (body) => ({
@@ -146,7 +146,7 @@ const READERS: Record<number, Reader> = {
   }),
 };
 
-/** The message of a frame, its length included. Throws a TalusError where it is none that a server sends. */
+/** The message of a frame with its length. Throws a TalusError if a server never sends it. */
 export function readMessage(bytes: Uint8Array): ServerMessage {
   const root = new Frame(bytes).root();
   const kind = root.u8(0);
@@ -156,7 +156,7 @@ export function readMessage(bytes: Uint8Array): ServerMessage {
   return reader(body);
 }
 
-/** Where in the world it lies is not checked: a client takes only chunks that it asked for. */
+/** Does not check that it lies in the world: a client accepts only chunks that it requested. */
 function readKey(body: Table, field: number): ChunkKey {
   const at = body.struct(field, 16);
   if (at === 0) throw broken('a chunk without a key');
@@ -173,13 +173,13 @@ function hex64(data: DataView, at: number): string {
   return digits(data.getUint32(at + 4, true)) + digits(data.getUint32(at, true));
 }
 
-/** 32 digits, the high half first. */
+/** 32 digits, high half first. */
 function readHash(body: Table, field: number): string {
   const at = body.struct(field, 16);
   return at === 0 ? '0'.repeat(32) : hex64(body.data, at + 8) + hex64(body.data, at);
 }
 
-/** A 64-bit number that JavaScript can count with. */
+/** Converts a 64-bit number to a safe integer. */
 function exact(value: bigint, what: string): number {
   const number = Number(value);
   if (!Number.isSafeInteger(number)) throw broken(`${what} ${value}, which is beyond any world`);

@@ -1,9 +1,9 @@
-// Reading FlatBuffers without trust: every offset is checked against the frame before it is followed, and what a frame
-// can make a reader allocate is bounded. (The flatbuffers package has no verifier; it is used for writing.)
-// Offsets are from the frame's first byte, that of its length. test/frames.test.js pins all of this to the schema.
+// Reads untrusted FlatBuffers: every offset is checked against the frame before it is followed, and allocations are
+// bounded. (The flatbuffers package has no verifier; it is used for writing.) Offsets are relative to the frame's first
+// byte, the first of its length. test/frames.test.js compares this with the schema.
 import { TalusError } from '../errors.js';
 
-/** Of text and tables in one frame: a hostile one may refer to the same bytes again and again. */
+/** Bounds text and tables of one frame: a hostile one may refer to the same bytes repeatedly. */
 const MAX_TEXT_BYTES = 1 << 20;
 const MAX_TABLES = 65_536;
 
@@ -43,14 +43,14 @@ export class Frame {
 
 const decoder = /* @__PURE__ */ new TextDecoder();
 
-/** `count` elements from `at` on, all of them inside the frame. */
+/** `count` elements at `at`, all inside the frame. */
 export interface Vector {
   readonly at: number;
   readonly count: number;
 }
 const NOTHING: Vector = { at: 0, count: 0 };
 
-/** A table; fields by their number in the schema. What is absent reads as 0 or as empty. */
+/** A table; fields by their number in the schema. Absent fields read as 0 or as empty. */
 export class Table {
   private readonly view: DataView;
   private readonly vtable: number;
@@ -72,7 +72,7 @@ export class Table {
     frame.check(at, this.bytes);
   }
 
-  /** Where a field of `bytes` lies; 0: absent. */
+  /** Position of a field of `bytes`; 0: absent. */
   struct(field: number, bytes: number): number {
     const entry = 4 + 2 * field;
     if (entry + 2 > this.vtableBytes) return 0;
@@ -129,7 +129,7 @@ export class Table {
     return { at: at + 4, count };
   }
 
-  /** A copy. */
+  /** Returns a copy. */
   bytesOf(field: number): Uint8Array<ArrayBuffer> {
     const { at, count } = this.vector(field, 1);
     return new Uint8Array(this.frame.bytes.subarray(at, at + count));

@@ -1,4 +1,4 @@
-// What a client says: protocol/schema/talus.fbs. Numbers of fields are those of the schema's tables.
+// A client's messages: protocol/schema/talus.fbs. Field numbers are those of the schema's tables.
 import { Builder, type Offset } from 'flatbuffers';
 import type { ChunkKey, View } from '../types.js';
 
@@ -13,13 +13,13 @@ export interface ChunkRequest {
   readonly known: string | null;
 }
 
-/** Of one entry of a list, as PROTOCOL.md, "Limits", has them; and of the rest of a frame. */
+/** Sizes of list entries, as in PROTOCOL.md, "Limits", and of the rest of a frame. */
 export const CHUNK_REQUEST_BYTES = 40;
 export const KNOWN_CHUNK_BYTES = 32;
 export const COLUMN_BYTES = 16;
 export const REST_BYTES = 128;
 
-/** A frame with the member `kind` of the union Body. */
+/** A frame with member `kind` of the union Body. */
 export function frame(kind: number, write: (builder: Builder) => Offset): Uint8Array {
   const builder = new Builder(256);
   const body = write(builder);
@@ -30,7 +30,7 @@ export function frame(kind: number, write: (builder: Builder) => Offset): Uint8A
   return builder.asUint8Array();
 }
 
-/** A vector of structs; `write` puts one, and builders write backwards. */
+/** A vector of structs; `write` writes one, and builders write backwards. */
 export function structs<T>(
   builder: Builder,
   entries: readonly T[],
@@ -84,7 +84,7 @@ export function helloFrame(hello: {
   });
 }
 
-/** REQUIRES: the centre's numbers are integers. */
+/** REQUIRES: the centre's coordinates are integers. */
 export function viewFrame(view: View, number: number, known: readonly KnownChunk[]): Uint8Array {
   return frame(2, (builder) => {
     const knownChunks = structs(builder, known, KNOWN_CHUNK_BYTES, 8, (chunk) => {

@@ -1,4 +1,4 @@
-// What a client says of edits: Attach and Edit of protocol/schema/talus.fbs.
+// A client's edit messages: Attach and Edit of protocol/schema/talus.fbs.
 import type { Builder, Offset } from 'flatbuffers';
 import type { VoxelWrite } from '../edits/types.js';
 import type { Position } from '../types.js';
@@ -9,7 +9,7 @@ export interface WireFill {
   readonly last: Position;
   readonly material: number;
   readonly only: number;
-  /** 1: of any material, `only` does not count; 2: as generated, `material` does not count. */
+  /** 1: all materials, `only` is ignored; 2: as generated, `material` is ignored. */
   readonly flags: number;
 }
 
