@@ -1,17 +1,17 @@
-// Steps the world as often as the display asks, and draws it as often, or less often where a cap says so.
+// Steps the world at the display's rate, and draws it at that rate or at a cap.
 
-/** A step after a pause (a tab that slept) moves nobody by the whole pause. */
+/** After a pause (a sleeping tab) a step covers at most this time. */
 const LONGEST_STEP_S = 0.25;
 
-/** Pictures may take longer than this; what streams in does not wait for them. */
+/** Pictures may take longer than this; streaming does not wait for them. */
 const UPDATE_EVERY_MS = 20;
 
 export interface Turns {
-  /** For each step, and between steps that are far apart. */
+  /** Called for each step, and between steps that are far apart. */
   update: () => void;
   step: (now: number, seconds: number) => void;
   draw: (now: number) => void;
-  /** Pictures a second at most; 0: as the display does. */
+  /** Maximum pictures per second; 0: the display's rate. */
   cap: () => number;
 }
 
@@ -30,7 +30,7 @@ export class Loop {
       this.#stepped = now;
       this.#update();
       const cap = this.turns.cap();
-      // A millisecond's slack: a display's frames do not come on the dot.
+      // A millisecond of tolerance: a display's frames are not exactly periodic.
       if (cap > 0 && now - this.#drawn < 1000 / cap - 1) return;
       this.#drawn = now;
       this.#drawnAt.push(now);

@@ -1,4 +1,4 @@
-// The viewer's page: puts its parts together. Each frame: what the player wants, the body's step, the engine's picture.
+// The viewer's page: connects its parts. Each frame: the player's intent, the body's step, the engine's picture.
 import { mark } from './connection/marks';
 import { Server } from './connection/server';
 import { Session, type Trouble } from './connection/session';
@@ -51,7 +51,7 @@ const stage = find('stage');
 let engine: Engine | null = null;
 let hours = readLink(location.hash).time ?? 10.5;
 
-// --- Where one is ---
+// --- Place ---
 
 const traveller = new Traveller(body, server, () => engine);
 const place = () => traveller.place(hours);
@@ -235,20 +235,20 @@ function startingPlace(): Partial<Place> {
 }
 
 function resize(): void {
-  // More pixels than these cost much and show little.
+  // More pixels are expensive and barely visible.
   const pixels = Math.min(devicePixelRatio, settings.quality === 'high' ? 2 : 1);
   engine?.resize(stage.clientWidth, stage.clientHeight, pixels);
 }
 addEventListener('resize', resize);
 
-// --- Hands ---
+// --- Input ---
 
 const eye = (): Vector => {
   const [x, y, z] = body.eye;
   return { x, y, z };
 };
 
-/** Holds on to the voxel there; with the tools of building, does their work there. */
+/** Selects the voxel there; with editing tools, applies them there. */
 function pick(x: number, y: number, other = false): void {
   if (engine === null) return;
   const half = stage.clientHeight / 2;
@@ -256,7 +256,7 @@ function pick(x: number, y: number, other = false): void {
   if (builder.isOn) builder.act(eye(), direction, other);
   else voxel.hold(engine, eye(), direction);
 }
-/** Blocks on the level to what is in the middle of the screen; null: nothing near is, or one is inside of something. */
+/** Horizontal distance in blocks to the centre of the screen; null: nothing near, or the eye is inside a voxel. */
 function seenAhead(): number | null {
   const hit = engine?.raycast(eye(), gaze.ahead(), SLICE_FARTHEST, true) ?? null;
   return hit === null || hit.distance === 0 ? null : hit.distance * Math.cos((body.pitch * Math.PI) / 180);

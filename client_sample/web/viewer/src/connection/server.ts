@@ -1,4 +1,4 @@
-// What the page itself asks the server by HTTP: whether it is there, heights, tiles of the map.
+// The page's own HTTP requests: server status, heights, map tiles.
 import { bestHeading, outlookRequest } from '../place/outlook';
 
 export interface ServerWorld {
@@ -7,11 +7,11 @@ export interface ServerWorld {
   readonly spawn: readonly [number, number, number];
 }
 
-/** Why there is no answer, as the page tells people. */
+/** Reason for a missing answer, in words for users. */
 export type Obstacle = { kind: 'away' | 'token' | 'blocked' | 'other'; text: string };
 
 export class Server {
-  /** Of the page's own folder, so that a proxy may serve everything under a path. */
+  /** The page's own folder, so that a proxy may serve everything below a path. */
   readonly base: string;
 
   constructor(
@@ -42,14 +42,14 @@ export class Server {
     return (heights[0]! + 127) >> 8;
   }
 
-  /** Degrees toward which one looks over open ground to high land. */
+  /** Heading in degrees over open ground to high land. */
   async outlook(x: number, z: number): Promise<number> {
     const answer = await this.fetch(outlookRequest(x, z));
     if (!answer.ok) throw new Error(await reasonOf(answer));
     return bestHeading(((await answer.json()) as { heights: number[] }).heights);
   }
 
-  /** Asked after a failure: what stands between this page and the world; null: nothing any more. */
+  /** Called after a failure: the obstacle between this page and the world; null: none any more. */
   async obstacle(): Promise<Obstacle | null> {
     let answer: Response;
     try {

@@ -1,4 +1,4 @@
-// Keeps an engine at work: makes it, makes it again when the server, the token or the graphics fail, and says what is wrong.
+// Keeps an engine running: creates it, recreates it if the server, the token or the graphics fail, and reports errors.
 import { Engine, type WorldInfo } from '../engine/engine';
 import type { Settings } from '../place/settings';
 import type { Obstacle, Server } from './server';
@@ -13,9 +13,9 @@ export type Trouble =
   | { kind: 'graphics-lost' };
 
 export interface Listener {
-  /** An engine that knows its world is there; `again`: one was there before. */
+  /** An engine that knows its world is ready; `again`: it replaces an earlier one. */
   opened: (engine: Engine, again: boolean) => void;
-  /** The engine is about to be thrown away. */
+  /** The engine is about to be discarded. */
   closing: () => void;
   trouble: (trouble: Trouble | null) => void;
   worldChanged: (world: WorldInfo) => void;
@@ -23,16 +23,16 @@ export interface Listener {
 
 const FIRST_RETRY_MS = 500;
 const LAST_RETRY_MS = 15_000;
-/** A first answer that takes longer is looked into. */
+/** A slower first answer is investigated. */
 const PATIENCE_MS = 2_000;
-/** Browsers give lost graphics back by themselves, mostly. */
+/** Browsers usually restore lost graphics by themselves. */
 const GRAPHICS_PATIENCE_MS = 6_000;
 
 const asksForToken = (reason: string) => /token|unauthori[sz]ed/i.test(reason);
 
 export class Session {
   engine: Engine | null = null;
-  /** When the engine was asked for, of performance.now(): its own times count from there. */
+  /** When the engine was requested, as performance.now(): the origin of its own times. */
   began = 0;
   #attempt = 0;
   #failures = 0;
@@ -50,7 +50,7 @@ export class Session {
     private readonly isReduced: () => boolean,
     private readonly listener: Listener,
   ) {
-    // A tab that slept, or a machine that was offline, need not wait for the next attempt.
+    // A tab that slept, or a machine that was offline, reconnects at once.
     addEventListener('online', () => this.hurry());
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'visible') this.hurry();
@@ -61,7 +61,7 @@ export class Session {
     this.#close();
     this.#silences = 0;
     const attempt = ++this.#attempt;
-    // Asked first, as an engine that is on its way tries on and on, and does not say why.
+    // Checked first, as a connecting engine retries for ever without reporting why.
     const obstacle = await this.server.obstacle();
     if (attempt !== this.#attempt) return;
     if (obstacle !== null) return this.#blocked(obstacle);
@@ -97,7 +97,7 @@ export class Session {
     this.#adopt(engine);
   }
 
-  /** Tries at once what would be tried later. */
+  /** Makes the next attempt at once. */
   hurry(): void {
     if (this.#retry !== undefined) void this.open();
     else if (this.engine?.stats().state === 'lost') this.engine.hurry();
@@ -140,7 +140,7 @@ export class Session {
     if (isOther) this.listener.worldChanged(world);
   }
 
-  /** No engine after a while, though the server answers: its stream does not come through, or the server just went. */
+  /** No engine after a while, although the server answers: its stream is blocked, or the server just went away. */
   async #lookInto(attempt: number): Promise<void> {
     const obstacle = await this.server.obstacle();
     if (attempt !== this.#attempt || this.engine !== null) return;

@@ -1,4 +1,4 @@
-// The token that a server asks for: of this tab, or kept on this device where the player wants that.
+// The server's token: for this tab, or stored on this device if the player chooses.
 
 const KEY = 'talus.token';
 
@@ -10,7 +10,7 @@ export class TokenStore {
       try {
         this.#token ??= storage().getItem(KEY);
       } catch {
-        // No storage: a token lasts until the page is left.
+        // Without storage, a token lasts until the page is left.
       }
     }
   }

@@ -1,13 +1,13 @@
-// The player's body: walks, swims and flies through voxels. Knows no screen and no clock but the steps that it is given.
+// The player's body: walks, swims and flies through voxels. Independent of screen and clock, except for its steps.
 import { overlaps, sweep, type Box, type Vector } from './sweep';
 import type { Intent } from './intent';
 import type { Mode } from '../place/place';
 
-/** 'unknown': not here yet. It holds a walker, so that nobody falls through land that is on its way. */
+/** 'unknown': not loaded yet. Stops a walker, who would otherwise fall through land that is still loading. */
 export type Stuff = 'gas' | 'liquid' | 'solid' | 'unknown';
 export type StuffAt = (x: number, y: number, z: number) => Stuff;
 
-// A voxel is taken for a metre; seconds.
+// A voxel counts as a metre; times are in seconds.
 const HALF_WIDTH = 0.3;
 const HEIGHT = 1.8;
 export const EYE = 1.62;
@@ -28,7 +28,7 @@ const radians = Math.PI / 180;
 const towards = (from: number, to: number, share: number) => from + (to - from) * share;
 
 export class Body {
-  /** Middle of the soles. */
+  /** Centre of the soles. */
   readonly position: Vector = [0, 0, 0];
   readonly velocity: Vector = [0, 0, 0];
   yaw = 0;
@@ -37,9 +37,9 @@ export class Body {
   flySpeed = FLY_SPEEDS.usual;
   onGround = false;
   swimming = false;
-  /** The land about the feet is not here yet. */
+  /** The land around the feet is not loaded yet. */
   waiting = false;
-  /** How far the eyes are still below where the feet's step took them: steps are climbed smoothly. */
+  /** Height by which the eyes lag behind a step of the feet: steps are climbed smoothly. */
   #lag = 0;
 
   constructor(private readonly stuffAt: StuffAt) {}
@@ -60,19 +60,19 @@ export class Body {
     this.yaw = (((this.yaw + intent.yaw + intent.turn * TURN_RATE * seconds) % 360) + 360) % 360;
     this.pitch = Math.min(89.9, Math.max(-89.9, this.pitch + intent.pitch + intent.tilt * TILT_RATE * seconds));
     if (this.mode === 'fly') return this.#fly(seconds, intent);
-    // A frame that took long is walked in small steps, so that no wall is jumped over and a jump is as high as ever.
+    // A long frame is walked in small steps, so that walls are not skipped and jumps keep their height.
     const steps = Math.max(1, Math.ceil(seconds / LONGEST_STEP));
     for (let i = 0; i < steps; ++i) this.#walk(seconds / steps, intent);
   }
 
-  /** Whether it is in a box of voxels, both corners included. */
+  /** True if it is in a box of voxels, both corners included. */
   isIn(first: { x: number; y: number; z: number }, last: { x: number; y: number; z: number }): boolean {
     const { low, high } = this.#box();
     const meets = (axis: 0 | 1 | 2, from: number, to: number) => from < high[axis] && low[axis] < to + 1;
     return meets(0, first.x, last.x) && meets(1, first.y, last.y) && meets(2, first.z, last.z);
   }
 
-  /** Whether the eyes are in something solid; undefined: not known yet. */
+  /** True if the eyes are in a solid voxel; undefined: not known yet. */
   get isBuried(): boolean | undefined {
     const [x, y, z] = this.eye;
     return this.#is('unknown', x, y, z) ? undefined : this.#is('solid', x, y, z);
@@ -82,7 +82,7 @@ export class Body {
     return Math.hypot(...this.velocity);
   }
 
-  /** To the first free place at or above the feet, at most `reach` up; false where there is none that is known. */
+  /** Moves to the first free place at or above the feet, at most `reach` up; false if none is known. */
   rise(reach: number): boolean {
     const start = this.position[1];
     for (let up = 0; up <= reach; ++up) {
@@ -124,7 +124,7 @@ export class Body {
       this.velocity.fill(0);
       return;
     }
-    // Land that came, or a change of mode, may have the body inside of it.
+    // Loaded land, or a change of mode, may enclose the body.
     if (overlaps(this.#box(), this.#blocks) && !this.rise(64)) {
       this.velocity.fill(0);
       return;
@@ -134,7 +134,7 @@ export class Body {
     const wading = this.swimming || this.#is('liquid', x, y + 0.3, z);
     const wish = this.#wish(intent);
     const speed = this.swimming ? SWIM_SPEED * (intent.fast ? 1.6 : 1) : intent.fast ? RUN_SPEED : WALK_SPEED;
-    // In the air one steers a little; on the ground one stops at once.
+    // In the air the player steers only a little; on the ground it stops at once.
     const share = 1 - Math.exp(-seconds * (this.swimming ? 5 : this.onGround ? 16 : 4));
     this.velocity[0] = towards(this.velocity[0], wish.x * speed, share);
     this.velocity[2] = towards(this.velocity[2], wish.z * speed, share);
@@ -166,12 +166,12 @@ export class Body {
       if (gone === wanted) continue;
       if ((this.onGround || wasOnGround) && this.#stepUp(axis, wanted - gone)) continue;
       this.velocity[axis] = 0;
-      // Out of the water at a bank.
+      // Climbs out of the water at a bank.
       if (wading && intent.up > 0) this.velocity[1] = JUMP_SPEED;
     }
   }
 
-  /** Over an edge of one voxel: up, on, and down to what is there. */
+  /** Climbs an edge of one voxel: up, forwards, and down to the ground. */
   #stepUp(axis: 0 | 2, rest: number): boolean {
     const before: Vector = [...this.position];
     const up = this.#sweep(1, STEP_UP);

@@ -1,4 +1,4 @@
-// What a player wants in a frame, whichever device it says it by.
+// A player's intent in a frame, from any device.
 
 export interface Intent {
   /** -1 to 1 each. */
@@ -19,6 +19,6 @@ export const rest = (): Intent => ({ forward: 0, right: 0, up: 0, turn: 0, tilt:
 /** A device adds what it has to the frame's intent. */
 export interface Device {
   read(intent: Intent): void;
-  /** Forgets what is held: the page lost the focus, so it will not hear of the release. */
+  /** Releases everything held: the page lost the focus, so it will miss the release. */
   release(): void;
 }

@@ -1,5 +1,5 @@
-// Keys that are held move and turn; keys that are pressed call commands. Keyboard alone suffices.
-// Keys are told by their place (event.code), so that WASD lies where the hand expects it on any layout.
+// Held keys move and turn; pressed keys call commands. The keyboard alone suffices. Keys are identified by position
+// (event.code), so that WASD is in the same place on any layout.
 import type { Device, Intent } from './intent';
 
 type Axis = 'forward' | 'right' | 'up' | 'turn' | 'tilt';
@@ -21,7 +21,7 @@ const HELD: Record<string, readonly [Axis, 1 | -1]> = {
   PageDown: ['tilt', -1],
 };
 
-/** Whether a key belongs to what has the focus (a field, a slider, a button) rather than to the world. */
+/** True if a key belongs to the focused element (a field, a slider, a button) rather than to the world. */
 export function belongsToWidget(target: EventTarget | null, code: string): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return code !== 'Escape';

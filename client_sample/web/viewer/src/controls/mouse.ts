@@ -1,9 +1,9 @@
-// Looking by mouse: a click locks the pointer, Esc frees it; without the lock, dragging looks too. While the tools of
-// building are there, the click that locks does nothing else, so that nobody digs by coming back to the page.
+// Looking by mouse: a click locks the pointer, Esc frees it; without the lock, dragging looks too. With editing tools,
+// the click that locks has no other effect, so that returning to the page digs nothing.
 import type { Device, Intent } from './intent';
 import type { Settings } from '../place/settings';
 
-/** Pixels that a press may move and still be a click. */
+/** Movement in pixels up to which a press is a click. */
 const CLICK_SLACK = 4;
 
 export class Mouse implements Device {
@@ -82,7 +82,7 @@ export class Mouse implements Device {
   }
 
   #lock(otherwise = () => {}): void {
-    // Refused in an iframe, or too soon after Esc: dragging goes on to work, and clicks where the pointer is.
+    // Fails in an iframe, or too soon after Esc: then dragging still works, and clicks apply at the pointer.
     const locking = this.canvas.requestPointerLock() as unknown as Promise<void> | undefined;
     locking?.catch(otherwise);
   }

@@ -9,7 +9,7 @@ export class Player {
   readonly body = new Body((x, y, z) => this.stuffAt(x, y, z));
   readonly #devices: Device[] = [];
   #engine: Engine | null = null;
-  /** Something was moved or turned by hand since the page was opened. */
+  /** The player moved or turned by hand since the page was opened. */
   hasMoved = false;
 
   add(device: Device): void {
@@ -47,7 +47,7 @@ export class Player {
     this.body.flySpeed = Math.min(FLY_SPEEDS.fastest, Math.max(FLY_SPEEDS.slowest, speed));
   }
 
-  /** Of a base voxel. */
+  /** Material class of a base voxel. */
   stuffAt(x: number, y: number, z: number): Stuff {
     const engine = this.#engine;
     if (engine === null) return 'unknown';

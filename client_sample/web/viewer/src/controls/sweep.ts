@@ -1,4 +1,4 @@
-// A box moved through voxels along one axis, as far as nothing solid is in its way.
+// Moves a box through voxels along one axis until it touches something solid.
 
 export type Vector = [number, number, number];
 
@@ -10,7 +10,7 @@ export interface Box {
 
 export type IsSolid = (x: number, y: number, z: number) => boolean;
 
-/** Boxes that touch a voxel's face are not in it, though sums of floats be off by a little. */
+/** Boxes that touch a voxel's face do not overlap it, even with rounding errors. */
 const SKIN = 1e-4;
 
 const firstVoxel = (low: number) => Math.floor(low + SKIN);
@@ -23,7 +23,7 @@ export function overlaps(box: Box, solid: IsSolid): boolean {
   return false;
 }
 
-/** How far, of `distance`, the box moves along `axis` (0 to 2) before it touches something solid. */
+/** The distance, out of `distance`, that the box moves along `axis` (0 to 2) before it touches something solid. */
 export function sweep(box: Box, axis: 0 | 1 | 2, distance: number, solid: IsSolid): number {
   if (distance === 0) return 0;
   const [u, v] = axis === 0 ? ([1, 2] as const) : axis === 1 ? ([0, 2] as const) : ([0, 1] as const);
@@ -35,7 +35,7 @@ export function sweep(box: Box, axis: 0 | 1 | 2, distance: number, solid: IsSoli
         if (solid(at[0], at[1], at[2])) return true;
     return false;
   };
-  // Every layer of voxels between where the leading face is and where it would come to.
+  // Every layer of voxels between the leading face's start and end.
   if (distance > 0) {
     const face = box.high[axis];
     for (let layer = lastVoxel(face) + 1; layer <= lastVoxel(face + distance); ++layer)

@@ -1,8 +1,8 @@
-// Fingers: on the left half a stick comes where the finger lands and moves; on the right half a finger looks; a tap picks.
+// Fingers: on the left half a stick appears under the finger and moves; on the right half a finger looks; a tap picks.
 import type { Device, Intent } from './intent';
 import type { Settings } from '../place/settings';
 
-/** Pixels from the middle of the stick to its edge. */
+/** Pixels from the centre of the stick to its edge. */
 const REACH = 56;
 const TAP_MS = 250;
 const TAP_SLACK = 8;
@@ -23,7 +23,7 @@ export class Touch implements Device {
   readonly #fingers = new Map<number, Finger>();
   #yaw = 0;
   #pitch = 0;
-  /** Of the buttons that are held: 1 up, -1 down. */
+  /** Held buttons: 1 up, -1 down. */
   up = 0;
 
   constructor(
@@ -39,7 +39,7 @@ export class Touch implements Device {
     canvas.addEventListener('pointercancel', (event) => this.#lift(event, false));
   }
 
-  /** A button that is held moves up or down. */
+  /** A held button moves up or down. */
   hold(button: HTMLElement, direction: 1 | -1): void {
     const set = (to: number) => (event: Event) => {
       event.preventDefault();
@@ -58,7 +58,7 @@ export class Touch implements Device {
       if (push > 0) {
         intent.right += (x / length) * push;
         intent.forward -= (y / length) * push;
-        // The stick pushed beyond its edge runs.
+        // Pushing the stick beyond its edge runs.
         if (length > REACH * 1.6) intent.fast = true;
       }
     }

@@ -1,21 +1,21 @@
-// Digging and building: tools, what they aim at, what they did, and what is said of it. The page's edit bar shows it.
+// Digging and building: tools, targets, history and messages. The page's edit bar displays it.
 import type { EditLimits, Material, TalusError } from 'talus';
 import type { Body } from '../controls/body';
 import type { Engine, Hit, Marker, Vector } from '../engine/engine';
 import { History, pairsThatFit, undoing, type Made } from './history';
 import { aim, AIR, boxOf, eachVoxel, FILL_MAX, sidesOf, voxelOf, volumeOf, type Box, type Tool } from './target';
 
-/** Blocks: one sees there what one does. */
+/** Blocks: near enough to see the result. */
 export const REACH = 40;
-/** Blocks a second: faster, nobody aims. */
+/** Blocks per second: too fast to aim above this. */
 const FASTEST = 12;
-/** Edits that may wait for the server. */
+/** Maximum edits waiting for the server. */
 const WAITING_MAX = 256;
 const DIG_COLOUR = 0xff9d6a;
 const WRONG_COLOUR = 0xff5548;
 
 export interface Listener {
-  /** Mode, tool, palette or material are others. */
+  /** Mode, tool, palette or material changed. */
   changed(): void;
   say(text: string, isBad: boolean): void;
 }
@@ -31,11 +31,11 @@ export class Builder {
   tool: Tool = 'dig';
   material = AIR;
   palette: readonly Material[] = [];
-  /** Edits that are not answered. */
+  /** Unanswered edits. */
   waiting = 0;
   #engine: Engine | null = null;
   #limits: EditLimits | null = null;
-  /** Why this player may not edit, as the server said; null: it did not. */
+  /** The server's reason why this player may not edit; null: it gave none. */
   #forbidden: string | null = null;
   #corner: Vector | null = null;
   #said = '';
@@ -46,7 +46,7 @@ export class Builder {
     private readonly listener: Listener,
   ) {}
 
-  /** Another engine, or none: nothing that was done in the one before can be undone in it. */
+  /** Another engine, or none: edits of the previous one cannot be undone in it. */
   enter(engine: Engine | null): void {
     this.#engine = engine;
     this.#history.clear();
@@ -63,17 +63,17 @@ export class Builder {
     void this.ask();
   }
 
-  /** Why there are no tools; null: there may be. */
+  /** Reason why there are no tools; null: there may be tools. */
   get whyNot(): string | null {
     return this.#impossible ?? this.#forbidden;
   }
 
-  /** What no right helps against. */
+  /** Reason that no permission can remove. */
   get #impossible(): string | null {
     return this.#engine === null ? 'The world is not here yet.' : this.#engine.whyNoEdits;
   }
 
-  /** Asks the server whether this player may edit; gives why not. */
+  /** Asks the server whether this player may edit; returns the reason if not. */
   async ask(): Promise<string | null> {
     const engine = this.#engine;
     this.#forbidden = null;
@@ -95,7 +95,7 @@ export class Builder {
   async toggle(): Promise<void> {
     if (this.isOn) return this.#off();
     const engine = this.#engine;
-    // Anew, as a right may have been given since.
+    // Asked again, as permission may have been granted since.
     const wrong = await this.ask();
     if (engine !== this.#engine || this.isOn) return;
     if (wrong !== null) return this.#say(wrong, true);
@@ -110,7 +110,7 @@ export class Builder {
     this.listener.changed();
   }
 
-  /** False where there was no corner. */
+  /** False if there was no corner. */
   cancel(): boolean {
     const had = this.#corner !== null;
     this.#corner = null;
@@ -135,7 +135,7 @@ export class Builder {
     this.listener.changed();
   }
 
-  /** By its place in the palette, from 0. */
+  /** By index in the palette, from 0. */
   chooseSwatch(index: number): void {
     const material = this.palette[index];
     if (material !== undefined) this.chooseMaterial(material.id);
@@ -147,15 +147,15 @@ export class Builder {
     if (length > 0) this.chooseSwatch((((at + swatches) % length) + length) % length);
   }
 
-  /** Takes the material of what one looks at. */
+  /** Picks the material of the voxel in view. */
   sample(eye: Vector, direction: Vector): void {
     const hit = this.#engine?.raycast(eye, direction, REACH, true);
     if (hit) this.chooseMaterial(hit.material);
   }
 
-  // ---- what one looks at
+  // ---- target
 
-  /** Marks what an edit would change. */
+  /** Marks the voxels that an edit would change. */
   look(eye: Vector, direction: Vector): void {
     if (!this.isOn || this.#engine === null) return;
     const hit = this.#engine.raycast(eye, direction, REACH);
@@ -177,9 +177,9 @@ export class Builder {
     return voxels > 0 ? Math.min(voxels, FILL_MAX) : FILL_MAX;
   }
 
-  // ---- what one does
+  // ---- actions
 
-  /** The tool's work along a ray; `other`: digs where the tool builds, and builds where it digs. */
+  /** Applies the tool along a ray; `other`: digs if the tool builds, and builds if it digs. */
   act(eye: Vector, direction: Vector, other = false): void {
     const engine = this.#engine;
     if (!this.isOn || engine === null) return;
@@ -225,7 +225,7 @@ export class Builder {
     }
     if (made.length === 0) return true;
     const step = this.#history.push(made);
-    // One voxel is changed only if it is what one saw.
+    // A single voxel is changed only if it is still the one seen.
     const edit =
       made.length === 1
         ? { guards: made.map(({ voxel, before }) => ({ voxel, material: before })), writes: [{ voxel: made[0]!.voxel, material }] }
@@ -245,7 +245,7 @@ export class Builder {
     const step = this.#history.pop();
     this.listener.changed();
     if (step === undefined) return this.#say('Nothing of yours is left to undo.', false);
-    // What is seen to be another's now stays; the guards see to what changes on the way.
+    // Voxels visibly changed by others are kept; guards cover changes in flight.
     const mine = step.made.filter(({ voxel, after }) => engine.voxelAt(voxel.x, voxel.y, voxel.z) === after);
     const stayed = step.made.length - mine.length;
     if (mine.length === 0) return this.#say('Not undone: somebody has changed it since.', true);
@@ -274,7 +274,7 @@ export class Builder {
       .catch((error: TalusError) => {
         if (engine !== this.#engine) return;
         failed(error.kind, sentence(error.message.replace(/^the server says: /, '')));
-        // Not here, or not at all: only then the tools go.
+        // The tools go only if editing is impossible.
         if (error.kind === 'refused') void this.ask().then((wrong) => wrong !== null && engine === this.#engine && this.isOn && this.#off());
       })
       .finally(() => {
@@ -287,7 +287,7 @@ export class Builder {
     this.listener.say(text, isBad);
   }
 
-  /** What was said last. */
+  /** The last message. */
   get said(): string {
     return this.#said;
   }

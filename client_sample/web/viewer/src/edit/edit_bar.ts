@@ -1,4 +1,4 @@
-// The bar of tools and materials, what is said under the crosshair, and the buttons that bring the bar.
+// The bar of tools and materials, the message below the crosshair, and the buttons that open the bar.
 import { find, make, say } from '../ui/dom';
 import type { Builder } from './builder';
 import type { Tool } from './target';
@@ -18,7 +18,7 @@ export class EditBar {
   #shown: unknown = null;
   #hides: ReturnType<typeof setTimeout> | undefined;
 
-  /** `giveBackFocus`: so that keys go on to work in the world. */
+  /** `giveBackFocus`: returns the focus, so that keys work in the world again. */
   constructor(private readonly giveBackFocus: () => void) {}
 
   attach(builder: Builder): void {
@@ -77,7 +77,7 @@ export class EditBar {
     say(find('edit-material'), palette.find(({ id }) => id === material)?.name ?? '');
   }
 
-  /** Where one looks; gone after a while. */
+  /** Shows a message near the crosshair for a while. */
   say(text: string, isBad: boolean): void {
     say(this.#said, text);
     this.#said.classList.toggle('bad', isBad);
@@ -86,7 +86,7 @@ export class EditBar {
     this.#hides = setTimeout(() => (this.#said.hidden = true), SAID_MS);
   }
 
-  /** Edits that the server has not answered while it is away. */
+  /** Shows the number of unanswered edits while the server is away. */
   waits(count: number): void {
     this.#waiting.hidden = count === 0;
     if (count > 0) say(this.#waiting, `${count} ${count === 1 ? 'edit waits' : 'edits wait'} for the server`);

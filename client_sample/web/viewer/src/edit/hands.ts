@@ -1,14 +1,14 @@
-// Keys and buttons of digging and building. They are the world's while the tools are there.
+// Keys and buttons of digging and building, active in the world while there are tools.
 import type { Vector } from '../engine/engine';
 import type { Builder } from './builder';
 
 export interface Gaze {
   eye(): Vector;
-  /** Through the middle of the picture. */
+  /** Direction through the centre of the picture. */
   ahead(): Vector;
 }
 
-/** Keys that call commands, by event.code; those that do nothing without the tools are left to others. */
+/** Keys that call commands, by event.code; keys that need the tools are left to others without them. */
 export function editCommands(builder: Builder, { eye, ahead }: Gaze): Record<string, () => void> {
   const whenOn = (action: () => void) => () => {
     if (builder.isOn) action();
@@ -26,7 +26,7 @@ export function editCommands(builder: Builder, { eye, ahead }: Gaze): Record<str
   return commands;
 }
 
-/** Ctrl+Z, which is what hands do. */
+/** Ctrl+Z, by habit. */
 export function undoByHabit(builder: Builder, isShut: () => boolean): void {
   addEventListener('keydown', (event) => {
     const isField = event.target instanceof HTMLElement && /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName);

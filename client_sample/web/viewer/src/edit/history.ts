@@ -1,4 +1,4 @@
-// One's own edits, to be undone. An undo is guarded by what the edit made, so that it never overwrites another's.
+// The player's own edits, for undo. An undo is guarded by the edit's result, so that it never overwrites others' edits.
 import type { Edit } from 'talus';
 import type { Vector } from '../engine/api';
 
@@ -13,7 +13,7 @@ export interface Step {
 }
 
 const KEPT = 200;
-/** Of a guard and a write on the wire, and of the rest of a frame. */
+/** Bytes of a guard and a write on the wire, and of the rest of a frame. */
 const PAIR_BYTES = 64;
 const REST_BYTES = 256;
 
@@ -31,7 +31,7 @@ export class History {
     return step;
   }
 
-  /** It did not happen. */
+  /** The edit was not applied. */
   remove(step: Step): void {
     this.#steps = this.#steps.filter((each) => each !== step);
   }
@@ -45,13 +45,13 @@ export class History {
   }
 }
 
-/** How many voxels one edit may take back. */
+/** Maximum voxels that one edit can undo. */
 export function pairsThatFit(frameBytes: number, voxels: number): number {
   const byVoxels = voxels > 0 ? Math.floor(voxels / 2) : Infinity;
   return Math.max(1, Math.min(Math.floor((frameBytes - REST_BYTES) / PAIR_BYTES), byVoxels));
 }
 
-/** Edits that make `made` as it was before, each of at most `most` voxels. */
+/** Edits that restore `made`, each of at most `most` voxels. */
 export function undoing(made: readonly Made[], most: number): { edit: Edit; made: readonly Made[] }[] {
   const edits = [];
   for (let from = 0; from < made.length; from += most) {

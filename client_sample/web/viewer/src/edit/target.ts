@@ -1,10 +1,10 @@
-// What an edit would change, from where one looks: no page, no engine.
+// Computes the voxels that an edit would change from the view: independent of page and engine.
 import type { Hit, Vector } from '../engine/api';
 
 export type Tool = 'dig' | 'build' | 'fill';
 
 export const AIR = 0;
-/** Voxels of a fill at most: what it made can be undone in a few edits. */
+/** Maximum voxels of a fill, so that a few edits undo it. */
 export const FILL_MAX = 4096;
 
 /** Both corners included, the lowest first. */
@@ -15,13 +15,13 @@ export interface Box {
 
 export const voxelOf = ({ x, y, z }: Vector): Vector => ({ x, y, z });
 
-/** The voxel before the face that was hit; null: the ray began inside of it. */
+/** The voxel in front of the face hit; null: the ray began inside it. */
 export function beforeFace({ x, y, z, normal }: Hit): Vector | null {
   if (normal.x === 0 && normal.y === 0 && normal.z === 0) return null;
   return { x: x + normal.x, y: y + normal.y, z: z + normal.z };
 }
 
-/** The voxel that a tool takes: what one looks at where something is taken away, else what lies before it. */
+/** The voxel that a tool changes: the one in view for removing, otherwise the one in front of it. */
 export function aim(hit: Hit, tool: Tool, material: number): Vector | null {
   return tool === 'dig' || material === AIR ? voxelOf(hit) : beforeFace(hit);
 }

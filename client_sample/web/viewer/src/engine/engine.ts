@@ -24,14 +24,14 @@ import { waterline } from './waterline.js';
 
 export type * from './api.js';
 
-/** Chunks that may wait for workers before the server is let know that no more are taken. */
+/** Chunks that may wait for workers before the server is told to pause. */
 const WAITING_MAX = 3000;
-/** The first picture waits so long for land: one of the sky alone would only hold it up. */
+/** Maximum time that the first picture waits for land; until then, a picture of the sky would delay it. */
 const SKY_AFTER_MS = 3000;
 
 export class Engine {
-  /** Resolves once the server has said what its world is; rejects with a TalusError, or an Error whose text says
-   *  what the browser lacks (WebGL 2). */
+  /** Resolves when the server has described its world; rejects with a TalusError, or an Error that names a missing
+   *  feature of the browser (WebGL 2). */
   static async create(options: EngineOptions): Promise<Engine> {
     const engine = new Engine(options);
     try {
@@ -111,7 +111,7 @@ export class Engine {
       },
       () => this.land.waiting >= WAITING_MAX,
     );
-    // What waits for the network and for other threads begins first.
+    // Start with work that waits for the network and for other threads.
     this.joined = this.link.open(this.token);
     this.pool = new Pool(
       workersFor(navigator.hardwareConcurrency ?? 2),
@@ -174,8 +174,8 @@ export class Engine {
     this.frames.resize(width, height, devicePixelRatio);
   }
 
-  /** Streams on: asks for the View of where the camera is, and hands chunks to the workers and meshes to the card. To be
-   *  called as often as may be, for each frame or more. */
+  /** Streams: requests the View at the camera, passes chunks to the workers and meshes to the GPU. Call as often as
+   *  possible, at least for each frame. */
   update(): void {
     if (this.disposed) return;
     const start = performance.now();
@@ -184,7 +184,7 @@ export class Engine {
     this.updated += performance.now() - start;
   }
 
-  /** Draws. `now` as of requestAnimationFrame, in milliseconds. */
+  /** Draws. `now` as in requestAnimationFrame, in milliseconds. */
   frame(now: number): void {
     if (this.disposed) return;
     const start = performance.now();
@@ -193,12 +193,12 @@ export class Engine {
     this.updated = 0;
   }
 
-  /** Material of the base voxel at integer coordinates; undefined: not here yet. */
+  /** Material of the base voxel at integer coordinates; undefined: not loaded yet. */
   voxelAt(x: number, y: number, z: number): number | undefined {
     return this.voxels.atBlock(x, y, z, this.info?.maxY ?? Infinity);
   }
 
-  /** The first voxel that is not gas, nor liquid unless `liquids`. */
+  /** The first voxel that is neither gas nor, unless `liquids`, liquid. */
   raycast(origin: Vector, direction: Vector, max: number, liquids = false): Hit | null {
     return castRay(origin, direction, max, (x, y, z) => this.voxelAt(x, y, z), (m) => this.isSolid(m) || (liquids && this.isLiquid(m)));
   }
@@ -227,17 +227,17 @@ export class Engine {
     this.frames.setBorders(on);
   }
 
-  /** Frames a voxel; null: none. */
+  /** Frames a voxel; null: no frame. */
   setSelection(voxel: Vector | null): void {
     this.selection = voxel;
   }
 
-  /** What an edit would change; null: nothing is marked. */
+  /** Marks what an edit would change; null: no mark. */
   setMarker(marker: Marker | null): void {
     this.marker = marker;
   }
 
-  /** Why nobody edits here, in words for people; null: one may try. */
+  /** Reason why edits are impossible here, in words for users; null: they may be tried. */
   get whyNoEdits(): string | null {
     if (this.options.transport === 'http') return 'By HTTP one only looks. The settings have WebSocket, which takes edits.';
     if (this.info === null) return 'The world is not here yet.';
@@ -245,12 +245,12 @@ export class Engine {
     return /^0*$/.test(this.info.storeId) ? 'This server keeps no edits: it has no place to store them.' : null;
   }
 
-  /** Rejects with a TalusError where the server does not let this player edit. */
+  /** Rejects with a TalusError if the server does not let this player edit. */
   editLimits(): Promise<EditLimits> {
     return this.link.client.editLimits();
   }
 
-  /** Sends an edit, and shows `changes`, which are what it does, at once: they are taken back where it is refused. */
+  /** Sends an edit, and shows `changes`, its effect, at once; they are reverted if it is refused. */
   edit(edit: Edit, changes: readonly VoxelChange[]): Promise<EditDone> {
     return this.editing.edit(this.link.client, edit, changes);
   }
@@ -275,26 +275,26 @@ export class Engine {
     this.reconnect();
   }
 
-  /** Where the connection is lost: tries at once what would be tried later. Edits that wait go on waiting. */
+  /** If the connection is lost: makes the next attempt at once. Waiting edits keep waiting. */
   hurry(): void {
     if (!this.link.hurry()) this.reconnect();
   }
 
-  /** Begins anew with the server; what is drawn stays until it comes again. */
+  /** Reconnects; the drawn land stays until it arrives again. */
   reconnect(): void {
     this.link.drop();
     this.setState('connecting', '');
     this.joined = this.link.open(this.token);
   }
 
-  /** The next picture as a PNG; the first one waits for land, a few seconds at most. */
+  /** The next picture as a PNG; the first one waits for land, at most a few seconds. */
   screenshot(): Promise<Blob> {
     return new Promise((resolve, reject) => {
       this.wantsPicture.push((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))));
     });
   }
 
-  /** Cheap enough for every frame: what takes long to find is looked for when it is read. */
+  /** Cheap enough for every frame: expensive values are computed when read. */
   stats(): Stats {
     const now = performance.now();
     const { latency, cpu, land, eye } = this;
@@ -364,7 +364,7 @@ export class Engine {
       }
     }
     this.setState('streaming', '');
-    // At once, so that the end of the View is not told before it is waited for.
+    // At once, so that the end of the View is not reported before it is awaited.
     if (this.views.hasSent) {
       this.views.reset();
       this.sendView(performance.now());
@@ -372,7 +372,7 @@ export class Engine {
     this.emit('world', this.world, !isNew);
   }
 
-  /** New, or in place of what is here: then only what shows of the difference is made again. */
+  /** Adds or replaces a chunk; for a replacement, only visible differences are remeshed. */
   private addChunk(lod: number, x: number, y: number, z: number, { payload, material, hash }: Content): void {
     const before = this.land.get(lod, x, z)?.chunks.get(y);
     const isEdited = before !== undefined && !before.left && before.meshedWith >= 0;
@@ -381,7 +381,7 @@ export class Engine {
       try {
         touched = touchedNeighbours(before.material ?? decodeChunk(before.payload!), material ?? decodeChunk(payload!));
       } catch {
-        // The workers say what does not decode.
+        // The workers report payloads that do not decode.
       }
     }
     this.land.add(lod, x, y, z, payload, material, touched, hash);
@@ -436,7 +436,7 @@ export class Engine {
     this.frames.setReach(middle(x), middle(z), view.horizontalRadius * 32, this.reach(view));
   }
 
-  /** What is to be done between frames too, so that slow ones do not hold up what streams. */
+  /** Work to be done between frames too, so that slow frames do not delay streaming. */
   private work(): void {
     this.link.takeBacklog();
     this.land.update(this.eye);
@@ -494,7 +494,7 @@ export class Engine {
     for (const done of this.wantsPicture.splice(0)) this.options.canvas.toBlob(done, 'image/png');
   }
 
-  /** How far one sees, in blocks. */
+  /** Visible distance in blocks. */
   private reach(view: View): number {
     const asked = 32 * (view.rings?.at(-1)?.radius ?? view.horizontalRadius);
     return this.horizon === 0 ? asked : Math.min(this.horizon, asked);

@@ -25,7 +25,7 @@ export class Sample {
   }
 }
 
-/** Events of the last second. */
+/** Number of events in the last second. */
 export class Rate {
   private readonly seconds = new Float64Array(2);
   private second = -1;

@@ -1,4 +1,4 @@
-// From voxel to voxel along a ray (Amanatides and Woo, 1987).
+// Traverses voxels along a ray (Amanatides and Woo, 1987).
 import type { Hit, Vector } from './api.js';
 
 export function castRay(

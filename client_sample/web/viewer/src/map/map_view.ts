@@ -14,7 +14,7 @@ export interface Marker {
 }
 
 export interface MapEvents {
-  /** The pointer, or the middle of the map for keys, is over these base voxels. */
+  /** The pointer, or with keys the centre of the map, is over these base voxels. */
   hover: (x: number, z: number) => void;
   go: (x: number, z: number) => void;
   moved: (camera: Camera) => void;
@@ -22,7 +22,7 @@ export interface MapEvents {
 
 const CLICK_SLACK = 5;
 const KEY_PIXELS = 80;
-/** How much coarser a tile may be that stands in for one that is on its way. */
+/** Maximum difference in zoom of a tile that replaces a missing one. */
 const COARSER = 6;
 
 export class MapView {
@@ -164,7 +164,7 @@ export class MapView {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = '#1b2630';
     context.fillRect(0, 0, width, height);
-    // Whole pixels of the device, so that no seam shows between tiles.
+    // Whole device pixels, so that no seams show between tiles.
     const edge = (x: number, z: number) => toScreen(this.camera, size, x, z).map((n) => Math.round(n * pixels)) as [number, number];
     const wanted = visibleTiles(this.camera, size, pixels);
     const store = this.tiles();
@@ -177,7 +177,7 @@ export class MapView {
     context.setTransform(pixels, 0, 0, pixels, 0, 0);
     const at = this.#markers.map((marker) => ({ marker, place: toScreen(this.camera, size, marker.x, marker.z) }));
     for (const { marker, place } of at) this.#drawMarker(context, marker, ...place);
-    // The last marker's name matters most: one that would lie on it stays away.
+    // The last marker's name is the most important: names that would overlap it are hidden.
     const isCovered = (x: number, y: number, by: typeof at) =>
       by.some(({ place: [nx, ny] }) => Math.abs(nx - x) < 60 && Math.abs(ny - y) < 40);
     at.forEach(({ marker, place }, i) => {

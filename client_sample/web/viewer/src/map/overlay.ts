@@ -1,4 +1,4 @@
-// The map over the viewer: the world goes on behind it.
+// The map over the viewer, while the world goes on behind it.
 import type { Server } from '../connection/server';
 import type { Place } from '../place/place';
 import { MapScreen, type MapWorld } from './screen';

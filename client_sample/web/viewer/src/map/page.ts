@@ -1,4 +1,4 @@
-// The page of the map: works without WebGL, and leads to the viewer.
+// The map's own page: works without WebGL, and links to the viewer.
 import { Server, type Obstacle } from '../connection/server';
 import { TokenStore } from '../connection/token';
 import { readLink, writeLink, type Place } from '../place/place';

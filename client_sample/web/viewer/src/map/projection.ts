@@ -1,11 +1,11 @@
-// Between base voxels, pixels of the screen and tiles. North (-z) is up. At zoom 12 a block is a pixel.
+// Conversions between base voxels, screen pixels and tiles. North (-z) is up. At zoom 12 a block is a pixel.
 
 export const TILE_PIXELS = 256;
 export const DEEPEST_TILES = 12;
 export const ZOOM = { least: 1, most: 16 };
 
 export interface Camera {
-  /** Base voxels in the middle of the screen. */
+  /** Base voxels at the centre of the screen. */
   readonly x: number;
   readonly z: number;
   readonly zoom: number;
@@ -36,7 +36,7 @@ export function toBlocks(camera: Camera, size: Size, px: number, py: number): { 
   return { x: camera.x + (px - size.width / 2) / scale, z: camera.z + (py - size.height / 2) / scale };
 }
 
-/** Zooms so that what lies at a point of the screen stays there. */
+/** Zooms and keeps the point at (px, py) fixed. */
 export function zoomAbout(camera: Camera, size: Size, px: number, py: number, by: number): Camera {
   const zoom = Math.min(ZOOM.most, Math.max(ZOOM.least, camera.zoom + by));
   const held = toBlocks(camera, size, px, py);
@@ -44,7 +44,7 @@ export function zoomAbout(camera: Camera, size: Size, px: number, py: number, by
   return { x: held.x - (px - size.width / 2) / scale, z: held.z - (py - size.height / 2) / scale, zoom };
 }
 
-/** Tiles that show sharply what is on the screen, those in the middle first. */
+/** Tiles that show the screen sharply, central ones first. */
 export function visibleTiles(camera: Camera, size: Size, devicePixels: number): TileKey[] {
   const wanted = Math.round(camera.zoom + Math.log2(devicePixels));
   const zoom = Math.min(DEEPEST_TILES, Math.max(0, wanted));

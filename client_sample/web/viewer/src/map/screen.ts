@@ -1,4 +1,4 @@
-// The map with all around it: the coordinate under the pointer, buttons, what is wrong. Fills the element that it is given.
+// The map with its surroundings: coordinates under the pointer, buttons, errors. Fills its element.
 import type { Server } from '../connection/server';
 import { make, say } from '../ui/dom';
 import { MapView, type Marker } from './map_view';
@@ -92,7 +92,7 @@ export class MapScreen {
     this.#hover(camera.x, camera.z);
   }
 
-  /** Tiles that are on the screen and not here yet; null: the world is not known yet. */
+  /** Tiles on the screen that are still missing; null: the world is not known yet. */
   get missing(): number | null {
     return this.#tiles?.missing ?? null;
   }
@@ -128,7 +128,7 @@ export class MapScreen {
     this.#canvas.parentElement?.replaceChildren();
   }
 
-  /** Moves the map there, and tells what is there. */
+  /** Centres the map there, and describes the place. */
   centre({ x, z }: { x: number; z: number }): void {
     this.view.look({ ...this.view.camera, x, z });
     this.#hover(x, z);
@@ -163,7 +163,7 @@ export class MapScreen {
     this.#lookTimer = setTimeout(() => void this.#tellLook(bx, bz), LOOK_DELAY_MS);
   }
 
-  /** What is there: asked where the pointer rests. */
+  /** Describes a place: requested when the pointer rests. */
   async #tellLook(x: number, z: number): Promise<void> {
     const asked = ++this.#asked;
     try {
@@ -174,7 +174,7 @@ export class MapScreen {
       const height = `ground at ${(heights[0]! + 127) >> 8}`;
       say(this.#at, [`${x}, ${z}`, height, looks?.[0] ?? ''].filter((part) => part !== '').join(' · '));
     } catch {
-      // The coordinate stands alone.
+      // Only the coordinates are shown.
     }
   }
 }

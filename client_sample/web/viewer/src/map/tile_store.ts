@@ -1,9 +1,9 @@
-// Tiles of the map: asked for a few at a time, kept, and asked for again when the server says when.
+// Tiles of the map: requested a few at a time, cached, and requested again when the server says.
 import type { Server } from '../connection/server';
 import { nameOf, type TileKey } from './projection';
 
 const AT_ONCE = 4;
-/** More only while more are wanted. */
+/** Exceeded only while more are wanted. */
 const KEPT = 200;
 const RETRY_MS = 2000;
 
@@ -32,18 +32,18 @@ export class TileStore {
     const name = nameOf(tile);
     const found = this.#tiles.get(name);
     if (found?.state !== 'here') return null;
-    // The last used are last in the map.
+    // The most recently used come last in the map.
     this.#tiles.delete(name);
     this.#tiles.set(name, found);
     return found.picture;
   }
 
-  /** Of those last wanted: how many are not here yet. */
+  /** Number of missing tiles among those wanted last. */
   get missing(): number {
     return this.#wanted.filter((tile) => !['here', 'none'].includes(this.#tiles.get(nameOf(tile))?.state ?? '')).length;
   }
 
-  /** What is on the screen now, the most wanted first; tiles on their way that are not among it are given up. */
+  /** Sets the wanted tiles, most important first; cancels requests of all others. */
   want(tiles: TileKey[]): void {
     this.#wanted = tiles;
     const names = new Set(tiles.map(nameOf));
@@ -105,7 +105,7 @@ export class TileStore {
     this.#next();
   }
 
-  /** What is wanted stays; of the rest, first go those that have no picture. */
+  /** Keeps wanted tiles; of the rest, tiles without a picture are removed first. */
   #forget(): void {
     if (this.#tiles.size <= KEPT) return;
     const wanted = new Set(this.#wanted.map(nameOf));

@@ -1,8 +1,8 @@
-// The page's address follows the player, so that it leads to the view that is on the screen.
+// The page's address follows the player, so that it leads to the current view.
 import { writeLink, type Place } from './place';
 
-/** Browsers refuse more than some hundred changes in half a minute, and each takes milliseconds: one who moves is followed
- *  when he rests, and every so many looks. */
+/** Browsers limit changes to some hundreds in half a minute, and each takes milliseconds: the address is updated when
+ *  the player rests, and after several checks. */
 const LOOK_EVERY_MS = 500;
 const LOOKS_MOST = 10;
 

@@ -1,11 +1,11 @@
-// What a device is, as far as its browser tells, and how far one may look there: who looks twice as far holds four times
-// the land, and a phone closes a page that holds much.
+// Properties of a device, as far as the browser reveals them, and the resulting view distance: twice the distance is
+// four times the land, and a phone closes pages that hold too much.
 import type { Settings } from './settings';
 
 export interface Device {
-  /** Of memory, in GiB, as the browser rounds it (8 at most); null where it keeps that to itself. */
+  /** Memory in GiB, rounded by the browser (at most 8); null if it is not revealed. */
   memory: number | null;
-  /** Whether a finger is what one points with first. */
+  /** True if the primary pointer is a finger. */
   isCoarse: boolean;
   /** The shorter side of the screen, in CSS pixels. */
   shortSide: number;
@@ -17,7 +17,7 @@ const PHONE_SIDE = 600;
 const LITTLE_MEMORY = 2;
 const SOME_MEMORY = 4;
 
-/** The most that one may set; null where the settings' own bounds are enough. */
+/** Maximum settings; null if the settings' own bounds suffice. */
 export function capOf({ memory, isCoarse, shortSide }: Device): Reach | null {
   if (memory !== null && memory <= LITTLE_MEMORY) return { radius: 6, horizon: 2048 };
   const isSmall = isCoarse && (shortSide < PHONE_SIDE || memory === null || memory <= SOME_MEMORY);

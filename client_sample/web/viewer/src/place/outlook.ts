@@ -1,4 +1,4 @@
-// Where somebody who arrives looks first: over open ground to high land, as talus-client flies.
+// Initial heading of an arriving player: over open ground to high land, as talus-client flies.
 
 const STEP = 100; // blocks between samples
 const REACH = 9; // samples to each side
@@ -8,13 +8,13 @@ const HEADINGS = 24;
 const WAY = 3;
 const OPEN = 6;
 
-/** The request for what bestHeading() takes: heights of a square around a column. */
+/** The request for bestHeading()'s input: heights of a square around a column. */
 export function outlookRequest(x: number, z: number): string {
   const from = (middle: number) => Math.floor(middle) - REACH * STEP;
   return `v1/heights?x=${from(x)}&z=${from(z)}&w=${SIDE}&h=${SIDE}&step=${STEP}`;
 }
 
-/** `heights`: row by row from the north-west. Degrees, 0 is north, 90 east. */
+/** `heights`: row by row from the north-west. Returns degrees, 0 is north, 90 east. */
 export function bestHeading(heights: ArrayLike<number>): number {
   const here = heights[REACH * SIDE + REACH]!;
   let best = 0;
@@ -26,7 +26,7 @@ export function bestHeading(heights: ArrayLike<number>): number {
       const x = REACH + Math.round(Math.sin(angle) * sample);
       const z = REACH - Math.round(Math.cos(angle) * sample);
       const height = heights[z * SIDE + x]!;
-      // A slope close by hides what lies behind it.
+      // A nearby slope hides the land behind it.
       if (sample <= WAY) score -= 4 * Math.max(0, height - here);
       else score += height * (sample <= OPEN ? -1.2 : 1);
     }
@@ -35,14 +35,12 @@ export function bestHeading(heights: ArrayLike<number>): number {
   return best;
 }
 
-/** Blocks ahead of the eye that are to be open, and degrees between headings tried. */
+/** Blocks that must be open ahead of the eye, and degrees between headings tried. */
 const NEAR = 64;
 const TURN = 15;
 
-/**
- * The heading next to this one whose middle ray meets nothing near; this one where all meet something. Degrees.
- * Undefined: voxels that it takes to know are not here yet.
- */
+/** The nearest heading, in degrees, whose central ray meets nothing near; `yaw` if all meet something. Undefined: the
+ *  voxels needed are not loaded yet. */
 export function clearHeading(
   eye: readonly [number, number, number],
   yaw: number,

@@ -1,9 +1,9 @@
-// Where a player is, how it looks and when: what a link carries, so that it opens the same view.
+// A player's position, view and time: contents of a link, so that it opens the same view.
 
 export type Mode = 'walk' | 'fly';
 
 export interface Place {
-  /** Base voxels of the feet (walking) or the eyes' stand (flying); null y: on the ground. */
+  /** Base voxels of the feet (walking) or the eyes (flying); null y: on the ground. */
   readonly x: number;
   readonly y: number | null;
   readonly z: number;
@@ -32,7 +32,7 @@ function readNumber(text: string): number | null | undefined {
   return Number(trimmed);
 }
 
-/** What a link says of a place. What it does not say, or says wrongly, is absent. */
+/** Parses a link's place. Missing or invalid parts are absent. */
 export function readLink(hash: string): Partial<Place> {
   const said = new URLSearchParams(hash.replace(/^#/, ''));
   const place: { -readonly [K in keyof Place]?: Place[K] } = {};
@@ -59,7 +59,7 @@ export function readLink(hash: string): Partial<Place> {
 
 const short = (value: number, digits: number) => String(Number(value.toFixed(digits)));
 
-/** The link's part after '#'. Options of the link that are not about the place stay as they are. */
+/** The link's part after '#'. Options that are not about the place are kept. */
 export function writeLink(place: Place, hash = ''): string {
   const said = new URLSearchParams(hash.replace(/^#/, ''));
   said.set('at', [short(place.x, 2), place.y === null ? '' : short(place.y, 2), short(place.z, 2)].join(','));
@@ -69,7 +69,7 @@ export function writeLink(place: Place, hash = ''): string {
   return '#' + said.toString().replaceAll('%2C', ',');
 }
 
-/** What people type where they want to go: "100 -200", "100, 64, -200", "x=1 z=2" or a whole link. */
+/** Parses a typed destination: "100 -200", "100, 64, -200", "x=1 z=2" or a whole link. */
 export function readCoordinate(text: string): { x: number; y: number | null; z: number } | null {
   const hash = text.indexOf('#');
   if (hash >= 0) {

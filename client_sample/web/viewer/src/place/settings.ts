@@ -1,20 +1,20 @@
-// What a player chose, kept by the browser where it lets us.
+// The player's settings, stored by the browser if it allows that.
 
 export interface Settings {
   /** Chunks of full detail around the player. */
   radius: number;
-  /** How far the land reaches, in base voxels; 0: full detail alone. */
+  /** Extent of the land, in base voxels; 0: only full detail. */
   horizon: number;
   quality: 'low' | 'high';
   transport: 'websocket' | 'http';
-  /** Frames a second at most; 0: as the display does. */
+  /** Maximum frames per second; 0: the display's rate. */
   frameRate: number;
-  /** Degrees of turn for a pixel of mouse or finger. */
+  /** Degrees of turn per pixel of mouse or finger. */
   sensitivity: number;
   invertLook: boolean;
   timeRuns: boolean;
   chunkBorders: boolean;
-  /** null: as the system says. */
+  /** null: the system's setting. */
   reducedMotion: boolean | null;
 }
 
@@ -54,7 +54,7 @@ export function defaults(phone: boolean): Settings {
   };
 }
 
-/** Takes from `said` what is a setting and fits, and leaves the rest as `base` has it. */
+/** Takes valid settings from `said`, and all others from `base`. */
 export function mend(base: Settings, said: unknown): Settings {
   const mended: Record<string, unknown> = { ...base };
   if (typeof said === 'object' && said !== null) {
@@ -65,7 +65,7 @@ export function mend(base: Settings, said: unknown): Settings {
   return mended as unknown as Settings;
 }
 
-/** Settings that a link names win over those kept, and are not kept: #radius=4&horizon=0. */
+/** Settings in a link override stored ones and are not stored: #radius=4&horizon=0. */
 export function fromLink(hash: string): Record<string, unknown> {
   const said: Record<string, unknown> = {};
   for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ''))) {
@@ -77,7 +77,7 @@ export function fromLink(hash: string): Record<string, unknown> {
 
 const KEY = 'talus.settings';
 
-/** A browser may refuse storage altogether (private windows, blocked cookies): then nothing is kept. */
+/** A browser may deny storage (private windows, blocked cookies): then nothing is stored. */
 export function load(base: Settings, storage: () => Storage): Settings {
   try {
     return mend(base, JSON.parse(storage().getItem(KEY) ?? 'null'));
@@ -90,6 +90,6 @@ export function save(settings: Settings, storage: () => Storage): void {
   try {
     storage().setItem(KEY, JSON.stringify(settings));
   } catch {
-    // Not kept.
+    // Not stored.
   }
 }

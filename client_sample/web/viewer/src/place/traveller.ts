@@ -1,4 +1,4 @@
-// Brings the player somewhere: to a coordinate, to what a link names, to the spawn.
+// Moves the player: to coordinates, to a link's place, to the spawn.
 import type { Server } from '../connection/server';
 import type { Body } from '../controls/body';
 import type { Engine } from '../engine/engine';
@@ -6,17 +6,17 @@ import { clearHeading } from './outlook';
 import type { Place } from './place';
 
 const SPAWN_RISE = 14;
-/** Blocks above a place in rock within which air is nearer than the ground. */
+/** Height in blocks above a place in rock up to which air is preferred to the ground. */
 const NEAR_AIR = 16;
 
 export class Traveller {
-  /** The player is somewhere; before, the engine is not to be looked through. */
+  /** The player has a position; before that, the engine must not be used for views. */
   isPlaced = false;
-  /** Whether one is to be lifted out of water, once it is known whether there is any. */
+  /** True if the player must be lifted out of water, once it is known whether there is any. */
   #surfaces = false;
-  /** Whether one is to be lifted out of rock, once it is known whether there is any. */
+  /** True if the player must be lifted out of rock, once it is known whether there is any. */
   #emerges = false;
-  /** Where one who has just arrived stands and looks, until it is known whether something near hides the view. */
+  /** Position and view on arrival, until it is known whether something near hides the view. */
   #arrival: Place | null = null;
 
   constructor(
@@ -31,7 +31,7 @@ export class Traveller {
     return { x, y, z, yaw, pitch, time, mode };
   }
 
-  /** To the ground of a column where y is null. */
+  /** To the ground of a column if y is null. */
   async to(x: number, y: number | null, z: number): Promise<void> {
     this.#put(x, y ?? (await this.#onGround(x, z)), z, y === null);
   }
@@ -58,21 +58,21 @@ export class Traveller {
     this.isPlaced = true;
   }
 
-  /** Turns one who has just arrived, and has not looked around yet, toward the best view. */
+  /** Turns a player who just arrived, and has not looked around yet, towards the best view. */
   async lookOut(): Promise<void> {
     const start = this.place(0);
     let best = start.yaw;
     try {
       best = await this.server.outlook(start.x, start.z);
     } catch {
-      // A server that gives no heights: north is as good.
+      // Without heights, north is as good as any.
     }
     if (!this.#isStillAt(start)) return;
     this.body.yaw = best;
     this.#arrival = this.place(0);
   }
 
-  /** For each step. The outlook is by heights, which know no trees. */
+  /** Call for each step. The outlook uses heights, which do not include trees. */
   turnFromWhatIsNear(engine: Engine): void {
     const arrival = this.#arrival;
     if (arrival === null) return;
@@ -90,7 +90,7 @@ export class Traveller {
     return (['x', 'y', 'z', 'yaw', 'pitch'] as const).every((key) => now[key] === then[key]);
   }
 
-  /** For each step. Heights are those of the ground: water may stand on it. */
+  /** Call for each step. Heights are the ground's: there may be water above. */
   surface(engine: Engine): void {
     if (!this.#surfaces) return;
     const [x, y, z] = this.body.position;
@@ -102,19 +102,19 @@ export class Traveller {
     if (row > y) this.body.place(x, row + this.#rise, z);
   }
 
-  /** For each step. A link may lead into rock, where one would see the land from inside: to air close above, else to the ground. */
+  /** Call for each step. A link may lead into rock: moves to air close above, otherwise to the ground. */
   emerge(): void {
     if (!this.#emerges) return;
     const { isBuried, position } = this.body;
     if (isBuried === undefined) return;
     this.#emerges = false;
     if (!isBuried || this.body.rise(NEAR_AIR)) return;
-    // Without heights one stays: flying leads out.
+    // Without heights the player stays: flying leads out.
     const [x, y, z] = position;
     this.#onGround(x, z)
       .then((row) => {
         const now = this.body.position;
-        // Who went elsewhere meanwhile stays there.
+        // Unless the player went elsewhere meanwhile.
         if (now[0] === x && now[1] === y && now[2] === z) this.#put(x, row, z, true);
       })
       .catch(() => {});

@@ -1,4 +1,4 @@
-// Elements of the page by their id.
+// Elements of the page by id.
 
 export function find<T extends Element = HTMLElement>(id: string): T {
   const element = document.getElementById(id);
@@ -6,8 +6,8 @@ export function find<T extends Element = HTMLElement>(id: string): T {
   return element as unknown as T;
 }
 
-/** Writes only what is different: a page that is told the same thing sixty times a second does no work. Into the text that
- *  is there, which asks for no new style. */
+/** Writes only changes: repeating the same text sixty times a second costs nothing. Reuses the text node, which needs
+ *  no style recalculation. */
 export function say(element: Element, text: string): void {
   const { firstChild } = element;
   if (!(firstChild instanceof Text) || firstChild.nextSibling !== null) {
@@ -23,7 +23,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(tag: K, text = ''): 
   return element;
 }
 
-/** What fills the page has the focus mostly: that it has shows to those alone who walk through the page by Tab. */
+/** The main element usually has the focus; that is shown only to users who navigate by Tab. */
 export function showFocusToTabs(): void {
   addEventListener('keydown', ({ key }) => key === 'Tab' && document.body.classList.add('tabs'));
   addEventListener('pointerdown', () => document.body.classList.remove('tabs'));

@@ -1,4 +1,4 @@
-// How one moves, said to who has just arrived: until he moves, or for a while.
+// Explains movement to a new player, until the player moves, or for a while.
 import { find } from './dom';
 
 const SHOWN_MS = 12_000;
@@ -6,7 +6,7 @@ const SHOWN_MS = 12_000;
 export class Hint {
   readonly #box = find('hint');
   #isDone = false;
-  /** Since when it has been read undisturbed; null: not yet. */
+  /** Since when it could be read undisturbed; null: not yet. */
   #since: number | null = null;
 
   constructor(onClosed: () => void) {
@@ -17,10 +17,10 @@ export class Hint {
     });
   }
 
-  /** `isSettled`: all of the land is here and no panel hides the hint, so that one has the time to read. */
+  /** `isSettled`: all land is loaded and no panel hides the hint, so that there is time to read it. */
   tick(now: number, isSettled: boolean, hasMoved: boolean): void {
     if (this.#isDone) return;
-    // Who points at it, or came to its button by keyboard, is not done with it.
+    // Keeps it while it is pointed at or focused.
     const isHeld = this.#box.matches(':hover, :focus-within');
     if (!isSettled || isHeld) this.#since = null;
     else this.#since ??= now;

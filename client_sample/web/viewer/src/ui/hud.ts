@@ -1,11 +1,11 @@
-// What is always on the screen: the state of the connection, the place, how one moves.
+// The permanent display: state of the connection, place, mode of movement.
 import type { Stats } from '../engine/engine';
 import type { Body } from '../controls/body';
 import { windOf, type Place } from '../place/place';
 import { count } from './traffic_panel';
 import { find, say } from './dom';
 
-/** Of the view: what is drawn or known to be empty, of what was asked for. */
+/** Share of the view that is drawn or known to be empty. */
 export function share(stats: Stats): number | null {
   if (stats.state === 'complete') return 1;
   return stats.chunks === 0 ? null : Math.min(0.99, Math.max(0, stats.chunks - stats.pendingMeshes) / stats.chunksWanted);
@@ -22,10 +22,10 @@ export class Hud {
     else bar.value = progress;
   }
 
-  /** The land is there: away with what stood before it. */
+  /** The land is there: hides the opening screen. */
   opened(): void {
     this.#opening.classList.add('gone');
-    // A bar that knows no progress would run on unseen.
+    // An indeterminate progress bar would keep running unseen.
     find<HTMLProgressElement>('opening-progress').value = 1;
     this.#opening.removeAttribute('role');
   }
@@ -48,7 +48,7 @@ export class Hud {
 
   where(place: Place, body: Body): void {
     const [x, y, z] = [place.x, place.y ?? 0, place.z].map(Math.floor);
-    // As one types them where one goes to a coordinate: without commas between thousands.
+    // In the format for typing coordinates: without thousands separators.
     say(find('where-at'), `${x}, ${y}, ${z}`);
     const how = body.waiting
       ? 'waiting for the land'

@@ -1,4 +1,4 @@
-// Boxes that scroll say so: where some of one lies below its edge, the class `more` draws a sign there.
+// Marks scrollable boxes with the class `more` while content lies below the edge.
 
 export function tellsMore(box: HTMLElement): void {
   const look = () => box.classList.toggle('more', box.scrollHeight - box.scrollTop - box.clientHeight > 8);

@@ -1,4 +1,4 @@
-// Failures, said where one looks, and what one can do.
+// Shows failures in view, with possible actions.
 import type { Trouble } from '../connection/session';
 import { find, make, say } from './dom';
 

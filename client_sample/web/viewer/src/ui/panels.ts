@@ -1,4 +1,4 @@
-// Panels beside the view: one at a time, opened by a button or a key, closed by Esc.
+// Panels next to the view: one at a time, opened by a button or a key, closed by Esc.
 import { find } from './dom';
 
 export class Panels {
@@ -25,7 +25,7 @@ export class Panels {
     return this.#open !== null;
   }
 
-  /** `focus`: by keyboard one goes on in the panel; by mouse one stays in the world. */
+  /** `focus`: moves the focus into the panel for keyboard users; with the mouse it stays in the world. */
   toggle(name: string, focus = true): void {
     const opens = this.#open !== name;
     this.close(false);
@@ -39,7 +39,7 @@ export class Panels {
     if (focus) panel.querySelector<HTMLElement>('input, button, select')?.focus({ preventScroll: true });
   }
 
-  /** False where none was open. */
+  /** False if none was open. */
   close(giveBack = true): boolean {
     if (this.#open === null) return false;
     find(`panel-${this.#open}`).hidden = true;

@@ -1,4 +1,4 @@
-// The form of the settings.
+// The settings form.
 import type { Reach } from '../place/device';
 import { defaults, mend, type Settings } from '../place/settings';
 import { find, say } from './dom';
@@ -50,7 +50,7 @@ export class SettingsPanel {
       if (field instanceof HTMLInputElement && field.type === 'checkbox') field.checked = value as boolean;
       else if (field instanceof HTMLInputElement) field.value = String(value);
       else if (field instanceof HTMLSelectElement) {
-        // A link may set what is not among the choices.
+        // A link may set a value that is not among the choices.
         if (![...field.options].some((option) => option.value === String(value))) field.add(new Option(String(value)));
         field.value = String(value);
       }

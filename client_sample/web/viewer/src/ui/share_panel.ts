@@ -1,4 +1,4 @@
-// A picture and a link to give away.
+// Creates a picture and a link for sharing.
 import type { Place } from '../place/place';
 import { find, say } from './dom';
 

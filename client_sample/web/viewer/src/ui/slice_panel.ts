@@ -1,9 +1,9 @@
-// The slice: a vertical plane across where the player looked, with the land on this side of it taken away.
+// The slice: a vertical plane across the player's view; the land on the player's side is removed.
 import type { Slice } from '../engine/engine';
 import { wrapDegrees } from '../place/place';
 import { find, say } from './dom';
 
-/** Blocks before the player: of the nearest cut, of the slider's farthest, and of one toward nothing that is near. */
+/** Blocks from the player: the nearest cut, the slider's maximum, and the default without a near target. */
 const NEAREST = 4;
 export const SLICE_FARTHEST = 256;
 const USUAL = 96;
@@ -13,15 +13,15 @@ export interface Stand {
   readonly z: number;
   /** Degrees. */
   readonly yaw: number;
-  /** Blocks on the level to what is looked at; null: nothing near is. */
+  /** Horizontal distance in blocks to the target in view; null: nothing near. */
   readonly seen?: number | null;
 }
 
-/** Where the cut begins: at what one looks at. Nearer it would often show air alone. */
+/** Initial distance of the cut: at the target in view. A nearer cut would often show only air. */
 export const firstDistance = (seen: number | null | undefined): number =>
   Math.round(Math.min(SLICE_FARTHEST, Math.max(NEAREST, seen ?? USUAL)));
 
-/** The plane at `distance` before a stand, across its direction. Land on the side of the stand is not drawn. */
+/** The plane at `distance` in front of a stand, across its direction. Land on the stand's side is not drawn. */
 export function planeBefore(stand: Stand, distance: number): Slice {
   const yaw = (stand.yaw * Math.PI) / 180;
   return { x: stand.x + Math.sin(yaw) * distance, z: stand.z - Math.cos(yaw) * distance, yaw: yaw + Math.PI };
@@ -40,7 +40,7 @@ export class SlicePanel {
     this.#on.addEventListener('change', () => (this.#on.checked ? this.cutHere() : this.#send()));
     this.#distance.addEventListener('input', () => this.#send());
     this.#yaw.addEventListener('input', () => {
-      // The plane turns about where it stands, not about the player.
+      // The plane turns around its own position, not around the player.
       const { x, z } = planeBefore(this.#stand, Number(this.#distance.value));
       this.#stand = { x, z, yaw: Number(this.#yaw.value) };
       this.#distance.value = '0';

@@ -1,4 +1,4 @@
-// What comes from the server, and what the graphics card is given of it.
+// Data received from the server, and its use by the graphics card.
 import type { Stats } from '../engine/engine';
 import { find, make, say } from './dom';
 
@@ -34,7 +34,7 @@ export class TrafficPanel {
   #bytes = 0;
   #byteRate = 0;
 
-  /** Four times a second, whether the panel is open or not: the chart has the last minute. */
+  /** Called four times a second, even if the panel is closed: the chart covers the last minute. */
   update(stats: Stats, now: number, framesPerSecond: number, isOpen: boolean): void {
     const second = Math.floor(now / 1000);
     if (second !== this.#second) {

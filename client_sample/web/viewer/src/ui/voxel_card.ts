@@ -1,4 +1,4 @@
-// The voxel that one looks at, or holds on to: its material, its coordinate, its frame in the world.
+// The voxel in view, or selected: material, coordinates, and its frame in the world.
 import type { Engine, Hit, Vector } from '../engine/engine';
 import { find, say } from './dom';
 
@@ -7,7 +7,7 @@ export const FIELD_OF_VIEW = 70;
 
 const radians = Math.PI / 180;
 
-/** The direction of a point on the screen, from its middle in units of half its height (right and up). */
+/** Direction of a point on the screen, relative to its centre in units of half its height (right and up). */
 export function rayThrough(yaw: number, pitch: number, right: number, up: number): Vector {
   const slope = Math.tan((FIELD_OF_VIEW / 2) * radians);
   const [sinYaw, cosYaw] = [Math.sin(yaw * radians), Math.cos(yaw * radians)];
@@ -37,19 +37,19 @@ export class VoxelCard {
     return this.#shown;
   }
 
-  /** Looks where the crosshair is, unless a voxel is held. */
+  /** Shows the voxel at the crosshair, unless one is selected. */
   look(engine: Engine, eye: Vector, yaw: number, pitch: number): void {
     if (this.#held === null) this.#show(engine, engine.raycast(eye, rayThrough(yaw, pitch, 0, 0), REACH, true));
   }
 
-  /** Holds on to the voxel at a point of the screen; at the sky, lets go. */
+  /** Selects the voxel at a point of the screen; deselects at the sky. */
   hold(engine: Engine, eye: Vector, direction: Vector): void {
     this.#held = engine.raycast(eye, direction, REACH, true);
     this.#close.hidden = this.#held === null;
     this.#show(engine, this.#held);
   }
 
-  /** False where none was held. */
+  /** False if none was selected. */
   letGo(): boolean {
     const had = this.#held !== null;
     this.#held = null;

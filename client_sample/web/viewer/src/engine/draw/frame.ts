@@ -1,4 +1,4 @@
-// One picture: shadows, land, sky, water.
+// Draws one picture: shadows, land, sky, water.
 import {
   DataTexture,
   DepthTexture,
@@ -45,9 +45,9 @@ export interface Eye {
 }
 
 const FAR_AWAY = new Vector3(1e9, 1e9, 1e9);
-// Where depth begins, in blocks: the nearer, the less of depth's precision is left for far away.
+// Near plane in blocks: the nearer, the less depth precision is left for distant land.
 const NEAR = 0.12;
-// The surface of water close to the eye would be cut away by that, in a hole.
+// A farther near plane would cut a hole into water close to the eye.
 const NEAR_WATER = 0.03;
 
 export class Frame {
@@ -78,7 +78,7 @@ export class Frame {
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
-    this.renderer.debug.checkShaderErrors = false; // asking waits; one that fails says so when it is used
+    this.renderer.debug.checkShaderErrors = false; // checking blocks; a failure is reported when the program is used
     this.uniforms = {
       eye: { value: new Vector3() },
       viewProjection: { value: this.viewProjection },
@@ -137,13 +137,13 @@ export class Frame {
     void this.warmUp();
   }
 
-  /** Makes the programs while the first chunks come. What their uniforms are is asked as soon as they are made: asked
-   *  while the first picture is drawn, the answer waits for all that the card was given to draw before it. */
+  /** Compiles the programs while the first chunks arrive, and queries their uniforms at once: during the first picture,
+   *  the query would wait for everything submitted to the GPU before. */
   private async warmUp(): Promise<void> {
     const scenes = [this.terrain.solid, this.sky, this.terrain.liquid];
     const made = scenes.map((scene) => this.renderer.compileAsync(scene, this.camera));
     if (this.shadowReach > 0) {
-      // Another target is another program to three.
+      // For three, another render target is another program.
       this.renderer.setRenderTarget(this.shadowTarget);
       scenes.push(this.terrain.shadow);
       made.push(this.renderer.compileAsync(this.terrain.shadow, this.camera));
@@ -231,20 +231,20 @@ export class Frame {
     this.set('pixel', (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(this.renderer.domElement.height, 1));
   }
 
-  /** Textures that are filled in parts have lost them; three fills the others again. */
+  /** Partially filled textures lost their contents; three refills the others. */
   contextRestored(): void {
     this.terrain.slots.needsUpdate = true;
-    this.ground = null; // its texture went with the context
+    this.ground = null; // its texture was lost with the context
     this.shadowStale = true;
     this.shadowAt = -Infinity;
   }
 
-  /** What is drawn changed. */
+  /** The drawn land changed. */
   landChanged(): void {
     this.shadowStale = true;
   }
 
-  /** Whether it drew. */
+  /** Returns true if it drew. */
   draw(options: {
     eye: Eye;
     columns: Sorted;
@@ -258,7 +258,7 @@ export class Frame {
     closeToWater: boolean;
     hideBuried: boolean;
     groundBase: number;
-    /** Draws nothing where no land is in sight. */
+    /** Draws nothing if no land is in sight. */
     onlyWithLand: boolean;
   }): boolean {
     const { eye, columns, slice } = options;
@@ -365,12 +365,12 @@ export class Frame {
     water.set(0.05 * bright, 0.42 * bright, 0.5 * bright, underWater ? 1 : 0);
   }
 
-  /** A map around the eye, in steps of its texels so that edges do not crawl; drawn again only when it must. */
+  /** A map around the eye, in steps of its texels so that edges do not crawl; redrawn only if necessary. */
   private castShadows(eye: Eye, columns: Iterable<Column<TerrainMesh>>, now: number, slice: SlicePlane | null): void {
     const target = this.shadowTarget;
     if (target === null) return;
     if (this.shadowReach === 0) {
-      // Nothing is drawn into it, but shaders are to find a depth texture there.
+      // Nothing is drawn into it, but shaders need a depth texture.
       if (this.shadowStale) this.renderer.initRenderTarget(target);
       this.shadowStale = false;
       return;

@@ -1,5 +1,5 @@
-// Heights of the land by level of detail, for light: what hides the sky, what casts shadows far away, how deep water
-// is. Each level is a square of voxels that wraps around, as the View moves over it.
+// Heights of the land by level of detail, for lighting: sky occlusion, distant shadows, depth of water. Each level is a
+// square of voxels that wraps around as the View moves.
 import { DataArrayTexture, DataUtils, HalfFloatType, LinearFilter, RGFormat, RepeatWrapping, type WebGLRenderer } from 'three';
 import { NO_HEIGHT, type Column, type Drawable } from '../stream/column.js';
 import { bind } from './pages.js';
@@ -15,7 +15,7 @@ export class Ground {
   readonly size: number;
   private readonly part = new Uint16Array(32 * 32 * 2);
 
-  /** `base` is the row, at level 0, that heights count from: half floats are whole up to 2,048 from it. */
+  /** `base`: the row, at level 0, of height 0: half floats are exact integers up to 2,048 from it. */
   constructor(
     private readonly renderer: WebGLRenderer,
     radius: number,
@@ -73,7 +73,7 @@ export class Ground {
   }
 }
 
-/** Columns of level 0, and a margin, must not wrap onto each other. */
+/** Columns of level 0, with a margin, must not wrap onto each other. */
 const sizeFor = (radius: number): number => ((2 * radius + 3) * 32 <= 1024 ? 1024 : 2048);
 
 function half(height: number, base: number): number {

@@ -1,10 +1,10 @@
-// How land looks: client_sample/look.json, which talus-client's pictures read too.
+// Appearance of land: client_sample/look.json, which talus-client's pictures use too.
 import look from '../../../../../look.json';
 
 type Amount = readonly [colour: string, times: number];
 
 export interface LightKey {
-  /** Sine of the sun's height. */
+  /** Sine of the sun's elevation. */
   readonly at: number;
   readonly sunLight: Amount;
   readonly skyLight: Amount;
@@ -16,7 +16,7 @@ export interface LightKey {
 
 export const LIGHT_KEYS = look.light as unknown as readonly LightKey[];
 
-/** By a material's name, in small letters. */
+/** By a material's name, in lower case. */
 export const WORDS: readonly (readonly [words: RegExp, look: string])[] = look.looks.map(([words, name]) => [new RegExp(words!), name!]);
 
 export interface Tint {

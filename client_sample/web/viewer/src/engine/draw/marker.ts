@@ -1,4 +1,4 @@
-// A box in the world that says what an edit would change: its edges, and a veil of colour.
+// A box that shows what an edit would change: edges and a coloured veil.
 import { BufferAttribute, BufferGeometry, Color, GLSL3, Mesh, NoColorSpace, RawShaderMaterial, Scene, Vector3, type Camera, type IUniform, type WebGLRenderer } from 'three';
 import type { Marker, Vector } from '../api.js';
 
@@ -28,7 +28,7 @@ const SIDES = [0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3,
 
 function geometryOf(corners: number[], offsets: number[], indices: number[]): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners.length), 3)); // three asks for one
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners.length), 3)); // three requires one
   geometry.setAttribute('corner', new BufferAttribute(new Float32Array(corners), 3));
   geometry.setAttribute('offset', new BufferAttribute(new Float32Array(offsets), 3));
   geometry.setIndex(indices);
@@ -85,7 +85,7 @@ export class MarkerBox {
     size.set(last.x + 1 - first.x, last.y + 1 - first.y, last.z + 1 - first.z);
     this.box.thickness!.value = 0.006 + 0.0014 * Math.hypot(low.x + size.x / 2, low.y + size.y / 2, low.z + size.z / 2);
     [marker.colour, marker.edge].forEach((hex, i) => {
-      // As the page's colours are, not linear: nothing follows that would turn them.
+      // In the page's colour space, not linear: nothing converts them afterwards.
       const { r, g, b } = this.colours[i]!.setHex(hex, NoColorSpace);
       this.parts[i]!.material.uniforms.colour!.value = [r, g, b, i === 0 ? marker.veil : 0.95];
     });

@@ -1,4 +1,4 @@
-// What materials look like, told from their names and colours: the world says no more of them.
+// Appearance of materials, derived from their names and colours, which is all that the world provides.
 import { Color, DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import type { Material } from 'talus';
 import { TINTS, WORDS } from './look.js';
@@ -13,7 +13,7 @@ export function lookOf(material: Material): Look {
   return 'rock';
 }
 
-/** What of a map's colour is seen under the sun; as talus-client has it (cli/look.cpp). */
+/** Converts a map's colour to the colour in sunlight; same as talus-client (cli/look.cpp). */
 function tint(colour: Color, look: Look): void {
   const tint = TINTS.get(look);
   if (tint === undefined) return;
@@ -23,8 +23,8 @@ function tint(colour: Color, look: Look): void {
   colour.setRGB(colour.r * red, colour.g * green, colour.b * blue);
 }
 
-/** Two texels a material: its colour and look, and the colour beneath (earth under turf, rock around ore), and whether flowers
- *  grow there. */
+/** Two texels per material: its colour and look, then the colour beneath (earth under turf, rock around ore) and
+ *  whether flowers grow there. */
 export function materialTexture(materials: readonly Material[]): DataTexture {
   const data = new Float32Array(materials.length * 8);
   const colour = new Color();

@@ -1,11 +1,11 @@
-// What the page asks of each mesh in each frame, a row of 64 bytes by its slot: objects lie all over memory, and to read
-// thousands of them takes longer than what is done with them.
+// Data of each mesh needed in every frame, a row of 64 bytes per slot: objects are scattered in memory, and reading
+// thousands of them would take longer than the work itself.
 import type { ChunkMesh } from '../mesh/mesher.js';
 import { SLOTS } from '../mesh/quad.js';
 import type { Place } from './pages.js';
 
 const WIDTH = 16;
-/** Of a row, from `at` on: where its quads are, how many of each group there are, its lowest and highest ends in blocks. */
+/** Offsets in a row: place of its quads, count of each group, and its lowest and highest ends in blocks. */
 export const PAGE = 0;
 export const FIRST_QUAD = 1;
 export const COUNTS = 2; // 11 of them

@@ -1,8 +1,8 @@
-// Columns in the order in which they are drawn, so that what is near hides what is behind it before that is shaded.
+// Columns in drawing order, so that near land hides distant land before it is shaded.
 import type { Column, Drawable } from '../stream/column.js';
 
 const MOVED = 32; // blocks
-/** Steps of distance: within one, any order will do. */
+/** Distance steps: within a step, any order will do. */
 const STEP = 16;
 const STEPS = 1024;
 
@@ -11,13 +11,13 @@ export class NearestFirst<D extends Drawable> {
   private x = 0;
   private z = 0;
   readonly columns: Column<D>[] = [];
-  /** Of each of them, in blocks of the world: west end, north end, side. Apart from the columns, which lie all over memory. */
+  /** By column, in blocks of the world: west end, north end, side. Separate, as columns are scattered in memory. */
   squares = new Float64Array();
   private readonly unsorted: Column<D>[] = [];
   private readonly steps: number[] = [];
   private readonly ends = new Uint32Array(STEPS);
 
-  /** `version`: of the set that is drawn. */
+  /** `version`: version of the set drawn. */
   update(drawn: readonly Column<D>[], version: number, x: number, z: number): this {
     if (version === this.version && Math.abs(x - this.x) + Math.abs(z - this.z) <= MOVED) return this;
     this.version = version;
@@ -28,7 +28,7 @@ export class NearestFirst<D extends Drawable> {
     return this;
   }
 
-  /** By counting. */
+  /** A counting sort. */
   private sort(drawn: readonly Column<D>[]): void {
     const { columns, unsorted, steps, ends } = this;
     ends.fill(0);

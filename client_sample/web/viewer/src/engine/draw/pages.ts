@@ -1,5 +1,5 @@
-// Quads of all meshes on the GPU, in pages: textures of two words a texel, from which the vertex shader takes the
-// quad of its index. A page is drawn by one call, however many meshes of it (WEBGL_multi_draw).
+// Quads of all meshes on the GPU, in pages: textures of two words per texel, from which the vertex shader reads quads
+// by index. One call draws a page, with any number of meshes (WEBGL_multi_draw).
 import {
   BufferAttribute,
   BufferGeometry,
@@ -19,7 +19,7 @@ const PAGE_ROWS = 2048;
 const PAGE_QUADS = PAGE_WIDTH * PAGE_ROWS;
 const PAGE_BYTES = PAGE_QUADS * 8;
 
-/** Six indices a quad; the vertex shader finds quad and corner by index / 4 and index % 4. */
+/** Six indices per quad; the vertex shader derives quad and corner as index / 4 and index % 4. */
 function makeIndex(): BufferAttribute {
   const index = new Uint32Array(PAGE_QUADS * 6);
   for (let quad = 0, i = 0; quad < PAGE_QUADS; quad++) {
@@ -34,7 +34,7 @@ function makeIndex(): BufferAttribute {
   return new BufferAttribute(index, 1);
 }
 
-/** three draws what says it is a BatchedMesh by the lists of starts and counts below. */
+/** three draws an object that claims to be a BatchedMesh by the lists of starts and counts below. */
 export class PageMesh extends Mesh {
   readonly isBatchedMesh = true;
   readonly _colorsTexture = null;
@@ -127,7 +127,7 @@ export class Pages {
     const texture = new DataTexture(null, PAGE_WIDTH, PAGE_ROWS, RGIntegerFormat, UnsignedIntType);
     texture.internalFormat = 'RG32UI';
     texture.minFilter = texture.magFilter = NearestFilter;
-    texture.source.dataReady = false; // room alone: parts are written as meshes come
+    texture.source.dataReady = false; // only allocates: parts are written as meshes arrive
     texture.needsUpdate = true;
     this.pages.push({ texture, ranges: new Ranges(PAGE_ROWS) });
   }
@@ -142,14 +142,14 @@ export class Pages {
   }
 }
 
-/** Makes the texture the one that texSubImage2D writes to, past three, which uploads whole textures alone. */
+/** Binds the texture for texSubImage2D without three, which only uploads whole textures. */
 export function bind(renderer: WebGLRenderer, texture: Texture, target = 0x0de1): WebGL2RenderingContext {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   renderer.initTexture(texture);
   const { __webglTexture: handle } = renderer.properties.get(texture) as { __webglTexture: WebGLTexture };
   renderer.state.activeTexture(gl.TEXTURE0);
   renderer.state.bindTexture(target, handle);
-  // By the renderer's own record of the state, where it keeps one.
+  // Through the renderer's record of the state, if it keeps one.
   const state = renderer.state as unknown as { pixelStorei?: (name: number, value: number | boolean) => void };
   const store = state.pixelStorei?.bind(state) ?? gl.pixelStorei.bind(gl);
   store(gl.UNPACK_FLIP_Y_WEBGL, false);

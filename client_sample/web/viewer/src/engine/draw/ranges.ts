@@ -1,4 +1,4 @@
-// First-fit allocation of rows, with neighbours merged when they are free again.
+// First-fit allocation of rows; free neighbours are merged.
 export class Ranges {
   private free: { first: number; count: number }[];
 
@@ -10,7 +10,7 @@ export class Ranges {
     return this.free.reduce((sum, range) => sum + range.count, 0);
   }
 
-  /** The first row; -1: no room in one piece. */
+  /** Returns the first row; -1: no contiguous room. */
   take(count: number): number {
     for (let i = 0; i < this.free.length; i++) {
       const range = this.free[i]!;

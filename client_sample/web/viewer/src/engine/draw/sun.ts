@@ -1,9 +1,9 @@
-// The light of an hour: where sun and moon stand, and which colours light, sky and air have then.
+// Light at an hour: positions of sun and moon, and colours of light, sky and air.
 import { Color, Matrix3, Matrix4, Vector3 } from 'three';
 import { LIGHT_KEYS } from './look.js';
 
 export interface Light {
-  /** Of what casts shadows: the sun, or the moon. */
+  /** Direction to the light that casts shadows: the sun, or the moon. */
   readonly direction: Vector3;
   readonly sun: Vector3;
   readonly moon: Vector3;
@@ -41,7 +41,7 @@ const smooth = (low: number, high: number, x: number) => {
   return t * t * (3 - 2 * t);
 };
 
-/** Of an hour, 0 to 24. The sun rises in the east at 6 and passes south of the zenith. */
+/** Light at an hour, 0 to 24. The sun rises in the east at 6 and passes south of the zenith. */
 export function lightAt(hours: number): Light {
   const angle = ((hours - 6) / 24) * 2 * Math.PI;
   const tilt = 0.55;
@@ -53,7 +53,7 @@ export function lightAt(hours: number): Light {
   const a = KEYS[i]!;
   const b = KEYS[i + 1]!;
   const f = Math.min(Math.max((height - a.at) / (b.at - a.at), 0), 1);
-  // At dusk the sun hands its shadows to the moon while neither gives much light.
+  // At dusk the shadow-casting light changes from sun to moon while both are faint.
   const bySun = height > -0.05;
   const handover = bySun ? smooth(-0.05, 0.03, height) : smooth(-0.05, -0.16, height);
   const direction = bySun ? sun.clone() : moon.clone();

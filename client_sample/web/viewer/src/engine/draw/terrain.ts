@@ -1,4 +1,4 @@
-// Meshes of the land on the GPU, and which of them a camera sees.
+// Meshes of the land on the GPU, and their visibility to a camera.
 import {
   DataTexture,
   FloatType,
@@ -23,7 +23,7 @@ export interface TerrainMesh extends Drawable {
   readonly quads: number;
 }
 
-/** Columns, and of each where it stands: west end, north end, side. */
+/** Columns, and for each its position: west end, north end, side. */
 export interface Sorted {
   readonly columns: readonly Column<TerrainMesh>[];
   readonly squares: Float64Array;
@@ -59,7 +59,7 @@ export class Terrain implements Drawer<TerrainMesh> {
   anchor = { x: 0, y: 0, z: 0 };
   meshes = 0;
   quads = 0;
-  /** Nothing that ever came lies beyond, in blocks of the world. */
+  /** Bounds of all chunks so far, in blocks of the world. */
   private lowest = Infinity;
   private highest = -Infinity;
   private readonly pages: Pages;
@@ -95,7 +95,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     return slot;
   }
 
-  /** To the card, before anything that was given a slot since is drawn. */
+  /** Uploads to the GPU, before a mesh with a new slot is drawn. */
   uploadSlots(): void {
     if (this.staleSlotRows.size === 0) return;
     const gl = bind(this.renderer, this.slots);
@@ -138,7 +138,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     this.slots.needsUpdate = true;
   }
 
-  /** Lists what the camera at `eye` (blocks of the world) sees of the columns. */
+  /** Lists the columns' meshes that the camera at `eye` (blocks of the world) sees. */
   list({ columns, squares }: Sorted, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
     for (const set of this.sets) {
       set.solid.empty();
@@ -151,11 +151,11 @@ export class Terrain implements Drawer<TerrainMesh> {
       const size = squares[3 * i + 2]!;
       const x = squares[3 * i]! - eye.x;
       const z = squares[3 * i + 1]! - eye.z;
-      if (!isVisible(planes, x, lowest, z, size, highest)) continue; // as most are not, and nothing of the column was read
+      if (!isVisible(planes, x, lowest, z, size, highest)) continue; // mostly true, without reading the column
       const column = columns[i]!;
       if (slice !== null && sideOf(slice, column.x * size, column.z * size, size) === 'gone') continue;
       if (!isVisible(planes, x, column.bottom - eye.y, z, size, column.top - eye.y)) continue;
-      // Caves deep under the land, seen from above it far away: nobody does.
+      // Caves deep below the land are invisible from far above it.
       const hides = hideBuried && column.ready && (column.lod > 0 || x * x + z * z > 25600);
       const buried = hides ? (column.lowest - 6) * 2 ** column.lod : -Infinity;
       for (const slot of column.slots) {
@@ -170,7 +170,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     }
   }
 
-  /** Lists what casts shadows into the map of `matrix`. */
+  /** Lists the shadow casters for the map of `matrix`. */
   listShadow(columns: Iterable<Column<TerrainMesh>>, eye: { x: number; y: number; z: number }, matrix: Matrix4, light: { x: number; z: number }, slice: SlicePlane | null): void {
     for (const set of this.sets) set.shadow.empty();
     const planes = planesOf(matrix);
@@ -187,7 +187,7 @@ export class Terrain implements Drawer<TerrainMesh> {
         const [bottom, top] = [values[at + BOTTOM]!, values[at + TOP]!];
         if (column.ready && top < (column.lowest - 2) * 2 ** column.lod) continue;
         if (!isVisible(planes, x, bottom - eye.y, z, size, top - eye.y)) continue;
-        // Of each mesh the faces that see the light are enough.
+        // The faces towards the light suffice.
         const shadow = this.sets[values[at + PAGE]!]!.shadow;
         let first = values[at + FIRST_QUAD]!;
         for (let face = 0; face < 6; face++) {
@@ -200,7 +200,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     }
   }
 
-  /** Whether list() found anything. */
+  /** True if list() found anything. */
   get isListed(): boolean {
     return this.sets.some(({ solid, liquid }) => solid._multiDrawCount + liquid._multiDrawCount > 0);
   }
@@ -211,7 +211,7 @@ export class Terrain implements Drawer<TerrainMesh> {
     for (const { solid, liquid, shadow } of this.sets) for (const mesh of [solid, liquid, shadow]) (mesh.material as RawShaderMaterial).dispose();
   }
 
-  /** `at`: of the mesh's row in the table. */
+  /** `at`: position of the mesh's row in the table. */
   private push(at: number, x: number, low: number, z: number, size: number, high: number, skirts: number): void {
     const { values } = this.table;
     const set = this.sets[values[at + PAGE]!]!;

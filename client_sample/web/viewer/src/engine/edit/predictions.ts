@@ -1,5 +1,5 @@
-// Edits that are shown before the server has answered: laid over the chunks that came, and taken off again when a chunk
-// has come that holds them, or when they are refused. No I/O.
+// Edits shown before the server's answer: overlaid on the received chunks, and removed when a chunk with the edit
+// arrives, or when they are refused. No I/O.
 import { encodeChunk } from 'talus';
 import { decodeChunk } from '../stream/decode.js';
 
@@ -10,40 +10,40 @@ export interface Place {
   readonly z: number;
 }
 
-/** As the land holds a chunk. */
+/** A chunk as held by the land. */
 export interface Content {
   readonly payload: Uint8Array | null;
   readonly material: number | null;
-  /** What the server says that the voxels have; null: it does not. */
+  /** The server's hash of the voxels; null: unknown. */
   readonly hash: string | null;
 }
 
-/** A base voxel, and what it is to be of. */
+/** A base voxel and its new material. */
 export interface VoxelChange extends Place {
   readonly material: number;
 }
 
 export interface Host {
-  /** What is here of a chunk; null: nothing. */
+  /** The held chunk; null: not loaded. */
   held(place: Place): Content | null;
   show(place: Place, content: Content): void;
 }
 
-type Layer = Map<number, number>; // of a chunk: index of the voxel -> material
+type Layer = Map<number, number>; // for a chunk: voxel index -> material
 
 /** One edit. */
 export class Prediction {
   readonly layers = new Map<string, Layer>();
-  /** Of the edit that happened; null: not answered. */
+  /** Revision of the applied edit; null: not answered. */
   revision: bigint | null = null;
 }
 
 interface Covered {
   readonly place: Place;
-  /** Of the chunk beneath; -1: not known, as it came before. */
+  /** Revision of the chunk beneath; -1: unknown, as it arrived before. */
   revision: bigint;
   base: Content;
-  voxels: Uint16Array; // of `base`
+  voxels: Uint16Array; // voxels of `base`
   shown: Uint16Array;
   predictions: Prediction[];
 }
@@ -63,12 +63,12 @@ export class Predictions {
 
   constructor(private readonly host: Host) {}
 
-  /** Chunks that show something else than what came. */
+  /** Number of chunks that are shown differently from the received ones. */
   get size(): number {
     return this.covered.size;
   }
 
-  /** Shows the changes. Those of chunks that are not here are left out. */
+  /** Shows the changes, except in chunks that are not loaded. */
   begin(changes: readonly VoxelChange[]): Prediction {
     const prediction = new Prediction();
     const places = new Map<string, Place>();
@@ -94,7 +94,7 @@ export class Predictions {
     return prediction;
   }
 
-  /** The edit happened, and changed something or not; what shows it may have come, or is on its way. */
+  /** The edit was applied, with or without changes; its chunks may have arrived, or are in flight. */
   settled(prediction: Prediction, revision: bigint, changed: boolean): void {
     prediction.revision = changed ? revision : 0n;
     this.eachOf(prediction, (covered) => {
@@ -104,12 +104,12 @@ export class Predictions {
     });
   }
 
-  /** It did not happen, or nobody knows. */
+  /** The edit was not applied, or its outcome is unknown. */
   refused(prediction: Prediction): void {
     this.eachOf(prediction, () => true);
   }
 
-  /** A chunk came; gives what is to be shown, or null where that is shown already. */
+  /** A chunk arrived; returns the content to show, or null if that is shown already. */
   arrived(place: Place, revision: bigint, content: Content): Content | null {
     const name = nameOf(place);
     const covered = this.covered.get(name);
@@ -118,16 +118,14 @@ export class Predictions {
     return this.compose(name, covered);
   }
 
-  /**
-   * Chunks that still show an edit that happened. Mostly they come soon; those that it did not change after all, as
-   * material slid into what it dug, never do: what is asked for again after the answer goes to resolved().
-   */
+  /** Chunks that still show an applied edit. Most arrive soon; a chunk that the edit did not change, as loose material
+   *  slid into a dug hole, never does: request it after the answer, and pass it to resolved(). */
   behind(prediction: Prediction): Place[] {
     if (prediction.revision === null) return [];
     return [...this.covered.values()].filter(({ predictions }) => predictions.includes(prediction)).map(({ place }) => place);
   }
 
-  /** A chunk as the server has it after the edit. */
+  /** A chunk's state on the server after the edit. */
   resolved(prediction: Prediction, place: Place, revision: bigint, content: Content): void {
     const name = nameOf(place);
     const covered = this.covered.get(name);
@@ -137,7 +135,7 @@ export class Predictions {
     this.refresh(name, covered);
   }
 
-  /** A chunk is not here any more. */
+  /** A chunk was unloaded. */
   left(place: Place): void {
     this.covered.delete(nameOf(place));
   }
@@ -151,7 +149,7 @@ export class Predictions {
     if (already !== undefined) return already;
     const held = this.host.held(place);
     if (held === null) return null;
-    const base = { payload: held.payload, material: held.material, hash: held.hash }; // what is held will show the prediction
+    const base = { payload: held.payload, material: held.material, hash: held.hash }; // `held` will show the prediction
     const voxels = voxelsOf(base);
     const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
     this.covered.set(name, covered);
@@ -165,7 +163,7 @@ export class Predictions {
     covered.predictions = covered.predictions.filter((each) => each.revision === null || each.revision > revision);
   }
 
-  /** Takes the prediction off those of its chunks where `isOver` says so. */
+  /** Removes the prediction from those of its chunks for which `isOver` is true. */
   private eachOf(prediction: Prediction, isOver: (covered: Covered) => boolean): void {
     for (const name of prediction.layers.keys()) {
       const covered = this.covered.get(name);
@@ -180,7 +178,7 @@ export class Predictions {
     if (content !== null) this.host.show(covered.place, content);
   }
 
-  /** null: what is shown is right. */
+  /** null: the shown content is correct. */
   private compose(name: string, covered: Covered): Content | null {
     const { predictions, base, voxels } = covered;
     if (predictions.length === 0) this.covered.delete(name);

@@ -1,11 +1,11 @@
-// Which neighbours of a chunk show something of what changed in it, so that no more than these are meshed again.
+// Finds the neighbours affected by changes in a chunk, so that only these are remeshed.
 
 /** All 27 bits of Job.known. */
 export const ALL_AROUND = (1 << 27) - 1;
 const VOLUME = 32_768;
 
-/** Of voxels, or of the one material, before and after: bit (dy + 1) * 9 + (dz + 1) * 3 + dx + 1 for each neighbour that
- *  touches a voxel that is different. */
+/** Compares voxels, or uniform materials, before and after: bit (dy + 1) * 9 + (dz + 1) * 3 + dx + 1 for each neighbour
+ *  that touches a changed voxel. */
 export function touchedNeighbours(before: number | Uint16Array, after: number | Uint16Array): number {
   const at = (voxels: number | Uint16Array, i: number) => (typeof voxels === 'number' ? voxels : voxels[i]);
   let bits = 0;

@@ -1,4 +1,4 @@
-// What meshers and the page need to know of a world's materials.
+// Properties of a world's materials for the meshers and the page.
 import type { Material } from 'talus';
 import type { Kind } from '../stream/column.js';
 import { GAS, LIQUID, SOLID } from './mesher.js';
@@ -6,7 +6,7 @@ import { GAS, LIQUID, SOLID } from './mesher.js';
 export interface MaterialTables {
   /** By id. */
   readonly kinds: Uint8Array;
-  /** By id: the place in the list, by which quads name materials. */
+  /** By id: index in the world's list, by which quads refer to materials. */
   readonly places: Uint16Array;
 }
 

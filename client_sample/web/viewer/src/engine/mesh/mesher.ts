@@ -1,5 +1,5 @@
-// Greedy meshing with ambient occlusion at the corners. Rows of 32 voxels along x are one bit mask each, so that
-// the visible faces of a whole row come from a few operations; only those are looked at one by one.
+// Greedy meshing with ambient occlusion at the corners. A row of 32 voxels along x is a bit mask, so a few operations
+// find the visible faces of a whole row; only these are processed one by one.
 import { DOWN, EAST, GROUPS, NORTH, SKIRTS, SOUTH, UP, WEST } from './quad.js';
 import {
   DX, DY, DZ, ROWS, blockEnds, blockRow, classify, eastOf, ground, liquidEnds, liquidRow, openCut, openCutEnds, row, solid, solidRow, westOf,
@@ -9,41 +9,41 @@ import { PADDED, SIDE, paddedIndex } from './volume.js';
 
 export { GAS, LIQUID, SOLID, type Kept } from './rows.js';
 
-/** How deep a skirt reaches below what is open, in voxels. */
+/** Depth of a skirt below open space, in voxels. */
 const SKIRT_DEPTH = 12;
-/** How much of one is at the top of a border column whose surface lies in the chunk above. */
+/** The part of it used at the top of a border column whose surface lies in the chunk above. */
 const SKIRT_CAP = 6;
 
 export interface MeshOptions {
-  /** Of materials by id: GAS, LIQUID or SOLID. Ids beyond the end are solid. */
+  /** By material id: GAS, LIQUID or SOLID. Ids beyond the end are solid. */
   readonly kinds: Uint8Array;
-  /** Of materials by id: their place in the world's list. */
+  /** By material id: index in the world's list. */
   readonly places: Uint16Array;
   readonly slot: number;
   readonly occlusion: boolean;
-  /** Single voxels that float right above the ground, as crowns whose trunks are thinner than a voxel, stand on it. */
+  /** Grounds single voxels that float just above the ground, such as crowns whose trunks are thinner than a voxel. */
   readonly grounded: boolean;
-  /** Of each row z the voxels x that a slice leaves, as bits; null: all. Of 34 rows, -1 to 32, bit 0 of which is x = 0;
-   *  aprons west and east have arrays of their own. */
+  /** For each row z, the voxels x that a slice keeps, as bits; null: all. 34 rows, -1 to 32, bit 0 is x = 0; western
+   *  and eastern aprons have their own arrays. */
   readonly kept: Kept | null;
 }
 
 export interface ChunkMesh {
-  /** Two words a quad. Opaque quads by FACES, then SKIRTS, then liquid. */
+  /** Two words per quad. Opaque quads by FACES, then SKIRTS, then liquid. */
   readonly quads: Uint32Array<ArrayBuffer>;
-  /** Quads of each of FACES and SKIRTS, and at the end of liquids. */
+  /** Number of quads in each of FACES and SKIRTS, and finally of liquids. */
   readonly counts: Uint32Array<ArrayBuffer>;
-  /** Of each column (z * 32 + x): 1 + the highest solid voxel, 0 where there is none. */
+  /** For each column (z * 32 + x): 1 + the highest solid voxel, or 0. */
   readonly tops: Uint8Array<ArrayBuffer>;
-  /** The same of liquids; null where there is none. */
+  /** The same for liquids; null without liquids. */
   readonly liquidTops: Uint8Array<ArrayBuffer> | null;
   /** Lowest and highest voxel row of a quad. */
   readonly low: number;
   readonly high: number;
 }
 
-// Buffers that every call uses again: a mesher belongs to one thread.
-const planes = new Uint32Array(6 * SIDE * SIDE); // of each face: [plane][row of v], bits along u
+// Buffers reused by every call: a mesher belongs to one thread.
+const planes = new Uint32Array(6 * SIDE * SIDE); // for each face: [plane][row of v], bits along u
 const keys = new Uint32Array(SIDE * SIDE);
 
 let out = new Uint32Array(1 << 14);
@@ -51,7 +51,7 @@ let used = 0;
 let low = SIDE;
 let high = -1;
 
-/** Writes a row of visible faces toward west or east, bits along x, into planes of x with bits along z. */
+/** Writes a row of visible western or eastern faces, bits along x, to planes of x with bits along z. */
 function scatter(face: number, bits: number, y: number, z: number): void {
   for (let rest = bits; rest !== 0; rest &= rest - 1) {
     const x = 31 - Math.clz32(rest & -rest);
@@ -78,7 +78,7 @@ function facesOf(rows: Uint32Array, notToward: Uint32Array, notTowardEnds: Uint8
   }
 }
 
-/** Occlusion of the four corners of the face of the cell before it, `at`, with steps `du` and `dv`: 8 bits. */
+/** Occlusion of the four corners of a face, from the cell `at` in front of it and the steps `du` and `dv`: 8 bits. */
 function occlusionAt(at: number, du: number, dv: number): number {
   const w = solid[at - du]!;
   const e = solid[at + du]!;
@@ -118,8 +118,8 @@ function isCut(face: number, plane: number, u: number, v: number): number {
   return bit === 0 ? 0 : CUT_BIT;
 }
 
-/** Covers the faces of one plane, bits along u in 32 rows of v from planes[rows] on, with as few quads as a greedy
- *  walk finds, and takes their bits away. */
+/** Covers the faces of one plane, bits along u in 32 rows of v from planes[rows], with as few quads as a greedy search
+ *  finds, and clears their bits. */
 function coverPlane(padded: Uint16Array, face: number, plane: number, options: MeshOptions, occlusion: boolean): void {
   const rows = (face * SIDE + plane) * SIDE;
   let any = 0;
@@ -149,7 +149,7 @@ function coverPlane(padded: Uint16Array, face: number, plane: number, options: M
       const b = (key >>> 2) & 3;
       const c = (key >>> 4) & 3;
       const d = (key >>> 6) & 3;
-      // Quads merge along an axis only where occlusion does not change along it.
+      // Quads merge only along axes without changes in occlusion.
       let width = 1;
       if (a === b && c === d) {
         while (u + width < SIDE && (bits >>> (u + width)) & 1 && keys[v * SIDE + u + width] === key) width++;
@@ -197,8 +197,8 @@ function emit(face: number, plane: number, u: number, v: number, width: number, 
   if (top > high) high = top;
 }
 
-/** Faces at the chunk's side that are hidden by, or beside, the neighbour there, near what is open: walls that close
- *  the gap where another level of detail is drawn beyond. */
+/** Faces at the chunk's side that the neighbour there hides, near open space: walls that close gaps to another level of
+ *  detail beyond. */
 function skirtPlane(face: number): void {
   const plane = face === EAST || face === SOUTH ? 31 : 0;
   const rows = (face * SIDE + plane) * SIDE;
@@ -206,7 +206,7 @@ function skirtPlane(face: number): void {
   const step = STEP_N[face]!;
   for (let u = 0; u < SIDE; u++) {
     const column = ORIGIN + plane * PLANE_STEP[face]! + u * STEP_U[face]!;
-    // From above: how far below something open.
+    // Depth below the last open voxel, from above.
     let depth = solid[column + SIDE * DY] && solid[column + SIDE * DY + step] ? SKIRT_DEPTH - SKIRT_CAP : 0;
     for (let y = SIDE - 1; y >= 0; y--) {
       const at = column + y * DY;
@@ -239,7 +239,7 @@ function topsOf(rows: Uint32Array): Uint8Array<ArrayBuffer> {
   return tops;
 }
 
-/** What `padded` holds may change. */
+/** May modify `padded`. */
 export function meshChunk(padded: Uint16Array, options: MeshOptions): ChunkMesh {
   used = 0;
   low = SIDE;

@@ -12,7 +12,7 @@
 export const MATERIALS_MAX = 1024;
 export const SLOTS = 1 << 16;
 
-/** In the order in which a mesh holds them; those that a camera sees at once tend to be neighbours. */
+/** Order in a mesh; faces that a camera sees together tend to be adjacent. */
 export const FACES = [
   { axis: 0, sign: -1 },
   { axis: 2, sign: -1 },
@@ -24,7 +24,7 @@ export const FACES = [
 
 export const [WEST, NORTH, UP, EAST, SOUTH, DOWN] = [0, 1, 2, 3, 4, 5] as const;
 
-/** Sides of a chunk that have a skirt, in the order in which a mesh holds skirts after its faces. */
+/** Sides of a chunk that have a skirt; in a mesh, skirts follow the faces in this order. */
 export const SKIRTS = [WEST, NORTH, EAST, SOUTH] as const;
 export const GROUPS = FACES.length + SKIRTS.length;
 

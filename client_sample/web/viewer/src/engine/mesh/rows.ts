@@ -1,11 +1,11 @@
-// A chunk and its apron as rows of 32 voxels along x, a bit each: what the mesher works on.
+// A chunk and its apron as rows of 32 voxels along x, one bit each: the mesher's input.
 import { PADDED, SIDE, UNKNOWN, paddedIndex } from './volume.js';
 
 export const GAS = 0;
 export const LIQUID = 1;
 export const SOLID = 2;
 
-/** What a slice leaves of columns: rows z = -1 to 32; bit x - 0 of `mask`, and x = -1 and x = 32. */
+/** Columns that a slice keeps: rows z = -1 to 32; bits x = 0 to 31 in `mask`, and x = -1 and x = 32. */
 export interface Kept {
   readonly mask: Uint32Array;
   readonly west: Uint8Array;
@@ -17,23 +17,23 @@ const ALL = 0xffffffff;
 export const ROWS = PADDED * PADDED;
 export const row = (y: number, z: number) => (y + 1) * PADDED + z + 1;
 
-/** Of padded index: x, y and z steps. */
+/** Steps of the padded index along x, z and y. */
 export const DX = 1;
 export const DZ = PADDED;
 export const DY = PADDED * PADDED;
 
-// Buffers that every call uses again: a mesher belongs to one thread.
+// Buffers reused by every call: a mesher belongs to one thread.
 export const solidRow = new Uint32Array(ROWS); // solid voxels x = 0 to 31
 const solidEnds = new Uint8Array(ROWS); // bit 0: x = -1 is solid, bit 1: x = 32
-export const blockRow = new Uint32Array(ROWS); // the same, unknown ones too: nothing is drawn toward them
+export const blockRow = new Uint32Array(ROWS); // the same with unknown voxels: no faces are drawn towards them
 export const blockEnds = new Uint8Array(ROWS);
 export const liquidRow = new Uint32Array(ROWS);
 export const liquidEnds = new Uint8Array(ROWS);
-export const openCut = new Uint32Array(ROWS); // voxels that a slice took away
+export const openCut = new Uint32Array(ROWS); // voxels removed by a slice
 export const openCutEnds = new Uint8Array(ROWS);
 export const solid = new Uint8Array(PADDED * PADDED * PADDED);
 
-// What the masks have of a material.
+// Masks that contain a material.
 const IS_SOLID = 1;
 const IS_BLOCK = 2;
 const IS_LIQUID = 4;
@@ -126,7 +126,7 @@ export function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | nu
   return { solids: anySolid !== 0, liquids: anyLiquid !== 0 };
 }
 
-/** Puts a voxel of its own material under each single one that has room for one between itself and what is solid. */
+/** Puts a voxel of the same material below each single one with exactly one free voxel between it and solid ground. */
 export function ground(padded: Uint16Array): void {
   for (let y = 1; y < SIDE; y++) {
     for (let z = 0; z < SIDE; z++) {
@@ -146,6 +146,6 @@ export function ground(padded: Uint16Array): void {
   }
 }
 
-/** Bits of the voxels one step west, so that bit x says what is at x - 1. */
+/** Shifts voxels by one to the west, so that bit x is the voxel at x - 1. */
 export const westOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! << 1) | (ends[r]! & 1);
 export const eastOf = (rows: Uint32Array, ends: Uint8Array, r: number) => (rows[r]! >>> 1) | ((ends[r]! & 2) << 30);

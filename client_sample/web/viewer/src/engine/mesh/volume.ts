@@ -1,19 +1,19 @@
-// A chunk with an apron of one voxel of its 26 neighbours: what the mesher reads.
+// A chunk with an apron of one voxel from its 26 neighbours: the mesher's input.
 
 export const SIDE = 32;
 export const PADDED = SIDE + 2;
 export const PADDED_VOXELS = PADDED * PADDED * PADDED;
 
-/** In an apron: the neighbour is not known. No face is drawn toward it, and it occludes nothing. */
+/** In an apron: the neighbour is unknown. No face is drawn towards it, and it occludes nothing. */
 export const UNKNOWN = 0xffff;
 
-/** Of (x, y, z), each -1 to 32. */
+/** Index of (x, y, z), each -1 to 32. */
 export const paddedIndex = (x: number, y: number, z: number): number =>
   ((y + 1) * PADDED + z + 1) * PADDED + x + 1;
 
 export const voxelIndex = (x: number, y: number, z: number): number => (y * SIDE + z) * SIDE + x;
 
-/** What a chunk shows its neighbours: its outermost voxels, or the one material it consists of. */
+/** The part of a chunk that its neighbours see: its outermost voxels, or its uniform material. */
 export type Shell = number | Uint16Array;
 
 const FACE = SIDE * SIDE;
@@ -35,7 +35,7 @@ export function shellOf(voxels: Uint16Array): Uint16Array {
   return shell;
 }
 
-/** Fills `padded`. `neighbour` says the shell at an offset of -1, 0 or 1 along each axis. */
+/** Fills `padded`. `neighbour` returns the shell at an offset of -1, 0 or 1 along each axis. */
 export function fillPadded(
   padded: Uint16Array,
   centre: number | Uint16Array,
@@ -72,7 +72,7 @@ const last = (d: number) => (d < 0 ? -1 : d > 0 ? SIDE : SIDE - 1);
 function fillPart(padded: Uint16Array, shell: Shell | undefined, dx: number, dy: number, dz: number): void {
   const x0 = first(dx);
   const x1 = last(dx);
-  // Which face of the neighbour is seen, and the steps along it.
+  // The visible face of the neighbour, and the steps along it.
   const face = dx !== 0 ? (dx < 0 ? 1 : 0) : dy !== 0 ? (dy < 0 ? 3 : 2) : dz < 0 ? 5 : 4;
   const [stepX, stepY, stepZ] = dx !== 0 ? [0, SIDE, 1] : dy !== 0 ? [1, 0, SIDE] : [1, SIDE, 0];
   for (let y = first(dy); y <= last(dy); y++) {

@@ -1,5 +1,5 @@
-// GLSL that all of the engine's shaders share. Positions are relative to the anchor, a point of the world near the
-// camera whose coordinates are multiples of 4,096 blocks, so that single floats suffice everywhere.
+// GLSL shared by the engine's shaders. Positions are relative to the anchor, a point of the world near the camera whose
+// coordinates are multiples of 4,096 blocks, so that single-precision floats suffice everywhere.
 
 export const PRECISION = /* glsl */ `
 precision highp float;

@@ -1,4 +1,4 @@
-// The part of a vertex shader that takes a quad of mesh/quad.ts apart.
+// The part of a vertex shader that unpacks a quad (mesh/quad.ts).
 export const QUAD = /* glsl */ `
 uniform usampler2D quads;
 uniform sampler2D slots;              // of each mesh: origin relative to the anchor, and blocks a voxel

@@ -1,4 +1,4 @@
-// The sky behind everything: gradient, sun, moon, stars and clouds.
+// The sky: gradient, sun, moon, stars and clouds.
 import { NOISE, OUTPUT, PRECISION, SKY } from './common.js';
 
 export const skyVertex = /* glsl */ `${PRECISION}

@@ -1,4 +1,4 @@
-// Solid ground: materials by noise, light by sun, sky and what the land itself hides.
+// Solid ground: materials from noise, light from sun and sky, with occlusion by the land.
 import { GROUND, NOISE, OUTPUT, PRECISION, SHADOW, SKY } from './common.js';
 import { QUAD } from './quads.js';
 

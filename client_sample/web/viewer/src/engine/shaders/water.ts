@@ -1,4 +1,4 @@
-// Liquid: what it mirrors, and what it lets through; the bed's own colour is told by shaders/terrain.ts.
+// Liquid: reflection and transmission; shaders/terrain.ts colours the bed.
 import { GROUND, NOISE, OUTPUT, PRECISION, SHADOW, SKY } from './common.js';
 import { QUAD } from './quads.js';
 import { SURFACE_BELOW_TOP } from '../waterline.js';

@@ -1,5 +1,5 @@
-// What a column has in each of its rows. A world has 4,354 rows at most, and a View far fewer: an array from the lowest on
-// is found quicker, and is smaller, than a Map.
+// Values by row of a column. A world has at most 4,354 rows, and a View far fewer: an array from the lowest row is
+// smaller and faster than a Map.
 export class ByRow<T> {
   size = 0;
   private lowest = 0;
@@ -30,7 +30,7 @@ export class ByRow<T> {
     this.size--;
   }
 
-  /** From the lowest row on, as they are now: what comes or goes meanwhile does not matter. */
+  /** A copy from the lowest row on: later changes do not matter. */
   values(): T[] {
     return this.rows.filter((value) => value !== undefined);
   }

@@ -1,12 +1,12 @@
-// What a worker is to hold from now on, packed: thousands of small objects cost the page more to send than to make.
+// Changes of a worker's chunks, packed: sending thousands of small objects costs the page more than creating them.
 import type { ChunkData } from './messages.js';
 
-/** In order: a chunk may come, be dropped and come again. */
+/** In order: a chunk may be added, dropped and added again. */
 export interface Changes {
-  /** Of each: level, x, y, z, material or one of those below, bytes of its payload. */
+  /** For each: level, x, y, z, material or a constant below, bytes of its payload. */
   readonly table: Int32Array;
   readonly payloads: Uint8Array;
-  /** Of each payload. */
+  /** For each payload. */
   readonly hashes: readonly (string | null)[];
 }
 
@@ -37,7 +37,7 @@ export class ChangeList {
     this.rows.push(lod, x, y, z, DROP, 0);
   }
 
-  /** All since the last call; the buffers may be transferred. */
+  /** All changes since the last call; the buffers may be transferred. */
   take(): Changes {
     const payloads = new Uint8Array(this.bytes);
     let at = 0;
@@ -61,7 +61,7 @@ export function apply({ table, payloads, hashes }: Changes, to: { add(chunk: Chu
     const start = end;
     end += bytes;
     if (material === DROP) to.drop({ lod, x, y, z });
-    // A copy, so that a chunk does not keep those that came with it.
+    // A copy, so that a chunk does not keep others received with it.
     else if (material === PAYLOAD) to.add({ lod, x, y, z, payload: payloads.slice(start, end), material: null, hash: hashes[taken++] ?? null });
     else to.add({ lod, x, y, z, payload: null, material, hash: null });
   }

@@ -1,4 +1,4 @@
-// Chunks of the land, and the columns that they stand in.
+// Chunks of the land, and their columns.
 import { ByRow } from './by_row.js';
 import type { SlicePlane } from './messages.js';
 
@@ -17,22 +17,22 @@ export type Kind = 'gas' | 'liquid' | 'solid';
 
 export class Chunk<D extends Drawable = Drawable> {
   payload: Uint8Array | null = null;
-  /** What its voxels must have; null: nobody said. */
+  /** Expected hash of its voxels; null: unknown. */
   hash: string | null = null;
-  /** Of a chunk of one material. */
+  /** Material of a uniform chunk. */
   material: number | null = null;
   arrived = 0;
   /** Neighbours that are held, as bits (Job.known). */
   known = 0;
-  /** What the mesh was made with; -1: not meshed yet. */
+  /** Neighbours with which the mesh was made; -1: not meshed yet. */
   meshedWith = -1;
   meshedSlice: SlicePlane | null = null;
   changed = false;
-  /** Something in it was edited: it goes before all that is not. */
+  /** It was edited: it precedes all unedited chunks. */
   hurried = false;
   job: { id: number; known: number; slice: SlicePlane | null; slot: number } | null = null;
   queued = false;
-  /** Among those that are queued, the least goes first. */
+  /** Among queued chunks, the lowest goes first. */
   order = 0;
   left = false;
   drawable: D | null = null;
@@ -57,29 +57,29 @@ export class Chunk<D extends Drawable = Drawable> {
 
 export class Column<D extends Drawable = Drawable> {
   readonly chunks = new ByRow<Chunk<D>>();
-  /** At (dz + 1) * 3 + dx + 1 the column there, where one is held, and this one in the middle. */
+  /** The held column at each (dz + 1) * 3 + dx + 1, with this one in the middle. */
   readonly near: (Column<D> | undefined)[] = Array.from({ length: 9 });
-  /** Of the View: bit (dz + 1) * 3 + dx + 1 for the columns around. */
+  /** Neighbouring columns in the View: bit (dz + 1) * 3 + dx + 1. */
   around = 0;
   wanted = false;
   drawn = false;
-  /** The last cover that had it, of those that Land counts. */
+  /** Number of the last cover that contained it. */
   coveredIn = 0;
   ready = false;
   begun = false;
-  /** Voxel rows of the level, of the highest solid voxel + 1 and of liquid; a great negative number: none. */
+  /** Voxel rows of the level: highest solid voxel + 1, and liquid; a large negative number if there are none. */
   heights: Int16Array | null = null;
   liquids: Int16Array | null = null;
   lowest = -32768;
-  /** Of the meshes of its chunks. */
+  /** Slots of its chunks' meshes. */
   readonly slots: number[] = [];
-  /** Ends of all of them. */
+  /** Ends of all meshes. */
   bottom = Infinity;
   top = -Infinity;
   left = 0;
-  /** Whether a slice cut it when that was last looked at. */
+  /** True if a slice cut it at the last check. */
   cut = false;
-  /** Sides (mesh/quad.ts, SKIRTS) beyond which another level is drawn, as bits. */
+  /** Sides (mesh/quad.ts, SKIRTS) next to another drawn level, as bits. */
   skirts = 0;
 
   constructor(
@@ -95,7 +95,7 @@ export class Column<D extends Drawable = Drawable> {
     this.skirts = (near[3]?.drawn ? 0 : 1) | (near[1]?.drawn ? 0 : 2) | (near[5]?.drawn ? 0 : 4) | (near[7]?.drawn ? 0 : 8);
   }
 
-  /** What its chunks are drawn by has changed. */
+  /** The meshes of its chunks changed. */
   gather(): void {
     this.slots.length = 0;
     this.bottom = Infinity;

@@ -1,4 +1,4 @@
-// The columns that are held, each with the eight around it.
+// The held columns, each with the eight around it.
 import { Column, type Drawable } from './column.js';
 import { columnKey } from './keys.js';
 

@@ -1,15 +1,15 @@
-// Which level of detail is drawn where. Columns of chunks form a quadtree: a column of level l stands where four of
-// level l - 1 do. The cover draws every place by one level: the finest that is wholly there, and where the View asks
-// for a level that has not come yet, what was drawn before.
+// Chooses the level of detail drawn at each place. Columns of chunks form a quadtree: a column of level l covers four
+// of level l - 1. Every place is drawn at one level: the finest that is complete there, or, while a level of the View
+// is missing, what was drawn before.
 import { hasColumn, inSquare, reaches, type Shape } from './shape.js';
 
 export interface CoverColumn {
   readonly lod: number;
   readonly x: number;
   readonly z: number;
-  /** All that can be seen of it is meshed. */
+  /** Everything visible of it is meshed. */
   readonly ready: boolean;
-  /** Something of it is. */
+  /** Some of it is meshed. */
   readonly begun: boolean;
 }
 
@@ -18,7 +18,7 @@ export interface Columns<C extends CoverColumn> {
   values(): Iterable<C>;
 }
 
-/** Columns of one level by place, for as long as none comes or goes: many are looked up, most more than once. */
+/** Columns of one level by place, while none is added or removed: most are looked up repeatedly. */
 class Grid<C extends CoverColumn> {
   private readonly columns: C[] = [];
   private x0 = Infinity;
@@ -48,7 +48,7 @@ class Grid<C extends CoverColumn> {
   }
 }
 
-/** Of each level; columns beyond the square of the coarsest level left the View, and are left out. */
+/** By level; excludes columns outside the square of the coarsest level, which left the View. */
 function gridsOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Grid<C>[] {
   const top = shape.length - 1;
   const roots = shape[top]!;
@@ -61,7 +61,7 @@ function gridsOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): Grid
   return grids;
 }
 
-/** Columns to draw. No two of them overlap. */
+/** Columns to draw, without overlaps. */
 export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>): C[] {
   const drawn: C[] = [];
   const top = shape.length - 1;
@@ -84,7 +84,7 @@ export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>
     return a || b || c || d;
   };
 
-  /** Whether anything was drawn. */
+  /** Returns true if anything was drawn. */
   const visit = (lod: number, x: number, z: number): boolean => {
     const column = grids[lod]!.get(x, z);
     if (lod > 0 && reaches(shape, lod - 1, 2 * x, 2 * z) && reaches(shape, lod - 1, 2 * x + 1, 2 * z + 1) &&
@@ -108,7 +108,7 @@ export function coverOf<C extends CoverColumn>(shape: Shape, columns: Columns<C>
   return drawn;
 }
 
-/** Distance in blocks from (x, z) to the nearest column of the View that is not ready; null: none is. */
+/** Distance in blocks from (x, z) to the View's nearest column that is not ready; null if all are ready. */
 export function nearestMissing<C extends CoverColumn>(shape: Shape, columns: Columns<C>, x: number, z: number): number | null {
   let nearest = Infinity;
   for (const level of shape) {

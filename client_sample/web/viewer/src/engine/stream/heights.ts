@@ -1,9 +1,9 @@
-// Heights of a column of chunks, by what its meshes say.
+// Heights of a column of chunks, from its meshes.
 import { NO_HEIGHT, type Column, type Drawable, type Kind } from './column.js';
 import type { LevelShape } from './shape.js';
 
-/** Finds them anew, and whether all is meshed that can be seen from above: from the top down to where no column is open.
- *  Whether there are any. */
+/** Recomputes them, and whether everything visible from above is meshed: from the top down to where no column is open.
+ *  Returns true if there are any. */
 export function refreshHeights<D extends Drawable>(column: Column<D>, level: LevelShape, kindOf: (material: number) => Kind): boolean {
   let heights: Int16Array | null = null;
   let liquids: Int16Array | null = null;

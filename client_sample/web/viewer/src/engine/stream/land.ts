@@ -1,7 +1,7 @@
-// The land that the View asks for: which chunks are here, which are to be meshed and when, and what is drawn.
+// The land of the View: received chunks, chunks to be meshed, and columns drawn.
 //
-// A chunk is meshed once all its neighbours in the View are here, so that no seam shows, and again when a neighbour
-// comes that the View had not before. Chunks that left stay drawn until what replaces them is there (cover.ts).
+// A chunk is meshed once all its neighbours in the View are loaded, so that no seams show, and again when a neighbour
+// arrives that the View did not have before. Chunks that left stay drawn until their replacement is ready (cover.ts).
 import type { ChunkMesh } from '../mesh/mesher.js';
 import { ALL_AROUND } from '../edit/touched.js';
 import { Chunk, Column, type Drawable, type Kind } from './column.js';
@@ -13,7 +13,7 @@ import type { Job, SlicePlane } from './messages.js';
 import { columnsAround, type Shape } from './shape.js';
 import { sideOf } from './slice.js';
 
-/** Where meshes go. */
+/** Destination of meshes. */
 export interface Drawer<D extends Drawable> {
   takeSlot(lod: number, x: number, y: number, z: number): number;
   freeSlot(slot: number): void;
@@ -21,11 +21,11 @@ export interface Drawer<D extends Drawable> {
   remove(drawable: D): void;
 }
 
-/** The workers; `drop` follows every chunk that was sent. */
+/** The workers; `drop` is called for every chunk sent. */
 export interface Meshers {
   send(chunk: Chunk): void;
   drop(chunk: Chunk): void;
-  /** Whether one more job finds a place; few are under way at once, so that what left is never worked on for long. */
+  /** True if there is room for a job; few run at once, so that little time is spent on chunks that left. */
   hasRoom(chunk: Chunk): boolean;
   mesh(chunk: Chunk, job: Job): void;
 }
@@ -35,16 +35,16 @@ export interface LandOptions<D extends Drawable> {
   readonly meshers: Meshers;
   kindOf(material: number): Kind;
   now(): number;
-  /** The heights of a column that has none or others than before. */
+  /** Called when a column's heights were found or changed. */
   heights(column: Column<D>): void;
   arrivedToDrawn(ms: number): void;
 }
 
 const COVER_EVERY_MS = 80;
-/** Where it takes long, it is found after so many times as long; but a page that was not let run is not to wait for that. */
+/** If finding the cover is slow, wait this multiple of its time; bounded, as a page may have been suspended. */
 const COVER_SHARE = 40;
 const COVER_LATEST_MS = 240;
-/** Of an update for heights: a few columns at least, then as many as find time; more before anything is drawn. */
+/** Time per update for heights: a few columns at least, then as many as possible; more before anything is drawn. */
 const HEIGHTS_MS = 1;
 const FIRST_HEIGHTS_MS = 4;
 const HEIGHTS_LEAST = 4;
@@ -57,19 +57,19 @@ export class Land<D extends Drawable> {
   private readonly queue = new MeshQueue<D>((chunk) => this.sliceOf(chunk));
   private nextJob = 1;
   private coverStale = true;
-  /** Columns whose heights, or whether they are ready, may have changed. */
+  /** Columns whose heights or readiness may have changed. */
   private readonly stale = new Set<Column<D>>();
-  /** How many of them are still to be looked at before the cover is found anew; null: it is not due. */
+  /** Number of these to check before the cover is updated; null: not due. */
   private toRefresh: number | null = null;
-  /** Columns of which some chunks left and are drawn still. */
+  /** Columns with chunks that left but are still drawn. */
   private readonly leaving = new Set<Column<D>>();
   private coveredAt = -Infinity;
-  private coverMs = 0; // what it took last
+  private coverMs = 0; // duration of the last update
   private cover: Column<D>[] = [];
-  /** Grows whenever what is drawn may have changed. */
+  /** Incremented when the drawn meshes may have changed. */
   version = 0;
-  private covers = 0; // counts how often the cover was found
-  /** Grows whenever other columns are drawn. */
+  private covers = 0; // number of updates of the cover
+  /** Incremented when other columns are drawn. */
   coverVersion = 0;
   private camera = { x: 0, y: 0, z: 0 };
   held = 0;
@@ -86,7 +86,7 @@ export class Land<D extends Drawable> {
     return this.columns.values();
   }
 
-  /** Whether all of the View that is here is meshed and drawn as it is to be. */
+  /** True if everything received of the View is meshed and drawn in its final form. */
   get settled(): boolean {
     return this.queue.length === 0 && this.jobs.size === 0 && !this.coverStale && this.stale.size === 0;
   }
@@ -95,7 +95,7 @@ export class Land<D extends Drawable> {
     return this.queue.length + this.jobs.size;
   }
 
-  /** Columns to draw: no two overlap. */
+  /** Columns to draw, without overlaps. */
   get drawn(): readonly Column<D>[] {
     return this.cover;
   }
@@ -114,7 +114,7 @@ export class Land<D extends Drawable> {
       const level = shape[column.lod];
       for (const chunk of column.chunks.values()) {
         if (column.wanted && chunk.y >= level!.y0 && chunk.y <= level!.y1) this.consider(chunk);
-        else this.leave(chunk.lod, chunk.x, chunk.y, chunk.z); // a client that is gone would not say so
+        else this.leave(chunk.lod, chunk.x, chunk.y, chunk.z); // a client that is gone does not report this
       }
     }
     this.coverStale = true;
@@ -130,7 +130,7 @@ export class Land<D extends Drawable> {
     this.version++;
   }
 
-  /** `touched`: of a chunk that is here already, which neighbours (as bits of Job.known) show something of what changed. */
+  /** `touched`: for a replaced chunk, the neighbours affected by the change (as bits of Job.known). */
   add(
     lod: number, x: number, y: number, z: number,
     payload: Uint8Array | null, material: number | null, touched = ALL_AROUND, hash: string | null = null,
@@ -222,7 +222,7 @@ export class Land<D extends Drawable> {
     chunk.job = null;
   }
 
-  /** Hands jobs to the workers, nearest first, and finds out what to draw. */
+  /** Passes jobs to the workers, nearest first, and updates the cover. */
   update(camera: { x: number; y: number; z: number }): void {
     const start = this.options.now();
     if (Math.abs(camera.x - this.camera.x) + Math.abs(camera.z - this.camera.z) > 24) {
@@ -239,12 +239,12 @@ export class Land<D extends Drawable> {
     if (this.toRefresh === null) this.recover();
   }
 
-  /** While it fills, a few times a second are enough; for the first that is drawn nobody is to wait. */
+  /** A few times per second suffice while loading; the first cover is immediate. */
   private isDue(now: number): boolean {
     return now - this.coveredAt > Math.min(COVER_LATEST_MS, Math.max(COVER_EVERY_MS, COVER_SHARE * this.coverMs)) || this.cover.length === 0;
   }
 
-  /** Meshes are gone, as when the graphics context was lost: all are made again. */
+  /** Meshes were lost with the graphics context: all are recreated. */
   loseMeshes(): void {
     for (const column of this.cover) column.drawn = false;
     this.cover = [];
@@ -282,7 +282,7 @@ export class Land<D extends Drawable> {
     column.wanted = (column.around & 16) !== 0;
   }
 
-  /** Neighbours that the View has, as bits. */
+  /** Neighbours in the View, as bits. */
   private wantedAround(chunk: Chunk<D>): number {
     const level = this.shape[chunk.lod];
     if (level === undefined) return 0;
@@ -306,7 +306,7 @@ export class Land<D extends Drawable> {
     }
   }
 
-  /** Queues the chunk where it is to be meshed, and can be. */
+  /** Queues the chunk if it must and can be meshed. */
   private consider(chunk: Chunk<D>): void {
     if (chunk.left || chunk.queued || chunk.job !== null) return;
     const missing = this.wantedAround(chunk) & ~chunk.known;
@@ -327,26 +327,26 @@ export class Land<D extends Drawable> {
     this.queue.add(chunk);
   }
 
-  /** What a slice does to it: null where it leaves the chunk whole. */
+  /** The slice that cuts the chunk; null if none does. */
   private sliceOf(chunk: Chunk<D>): SlicePlane | null {
     return this.isCut(chunk.column) ? this.slice : null;
   }
 
-  /** With its apron. */
+  /** Includes its apron. */
   private isCut(column: Column<D>): boolean {
     if (this.slice === null) return false;
     const size = 32 * 2 ** column.lod;
     return sideOf(this.slice, (column.x - 1 / 32) * size, (column.z - 1 / 32) * size, size * 1.0625) === 'cut';
   }
 
-  /** Whether the chunk has no faces, as it is of one material and so are its neighbours. */
+  /** True if the chunk has no faces, because it and its neighbours are of one material. */
   private isPlain(chunk: Chunk<D>): boolean {
     if (chunk.material === null) return false;
     const kind = this.options.kindOf(chunk.material);
     if (kind === 'gas') return true;
     if (this.sliceOf(chunk) !== null) return false;
     let plain = true;
-    // Of the six across a face; liquid shows none toward solid either.
+    // The six neighbours across faces; liquid has no faces towards solid either.
     const check = (dx: number, dy: number, dz: number) => {
       const bit = (dy + 1) * 9 + (dz + 1) * 3 + dx + 1;
       if (!plain || !((chunk.known >>> bit) & 1)) return;
@@ -396,7 +396,7 @@ export class Land<D extends Drawable> {
   }
 
   private cancel(chunk: Chunk<D>): void {
-    // The worker's answer finds no job; the slot is free again then, so that no late mesh is drawn in another's place.
+    // The worker's answer will find no job; the slot is released then, so that no late mesh appears in another's place.
     this.jobs.delete(chunk.job!.id);
     this.options.drawer.freeSlot(chunk.job!.slot);
     chunk.job = null;
@@ -418,7 +418,7 @@ export class Land<D extends Drawable> {
     }
   }
 
-  /** Finds heights anew, of as many of the columns as there is time for. */
+  /** Recomputes heights of as many columns as time allows. */
   private refresh(start: number, columns: number): void {
     if (this.stale.size === 0) {
       this.toRefresh = null;
@@ -440,7 +440,7 @@ export class Land<D extends Drawable> {
     this.version++;
   }
 
-  /** Finds the columns to draw, where they may be others. */
+  /** Updates the columns to draw, if they may have changed. */
   private recover(): void {
     if (!this.coverStale) return;
     this.coverStale = false;
@@ -450,7 +450,7 @@ export class Land<D extends Drawable> {
     this.coverMs = this.options.now() - began;
   }
 
-  /** And lets go what is drawn no more. */
+  /** Draws the new cover and releases columns that are not drawn any more. */
   private drawAnew(): void {
     const before = this.cover;
     this.cover = coverOf(this.shape, this);
@@ -463,9 +463,9 @@ export class Land<D extends Drawable> {
     for (const column of before) if (column.coveredIn !== this.covers) changed.push(column);
     if (changed.length > 0) this.coverVersion++;
     for (const column of changed) column.drawn = column.coveredIn === this.covers;
-    // Skirts stand toward what is not drawn: theirs may have changed, and those of the columns beside them.
+    // Skirts face columns that are not drawn: they may have changed here and in neighbours.
     for (const column of changed) for (const at of [1, 3, 4, 5, 7]) column.near[at]?.findSkirts();
-    // What left the View and is not drawn in place of something: gone.
+    // Release columns that left the View, unless they are drawn as a substitute.
     for (const column of this.leaving) {
       if (column.left === 0) this.leaving.delete(column);
       if (column.left === 0 || (column.drawn && (!column.wanted || !column.ready))) continue;

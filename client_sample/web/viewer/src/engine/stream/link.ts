@@ -1,4 +1,4 @@
-// The connection to the server, made anew as often as it is wanted. Of a client before, nothing is heard.
+// The connection to the server, recreated on demand. Events of earlier clients are ignored.
 import { connect, type Chunk, type ChunkKey, type Client, type TalusError, type World } from 'talus';
 import type { EngineOptions } from '../api.js';
 
@@ -7,26 +7,26 @@ export interface LinkEvents {
   chunk(chunk: Chunk): void;
   left(key: ChunkKey): void;
   viewComplete(): void;
-  /** It comes back by itself, unless `refused`. */
+  /** It reconnects by itself, unless `refused`. */
   lost(text: string, refused: boolean): void;
   error(text: string): void;
 }
 
 export class Link {
   client!: Client;
-  /** The client gave up: only another one connects. */
+  /** The client gave up: only a new client connects. */
   private hasEnded = false;
   private isClosed = false;
   private readonly untaken: Chunk[] = [];
 
-  /** `isFull`: no more chunks are wanted for now, so the server is let know of none that were taken. */
+  /** `isFull`: no more chunks are wanted for now, so no chunks are credited to the server. */
   constructor(
     private readonly options: Pick<EngineOptions, 'url' | 'transport'>,
     private readonly events: LinkEvents,
     private readonly isFull: () => boolean,
   ) {}
 
-  /** Resolves once the server has said what its world is; a later end is told by events alone. */
+  /** Resolves when the server has described its world; a later end is reported only by events. */
   open(token: string | undefined): Promise<World> {
     const url = new URL(this.options.url);
     if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
@@ -54,11 +54,11 @@ export class Link {
       if (error !== null) events.lost(error.message, error.kind === 'refused');
     });
     const joined = client.ready();
-    joined.catch(() => {}); // told by `closed` as well
+    joined.catch(() => {}); // `closed` reports it too
     return joined;
   }
 
-  /** Tries at once what would be tried later; false: there is nothing to try. */
+  /** Makes the next attempt at once; false: there is nothing to try. */
   hurry(): boolean {
     if (!this.hasEnded) this.client.retry();
     return !this.hasEnded;
@@ -73,7 +73,7 @@ export class Link {
     this.client.close();
   }
 
-  /** The next one is another. */
+  /** Closes this client for good. */
   drop(): void {
     this.client.close();
   }

@@ -1,17 +1,17 @@
-// Chunks that are to be meshed, nearest first.
+// Chunks to be meshed, nearest first.
 import type { Chunk, Drawable } from './column.js';
 import type { SlicePlane } from './messages.js';
 
 const SORT_EVERY_MS = 120;
-/** Chunks that find no place are passed over, but no more than so many at a time. */
+/** Maximum number of chunks without room that are skipped at a time. */
 const PASSED_MOST = 32;
 
 export class MeshQueue<D extends Drawable> {
-  private chunks: Chunk<D>[] = []; // the next is the last
+  private chunks: Chunk<D>[] = []; // the last is next
   private isSorted = false;
   private sortedAt = -Infinity;
 
-  /** `sliceOf`: what a slice does to a chunk now. */
+  /** `sliceOf`: the slice that cuts a chunk now. */
   constructor(private readonly sliceOf: (chunk: Chunk<D>) => SlicePlane | null) {}
 
   get length(): number {
@@ -28,12 +28,12 @@ export class MeshQueue<D extends Drawable> {
     this.chunks = [];
   }
 
-  /** The camera is elsewhere. */
+  /** The camera moved. */
   moved(): void {
     this.isSorted = false;
   }
 
-  /** Each leaves the queue; back comes one for which `start` gives false, as it finds no place now. */
+  /** Removes each chunk from the queue; puts back chunks for which `start` returns false, as there is no room. */
   forEachNext(now: number, camera: { x: number; y: number; z: number }, start: (chunk: Chunk<D>) => boolean): void {
     if (this.chunks.length === 0) return;
     if (!this.isSorted && now - this.sortedAt > SORT_EVERY_MS) this.sort(now, camera);
@@ -61,7 +61,7 @@ export class MeshQueue<D extends Drawable> {
     const dy = (chunk.y + 0.5) * size - camera.y;
     const dz = (chunk.z + 0.5) * size - camera.z;
     if (chunk.hurried) return Math.hypot(dx, dz) - 100_000;
-    // A chunk that is drawn already can wait; what lies deep too.
+    // Chunks that are drawn already can wait, and so can deep ones.
     return Math.hypot(dx, dz) + (dy > 0 ? dy * 0.25 : -dy * 0.5) + (chunk.meshedWith >= 0 && chunk.meshedSlice === this.sliceOf(chunk) ? 200 : 0);
   }
 }

@@ -1,4 +1,4 @@
-// What the page and its meshing workers say to each other.
+// Messages between the page and its meshing workers.
 import type { ChunkMesh } from '../mesh/mesher.js';
 import type { Changes } from './changes.js';
 
@@ -7,17 +7,17 @@ export interface ChunkData {
   readonly x: number;
   readonly y: number;
   readonly z: number;
-  /** null where `material` is not. */
+  /** null if `material` is not null. */
   readonly payload: Uint8Array | null;
   readonly material: number | null;
-  /** What the voxels must have; null: nobody said. */
+  /** Expected hash of the voxels; null: unknown. */
   readonly hash: string | null;
 }
 
 export interface SlicePlane {
   readonly x: number;
   readonly z: number;
-  /** Of the side that is taken away. */
+  /** Normal towards the side removed. */
   readonly nx: number;
   readonly nz: number;
 }
@@ -29,14 +29,14 @@ export interface Job {
   readonly y: number;
   readonly z: number;
   readonly slot: number;
-  /** Which of the 27 chunks around it to take: bit (dy + 1) * 9 + (dz + 1) * 3 + dx + 1. */
+  /** The chunks to use of the 27 around it: bit (dy + 1) * 9 + (dz + 1) * 3 + dx + 1. */
   readonly known: number;
   readonly slice: SlicePlane | null;
 }
 
 export type ToWorker =
   | { readonly kind: 'world'; readonly kinds: Uint8Array; readonly places: Uint16Array }
-  /** The jobs are of what is held after the changes. */
+  /** The jobs refer to the state after the changes. */
   | { readonly kind: 'work'; readonly changes: Changes | null; readonly jobs: readonly Job[] };
 
 export type FromWorker =

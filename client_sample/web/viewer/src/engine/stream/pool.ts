@@ -1,4 +1,4 @@
-// The meshing workers. Each owns squares of 8 x 8 columns of chunks, and holds what lies in them and right around.
+// The meshing workers. Each owns squares of 8 x 8 columns of chunks, and holds their chunks and the adjacent ones.
 import type { Chunk } from './column.js';
 import type { Meshers } from './land.js';
 import { ChangeList } from './changes.js';
@@ -27,7 +27,7 @@ export class Pool implements Meshers {
     workers: number,
     makeWorker: () => Worker,
     private readonly handle: (answer: FromWorker) => void,
-    /** A worker could not be started, or ended: what it was given never comes. */
+    /** A worker could not be started, or ended: its results will never arrive. */
     private readonly broken: (text: string) => void,
   ) {
     this.crews = Array.from({ length: workers }, () => {
@@ -70,7 +70,7 @@ export class Pool implements Meshers {
     this.ownerOfJob.set(job.id, crew);
   }
 
-  /** Sends what was gathered. */
+  /** Sends the collected changes and jobs. */
   flush(): void {
     for (const crew of this.crews) this.flushCrew(crew);
   }
@@ -96,7 +96,7 @@ export class Pool implements Meshers {
     return this.crews[((square % count) + count) % count]!;
   }
 
-  /** Each once. Most columns lie, with those around, in the squares of one. */
+  /** Each worker once. Most columns, with their neighbours, lie in squares of one worker. */
   private holdersOf({ lod, x, z }: Chunk): Iterable<Crew> {
     const inner = (at: number) => (at + 1) >> SQUARE === (at - 1) >> SQUARE;
     if (inner(x) && inner(z)) return [this.ownerOf(lod, x, z)];

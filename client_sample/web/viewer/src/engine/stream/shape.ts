@@ -1,4 +1,4 @@
-// Which chunks a View has, level by level, so that the engine knows what is still to come.
+// Chunks of a View, level by level, from which the engine knows what is missing.
 import { ViewShape, type LodRing, type View, type World } from 'talus';
 
 export interface Square {
@@ -13,16 +13,16 @@ export interface LevelShape extends Square {
   readonly lod: number;
   readonly y0: number;
   readonly y1: number;
-  /** Columns that are left out, as the level before has them. */
+  /** Columns left out because the previous level has them. */
   readonly hole: Square | null;
 }
 
-/** By level; a level that the View has not is absent. */
+/** By level; levels that the View lacks are absent. */
 export type Shape = readonly (LevelShape | undefined)[];
 
 const floorDiv = (a: number, b: number) => Math.floor(a / b);
 
-/** Rings of growing levels, each twice as far as the one before, out to `horizon` blocks. */
+/** Rings of ascending levels, each twice as far as the previous one, out to `horizon` blocks. */
 export function ringsFor(radius: number, horizon: number): LodRing[] {
   const far = Math.ceil(horizon / 32);
   const rings: LodRing[] = [];
@@ -33,7 +33,7 @@ export function ringsFor(radius: number, horizon: number): LodRing[] {
   return rings;
 }
 
-/** A View around a camera. Level 0 has all rows of the world where the limits allow it. */
+/** A View around a camera. Level 0 contains all rows of the world if the limits allow it. */
 export function viewFor(
   world: Pick<World, 'minY' | 'maxY' | 'limits'>,
   camera: { x: number; y: number; z: number },
@@ -44,8 +44,8 @@ export function viewFor(
   const limits = world.limits;
   const lowest = floorDiv(world.minY, 32);
   const highest = floorDiv(world.maxY - 1, 32);
-  // The middle of the world, so that ground comes before what lies deep under it; around the player where the limits
-  // do not allow all rows.
+  // Centred on the world's rows, so that ground precedes land deep below; centred on the player if the limits do not
+  // allow all rows.
   const vertical = Math.min(Math.max(Math.ceil((highest - lowest) / 2), 1), limits.viewVerticalRadius);
   const row = Math.max(lowest + vertical, Math.min(floorDiv(camera.y, 32), highest - vertical));
   return {
@@ -71,13 +71,13 @@ export function shapeOf(view: View, world: Pick<World, 'minY' | 'maxY'>): Shape 
 export const inSquare = (square: Square, x: number, z: number): boolean =>
   x >= square.x0 && x <= square.x1 && z >= square.z0 && z <= square.z1;
 
-/** Whether a View of this shape has chunks of the column. */
+/** True if a View of this shape has chunks of the column. */
 export function hasColumn(shape: Shape, lod: number, x: number, z: number): boolean {
   const level = shape[lod];
   return level !== undefined && inSquare(level, x, z) && !(level.hole !== null && inSquare(level.hole, x, z));
 }
 
-/** Of the column and the eight around it those that a View of this shape has, as bits (dz + 1) * 3 + dx + 1. */
+/** The columns, among this and the eight around it, in a View of this shape, as bits (dz + 1) * 3 + dx + 1. */
 export function columnsAround(shape: Shape, lod: number, x: number, z: number): number {
   const level = shape[lod];
   if (level === undefined) return 0;
@@ -92,7 +92,7 @@ export function columnsAround(shape: Shape, lod: number, x: number, z: number): 
   return around;
 }
 
-/** Whether the level, or a finer one in its place, has the column. */
+/** True if the level, or a finer one in its place, contains the column. */
 export function reaches(shape: Shape, lod: number, x: number, z: number): boolean {
   const level = shape[lod];
   return level !== undefined && inSquare(level, x, z);

@@ -1,21 +1,21 @@
-// What a slice leaves of a chunk.
+// The part of a chunk that a slice keeps.
 import type { Kept } from '../mesh/mesher.js';
 import { PADDED } from '../mesh/volume.js';
 import type { SlicePlane } from './messages.js';
 
-/** Blocks from the plane to (x, z), positive on the side that is taken away. */
+/** Signed distance in blocks of (x, z) from the plane, positive on the removed side. */
 export const beyond = (plane: SlicePlane, x: number, z: number): number => (x - plane.x) * plane.nx + (z - plane.z) * plane.nz;
 
 export type Side = 'kept' | 'cut' | 'gone';
 
-/** Of a square of blocks. */
+/** Side of a square of blocks. */
 export function sideOf(plane: SlicePlane, x: number, z: number, size: number): Side {
   const distances = [beyond(plane, x, z), beyond(plane, x + size, z), beyond(plane, x, z + size), beyond(plane, x + size, z + size)];
   if (Math.max(...distances) <= 0) return 'kept';
   return Math.min(...distances) >= 0 ? 'gone' : 'cut';
 }
 
-/** A voxel is taken away whose centre is beyond the plane. */
+/** Removes voxels whose centre is beyond the plane. */
 export function keptOf(plane: SlicePlane, lod: number, cx: number, cz: number): Kept {
   const scale = 2 ** lod;
   const mask = new Uint32Array(PADDED);

@@ -1,9 +1,9 @@
-// When the server is told of another View: as the camera moves and turns.
+// Decides when to send a View, as the camera moves and turns.
 import type { View } from 'talus';
 import type { WorldInfo } from '../api.js';
 import { viewFor } from './shape.js';
 
-/** A View is sent when the camera has gone a chunk or turned by 30 degrees, and no more often than this. */
+/** Minimum interval of Views, which are sent when the camera has moved by a chunk or turned by 30 degrees. */
 const VIEW_EVERY_MS = 250;
 const TURN = Math.PI / 6;
 
@@ -16,7 +16,7 @@ export interface Camera {
 }
 
 export class ViewSender {
-  /** Names those of the View that was sent; empty: none was. */
+  /** Identifies the chunks of the View sent; empty: none was sent. */
   private chunks = '';
   private yaw = 0;
   private at = -Infinity;
@@ -25,14 +25,14 @@ export class ViewSender {
     return this.chunks !== '';
   }
 
-  /** The next is sent at once, whatever was sent before. */
+  /** Sends the next View at once, whatever was sent before. */
   reset(): void {
     this.chunks = '';
     this.at = -Infinity;
   }
 
-  /** The View to send now; null: none. `moved`: it has other chunks than that before. `complete`: nothing is to come, so
-   *  that no turn of the camera changes what comes first. */
+  /** The View to send now; null: no View. `moved`: its chunks differ from the previous View's. `complete`: nothing is
+   *  missing, so turning the camera does not change the order of arrival. */
   next(now: number, world: WorldInfo, eye: Camera, radius: number, horizon: number, complete: boolean): { view: View; moved: boolean } | null {
     if (now - this.at < VIEW_EVERY_MS) return null;
     const { yaw, pitch } = eye;
@@ -42,7 +42,7 @@ export class ViewSender {
     const chunk = (v: number) => Math.floor(v / 32);
     const chunks = JSON.stringify([chunk(x), chunk(y), chunk(z), view.horizontalRadius, view.verticalRadius, view.rings]);
     const turned = Math.abs(Math.atan2(Math.sin(yaw - this.yaw), Math.cos(yaw - this.yaw))) > TURN;
-    // Only another View has another end: one moves through rows of chunks without.
+    // Only another View has another end; movement within a row of chunks does not change it.
     const moved = chunks !== this.chunks;
     if (!moved && !(turned && !complete)) return null;
     this.chunks = chunks;

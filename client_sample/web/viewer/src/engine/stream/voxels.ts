@@ -1,4 +1,4 @@
-// Voxels near the player, for the page itself: decoded when they are first looked at, a few chunks kept.
+// Voxels near the player, for the page itself: decoded on first use; a few chunks are cached.
 import { voxelIndex } from '../mesh/volume.js';
 import { decodeChunk } from './decode.js';
 import { chunkKey } from './keys.js';
@@ -6,20 +6,20 @@ import type { Chunk } from './column.js';
 
 const KEPT = 128; // chunks: 8 MiB
 
-/** null: the payload does not decode, or not to what its hash says. */
+/** null: the payload does not decode, or does not match its hash. */
 type Decoded = number | Uint16Array | null;
 
 export class Voxels {
   private readonly decoded = new Map<string, { payload: Uint8Array; voxels: Decoded }>();
 
-  /** `chunkAt`: of level 0, as the land holds it. */
+  /** `chunkAt`: the land's chunk of level 0. */
   constructor(private readonly chunkAt: (x: number, y: number, z: number) => Chunk | undefined) {}
 
   get bytes(): number {
     return this.decoded.size * 65536;
   }
 
-  /** Of a base voxel; undefined: nobody knows. From `airFrom` on the world was generated as air, but somebody may have built. */
+  /** Material of a base voxel; undefined: unknown. From `airFrom` up the generated world is air, unless edited. */
   atBlock(x: number, y: number, z: number, airFrom: number): number | undefined {
     const chunk = this.chunkAt(Math.floor(x / 32), Math.floor(y / 32), Math.floor(z / 32));
     if (chunk === undefined || chunk.left) return y >= airFrom ? 0 : undefined;
@@ -47,7 +47,7 @@ export class Voxels {
   }
 }
 
-/** The workers, which are given every chunk too, tell of what does not decode. */
+/** The workers, which receive every chunk too, report payloads that do not decode. */
 function decodedOrNull(payload: Uint8Array, hash: string | null): Decoded {
   try {
     return decodeChunk(payload, hash);

@@ -1,4 +1,4 @@
-// A meshing worker: decodes the chunks that it is given, and meshes what it is asked to.
+// A meshing worker: decodes its chunks, and meshes on request.
 import { meshChunk } from '../mesh/mesher.js';
 import { PADDED_VOXELS, fillPadded } from '../mesh/volume.js';
 import { apply } from './changes.js';
@@ -12,7 +12,7 @@ const padded = new Uint16Array(PADDED_VOXELS);
 let kinds: Uint8Array = new Uint8Array();
 let places: Uint16Array = new Uint16Array();
 
-/** Beyond this level corners would darken whole hillsides. */
+/** Above this level, corners would darken whole hillsides. */
 const OCCLUDED_LEVELS = 3;
 
 const answer = (message: FromWorker, transfer: Transferable[] = []) =>

@@ -1,5 +1,5 @@
-// What a worker holds: payloads as they came, what each decoded chunk shows its neighbours, and voxels of those that
-// were decoded and not meshed yet, up to a bound. Nothing is decoded before it is needed.
+// A worker's chunks: payloads as received, the shells of decoded chunks, and a bounded number of decoded chunks not
+// meshed yet. Decoding is lazy.
 import { shellOf, type Shell } from '../mesh/volume.js';
 import { chunkKey } from './keys.js';
 import type { ChunkData } from './messages.js';
@@ -14,7 +14,7 @@ interface Held {
 const VOXEL_BYTES = 65536;
 const CACHED = 160; // chunks: 10 MiB
 
-/** Throws where the payload is none, or its voxels do not have the hash. */
+/** Throws if the payload is invalid or does not match the hash. */
 export type Decode = (payload: Uint8Array, hash: string | null) => number | Uint16Array;
 
 export class WorkerChunks {
@@ -50,7 +50,7 @@ export class WorkerChunks {
     this.voxels.delete(key);
   }
 
-  /** All voxels, or the one material; undefined: not held. */
+  /** All voxels, or the uniform material; undefined: not held. */
   centre(lod: number, x: number, y: number, z: number): number | Uint16Array | undefined {
     const key = chunkKey(lod, x, y, z);
     const held = this.held.get(key);
@@ -58,7 +58,7 @@ export class WorkerChunks {
     if (held.material !== null) return held.material;
     const cached = this.voxels.get(key);
     if (cached !== undefined) {
-      this.voxels.delete(key); // meshed now: it is not needed again soon
+      this.voxels.delete(key); // meshed now: not needed again soon
       return cached;
     }
     return this.decoded(held);
@@ -80,7 +80,7 @@ export class WorkerChunks {
 
   private decoded(held: Held): number | Uint16Array {
     const voxels = this.decode(held.payload!, held.hash);
-    held.hash = null; // once is enough
+    held.hash = null; // checking once is enough
     if (typeof voxels === 'number') {
       held.material = voxels;
     } else if (held.shell === null) {
