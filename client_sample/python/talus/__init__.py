@@ -8,7 +8,7 @@
         for chunk in world.view(0, 0, radius=4):
             ...
 
-`talus.protocol` and `talus.decode` also serve alone, for programs that have their own event loop.
+`talus.protocol` and `talus.decode` can be used alone, by programs with their own event loop.
 """
 
 from .chunk import Chunk
@@ -37,14 +37,14 @@ __all__ = [
 
 
 def connect(address, *, token="", tls=False, ca=None, timeout=10):
-    """A World at "HOST:PORT", or a world by HTTP at "http://HOST:PORT" or "https://HOST:PORT".
+    """Returns a World at "HOST:PORT", or a world over HTTP at "http://HOST:PORT" or "https://HOST:PORT".
 
-    "HOST:PORT,HOST:PORT": servers of one world. Where one cannot be reached, goes away or breaks off, the next is tried,
-    and around again. One is enough where a balancer stands for all.
+    "HOST:PORT,HOST:PORT": servers of one world. If one cannot be reached, goes away or disconnects, the next is tried,
+    then around again. One address is enough if a balancer covers all servers.
 
-    `token`: the secret or JSON Web Token that the server asks for. `tls`: by TLS, trusting the system's certificates;
-    `ca`: by TLS, trusting those in this PEM file. `timeout`: seconds to connect in.
-    Raises OSError where nobody answers, and ServerError where the server refuses.
+    `token`: the secret or JSON Web Token that the server requires. `tls`: use TLS, trusting the system's certificates;
+    `ca`: use TLS, trusting the certificates in this PEM file. `timeout`: seconds for connecting.
+    Raises OSError if nothing answers, and ServerError if the server refuses.
     """
     from .connection import tls_context
 

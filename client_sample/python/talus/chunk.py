@@ -1,4 +1,4 @@
-"""A chunk as a client gets it, by any way."""
+"""A chunk as received, from a stream or over HTTP."""
 
 import functools
 
@@ -10,10 +10,10 @@ _UNIFORM = b"\3\0\1"  # layers of one material, whose id follows
 
 
 class Chunk:
-    """32 x 32 x 32 voxels at `key`: x, y, z counted in chunks of level `lod`.
+    """32 x 32 x 32 voxels at `key`: x, y, z in chunks of level `lod`.
 
-    `payload` is what the server sent. `revision` is 0 as generated. `hash` is the content hash that came with the
-    payload, as one number of 128 bits, or None: by HTTP none comes.
+    `payload` is encoded. `revision` is 0 for generated chunks. `hash` is the content hash sent with the payload, as a
+    128-bit number, or None over HTTP.
     """
 
     def __init__(self, key, payload, hash=None, revision=0):
@@ -34,7 +34,7 @@ class Chunk:
     def voxels(self):
         """Material ids, uint16[y][z][x]: x east, y up, z south.
 
-        Decoded, and compared with the hash, when first read.
+        Decoded and checked against the hash on first use.
         """
         voxels = decode(self.payload)
         if self.hash is not None and content_hash(voxels) != self.hash:
@@ -43,7 +43,7 @@ class Chunk:
 
     @property
     def is_uniform(self):
-        """Whether it is known, without decoding, to consist of one material. False also where nobody knows."""
+        """True if it is known, without decoding, to consist of one material. False if that is unknown."""
         return self.payload.startswith(_UNIFORM)
 
     @property

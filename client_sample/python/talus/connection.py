@@ -1,4 +1,4 @@
-"""Frames over a TCP connection, by TLS or without."""
+"""Frames over a TCP connection, with or without TLS."""
 
 import socket
 import ssl
@@ -6,13 +6,13 @@ import time
 
 from . import protocol
 
-PING_AFTER_S = 20  # of silence, or sooner where the server's limit is lower
-SHORTEST_PING_AFTER_S = 0.005  # whatever a server claims, no flood
+PING_AFTER_S = 20  # without sending, or sooner if the server's limit is lower
+SHORTEST_PING_AFTER_S = 0.005  # prevents a flood, whatever the server asks for
 DEAD_AFTER_S = 60
 
 
 class Connection:
-    """Sends and receives messages, each call blocking. Pings by itself while it waits."""
+    """Sends and receives messages with blocking calls. Sends pings by itself while waiting."""
 
     def __init__(self, host, port, context, receive_bytes, connect_timeout):
         addresses = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
@@ -40,7 +40,7 @@ class Connection:
         self.socket.close()
 
     def obey_idle_timeout(self, idle_timeout_ms):
-        """Pings at a third of it: one may be late and the next still comes in time. 0: there is none."""
+        """Pings at a third of the time-out: if one is late, the next is still in time. 0: no time-out."""
         self.ping_after_s = PING_AFTER_S
         if idle_timeout_ms:
             self.ping_after_s = max(min(PING_AFTER_S, idle_timeout_ms / 3000), SHORTEST_PING_AFTER_S)
@@ -53,7 +53,7 @@ class Connection:
         self.sent_at = time.monotonic()
 
     def idle_s(self):
-        """How long nothing was sent."""
+        """Seconds since something was sent."""
         return time.monotonic() - self.sent_at
 
     def keep_alive(self):
@@ -61,14 +61,14 @@ class Connection:
             self.send(protocol.Ping())
 
     def sleep(self, seconds):
-        """As time.sleep(), and pings where that is long."""
+        """Like time.sleep(), but sends pings if it is long."""
         end = time.monotonic() + seconds
         while (left := end - time.monotonic()) > 0:
             self.keep_alive()
             time.sleep(min(left, self.ping_after_s / 2))
 
     def receive(self):
-        """The next message and the bytes of its frame."""
+        """Returns the next message and the number of bytes of its frame."""
         while True:
             length = protocol.frame_length(self.buffer[:4]) if len(self.buffer) >= 4 else None
             if length and len(self.buffer) >= length:
@@ -95,7 +95,7 @@ class Connection:
 
 
 def tls_context(ca):
-    """`ca`: a PEM file of the certificates to trust; None: those that the system trusts."""
+    """`ca`: a PEM file of trusted certificates; None: the system's."""
     context = ssl.create_default_context(cafile=ca)
     context.minimum_version = ssl.TLSVersion.TLSv1_3
     return context

@@ -1,6 +1,6 @@
-"""XXH3-128 with seed 0 over the voxels of a chunk, the hash that Chunk and Unchanged carry.
+"""XXH3-128 with seed 0 of a chunk's voxels, the hash in Chunk and Unchanged.
 
-Of the algorithm only what 65,536 bytes take: 64 blocks of 16 stripes of 64 bytes, in eight lanes of 64 bits.
+Implements only inputs of 65,536 bytes: 64 blocks of 16 stripes of 64 bytes, in eight lanes of 64 bits.
 """
 
 import numpy as np
@@ -32,14 +32,14 @@ _START = np.array(
 
 
 def content_hash(voxels):
-    """The hash of uint16[32][32][32] as one number of 128 bits: high * 2^64 + low of Hash128."""
+    """The hash of uint16[32][32][32] as a 128-bit number: high * 2^64 + low of Hash128."""
     data = np.ascontiguousarray(voxels, "<u2").view("<u8")
     if data.nbytes != _BYTES:
         raise ValueError(f"a chunk has 32 x 32 x 32 voxels, not {voxels.size}")
     blocks = data.reshape(64, 16, 8).astype(np.uint64, copy=False)
     keyed = blocks ^ _STRIPE_KEYS
     keyed[63, 15] = blocks[63, 15] ^ _LAST_STRIPE_KEY
-    # What a block adds does not depend on the lanes, so all blocks are summed at once; neighbour lanes swap data.
+    # A block's contribution does not depend on the lanes, so all blocks are summed at once; neighbour lanes swap data.
     sums = ((keyed & np.uint64(0xFFFFFFFF)) * (keyed >> np.uint64(32))).sum(axis=1, dtype=np.uint64)
     sums += blocks.sum(axis=1, dtype=np.uint64)[:, [1, 0, 3, 2, 5, 4, 7, 6]]
     lanes = _START.copy()

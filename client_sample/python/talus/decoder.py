@@ -1,11 +1,11 @@
-"""The payload of a chunk as voxels: codec 4 of core/voxel/FORMAT.md, whose words this file uses.
+"""Decodes a chunk's payload: codec 4 of core/voxel/FORMAT.md, whose terms this file uses.
 
     voxels = decode(payload)        # numpy uint16[32][32][32]: y, z, x
 
-To have the decoder in a project of your own, copy this file: all of it is here, and it needs nothing but numpy.
+To use the decoder in another project, copy this file: it is complete, and needs only numpy.
 
-The symbols of the entropy coder come one after another, so a loop reads them; what predicts them is done by numpy for
-a row of a plane or a wave of a volume at once.
+The symbols of the entropy coder are sequential, so a loop reads them; numpy computes their predictions for a row of a
+plane or a wave of a volume at once.
 
 Sections: the whole payload; numbers and entropy coding; trained numbers; volume; runs and raw; layered; the palette of
 version 3.
@@ -20,13 +20,13 @@ SIZE = 32
 VOXELS = SIZE**3
 MAX_PAYLOAD_BYTES = 65538
 
-# Zeros after the payload, so that a step may read past the end and be refused after it. A batch of a volume is the
-# longest step: 17 groups of exceptions and 256 symbols and escapes, under 2,000 bytes.
+# Zeros after the payload, so that a step may read past the end and be rejected afterwards. The longest step is a batch
+# of a volume: 17 groups of exceptions and 256 symbols and escapes, under 2,000 bytes.
 _READ_AHEAD = 4096
 
 
 class DecodeError(ValueError):
-    """Bytes that are no payload. `reason` is the error's name in FORMAT.md, with underscores."""
+    """Invalid payload. `reason` is the error's name in FORMAT.md, with underscores."""
 
     def __init__(self, reason, detail=""):
         super().__init__(f"not a chunk's payload: {reason.replace('_', ' ')}" + (f" ({detail})" if detail else ""))
@@ -34,7 +34,7 @@ class DecodeError(ValueError):
 
 
 def decode(payload):
-    """Voxels of a payload (bytes), as a new array uint16[y][z][x]. Raises DecodeError for anything else."""
+    """Returns a payload's voxels as a new array uint16[y][z][x]. Raises DecodeError if it is invalid."""
     payload = bytes(payload)
     if not payload:
         raise DecodeError("empty")
@@ -56,7 +56,7 @@ def decode(payload):
 
 
 class Header:
-    """The parts of a body before the coded ones, from the payload's third byte on."""
+    """The uncoded parts of a body, from the payload's third byte on."""
 
     def __init__(self, payload):
         self.payload = payload
@@ -92,7 +92,7 @@ class Header:
         return ids, slot_table([size + 1 for size in self.take(len(ids))])
 
     def coded(self):
-        """What is left: 16 states and the coded part."""
+        """The rest: 16 states and the coded part."""
         return Coded(self.payload, self.at)
 
 
@@ -104,7 +104,7 @@ def slot_table(sizes):
 
 
 class Coded:
-    """Sixteen rANS states and the bytes that they take, to the end of the payload."""
+    """Sixteen rANS states and the bytes that they read, to the end of the payload."""
 
     def __init__(self, payload, at):
         if len(payload) < at + 32:
@@ -185,7 +185,7 @@ class Coded:
             raise DecodeError("bad_number", bad)
 
     def finish(self, endings=None):
-        """At the end. Without `endings` all states must be 256; else they hold bytes, which are given back."""
+        """Checks the end. Without `endings` all states must be 256; otherwise returns the bytes that they hold."""
         if self.at < self.end:
             raise DecodeError("too_long", f"{self.end - self.at} bytes after the end")
         rest = [state - 256 for state in self.states]
@@ -196,8 +196,8 @@ class Coded:
 
 # Trained numbers
 # ---------------
-# Block by block as FORMAT.md has them, which a test compares: the text of each by its name, of `volume-classes` one for
-# each of the eight tables.
+# Copied block by block from FORMAT.md, which a test compares: text by name; `volume-classes` has one text for each of
+# the eight tables.
 
 
 BLOCKS = {
@@ -445,7 +445,7 @@ _GAPS = slot_table([int(size) for size in BLOCKS["gap-sizes"].split()])
 
 @functools.lru_cache(maxsize=None)
 def _volume_ends(table):
-    """For each context 0 to 383: where the intervals of symbols 0, 1 and 2 end."""
+    """For each context 0 to 383: ends of the intervals of symbols 0, 1 and 2."""
     numbers = [int(end) for end in BLOCKS["volume-ends"].split()]
     classes = [tuple(numbers[i : i + 3]) for i in range(0, len(numbers), 3)]
     letters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -454,7 +454,7 @@ def _volume_ends(table):
 
 @functools.lru_cache(maxsize=None)
 def _wave_rows(wave):
-    """Places in the array of rows: those of the wave, and of their rows north, below, below north and below south."""
+    """Indices of rows: the wave's, and their rows north, below, below north and below south."""
 
     def place(y, z):
         return y * SIZE + z
@@ -479,12 +479,12 @@ def _wave_rows(wave):
 
 
 class Exceptions:
-    """Materials of steady voxels that are not as predicted. `wait` counts the steady voxels before the next one."""
+    """Materials of steady voxels that differ from the prediction. `wait`: steady voxels before the next one."""
 
     def __init__(self, coded, slots, count):
         self.coded, self.slots, self.left = coded, slots, count
         self.group = []
-        self.wait = VOXELS  # more than can come
+        self.wait = VOXELS  # more than there can be
         self.advance()
 
     def advance(self):
@@ -511,7 +511,7 @@ class Exceptions:
         return found
 
 
-# What is equal near a voxel, as bits of one number. The first eight of them are known before its row is.
+# Equalities near a voxel, as bits of one number. The first eight are known before its row is read.
 _NEAR_BITS = 8
 
 
@@ -532,7 +532,7 @@ def _even_contexts():
 
 
 def _odd_contexts():
-    """Contexts, and where E is first: by the first eight bits and W = E, N = W, B = W, N = E, B = E."""
+    """Contexts, and whether E is first: by the first eight bits and W = E, N = W, B = W, N = E, B = E."""
     upright, level_south, west_n, east_n, west_b, east_b, same, level, between, nw, bw, ne, be = _bits(_NEAR_BITS + 5)
     base_west, other_west = np.where(level, nw, bw), np.where(level, bw, nw)
     base_east, other_east = np.where(level, ne, be), np.where(level, be, ne)
@@ -574,7 +574,7 @@ def read_volume(payload):
     ends = _volume_ends(table)
     coded = header.coded()
     exceptions = Exceptions(coded, slots, count)
-    # Places in the list of materials, of which the first is 0. The last row stays as it is.
+    # Indices in the list of materials; the first is 0. The last row is not changed.
     rows = np.zeros((SIZE * SIZE + 1, _PADDED), np.uint8)
     for wave in range(_WAVES):
         places = _wave_rows(wave)
@@ -637,7 +637,7 @@ class Wave:
         padded[:, 2::2] = read.reshape(near.shape)
 
     def read_batch(self, voxels, contexts, seconds):
-        """`voxels`, the first candidates of a batch, become the voxels. `seconds`, of odd columns, gives the second."""
+        """Turns `voxels`, a batch's first candidates, into its voxels. `seconds`: second candidates of odd columns."""
         coded, exceptions, ends = self.coded, self.exceptions, self.ends
         steady = contexts == (_STEADY_EVEN if seconds is None else _STEADY_ODD)
         others = np.flatnonzero(~steady)
@@ -669,7 +669,7 @@ class Wave:
         return voxels
 
     def candidates(self, around, place, beside):
-        """The different materials around the voxel at `place` of its batch, the likeliest first."""
+        """The distinct materials around the voxel at `place` of its batch, most likely first."""
         row, column = divmod(place, SIZE // 2)
         stride = self.around.shape[1] * _PADDED
         north = row * _PADDED + 2 * column + (1 + (len(beside) > 0))
@@ -752,13 +752,13 @@ _SYMBOL_WEST, _SYMBOL_EAST = (2 * _FEATURES.index(name) for name in ("symbol wes
 
 
 def _interval_ends():
-    """For each pair of classes, 16 * the first score's + the second's: ends of the intervals of symbols 0, 1 and 2."""
+    """For each pair of classes, 16 * the first score's + the second's: ends of symbols 0's, 1's and 2's intervals."""
     a, o, u = (list(map(int, line.split())) for line in BLOCKS["intervals"].strip().split("\n"))
     return [(a[i], a[i] + 1 + ((o[i] - a[i] - 2) * u[j] >> 8), o[i]) for i in range(16) for j in range(16)]
 
 
 class Columns(dict):
-    """Ends of intervals by a column's key, for one kind of row and parity of x. Keys repeat, so scores are kept."""
+    """Ends of intervals by a column's key, for one kind of row and parity of x. Keys repeat, so scores are cached."""
 
     INTERVAL_ENDS = _interval_ends()
     MOST = 1 << 14
@@ -801,7 +801,7 @@ def read_layered(payload):
             return np.full(VOXELS, ids[0], np.uint16)
     coded = header.coded()
     floor = np.zeros((SIZE, SIZE), int)
-    # A voxel has as many planes at or below it as materials lie below its own.
+    # The number of planes at or below a voxel equals the number of materials below its own.
     levels = np.arange(SIZE)[:, None, None]
     materials = np.zeros((SIZE, SIZE, SIZE), np.uint8)
     for _ in range(count - 1):
@@ -880,7 +880,7 @@ def _read_plane(coded, floor):
     coded.end_of_step("a mask of carried rows" if present > 15 or carried & 1 else "")
     plane = np.zeros((SIZE, SIZE), int)
     features = RowFeatures()
-    steps = np.zeros(SIZE + 4, int)  # of the row before, from x = -2
+    steps = np.zeros(SIZE + 4, int)  # of the previous row, from x = -2
     for z in range(SIZE):
         north, below_north = (plane[z - 1], floor[z - 1]) if z else (floor[0], floor[0])
         kind = "carried" if carried >> z & 1 else "level" if z else "first"
@@ -890,7 +890,7 @@ def _read_plane(coded, floor):
         plane[z] += steps[2:-2]
         if coded.at > coded.end:
             break
-    whole = slice(z if coded.at > coded.end else SIZE)  # a wrong height in a row before goes before an early end
+    whole = slice(z if coded.at > coded.end else SIZE)  # an invalid height in an earlier row precedes truncation
     if (plane[whole] < floor[whole]).any() or (plane[whole] > SIZE).any():
         raise DecodeError("bad_number", "a height below its floor or over 32")
     coded.end_of_step()

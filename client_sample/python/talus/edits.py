@@ -1,4 +1,4 @@
-"""Edits of a world, each once, however often the connection breaks: PROTOCOL.md, "Edit" and "After a lost connection"."""
+"""Edits, each applied once even if the connection breaks: PROTOCOL.md, "Edit" and "After a lost connection"."""
 
 import collections
 import random
@@ -8,7 +8,7 @@ from . import protocol
 from .errors import OutcomeUnknown, ServerError, WorldChanged, again_later
 from .protocol import ErrorCode
 
-KEEP_TRYING_S = 60  # to connect again, for an edit without an answer
+KEEP_TRYING_S = 60  # maximum time of reconnecting for an unanswered edit
 FIRST_DELAY_S, LONGEST_DELAY_S = 0.1, 5
 
 _NOBODY = protocol.Hash128(0, 0)
@@ -23,7 +23,7 @@ generated, which undoes edits. `only`: voxels of other materials stay; None: of 
 
 
 def edit_message(materials, writes, guards, fills, paste, subject):
-    """The Edit of what world.edit() is given."""
+    """Converts world.edit()'s arguments to an Edit."""
     ids = {material.name: material.id for material in materials}
 
     def id_of(material):
@@ -59,11 +59,11 @@ def edit_message(materials, writes, guards, fills, paste, subject):
 
 
 class Editor:
-    """As whom a world edits, over all its connections.
+    """A world's editor, across all its connections.
 
-    `link` connects and carries: attach(message) and send_edit(message) send one and return its answer, reconnect() begins
-    a new connection, connection is the one there is, store_id that of its world, and has_others is whether the next one is to
-    another server.
+    `link` connects and sends: attach(message) and send_edit(message) send a message and return its answer, reconnect()
+    begins a new connection, connection is the current one, store_id its world's store, and has_others is true if the
+    next connection is to another server.
     """
 
     def __init__(self, link):
@@ -78,8 +78,8 @@ class Editor:
         self._seen_revision = max(self._seen_revision, revision)
 
     def edit(self, message):
-        """Sends an edit until its outcome is known. Raises ServerError where it did not happen, and OutcomeUnknown where
-        nobody can say."""
+        """Sends an edit until its outcome is known. Raises ServerError if it was not applied, and OutcomeUnknown if
+        that can no longer be known."""
         message.sequence = 0
         sent = False  # and so it may have happened
         give_up = None
@@ -113,7 +113,7 @@ class Editor:
                 raise error
 
     def _attach(self):
-        """Whether the server knows the editor of the connections before."""
+        """Returns true if the server knows the editor of earlier connections."""
         if self._attached_by is self._link.connection:
             return True
         if self._store_id != self._link.store_id:
@@ -133,7 +133,7 @@ class Editor:
         return answer.known
 
     def _reconnect(self, error, sent, give_up):
-        """Begins a new connection; when to give up from now on, where this is not the first try."""
+        """Begins a new connection; returns the time to give up. `give_up`: that time, unless this is the first try."""
         give_up = give_up or time.monotonic() + KEEP_TRYING_S
         try:
             come_back(self._link, error, give_up)
@@ -145,13 +145,13 @@ class Editor:
 
 
 def come_back(link, error, give_up=None):
-    """Begins a new connection after `error`; raises the last error when it is time to give up, or where no try is of use."""
+    """Begins a new connection after `error`; raises the last error at `give_up`, or if trying is useless."""
     give_up = give_up or time.monotonic() + KEEP_TRYING_S
     delay = FIRST_DELAY_S
     while True:
-        # What a server asks for is before one comes back to it, not to the next.
+        # A delay requested by a server applies to this server, not to the next one.
         asked = 0 if link.has_others else getattr(error, "retry_after_ms", 0) / 1000
-        # Clients of one server do not all return at once.
+        # Random, so that the clients of one server do not return all at once.
         time.sleep(min(max(random.uniform(0, delay), asked), LONGEST_DELAY_S))
         if time.monotonic() > give_up:
             raise error

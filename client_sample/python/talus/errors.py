@@ -1,10 +1,10 @@
-"""What a server says no by."""
+"""Errors of a server."""
 
 from .protocol import ErrorCode
 
 
 class ServerError(Exception):
-    """The server refused. `code` is an ErrorCode; `retry_after_ms` is 0 where trying again does not help."""
+    """The server refused. `code` is an ErrorCode; `retry_after_ms` is 0 if a retry does not help."""
 
     def __init__(self, code, text, retry_after_ms=0):
         super().__init__(f"{getattr(code, 'name', code)}: {text}")
@@ -13,15 +13,15 @@ class ServerError(Exception):
 
 
 class WorldChanged(ConnectionError):
-    """The server that was met again has another world."""
+    """After a reconnect the server had another world."""
 
 
 class OutcomeUnknown(Exception):
-    """The edit was sent, and nobody can say whether it happened."""
+    """The edit was sent, and it can no longer be known whether it was applied."""
 
 
 class ServerLeaving(ConnectionError):
-    """The server ends, and asks to wait `retry_after_ms` before connecting again."""
+    """The server is shutting down, and asks to wait `retry_after_ms` before reconnecting."""
 
     def __init__(self, reason, retry_after_ms):
         super().__init__(f"the server ends the session: {reason}")

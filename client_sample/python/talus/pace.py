@@ -1,8 +1,8 @@
-"""When to send what a server's rates count (PROTOCOL.md, Rates), so that it never refuses."""
+"""Paces requests by a server's rates (PROTOCOL.md, Rates), so that it never refuses any."""
 
 import time
 
-LONGEST_WAIT_S = 60  # whatever a server says
+LONGEST_WAIT_S = 60  # whatever the server asks for
 
 
 class Pace:
@@ -10,14 +10,14 @@ class Pace:
         self.now, self.sleep = now, sleep
         rates = [rates for rates in (limits.session_rates, limits.address_rates) if rates and rates.requests]
         self.per_second = min((rates.requests for rates in rates), default=0)
-        # An eighth is left, for the two clocks do not agree.
+        # An eighth is reserved, as the two clocks differ.
         self.most = min((max(1, rates.requests * rates.burst_ms / 1000 * 7 / 8) for rates in rates), default=1)
         self.level = self.most
         self.updated = now()
         self.held_until = self.updated
 
     def wait(self, wanted):
-        """Blocks until something may be sent; how many of the `wanted` requests may go now, at least 1."""
+        """Blocks until something may be sent; returns how many of the `wanted` requests may, at least 1."""
         delay = self.held_until - self.now()
         if delay > 0:
             self.sleep(delay)
@@ -33,7 +33,7 @@ class Pace:
         return granted
 
     def refused(self, retry_after_ms):
-        """The server refused something all the same: everything waits."""
+        """The server refused a request nevertheless: everything waits."""
         self.held_until = max(self.held_until, self.now() + min(retry_after_ms / 1000, LONGEST_WAIT_S))
         self.level = 1
         self.updated = self.held_until

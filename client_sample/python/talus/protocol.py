@@ -1,10 +1,10 @@
 """The wire: messages of protocol/schema/talus.fbs as Python objects, and frames of them as bytes.
 
     write(Ping(nonce=5))            # the bytes of a frame
-    read(frame)                     # a message; raises ProtocolError for anything that is none
+    read(frame)                     # a message; raises ProtocolError if it is invalid
 
-A message has the fields of its table by their names in the schema, each at its default unless given: 0, False, "", (),
-b"" for lists of bytes, None for tables and structs. Structs are named tuples. FlatBuffers is read and written here: the
+A message has the fields of its table by their names in the schema, with defaults 0, False, "", (), b"" for lists of
+bytes, and None for tables and structs. Structs are named tuples. This module reads and writes FlatBuffers itself: the
 schema needs little of it, and its library for Python does not verify.
 """
 
@@ -12,16 +12,16 @@ import collections
 import enum
 import struct
 
-# Frame bytes count the length prefix too.
+# Frame bytes include the length prefix.
 LEAST_FRAME_BYTES = 12
 MOST_FRAME_BYTES = 262_144
 
 _MOST_TABLES = 2048
-_MOST_COPIES = 4  # bytes of lists and strings for each byte of a frame, as they may lie over one another
+_MOST_COPIES = 4  # bytes of lists and strings per byte of a frame, as they may overlap
 
 
 class ProtocolError(ConnectionError):
-    """Bytes from the peer that the protocol does not allow."""
+    """The peer violated the protocol."""
 
 
 class ErrorCode(enum.IntEnum):
@@ -80,7 +80,7 @@ class _Scalar:
 
 
 class _Enum(_Scalar):
-    """Read as a member of the enumeration, or as a number where a newer peer has more of them."""
+    """Read as a member of the enumeration, or as a number if a newer peer has more members."""
 
     def __init__(self, code, members):
         super().__init__(code, members(0))
@@ -344,7 +344,7 @@ class ViewComplete(Message):
     FIELDS = dict(number=U32)
 
 
-# The union Body: a message's number is its place here, from 1 on.
+# The union Body: a message's number is its position here, from 1.
 BODIES = (
     Hello,
     View,
@@ -374,7 +374,7 @@ BODIES = (
 
 
 def frame_length(prefix):
-    """Bytes of the whole frame whose first four bytes are `prefix`. Raises ProtocolError where no frame is so long."""
+    """Length of the complete frame whose first four bytes are `prefix`. Raises ProtocolError if it is not allowed."""
     length = int.from_bytes(prefix, "little") + 4
     if not LEAST_FRAME_BYTES <= length <= MOST_FRAME_BYTES:
         raise ProtocolError(f"a frame of {length} bytes; they have {LEAST_FRAME_BYTES} to {MOST_FRAME_BYTES}")
@@ -382,7 +382,7 @@ def frame_length(prefix):
 
 
 def read(frame):
-    """The message of a whole frame, the length prefix included; None where its kind is newer than this client."""
+    """The message of a complete frame with its length prefix; None if its kind is newer than this client."""
     if frame_length(frame[:4]) != len(frame):
         raise ProtocolError(f"a frame of {len(frame)} bytes does not have the length that it says")
     reader = _Reader(frame)
@@ -393,7 +393,7 @@ def read(frame):
 
 
 class _Reader:
-    """Reads after checking that what it reads lies in the frame, aligned, and that all together is not much more."""
+    """Checks that everything read lies in the frame, is aligned, and that the total is not much larger than it."""
 
     def __init__(self, frame):
         self.frame = frame
@@ -423,7 +423,7 @@ class _Reader:
         return self.table(BODIES[kind - 1], self.follow(slots[1]))
 
     def slots(self, at):
-        """Where each field of the table at `at` lies; 0: absent."""
+        """Position of each field of the table at `at`; 0: absent."""
         self.tables_left -= 1
         if self.tables_left < 0:
             raise ProtocolError(f"a frame with over {_MOST_TABLES} tables")
@@ -441,7 +441,7 @@ class _Reader:
             **{
                 name: self.field(kind, slot)
                 for (name, kind), slot in zip(message.FIELDS.items(), slots)
-                if slot  # fields that are missing, or that the peer's schema lacks, have their default
+                if slot  # absent fields, and fields that the peer's schema lacks, have their default
             }
         )
 
@@ -455,7 +455,7 @@ class _Reader:
         return self.number(kind, at)
 
     def span(self, at, size_of_each, align):
-        """Where the elements of a list begin, and how many there are."""
+        """Start and number of the elements of a list."""
         count = self.number(U32, at)
         self.check(at + 4, count * size_of_each, align)
         self.bytes_left -= count * size_of_each
@@ -483,8 +483,8 @@ class _Reader:
 
 
 def write(message):
-    """The frame of a message. Fields at their default are left out."""
-    data = bytearray(8)  # the length, and where the root lies
+    """The frame of a message. Fields with their default are omitted."""
+    data = bytearray(8)  # the length, and the root's offset
     layout = [(U8, 0), (U32, 1)]  # of the table Message: body_type, body
     root, places = _put_layout(data, layout)
     struct.pack_into("<I", data, 4, root - 4)
@@ -497,12 +497,12 @@ def write(message):
 
 
 def _start_object(data):
-    """Pads so that what comes 4 bytes on, behind a table's or list's own number, is aligned for every type."""
+    """Pads so that data 4 bytes on, after a table's or list's own number, is aligned for every type."""
     data += bytes((4 - len(data)) % 8)
 
 
 def _put_layout(data, fields):
-    """Puts a vtable and its table with room for `fields`, (kind, slot) each. Gives places of table and fields."""
+    """Writes a vtable and its table with room for `fields`, (kind, slot) each. Returns their positions."""
     fields = sorted(fields, key=lambda field: -field[0].align)
     offsets = []
     size = 4

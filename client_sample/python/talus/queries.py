@@ -1,4 +1,4 @@
-"""What both ways to a world offer, made of what each of them asks for."""
+"""Common calls of World and WebWorld, based on their own requests."""
 
 import dataclasses
 import operator
@@ -11,11 +11,11 @@ from .protocol import ErrorCode
 
 @dataclasses.dataclass(frozen=True)
 class Places:
-    """Columns of base voxels, in the order in which they were asked for."""
+    """Data of columns of base voxels, in the order of the request."""
 
     heights: np.ndarray  # float64, of the ground, in base voxels above y = 0
-    looks: list  # the name of each column's look, where asked for; "" for none
-    fields: dict  # float32 values by the field's name, where asked for
+    looks: list  # if requested, the name of each column's look; "" without a look
+    fields: dict  # if requested, float32 values by the field's name
 
     @classmethod
     def joined(cls, parts, fields):
@@ -35,7 +35,7 @@ def _whole(value, column):
 
 
 class Queries:
-    """Of a class with get_chunks(keys), get_places(columns, looks, fields) and heights_per_request."""
+    """Mix-in for a class with get_chunks(keys), get_places(columns, looks, fields) and heights_per_request."""
 
     def chunk(self, x, y, z, lod=0):
         """One Chunk."""
@@ -48,8 +48,8 @@ class Queries:
     def heights(self, columns):
         """Height of the ground at each (x, z), in base voxels above y = 0, as float64: exact multiples of 1/256.
 
-        A column is one of the base voxels, so x and z are whole numbers, of Python or numpy.
-        A voxel row is solid where its centre is below the height, so the first free row is (256 * height + 127) // 256.
+        Columns are columns of base voxels, so x and z are integers, of Python or numpy.
+        A voxel is solid if its centre is below the height, so the first free row is (256 * height + 127) // 256.
         """
         return self.places(columns, looks=False).heights
 
@@ -66,6 +66,6 @@ class Queries:
             except ServerError as error:
                 if error.code != ErrorCode.too_large or len(group) < 2:
                     raise
-                # Columns far apart cost more than their number says.
+                # Distant columns cost more than their number suggests.
                 groups += [group[len(group) // 2 :], group[: len(group) // 2]]
         return Places.joined(parts, fields)

@@ -1,4 +1,4 @@
-"""Which chunks a View has (PROTOCOL.md, View), as one box of chunks for each level of detail."""
+"""The chunks of a View (PROTOCOL.md, View), as one box of chunks for each level of detail."""
 
 import dataclasses
 
@@ -12,7 +12,7 @@ _EMPTY = range(0)
 
 @dataclasses.dataclass(frozen=True)
 class LevelBox:
-    """Chunks x, y, z of level `lod`, without the columns that lie in both `inner_x` and `inner_z`."""
+    """Chunks x, y, z of level `lod`, without the columns in both `inner_x` and `inner_z`."""
 
     lod: int
     x: range
@@ -34,7 +34,7 @@ class LevelBox:
 
 
 def world_heights(min_y, max_y):
-    """(min_y, max_y), where a world may have them: a View with a horizon has all rows from the one to the other."""
+    """Returns (min_y, max_y) if a world may have them: a View with a horizon contains all rows in between."""
     if not (-_EDGE <= min_y <= max_y <= _EDGE and max_y - min_y <= _MAX_WORLD_ROWS):
         raise ProtocolError(f"heights from {min_y} to {max_y}; a world has at most {_MAX_WORLD_ROWS} rows")
     return min_y, max_y
@@ -43,8 +43,8 @@ def world_heights(min_y, max_y):
 def level_boxes(centre, horizontal_radius, vertical_radius, rings=(), heights=None, cut=True):
     """The box of level 0, then one for each ring, (lod, radius).
 
-    `centre` is in base voxels, radii in base chunks. `heights`, (min_y, max_y) of Welcome: the View has a horizon.
-    Without `cut`, chunks outside the world are among them.
+    `centre` is in base voxels, radii are in base chunks. `heights`, (min_y, max_y) of Welcome, if the View has a
+    horizon. Without `cut`, chunks outside the world are included.
     """
     x, y, z = (coordinate // CHUNK_SIZE for coordinate in centre)
     boxes = [
@@ -56,7 +56,7 @@ def level_boxes(centre, horizontal_radius, vertical_radius, rings=(), heights=No
         finer = boxes[-1]
         rows = _touching(y, vertical_radius, lod) if heights is None else _rows_of_world(*heights, lod)
         box = LevelBox(lod, _touching(x, radius, lod), rows, _touching(z, radius, lod))
-        if heights is None or finer.lod > 0:  # below a horizon, level 0 has not all rows of its columns
+        if heights is None or finer.lod > 0:  # with a horizon, level 0 does not contain all rows of its columns
             inner_x, inner_z = (_wholly_inside(part, finer.lod, lod) for part in (finer.x, finer.z))
             box = dataclasses.replace(box, inner_x=inner_x, inner_z=inner_z)
         boxes.append(box)
@@ -68,7 +68,7 @@ def _touching(centre, radius, lod):
 
 
 def _wholly_inside(finer, finer_lod, lod):
-    """Chunks of `lod` whose base chunks all lie in `finer`, a range of chunks of `finer_lod`."""
+    """Chunks of `lod` entirely inside `finer`, a range of chunks of `finer_lod`."""
     begin, end = finer.start << finer_lod, finer.stop << finer_lod
     return range(-(-begin >> lod), end >> lod)
 

@@ -1,7 +1,7 @@
-"""A world by HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session.
+"""A world over HTTP (PROTOCOL.md, HTTP): the same calls as World, through any cache, without a session.
 
-Each call asks which columns of chunks were edited, a region of 32 x 32 at once: those come by their revision, all others as
-generated, which every cache keeps for ever.
+Each call asks which columns of chunks were edited, in regions of 32 x 32: edited columns are fetched by revision, all
+others as generated, which every cache keeps for ever.
 """
 
 import http.client
@@ -29,16 +29,16 @@ _TRIES = 5
 
 
 class _NoRedirects(urllib.request.HTTPRedirectHandler):
-    """talusd's are followed by hand; another's would take the token along."""
+    """talusd's redirects are followed explicitly; others could leak the token."""
 
     def redirect_request(self, *_):
         return None
 
 
 class WebWorld(Queries):
-    """Made by talus.connect("http://...")."""
+    """Created by talus.connect("http://...")."""
 
-    heights_per_request = 64  # so many fit the line of a request, however far out
+    heights_per_request = 64  # fits the request line at any coordinates
 
     def __init__(self, address, token="", context=None, timeout=10):
         self._root = address.rstrip("/")
@@ -49,7 +49,7 @@ class WebWorld(Queries):
         self.info = self._get_json("/v1/world")  # Welcome as JSON
         self._heights = world_heights(int(self.info["min_y"]), int(self.info["max_y"]))
         self._world = f"/v1/{self.info['fingerprint']}"
-        self._store = self.info.get("store_id", "").strip("0") and self.info["store_id"]  # empty: none
+        self._store = self.info.get("store_id", "").strip("0") and self.info["store_id"]  # empty: no store
 
     def __enter__(self):
         return self
@@ -62,7 +62,7 @@ class WebWorld(Queries):
 
     @property
     def materials(self):
-        """By its id, each material with id, name, colour (0xRRGGBB) and phase."""
+        """Materials by id, with id, name, colour (0xRRGGBB) and phase."""
         return {
             m["id"]: Material(id=m["id"], name=m["name"], colour=int(m["colour"][1:], 16), phase=Phase[m["phase"]])
             for m in self.info["materials"]
@@ -126,7 +126,7 @@ class WebWorld(Queries):
                             yield column.chunk(row)
 
     def edit(self, *_, **__):
-        """Not by HTTP."""
+        """Not available over HTTP."""
         raise NotImplementedError(f"edits need a connection, and {self._root} is HTTP; connect to HOST:PORT of talusd's --listen")
 
     def get_places(self, columns, looks, fields):
@@ -148,7 +148,7 @@ class WebWorld(Queries):
         return places
 
     def _get_chunks(self, name, revision):
-        """A body and its revision: `revision`, or a newer one that the server sent this client to."""
+        """Returns a body and its revision: `revision`, or a newer one after a redirect."""
         if revision == 0:
             return self._get(f"{self._world}/{self.info['codec']}/{name}"), 0
         path = f"{self._world}/{self._store}/{self.info['codec']}/{name}"
@@ -159,7 +159,7 @@ class WebWorld(Queries):
         raise ServerError(ErrorCode.overloaded, f"{path} is edited faster than it is sent", 0)
 
     def _follow(self, path, revision):
-        """The body and its revision, or None and the revision that is the newest instead."""
+        """Returns the body and its revision, or None and the newest revision."""
         try:
             body, said = self._get_with_revision(path)
             if said is not None and not _is_number(said):
@@ -173,7 +173,7 @@ class WebWorld(Queries):
             return None, int(revision)
 
     def edited_columns(self, x, z, lod=0):
-        """Revisions of the columns of chunks that were ever edited in the region (x, z) of 32 x 32 columns, by (x, z)."""
+        """Revisions, by (x, z), of the edited columns of chunks in the region (x, z) of 32 x 32 columns."""
         if not self._store:
             return {}
         body = self._get(f"{self._world}/{self._store}/edits/{lod}/{x}/{z}")
@@ -197,7 +197,7 @@ class WebWorld(Queries):
         return self._get_with_revision(path)[0]
 
     def _get_with_revision(self, path):
-        """The body, and what Talus-Revision says: of land that is edited just now another than the path's; None: nothing."""
+        """Returns the body and Talus-Revision, which differs from the path's for land being edited; None if absent."""
         request = urllib.request.Request(self._root + path, headers=self._headers)
         for turn in range(_TRIES):
             try:
@@ -226,7 +226,7 @@ class _Moved(ServerError):
 
 
 class _EditedColumns:
-    """Asks for each region once."""
+    """Requests each region once."""
 
     def __init__(self, world):
         self._world = world
@@ -244,7 +244,7 @@ def _is_number(text):
 
 
 def _error(path, refusal):
-    """The ServerError that an answer with an error status says."""
+    """The ServerError of an answer with an error status."""
     path = path.partition("?")[0]
     try:
         said = json.loads(refusal.read(65536))["error"]
@@ -256,7 +256,7 @@ def _error(path, refusal):
 class Column:
     """All chunks of level `lod` at (x, z). `runs` are (first y, count, payload), from the bottom up.
 
-    `revision` is that of the request, so that of the newest of its chunks or of its square's; 0: none was ever edited.
+    `revision` is the request's: the newest among its chunks, or its square's; 0: never edited.
     """
 
     def __init__(self, x, z, lod, body, revision=0):

@@ -1,4 +1,4 @@
-"""A world by the stream of frames: one connection, and calls that block until they are answered."""
+"""A world over a stream of frames: one connection, with calls that block until they are answered."""
 
 import collections
 import itertools
@@ -20,16 +20,16 @@ from .view_shape import CHUNK_SIZE, level_boxes, world_heights
 _PROTOCOLS = range(1, 3)
 _CODEC = 4
 _REQUESTS_AT_ONCE = 64
-# So few that they fit the kernel's buffer: a server has then never to wait for a program that computes between chunks.
+# Small enough for the kernel's buffer: a server never waits for a program that computes between chunks.
 _WINDOW_BYTES = 128 * 1024
 _NOWHERE = protocol.View(centre=(1 << 40, 0, 0))
 
 
 class World(Queries):
-    """Made by talus.connect(). Use it by one thread at a time, and close it, or use it in `with`."""
+    """Created by talus.connect(). Use it from one thread at a time, and close it, or use `with`."""
 
     def __init__(self, servers, token="", context=None, timeout=10):
-        """`servers`: (host, port) each, of one world."""
+        """`servers`: (host, port) of each server of one world."""
         self._servers = itertools.cycle(servers)
         self.has_others = len(servers) > 1
         self._open_connection = lambda: Connection(*next(self._servers), context, _WINDOW_BYTES, timeout)
@@ -57,7 +57,7 @@ class World(Queries):
 
     @property
     def materials(self):
-        """By its id, each material with id, name, colour (0xRRGGBB) and phase."""
+        """Materials by id, with id, name, colour (0xRRGGBB) and phase."""
         return {material.id: material for material in self.welcome.materials}
 
     @property
@@ -70,7 +70,7 @@ class World(Queries):
         return self.welcome.spawn
 
     def ping(self):
-        """Seconds to the server and back."""
+        """Returns the round-trip time in seconds."""
         self._wake()
         nonce = self._new_id()
         self._ponged = None
@@ -88,11 +88,11 @@ class World(Queries):
         return time.monotonic() - began
 
     def view(self, x, z, radius, *, y=None, vertical_radius=4, rings=(), horizon=False, direction=(0, 0, 0)):
-        """Yields every Chunk around base voxel (x, y, z), nearest first, and ends when all have come.
+        """Yields every Chunk around base voxel (x, y, z), nearest first, and ends when all have arrived.
 
-        `radius` and `vertical_radius` are in chunks of level 0; without `y` it is the ground's. `rings`, (lod, radius)
-        each, add coarser levels farther out, `horizon` gives them all rows in which the world has anything, and chunks
-        in `direction` come first. A world has one view at a time: a new one ends the one before.
+        `radius` and `vertical_radius` are in chunks of level 0; `y` defaults to the ground. `rings`, (lod, radius)
+        each, add coarser levels farther out, `horizon` extends them to all rows in which the world has anything, and
+        chunks in `direction` come first. A world has one view at a time: a new one ends the previous one.
         """
         if y is None:
             y = self.heights([(math.floor(x), math.floor(z))])[0]
@@ -111,20 +111,20 @@ class World(Queries):
         heights = (self.welcome.min_y, self.welcome.max_y) if horizon else None
         view = _View(message, level_boxes(message.centre, radius, vertical_radius, rings, heights))
         if self._viewing:
-            # What the server has sent for one view it does not send again for the next, unless it leaves in between.
+            # The server sends a chunk again for the next view only if it left in between.
             self._send_view(_NOWHERE)
         self._view = view
         self._send_view(message)
         return self._follow(view)
 
     def edit(self, writes=(), *, guards=(), fills=(), paste=None, subject=""):
-        """Changes voxels, once, however often the connection breaks meanwhile. Returns an EditDone when it is stored.
+        """Changes voxels, once, even if the connection breaks meanwhile. Returns an EditDone when it is stored.
 
-        `writes` and `guards`: ((x, y, z), material) each, in base voxels; where a guard's voxel is of another material,
-        nothing happens. `fills`: a Fill each. `paste`: (origin, payload) or (origin, payload, with_air), the payload
-        of a Chunk. Materials are ids or names. `subject`: for whom, where the token has the right "gateway".
-        Raises ServerError where it did not happen (`conflict`: a guard does not hold), and OutcomeUnknown where nobody
-        can say.
+        `writes` and `guards`: ((x, y, z), material) each, in base voxels; if a guard's voxel has another material,
+        nothing is applied. `fills`: a Fill each. `paste`: (origin, payload) or (origin, payload, with_air), with a
+        Chunk's payload. Materials are ids or names. `subject`: the player that edits, if the token has the right
+        "gateway". Raises ServerError if the edit was not applied (`conflict`: a guard does not hold), and
+        OutcomeUnknown if that can no longer be known.
         """
         message = edit_message(self.welcome.materials, writes, guards, fills, paste, subject)
         if self.welcome.protocol < 2 or self.store_id == protocol.Hash128(0, 0):
@@ -149,13 +149,13 @@ class World(Queries):
         if self.welcome.fingerprint != fingerprint:
             raise WorldChanged("the server has another world now; connect again")
         if view:
-            self._view = view  # of which what has come stays
+            self._view = view  # chunks received for it are kept
             if not view.complete:
                 view.message.number = self._new_view_number()
                 self._send_view(view.message)
 
     def _come_back(self, error):
-        """What the server has not answered is to be asked again then."""
+        """Reconnects; unanswered requests must then be sent again."""
         if isinstance(error, protocol.ProtocolError):
             raise error
         come_back(self, error)
@@ -207,7 +207,7 @@ class World(Queries):
         self._pace = Pace(welcome.limits, sleep=self._connection.sleep)
 
     def _wake(self):
-        """Connects again where nobody asked for so long that the server has ended the session."""
+        """Reconnects if the client was idle for so long that the server has ended the session."""
         limit_ms = self.welcome.limits.idle_timeout_ms
         if limit_ms and self._connection.idle_s() * 1000 > 0.9 * limit_ms and not self._view:
             self.reconnect()
@@ -229,7 +229,7 @@ class World(Queries):
         try:
             while True:
                 try:
-                    # Half of them at once: messages of many requests are cheaper.
+                    # Half of them at once: messages with many requests are cheaper.
                     if len(asked) <= most // 2:
                         to_ask.extend(itertools.islice(keys, most - len(asked) - len(to_ask)))
                         asked += self._ask_for(list(to_ask))
@@ -270,7 +270,7 @@ class World(Queries):
         return asked
 
     def _forget(self, ids):
-        """Of requests whose answers nobody will take."""
+        """Drops requests whose answers are not needed."""
         ids = list(ids)
         for id in ids:
             self._answers.pop(id, None)
@@ -280,7 +280,7 @@ class World(Queries):
             try:
                 self._connection.send(protocol.Cancel(ids=open_ids))
             except OSError:
-                pass  # the next call will say so
+                pass  # the next call will report it
 
     def get_places(self, columns, looks, fields):
         self._wake()
@@ -363,7 +363,7 @@ class World(Queries):
             self._come_back(error)
 
     def _receive(self):
-        """Receives one message and puts it where somebody waits for it."""
+        """Receives one message and stores it for the waiting call."""
         message, size = self._connection.receive()
         kind = type(message)
         if kind in (protocol.Chunk, protocol.Unchanged, protocol.EditBroadcast):
@@ -395,7 +395,7 @@ class World(Queries):
             raise protocol.ProtocolError(f"the server sent a {kind.__name__} that nobody asked for")
 
     def _answer(self, id, message):
-        if id in self._unanswered:  # else given up
+        if id in self._unanswered:  # otherwise given up
             self._unanswered.discard(id)
             self._answers[id] = message
 
@@ -411,7 +411,7 @@ class World(Queries):
                 if message.view_number == 0:
                     self._send_view(_NOWHERE)
                 if view and message.view_number in (0, view.message.number):
-                    # By a number of its own: what is complete may lack what it was refused for.
+                    # With a new number: a completed View may lack the chunks for which this one was refused.
                     view.message.number = self._new_view_number()
                     self._send_view(view.message)
             elif view and view.message.number == message.view_number:
@@ -429,14 +429,14 @@ class World(Queries):
 
     def _take_credit(self, size):
         self._credit += size
-        # All that comes is kept until somebody takes it, which the view's number of chunks bounds.
+        # Everything received is kept until it is taken, bounded by the view's number of chunks.
         if self._credit - self._credited >= self.welcome.limits.window_bytes // 2:
             self._credited = self._credit
             self._connection.send(protocol.Credit(total_bytes=self._credit))
 
 
 class _View:
-    """Chunks of a view that have come and were not taken. One that came already, or that it has not, is thrown away."""
+    """Chunks of a view received and not taken. Repeated chunks, and chunks outside the view, are dropped."""
 
     def __init__(self, message, boxes):
         self.message = message
