@@ -188,7 +188,7 @@ typedef struct talus_edit {
   const uint16_t* write_materials;
   const int64_t* fill_corners;   /* fill_count boxes: lowest corner, then highest; both included */
   const int32_t* fill_materials; /* TALUS_AS_GENERATED undoes edits */
-  const int32_t* fill_only;      /* fills only voxels of this material; NULL: TALUS_ANY for all boxes */
+  const int32_t* fill_only;      /* fills only this material; TALUS_ANY: any; NULL: TALUS_ANY for all */
   const uint16_t* paste_voxels; /* TALUS_CHUNK_VOLUME ids, index TALUS_VOXEL_INDEX(x, y, z); NULL: no paste */
   int64_t paste_x, paste_y, paste_z; /* target of the paste's voxel (0, 0, 0) */
   /* For a game server whose token has the right "gateway": the player that edits. Empty: the token's subject.

@@ -4,7 +4,7 @@
 #include <bit>
 #include <string_view>
 
-// Gives the streaming hash state on the stack.
+// Allows the streaming hash state on the stack.
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)

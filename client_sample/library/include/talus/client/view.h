@@ -33,7 +33,7 @@ struct View {
   /// above, and land below a flying player. The first ring also covers the rows below level 0. Requires
   /// ServerLimits::view_horizon.
   bool horizon = false;
-  /// Equal Views ask for the same chunks in the same order.
+  /// Equal Views request the same chunks in the same order.
   bool operator==(const View&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// Rules for names of materials, in world files and for names that a store gives.
+// Rules for names of materials, in world files and in stores.
 #pragma once
 
 #include <cstddef>

@@ -4,16 +4,16 @@
 //
 // A View has a centre, which is a base chunk c (the chunk of level 0 that holds the wire's centre voxel,
 // floor(voxel / 32) along each axis), a horizontal radius h, a vertical radius v, both in base chunks, and
-// rings (l_1, r_1), (l_2, r_2), ... of a level and a radius in base chunks, both growing from ring to ring.
-// With l_0 = 0 and r_0 = h, level l_i of the View has, in chunks of that level and with floor division:
+// rings (l_1, r_1), (l_2, r_2), ... of a level and a radius in base chunks, both ascending. With l_0 = 0 and
+// r_0 = h, level l_i of the View has, in chunks of that level and with floor division:
 //
-//   outer box:  X_i = (c.x - r_i) / 2^l_i  to  (c.x + r_i) / 2^l_i      both ends included; Z_i alike
+//   outer box:  X_i = (c.x - r_i) / 2^l_i  to  (c.x + r_i) / 2^l_i    both ends included; Z_i accordingly
 //               Y_i = (c.y - v)   / 2^l_i  to  (c.y + v)   / 2^l_i
-//   inner box:  the columns of level l_i that lie wholly inside the columns of the level before, which are
-//   the base (i > 0)     columns from  b = first(X_(i-1)) * 2^l_(i-1)  up to, but not with,  e =
-//   (last(X_(i-1)) + 1) * 2^l_(i-1).
-//               Along x they are  ceil(b / 2^l_i)  to  floor(e / 2^l_i) - 1; along z alike. Either may be
-//               empty.
+//   inner box:  for i > 0, the columns of level l_i entirely inside the columns of the previous level, which
+//               are the base columns from  b = first(X_(i-1)) * 2^l_(i-1)  to, but excluding,
+//               e = (last(X_(i-1)) + 1) * 2^l_(i-1).
+//               Along x they are  ceil(b / 2^l_i)  to  floor(e / 2^l_i) - 1; along z accordingly. Either may
+//               be empty.
 //
 // A chunk (x, y, z) of level l_i belongs to the View if x is in X_i, y in Y_i and z in Z_i, unless x and z
 // are both in the inner box. The inner box is computed from the previous level after alignment to that
@@ -24,7 +24,7 @@
 // air, wherever the player is. With the world's heights (HeightRange, sent in Welcome), for i > 0:
 //
 //   Y_i = ((low >> l_i) - 1) / 32  to  ((high - 1) >> l_i) / 32      instead of the above
-//   the inner box of the first ring is empty, as level 0 does not have all rows of its columns.
+//   the inner box of the first ring is empty, as level 0 does not contain all rows of its columns.
 #pragma once
 
 #include <algorithm>
