@@ -112,15 +112,14 @@ typedef struct talus_connect_options {
   /* Maximum bytes of decoded chunks kept after they left the View while the game retained them: if they
    * return unchanged, they are not sent again. Default 32 MiB. */
   uint64_t keep_bytes;
-  uint32_t port;                 /* default TALUS_DEFAULT_PORT */
-  uint32_t connect_timeout_ms;   /* name lookup, TCP and TLS; default 5,000 */
-  uint32_t handshake_timeout_ms; /* from there to JOINED; default 5,000 */
-  uint32_t ping_interval_ms;     /* maximum; default 20,000 */
-  uint32_t silence_timeout_ms;   /* without a byte from the server it counts as lost; default 60,000 */
-  uint32_t reconnect_attempts;   /* consecutive failures until it gives up; 0: never reconnects */
-  uint32_t
-      reconnect_first_delay_ms;    /* doubles with each failure; the delay is random below it; default 500 */
-  uint32_t reconnect_max_delay_ms; /* default 10,000 */
+  uint32_t port;                     /* default TALUS_DEFAULT_PORT */
+  uint32_t connect_timeout_ms;       /* name lookup, TCP and TLS; default 5,000 */
+  uint32_t handshake_timeout_ms;     /* from there to JOINED; default 5,000 */
+  uint32_t ping_interval_ms;         /* maximum; default 20,000 */
+  uint32_t silence_timeout_ms;       /* without a byte from the server it counts as lost; default 60,000 */
+  uint32_t reconnect_attempts;       /* consecutive failures until it gives up; 0: never reconnects */
+  uint32_t reconnect_first_delay_ms; /* doubles with each failure; delays are random below; default 500 */
+  uint32_t reconnect_max_delay_ms;   /* default 10,000 */
   /* "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
    * or disconnects, the next is tried, then around again. */
   const char* more_servers;
@@ -191,8 +190,7 @@ typedef struct talus_edit {
   const int32_t* fill_only;      /* fills only this material; TALUS_ANY: any; NULL: TALUS_ANY for all */
   const uint16_t* paste_voxels; /* TALUS_CHUNK_VOLUME ids, index TALUS_VOXEL_INDEX(x, y, z); NULL: no paste */
   int64_t paste_x, paste_y, paste_z; /* target of the paste's voxel (0, 0, 0) */
-  /* For a game server whose token has the right "gateway": the player that edits. Empty: the token's subject.
-   */
+  /* Player for whom a game server with the right "gateway" edits; empty: the token's own subject. */
   const char* subject;
   uint32_t guard_count, write_count, fill_count;
   uint32_t reserved; /* 0 */
