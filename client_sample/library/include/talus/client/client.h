@@ -125,7 +125,7 @@ class Client {
   Client& operator=(Client&&) noexcept;
 
   /// Connects and joins, without a View at first. `port` is a number or a service name. May be called again
-  /// after an error, after on_disconnect with `retrying` false, or after close().
+  /// only after an error, after on_disconnect with `retrying` false, or after close().
   [[nodiscard]] asio::awaitable<Result<WorldInfo>> connect(std::string host, std::string port);
   void connect(std::string host, std::string port, std::function<void(Result<WorldInfo>)> handler);
 
