@@ -16,7 +16,7 @@ using cluster::Lost;
 using Kind = edits::Applied::Kind;
 
 TEST_CASE("what one server takes all apply, and it is answered where it was taken") {
-  Cluster cluster{3};
+  ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
   CHECK(answers.apply(cluster.log(0), attach())->kind == Kind::attached);
@@ -37,7 +37,7 @@ TEST_CASE("what one server takes all apply, and it is answered where it was take
 }
 
 TEST_CASE("names that several servers bring at once have the same ids everywhere") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   const auto first = answers.send(cluster.log(0), edits::BindEntry{{"glass", "lamp"}});
@@ -57,7 +57,7 @@ TEST_CASE("names that several servers bring at once have the same ids everywhere
 }
 
 TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, and all recovers by itself") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -86,7 +86,7 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
 }
 
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.nodes[0]->settings.look_interval = 1ms;
   REQUIRE(cluster.nodes[0]->open() == "");
   Answers answers;
@@ -123,7 +123,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
 }
 
 TEST_CASE("a stream that lost its end and went on is found out, though the server was away meanwhile") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -171,7 +171,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
 }
 
 TEST_CASE("a stream that gets its end again is gone on with, and so is one that keeps nothing old") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -195,7 +195,7 @@ TEST_CASE("a stream that gets its end again is gone on with, and so is one that 
 }
 
 TEST_CASE("a batch that says a time far ahead is dated by the stream, alike everywhere") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   const auto now_ms = [] {
     return std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -235,7 +235,7 @@ TEST_CASE("a batch that says a time far ahead is dated by the stream, alike ever
 }
 
 TEST_CASE("a server whose clock is far ahead dates what it writes by the stream, once it knows") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->clock.ahead = 24h * 365;
   cluster.open();
   Answers answers;
@@ -251,7 +251,7 @@ TEST_CASE("a server whose clock is far ahead dates what it writes by the stream,
 }
 
 TEST_CASE("a full disk stops a server where it is, and it goes on when there is room") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -272,7 +272,7 @@ TEST_CASE("a full disk stops a server where it is, and it goes on when there is 
 
 TEST_CASE(
     "edits are applied and answered while the disk syncs, and are there after a power cut once it has") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   ClusterNode& node = *cluster.nodes[0];
   Answers answers;
@@ -301,7 +301,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a server that is behind tells who is new to come again soon, not that all editors are there") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->state_settings.editor_bytes = EditState::kNewEditorBytes;
   cluster.open();
   Answers answers;
@@ -330,7 +330,7 @@ TEST_CASE("a server that is behind tells who is new to come again soon, not that
 }
 
 TEST_CASE("an edit that no message has room for is refused before it is in the log") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());

@@ -36,7 +36,7 @@ void falsify(const std::filesystem::path& path) {
 }
 
 TEST_CASE("a server whose place the stream does not keep, or whose stream is another, is lost") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   const std::vector<Bytes> some{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, some));
   SECTION("while it was away") {
@@ -87,7 +87,7 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
 }
 
 TEST_CASE("a publisher writes nothing more into a stream that is another, and answers what it has") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -104,7 +104,7 @@ TEST_CASE("a publisher writes nothing more into a stream that is another, and an
 }
 
 TEST_CASE("what waits when a server stops for good is answered, and not published any more") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -128,7 +128,7 @@ TEST_CASE("what waits when a server stops for good is answered, and not publishe
 }
 
 TEST_CASE("a server that was given a false message has a wrong state") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   cluster.until_applied();
   cluster.stream.fail_next_as(StreamFailure::Kind::false_message);
@@ -137,7 +137,7 @@ TEST_CASE("a server that was given a false message has a wrong state") {
 }
 
 TEST_CASE("while the leader says less than was applied no edits are taken, and no player comes") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -154,7 +154,7 @@ TEST_CASE("while the leader says less than was applied no edits are taken, and n
 }
 
 TEST_CASE("a server that cannot read a chunk takes no edits, and then needs another's store") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -198,7 +198,7 @@ TEST_CASE("a server has one number, however often it starts") {
 }
 
 TEST_CASE("of three servers the one whose state is another takes itself out, and the others go on") {
-  Cluster cluster{3};
+  ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -229,7 +229,7 @@ TEST_CASE("of three servers the one whose state is another takes itself out, and
 
 TEST_CASE(
     "what a power cut takes of a server's end is read from the log again, and what was synced is missed") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());

@@ -28,7 +28,7 @@ std::vector<Bytes> unknown_messages() {
 }
 
 TEST_CASE("a message of a format that the stream has not enabled is passed over by all servers alike") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   SECTION("nor any other") {}
   SECTION("but that which is known") {
     cluster.stream.enable({cluster::kLogFormat, 1});
@@ -61,7 +61,7 @@ TEST_CASE("a message of a format that the stream has not enabled is passed over 
 }
 
 TEST_CASE("of several formats that are enabled the first that this talusd does not read stops it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.describe(fmt::format("log format {} from message 5, {} from message 9",
                                       cluster::kLogFormat + 1, cluster::kLogFormat + 2));
   cluster.open();
@@ -76,7 +76,7 @@ TEST_CASE("of several formats that are enabled the first that this talusd does n
 }
 
 TEST_CASE("a description of formats that is not understood stops a server, and it says so") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.describe("log format 2 from message 5.");
   cluster.open();
   const std::vector<Bytes> good{bytes_of_entry(attach(8))};
@@ -100,7 +100,7 @@ TEST_CASE("a description of formats that is not understood stops a server, and i
 }
 
 TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->settings.look_interval = 1h;  // so that it is this message by which it is found
   cluster.open();
   cluster.until_applied();
@@ -112,7 +112,7 @@ TEST_CASE("a message that is not known is not passed over where the stream is an
 }
 
 TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be right") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.replace_first(of_newer_format(empty_genesis()));
   cluster.open();
   until([&] {
@@ -122,7 +122,7 @@ TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be
 }
 
 TEST_CASE("a message that is not known waits for a leader that knows it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->settings.look_interval = 1h;  // so that it asks for this message alone
   cluster.open();
   cluster.until_applied();
@@ -138,7 +138,7 @@ TEST_CASE("a message that is not known waits for a leader that knows it") {
 }
 
 TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   std::string why;
   const std::vector<Bytes> good{bytes_of_entry(attach(8))};
@@ -186,7 +186,7 @@ TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
 }
 
 TEST_CASE("a message that no talusd wrote is passed over by all servers alike") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   const std::vector<Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
   const Bytes good = cluster::encode_batch(foreign_head(), nullptr, entries);
   Bytes bad = good;
@@ -252,7 +252,7 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
 }
 
 TEST_CASE("a message that comes altered is asked of the log's leader, and applied as others have it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   std::uint64_t altered = 0;
   SECTION("a batch") {
     altered = 3;
@@ -280,7 +280,7 @@ TEST_CASE("a message that comes altered is asked of the log's leader, and applie
 }
 
 TEST_CASE("players may look on while no server can read the next message, and not where others can") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;
   cluster.open();

@@ -128,7 +128,7 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
   }
 }
 
-// TALUS_STORE_CHUNKS=1000000 test_server_store_command "[large]"
+// TALUS_STORE_CHUNKS=1000000 test_server_commands "[large]"
 TEST_CASE("memory does not grow with the chunks of an export, an import, a verify", "[.][large]") {
   const char* const given = std::getenv("TALUS_STORE_CHUNKS");
   const std::int32_t chunks = given == nullptr ? 50'000 : std::atoi(given);
