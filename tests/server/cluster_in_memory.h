@@ -88,8 +88,8 @@ inline edits::AttachEntry attach(std::uint64_t editor = 7) {
   return {{editor, 9}, 1, "somebody"};
 }
 
-inline Bytes bytes_of_entry(const LogEntry& entry) {
-  Bytes bytes;
+inline store::Bytes bytes_of_entry(const LogEntry& entry) {
+  store::Bytes bytes;
   cluster::encode(entry, bytes);
   return bytes;
 }

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/acknowledged_file.h>
+
 #include "cluster/batch_time.h"
 #include "cluster/entry_codec.h"
 #include "cluster_in_memory.h"
-#include "store/acknowledged_file.h"
 
 namespace talus::server {
 namespace {
@@ -139,7 +140,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     head.number = number;
     head.revision = 0;
     cluster.stream.append(
-        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+        cluster::encode_batch(head, nullptr, std::vector<store::Bytes>{bytes_of_entry(attach(number))}));
   };
   SECTION("while it was away") {
     append_foreign(1);
@@ -209,7 +210,7 @@ TEST_CASE("a batch that says a time far ahead is dated by the stream, alike ever
     head.number = ++number;
     head.time_ms = time_ms;
     cluster.stream.append(
-        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+        cluster::encode_batch(head, nullptr, std::vector<store::Bytes>{bytes_of_entry(attach(number))}));
     cluster.until_applied();
     return cluster.log(0).status().head.time_ms;
   };
@@ -292,7 +293,7 @@ TEST_CASE(
   }
   const std::uint64_t last = node.log().status().head.position;
   until([&] {
-    const auto file = AcknowledgedFile::read(node.env(), (node.path() / "acknowledged").string());
+    const auto file = store::AcknowledgedFile::read(node.env(), (node.path() / "acknowledged").string());
     return file && *file && (*file)->position == last;
   });
   node.cut_power();
@@ -318,7 +319,7 @@ TEST_CASE("a server that is behind tells who is new to come again soon, not that
   until(is_at_end);
   CHECK(refused_as(LogFailure::Kind::editors_full));
   cluster.stream.fail_next_as(StreamFailure::Kind::unavailable);
-  const std::vector<Bytes> elsewhere{bytes_of_entry(attach(8))};
+  const std::vector<store::Bytes> elsewhere{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, elsewhere));
   until([&] { return cluster.log(0).status().lag > 0; });
   CHECK(refused_as(LogFailure::Kind::cut_off));

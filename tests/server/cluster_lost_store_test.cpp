@@ -5,11 +5,12 @@
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/bytes.h>
+#include <talus/store/rocks.h>
+
 #include "cluster/entry_codec.h"
 #include "cluster/server_number.h"
 #include "cluster_in_memory.h"
-#include "store/bytes.h"
-#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -22,22 +23,22 @@ using Kind = edits::Applied::Kind;
 /// Where the store says that S is another.
 void falsify(const std::filesystem::path& path) {
   rocksdb::DB* opened = nullptr;
-  REQUIRE(rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &opened).ok());
+  REQUIRE(rocksdb::DB::Open(store::rocks_options({}, false), (path / "db").string(), &opened).ok());
   const std::unique_ptr<rocksdb::DB> db{opened};
   std::string value;
-  REQUIRE(db->Get({}, meta_key(), &value).ok());
-  auto meta = decode_meta(std::as_bytes(std::span{value}));
+  REQUIRE(db->Get({}, store::meta_key(), &value).ok());
+  auto meta = store::decode_meta(std::as_bytes(std::span{value}));
   REQUIRE(meta.has_value());
   meta->head.hash.low += 1;
-  Bytes bytes;
+  store::Bytes bytes;
   encode(*meta, bytes);
-  REQUIRE(db->Put({}, meta_key(), as_slice(bytes)).ok());
+  REQUIRE(db->Put({}, store::meta_key(), store::as_slice(bytes)).ok());
   REQUIRE(db->Close().ok());
 }
 
 TEST_CASE("a server whose place the stream does not keep, or whose stream is another, is lost") {
   ClusterInMemory cluster{1};
-  const std::vector<Bytes> some{bytes_of_entry(attach(8))};
+  const std::vector<store::Bytes> some{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, some));
   SECTION("while it was away") {
     cluster.open();
@@ -163,7 +164,7 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   cluster.until_applied();
   cluster.nodes[1]->close();
   cluster.nodes[1]->before_log = [&] {
-    EditDatabase::Slice older;
+    store::EditDatabase::Slice older;
     older.put({{0, 0, 0}, Lod{}}, 1, {});
     REQUIRE(cluster.nodes[1]->database().put(older));
   };

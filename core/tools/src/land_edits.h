@@ -34,7 +34,7 @@ class LandEdits {
 };
 
 /// Those of the store in a directory that talusd was given as --data, or in a backup of one, which must be of
-/// the world. Fails, too, where this program was built without talusd.
+/// the world.
 [[nodiscard]] Expected<std::unique_ptr<const LandEdits>> open_store(const std::string& directory,
                                                                     const terrain::World& world);
 
