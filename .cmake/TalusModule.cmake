@@ -131,12 +131,12 @@ function(talus_sources target)
   endif()
 endfunction()
 
-# talus_server_target(TARGET LEVEL): what every target of the server is compiled by.
+# talus_server_target(TARGET LEVEL): flags and unity sources of every target of the server.
 function(talus_server_target target level)
   target_compile_definitions(${target} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${target} PRIVATE talus_flags)
   talus_optimise(${target} ${level})
-  # As many sources in each unity source.
+  # Unity sources of equal size.
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources count)
   math(EXPR units "(${count} - 1) / ${CMAKE_UNITY_BUILD_BATCH_SIZE} + 1")
@@ -144,7 +144,8 @@ function(talus_server_target target level)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
-# talus_server_part(NAME LEVEL SOURCES ... LINK libraries ...): adds SOURCES to talus_server_part_NAME, one source in a joined build.
+# talus_server_part(NAME LEVEL SOURCES ... LINK libraries ...): adds SOURCES to talus_server_part_NAME, which a joined
+# build compiles as one source by -OLEVEL.
 function(talus_server_part name level)
   cmake_parse_arguments(PART "" "" "SOURCES;LINK" ${ARGN})
   set(target talus_server_part_${name})
@@ -157,18 +158,17 @@ function(talus_server_part name level)
   target_link_libraries(${target} PRIVATE ${PART_LINK})
 endfunction()
 
-# talus_server_module(NAME SOURCES ... SETUP ... LINK libraries ...): the folder server/NAME as a target talus_server_NAME, which
-# links the modules of the server that docs/modules.txt lets it include, so that a test links a module by itself.
-# SOURCES are compiled by -O3; SETUP, what runs once or seldom, by -Og.
-# STATIC: never a part of another source, as talus-gen links it too.
+# talus_server_module(NAME SOURCES ... SETUP ... LINK libraries ...): makes the folder server/NAME a target
+# talus_server_NAME, which links the modules of the server that docs/modules.txt lets it include, so that a test links a
+# module by itself. SOURCES are compiled by -O3; SETUP, which runs once or seldom, by -Og.
 function(talus_server_module name)
-  cmake_parse_arguments(MODULE "STATIC" "" "SOURCES;SETUP;LINK" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;SETUP;LINK" ${ARGN})
   set(target talus_server_${name})
   talus_dependencies(server/${name} depends)
   list(FILTER depends INCLUDE REGEX "^server/")
   list(TRANSFORM depends REPLACE "^server/" "talus_server_")
   set(scope PUBLIC)
-  if(talus_joined AND NOT MODULE_STATIC)
+  if(talus_joined)
     set(scope INTERFACE)
     add_library(${target} INTERFACE)
     if(MODULE_SETUP)

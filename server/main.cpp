@@ -151,8 +151,8 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (*data) {
     // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
     auto opened = without_signals([&] {
-      const talus::server::HistoryLimits history{config.edits.history_bytes,
-                                                 std::chrono::days{config.edits.history_days}};
+      const talus::store::HistoryLimits history{config.edits.history_bytes,
+                                                std::chrono::days{config.edits.history_days}};
       return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
                               edit_state_settings(config, site_bytes), history,
                               store_memory(config, site_bytes), std::move(shared));

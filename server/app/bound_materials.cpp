@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kRetryToBind{200};
 constexpr std::chrono::seconds kSayThatItWaits{10};
 
 /// Voxels of each material that overrides have.
-tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const EditDatabase& database,
+tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const store::EditDatabase& database,
                                                                           const EditState& state) {
   std::set<ChunkKey> chunks;
   const auto scanned = database.for_each_chunk([&](ChunkKey key, std::uint64_t) { chunks.insert(key); });
@@ -55,7 +55,7 @@ tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entr
 }  // namespace
 
 tl::expected<std::vector<std::string>, std::string> names_without_ids(const terrain::World& world,
-                                                                      EditDatabase& database,
+                                                                      store::EditDatabase& database,
                                                                       const EditState& state) {
   edits::MaterialIds generated;
   for (const terrain::Material& material : world.materials()) generated.emplace(material.name, material.id);

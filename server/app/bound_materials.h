@@ -9,12 +9,12 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/materials.h>
+#include <talus/store/edit_database.h>
 #include <talus/terrain/world.h>
 
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
 #include "runtime/log/logger.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 
@@ -22,7 +22,7 @@ namespace talus::server {
 /// calls what it generates. An error is one line: a name would be two things, or one is missing of which the
 /// store has voxels. Before any thread changes database and state.
 [[nodiscard]] tl::expected<std::vector<std::string>, std::string> names_without_ids(
-    const terrain::World& world, EditDatabase& database, const EditState& state);
+    const terrain::World& world, store::EditDatabase& database, const EditState& state);
 
 /// What the log answers to them, which may take as long as it cannot be reached: then `log` says so now and
 /// then. Once `waits` is false, which is asked a few times a second, those are left out that it has not

@@ -3,11 +3,12 @@
 #include <thread>
 #include <utility>
 
+#include <talus/store/store_identity.h>
+
 #include "app/settle_rules.h"
 #include "cluster/jetstream/jetstream_log.h"
 #include "cluster/jetstream/stream_admin.h"
 #include "cluster/join/prepare_store.h"
-#include "store/store_identity.h"
 
 namespace talus::server {
 namespace {
@@ -68,9 +69,9 @@ ClusterTools cluster_tools() {
 }
 
 tl::expected<join::Prepared, std::string> prepare_member(
-    const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
-    const OnJoining& on_joining, const std::function<void(const std::optional<AsideStore>&)>& on_aside,
-    Logger log) {
+    const Cluster& settings, const ClusterKeys& keys, store::DataDirectory& directory,
+    ContentHash fingerprint, const OnJoining& on_joining,
+    const std::function<void(const std::optional<AsideStore>&)>& on_aside, Logger log) {
   PeerAccess access;
   if (keys.peers_token) access.token = keys.peers_token->bytes();
   access.ca = keys.nats->ca;
@@ -79,7 +80,7 @@ tl::expected<join::Prepared, std::string> prepare_member(
   return join::prepare_store(
       {directory,
        fingerprint,
-       parse_hash(settings.store),
+       store::parse_hash(settings.store),
        {{settings.peers.begin(), settings.peers.end()}, std::move(access)},
        [&](ContentHash store_id) { return open_shared_log(settings, keys, store_id, log); },
        log,

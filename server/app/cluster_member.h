@@ -8,6 +8,8 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/data_directory.h>
+
 #include "cluster/checkpoint/from_peers.h"
 #include "cluster/jetstream/credentials.h"
 #include "cluster/join/prepare_store.h"
@@ -16,7 +18,6 @@
 #include "config/access/key_file.h"
 #include "config/config.h"
 #include "runtime/log/logger.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 
@@ -42,8 +43,8 @@ struct ClusterKeys {
 /// Makes the store in `directory` ready, as cluster/join/prepare_store.h says, and returns its log. Waits as
 /// long as neither log nor peers can be reached. An error is one line.
 [[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
-    const Cluster& settings, const ClusterKeys& keys, DataDirectory& directory, ContentHash fingerprint,
-    const OnJoining& on_joining, const std::function<void(const std::optional<AsideStore>&)>& on_aside,
-    Logger log);
+    const Cluster& settings, const ClusterKeys& keys, store::DataDirectory& directory,
+    ContentHash fingerprint, const OnJoining& on_joining,
+    const std::function<void(const std::optional<AsideStore>&)>& on_aside, Logger log);
 
 }  // namespace talus::server

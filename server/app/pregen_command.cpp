@@ -16,6 +16,8 @@
 #include <CLI/CLI.hpp>
 
 #include <talus/progress/progress_bar.h>
+#include <talus/store/data_directory.h>
+#include <talus/store/store_identity.h>
 
 #include "app/settings.h"
 #include "app/world_file.h"
@@ -29,8 +31,6 @@
 #include "runtime/clock.h"
 #include "runtime/log/escape.h"
 #include "runtime/log/logger.h"
-#include "store/data_directory.h"
-#include "store/store_identity.h"
 
 namespace talus::server {
 namespace {
@@ -63,7 +63,7 @@ class Report {
 tl::expected<void, std::string> check_world(const Config& config) {
   if (config.world.empty()) return {};
   const auto file = config.data / "store.toml";
-  const auto store = read_store_identity(file);
+  const auto store = store::read_store_identity(file);
   if (!store) return tl::unexpected{store.error()};
   const auto world = load_world(config.world);
   if (!world) return tl::unexpected{world.error()};
@@ -87,7 +87,7 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
   const auto columns = column_cache_settings(config, (*world)->fingerprint());
   if (!columns) return tl::unexpected{std::string{kNoColumnCache}};
   if (const auto may = check_may_write(config.data); !may) return tl::unexpected{may.error()};
-  const auto directory = DataDirectory::open(config.data, (*world)->fingerprint());
+  const auto directory = store::DataDirectory::open(config.data, (*world)->fingerprint());
   if (!directory) return tl::unexpected{directory.error()};
   const SystemClock clock;
   const Logger log = make_logger("warn", config.log.format);

@@ -180,7 +180,7 @@ std::string Server::metrics_text() {
     }
     const LocalLog::Status log = edits_->status();
     const EditState& state = edits_->state();
-    const HistoryKept history = edits_->history();
+    const store::HistoryKept history = edits_->history();
     gauges.edits = {
         log.head.revision,         edits_->preparing(),    log.waiting,         state.editor_count(),
         log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,

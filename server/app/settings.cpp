@@ -177,9 +177,9 @@ std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
 }
 
 /// Of what the newest changes leave of that room. The index may have three quarters of it.
-StoreMemory store_memory_of(std::uint64_t left) {
+store::StoreMemory store_memory_of(std::uint64_t left) {
   constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // of each
-  StoreMemory memory;
+  store::StoreMemory memory;
   memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
   memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
   return memory;
@@ -208,7 +208,7 @@ EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_b
   return settings;
 }
 
-StoreMemory store_memory(const Config& config, std::uint64_t site_bytes) {
+store::StoreMemory store_memory(const Config& config, std::uint64_t site_bytes) {
   if (config.limits.memory_bytes == 0) return {};
   const std::uint64_t room = room_for_edits(config, site_bytes);
   return store_memory_of(room -

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/edit_database.h>
 #include <talus/terrain/world.h>
 
 #include "chunks/column_cache/column_cache.h"
@@ -23,7 +24,6 @@
 #include "net/session_runner.h"
 #include "player/session/session_limits.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
 #include "web/web_context.h"
 
 namespace talus::server {
@@ -70,7 +70,7 @@ static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::k
 [[nodiscard]] EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_bytes = 0);
 /// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
 /// below that half, too.
-[[nodiscard]] StoreMemory store_memory(const Config& config, std::uint64_t site_bytes = 0);
+[[nodiscard]] store::StoreMemory store_memory(const Config& config, std::uint64_t site_bytes = 0);
 /// An error, one line, where an index of so many bytes, as a store has it, takes more than that, so that the
 /// server might refuse every client for good. Below that it is served, and refuses to grow.
 [[nodiscard]] tl::expected<void, std::string> check_index_memory(const Config& config,

@@ -17,23 +17,23 @@ tl::expected<std::optional<Account>, std::string> configured_account(const Confi
   return find_account(config.user).map([](Account account) { return std::optional{std::move(account)}; });
 }
 
-tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open_data(
+tl::expected<std::optional<store::DataDirectory>, std::string> drop_privileges_and_open_data(
     const Config& config, const std::optional<Account>& account, ContentHash fingerprint) {
   if (account) {
     if (runs_as_root() && !config.data.empty()) {
-      if (const auto made = DataDirectory::make_for(config.data, account->uid, account->gid); !made) {
+      if (const auto made = store::DataDirectory::make_for(config.data, account->uid, account->gid); !made) {
         return tl::make_unexpected(made.error());
       }
     }
     if (const auto done = switch_user(*account); !done) return tl::make_unexpected(done.error());
   }
   if (config.data.empty()) return std::nullopt;
-  auto data = config.cluster.wanted() ? DataDirectory::open_member(config.data, fingerprint)
-                                      : DataDirectory::open(config.data, fingerprint);
+  auto data = config.cluster.wanted() ? store::DataDirectory::open_member(config.data, fingerprint)
+                                      : store::DataDirectory::open(config.data, fingerprint);
   if (!data && account) {
     return tl::make_unexpected(fmt::format("{}; talusd runs as user {}", data.error(), account->name));
   }
-  return std::move(data).map([](DataDirectory opened) { return std::optional{std::move(opened)}; });
+  return std::move(data).map([](store::DataDirectory opened) { return std::optional{std::move(opened)}; });
 }
 
 std::vector<std::string> startup_warnings(const Command& command, const std::vector<std::string>& of_keys,

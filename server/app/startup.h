@@ -7,12 +7,12 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/data_directory.h>
 #include <talus/voxel/content_hash.h>
 
 #include "config/command_line.h"
 #include "net/tls_context.h"
 #include "runtime/privileges/account.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 
@@ -21,7 +21,7 @@ namespace talus::server {
 
 /// Gives up what root may do, and opens the data directory as the user that is left; none where the
 /// configuration has none. Before the first thread.
-[[nodiscard]] tl::expected<std::optional<DataDirectory>, std::string> drop_privileges_and_open_data(
+[[nodiscard]] tl::expected<std::optional<store::DataDirectory>, std::string> drop_privileges_and_open_data(
     const Config& config, const std::optional<Account>& account, ContentHash fingerprint);
 
 /// Lines for the log: what an operator should know of how the server was started.

@@ -38,10 +38,10 @@ EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrai
 
 tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
-    const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
-    StoreMemory memory, SharedLog shared) {
+    const Clock& clock, Logger log, const EditStateSettings& state_settings, store::HistoryLimits history,
+    store::StoreMemory memory, SharedLog shared) {
   const SignalsBlocked blocked;  // for RocksDB's threads
-  EditDatabaseSettings settings;
+  store::EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = world.fingerprint();
   settings.store_id = store_id;
@@ -49,7 +49,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   settings.memory = memory;
   settings.log_elsewhere = shared.stream != nullptr;
   settings.on_lost_end = shared.on_lost_end;
-  auto database = EditDatabase::open(settings);
+  auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   if (shared.stream == nullptr && (*database)->meta().stream.sequence != 0) {
     return tl::unexpected{fmt::format(
@@ -71,7 +71,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   return edits;
 }
 
-EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, SharedLog shared) {
+store::EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, SharedLog shared) {
   const auto names = names_without_ids(world, *database_, *state_);
   if (!names) return tl::unexpected{names.error()};
   edits::MaterialIds ids = database_->materials();

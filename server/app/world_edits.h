@@ -13,6 +13,7 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/edit_database.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
@@ -31,7 +32,6 @@
 #include "runtime/clock.h"
 #include "runtime/log/logger.h"
 #include "runtime/metrics/metrics.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 
@@ -52,8 +52,8 @@ class WorldEdits final : public EditedLand {
   /// outlives this.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
-      const Clock& clock, Logger log, const EditStateSettings& state_settings, HistoryLimits history,
-      StoreMemory memory = {}, SharedLog shared = {});
+      const Clock& clock, Logger log, const EditStateSettings& state_settings, store::HistoryLimits history,
+      store::StoreMemory memory = {}, SharedLog shared = {});
   /// Another than open() was given where the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
@@ -89,11 +89,11 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] std::size_t base_bytes() const { return intake_->base_bytes(); }
 
   /// Any thread.
-  [[nodiscard]] HistoryKept history() const { return database_->history(); }
+  [[nodiscard]] store::HistoryKept history() const { return database_->history(); }
   /// Any thread. EditDatabase::memory_bytes().
   [[nodiscard]] std::size_t store_bytes() const { return database_->memory_bytes(); }
   /// Any thread. EditDatabase::checkpoint().
-  [[nodiscard]] EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
+  [[nodiscard]] store::EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
     return database_->checkpoint(path);
   }
 
@@ -109,8 +109,8 @@ class WorldEdits final : public EditedLand {
   }
 
  private:
-  WorldEdits(std::unique_ptr<EditDatabase> database, std::unique_ptr<EditState> state, const Clock& clock,
-             const Logger& log)
+  WorldEdits(std::unique_ptr<store::EditDatabase> database, std::unique_ptr<EditState> state,
+             const Clock& clock, const Logger& log)
       : logger_{log},
         clock_{clock},
         database_{std::move(database)},
@@ -120,7 +120,7 @@ class WorldEdits final : public EditedLand {
         feed_{log} {}
 
   void start_shared_log(SharedLog shared, const terrain::World& world);
-  [[nodiscard]] EditDatabase::Done name_placeables(const terrain::World& world, SharedLog shared);
+  [[nodiscard]] store::EditDatabase::Done name_placeables(const terrain::World& world, SharedLog shared);
   /// What either log does after a batch.
   [[nodiscard]] StoreWriter::OnChanged tell_feed() {
     return [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); };
@@ -129,7 +129,7 @@ class WorldEdits final : public EditedLand {
   const Logger logger_;
   const Clock& clock_;
   std::vector<terrain::Material> placeables_;
-  const std::unique_ptr<EditDatabase> database_;
+  const std::unique_ptr<store::EditDatabase> database_;
   const ContentHash store_id_;  // a log that is shared changes what else the database says of itself
   const std::unique_ptr<EditState> state_;
   StoreWriterSettings writer_settings_;

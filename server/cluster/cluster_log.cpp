@@ -36,7 +36,7 @@ ClusterLog::ClusterLog(Parts parts, Settings settings)
                   },
                   [this] { tell_whether_it_takes(); }}},
       comparison_{publisher_.id()} {
-  const StreamPlace place = parts_.database.meta().stream;
+  const store::StreamPlace place = parts_.database.meta().stream;
   sequence_ = place.sequence;
   created_ns_ = place.created_ns;
   end_.applied(place.sequence);

@@ -54,7 +54,7 @@ class ClusterLog final : public EditLog {
   /// log elsewhere.
   struct Parts {
     LogStream& stream;
-    EditDatabase& database;
+    store::EditDatabase& database;
     EditState& state;
     const Clock& clock;
     Logger log;
@@ -121,7 +121,7 @@ class ClusterLog final : public EditLog {
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
   /// Whether the stream still has, as far as it keeps it, the message that was applied last. One that lost
   /// its end and went on has another there, however long ago that was.
-  [[nodiscard]] bool is_as_applied(const StreamState& stream, const StreamPlace& place);
+  [[nodiscard]] bool is_as_applied(const StreamState& stream, const store::StreamPlace& place);
   void next_message();
   void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);
@@ -141,7 +141,7 @@ class ClusterLog final : public EditLog {
   /// It is one that others may know. `reason`: and what would be right.
   void get_stuck(const StreamMessage& message, const std::string& reason);
   /// `said`: of the batch; null: it was none.
-  void finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said);
+  void finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said);
   /// What the message changes is not to be had from the disk.
   void cannot_read(const std::string& reason);
   void can_read();
@@ -173,7 +173,7 @@ class ClusterLog final : public EditLog {
 
   const Parts parts_;
   const Settings settings_;
-  const StoreIdentity identity_;
+  const store::StoreIdentity identity_;
   StoreWriter writer_;
   Publisher publisher_;
 

@@ -42,7 +42,7 @@ void ClusterLog::apply_all() {
     }
     {
       // What look() could write at last.
-      const StreamPlace place = writer_.status().stream;
+      const store::StreamPlace place = writer_.status().stream;
       if (place.sequence != 0) applied(place.sequence);
     }
     if (!placed_ && !find_place()) {
@@ -158,7 +158,7 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
     parts_.log->error("cluster: message {} of the log counts for no talusd, and all servers pass over it: {}",
                       message.sequence, reason);
   }
-  const StreamPlace place = parts_.database.meta().stream;
+  const store::StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
   finish({}, {message.sequence, place.created_ns, place.looked_ms, hash_of_message(message.bytes)}, nullptr);
 }
@@ -201,7 +201,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
   stop_applying(not_applied(message.sequence, reason));
 }
 
-void ClusterLog::finish(std::vector<Done> done, const StreamPlace& place, const BatchHead* said) {
+void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said) {
   const bool stored = writer_.store(std::move(done), place);
   held_.reset();  // else the writer has it
   if (said != nullptr) compare(*said);

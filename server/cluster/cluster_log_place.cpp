@@ -20,7 +20,7 @@ bool ClusterLog::find_place() {
     trouble(stream.error().reason);
     return false;
   }
-  const StreamPlace place = parts_.database.meta().stream;
+  const store::StreamPlace place = parts_.database.meta().stream;
   if (stream->last == 0) {
     trouble("the stream has no genesis; run talusd cluster init");
     const std::lock_guard lock{mutex_};
@@ -40,7 +40,7 @@ bool ClusterLog::find_place() {
   } else if (!is_as_applied(*stream, place)) {
     return false;
   }
-  const StreamPlace now = parts_.database.meta().stream;
+  const store::StreamPlace now = parts_.database.meta().stream;
   placed_ = true;
   {
     const std::lock_guard lock{mutex_};
@@ -57,7 +57,7 @@ bool ClusterLog::find_place() {
   return true;
 }
 
-bool ClusterLog::is_as_applied(const StreamState& stream, const StreamPlace& place) {
+bool ClusterLog::is_as_applied(const StreamState& stream, const store::StreamPlace& place) {
   if (stream.last < place.sequence) {
     trouble(kShorter);  // whether it stays so the watching thread judges
     return false;
@@ -123,7 +123,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
                      "entry {}",
                      genesis->head.revision, genesis->head.position, own.revision, own.position));
   } else {
-    EditDatabase::Done entered;
+    store::EditDatabase::Done entered;
     if (is_empty && !genesis->materials.empty()) entered = parts_.database.bind(genesis->materials);
     if (entered) entered = parts_.database.enter({1, stream.created_ns, 0, hash_of_message((*first)->bytes)});
     writer_.entered();

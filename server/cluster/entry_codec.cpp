@@ -3,9 +3,8 @@
 #include <utility>
 
 #include <talus/edits/runs.h>
+#include <talus/store/bytes.h>
 #include <talus/voxel/codec.h>
-
-#include "store/bytes.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -21,7 +20,7 @@ constexpr std::uint8_t kWithAir = 4;
 /// voxel is of the world is asked where the edit is evaluated.
 class VoxelWriter {
  public:
-  explicit VoxelWriter(ByteWriter& out) : out_{out} {}
+  explicit VoxelWriter(store::ByteWriter& out) : out_{out} {}
   void put(VoxelPos voxel) {
     put(voxel.x, last_.x);
     put(voxel.y, last_.y);
@@ -34,13 +33,13 @@ class VoxelWriter {
     out_.zigzag(
         static_cast<std::int64_t>(static_cast<std::uint64_t>(now) - static_cast<std::uint64_t>(before)));
   }
-  ByteWriter& out_;
+  store::ByteWriter& out_;
   VoxelPos last_{};
 };
 
 class VoxelReader {
  public:
-  explicit VoxelReader(ByteReader& in) : in_{in} {}
+  explicit VoxelReader(store::ByteReader& in) : in_{in} {}
   VoxelPos get() {
     for (std::int64_t* const at : {&last_.x, &last_.y, &last_.z}) {
       *at = static_cast<std::int64_t>(static_cast<std::uint64_t>(*at) +
@@ -50,31 +49,31 @@ class VoxelReader {
   }
 
  private:
-  ByteReader& in_;
+  store::ByteReader& in_;
   VoxelPos last_{};
 };
 
-MaterialId get_material(ByteReader& in) {
+MaterialId get_material(store::ByteReader& in) {
   return MaterialId{static_cast<std::uint16_t>(in.varint(UINT16_MAX))};
 }
 
 /// 0: none.
-void put_optional(std::optional<MaterialId> material, ByteWriter& out) {
+void put_optional(std::optional<MaterialId> material, store::ByteWriter& out) {
   out.varint(material ? to_integer(*material) + std::uint64_t{1} : 0);
 }
-std::optional<MaterialId> get_optional(ByteReader& in) {
+std::optional<MaterialId> get_optional(store::ByteReader& in) {
   const std::uint64_t value = in.varint(std::uint64_t{UINT16_MAX} + 1);
   return value == 0 ? std::nullopt : std::optional{MaterialId{static_cast<std::uint16_t>(value - 1)}};
 }
 
 /// How many things follow, of `bytes` each at least.
-std::size_t count_of(ByteReader& in, std::size_t bytes, std::size_t most) {
+std::size_t count_of(store::ByteReader& in, std::size_t bytes, std::size_t most) {
   const std::size_t count = in.count();
   if (count > most || count > in.left() / bytes) in.fail();
   return in.ok() ? count : 0;
 }
 
-void put_writes(const std::vector<edits::VoxelWrite>& writes, ByteWriter& out) {
+void put_writes(const std::vector<edits::VoxelWrite>& writes, store::ByteWriter& out) {
   out.varint(writes.size());
   VoxelWriter voxels{out};
   for (const edits::VoxelWrite& each : writes) {
@@ -82,7 +81,7 @@ void put_writes(const std::vector<edits::VoxelWrite>& writes, ByteWriter& out) {
     out.varint(to_integer(each.material));
   }
 }
-std::vector<edits::VoxelWrite> get_writes(ByteReader& in) {
+std::vector<edits::VoxelWrite> get_writes(store::ByteReader& in) {
   std::vector<edits::VoxelWrite> writes;
   const std::size_t count = count_of(in, 4, edits::kMaxVoxels);
   writes.reserve(count);
@@ -94,7 +93,7 @@ std::vector<edits::VoxelWrite> get_writes(ByteReader& in) {
   return writes;
 }
 
-void put_fills(const std::vector<edits::Fill>& fills, ByteWriter& out) {
+void put_fills(const std::vector<edits::Fill>& fills, store::ByteWriter& out) {
   out.varint(fills.size());
   VoxelWriter corners{out};
   for (const edits::Fill& fill : fills) {
@@ -104,7 +103,7 @@ void put_fills(const std::vector<edits::Fill>& fills, ByteWriter& out) {
     put_optional(fill.only, out);
   }
 }
-std::vector<edits::Fill> get_fills(ByteReader& in) {
+std::vector<edits::Fill> get_fills(store::ByteReader& in) {
   std::vector<edits::Fill> fills;
   const std::size_t count = count_of(in, 8, edits::kMaxVoxels);
   fills.reserve(count);
@@ -119,9 +118,9 @@ std::vector<edits::Fill> get_fills(ByteReader& in) {
   return fills;
 }
 
-void put_base(const edits::BaseVoxels& base, ByteWriter& out) {
+void put_base(const edits::BaseVoxels& base, store::ByteWriter& out) {
   out.varint(base.size());
-  Bytes runs;
+  store::Bytes runs;
   for (const auto& [chunk, voxels] : base) {
     for (const std::int32_t at : {chunk.x, chunk.y, chunk.z}) out.zigzag(at);
     runs.clear();
@@ -129,7 +128,7 @@ void put_base(const edits::BaseVoxels& base, ByteWriter& out) {
     out.counted(runs);
   }
 }
-edits::BaseVoxels get_base(ByteReader& in) {
+edits::BaseVoxels get_base(store::ByteReader& in) {
   edits::BaseVoxels base;
   std::size_t voxels_left = kMaxBaseVoxels;
   for (std::size_t chunks = count_of(in, 6, kMaxBaseChunks); chunks > 0 && in.ok(); --chunks) {
@@ -146,22 +145,22 @@ edits::BaseVoxels get_base(ByteReader& in) {
   return base;
 }
 
-void put_editor(edits::EditorId editor, ByteWriter& out) {
+void put_editor(edits::EditorId editor, store::ByteWriter& out) {
   out.fixed64(editor.low);
   out.fixed64(editor.high);
 }
-edits::EditorId get_editor(ByteReader& in) {
+edits::EditorId get_editor(store::ByteReader& in) {
   const std::uint64_t low = in.fixed64();
   return {low, in.fixed64()};
 }
 
-void put(const edits::AttachEntry& entry, ByteWriter& out) {
+void put(const edits::AttachEntry& entry, store::ByteWriter& out) {
   out.byte(static_cast<std::uint8_t>(EntryKind::attach));
   put_editor(entry.editor, out);
   out.varint(entry.epoch);
   out.counted(entry.subject);
 }
-edits::AttachEntry get_attach(ByteReader& in) {
+edits::AttachEntry get_attach(store::ByteReader& in) {
   edits::AttachEntry entry;
   entry.editor = get_editor(in);
   entry.epoch = in.varint();
@@ -169,7 +168,7 @@ edits::AttachEntry get_attach(ByteReader& in) {
   return entry;
 }
 
-void put(const edits::EditEntry& entry, ByteWriter& out) {
+void put(const edits::EditEntry& entry, store::ByteWriter& out) {
   out.byte(static_cast<std::uint8_t>(EntryKind::edit));
   put_editor(entry.editor, out);
   out.varint(entry.epoch);
@@ -183,14 +182,14 @@ void put(const edits::EditEntry& entry, ByteWriter& out) {
   put_fills(entry.edit.fills, out);
   if (paste) {
     VoxelWriter{out}.put(paste->origin);
-    Bytes payload;
+    store::Bytes payload;
     talus::encode(paste->voxels, payload);
     out.counted(payload);
   }
   put_base(entry.base, out);
 }
 /// `is_newer`: what it pastes is written by a codec that this talusd does not read.
-edits::EditEntry get_edit(ByteReader& in, const edits::SettleRulesPtr& settles, bool& is_newer) {
+edits::EditEntry get_edit(store::ByteReader& in, const edits::SettleRulesPtr& settles, bool& is_newer) {
   edits::EditEntry entry;
   entry.editor = get_editor(in);
   entry.epoch = in.varint();
@@ -220,12 +219,12 @@ edits::EditEntry get_edit(ByteReader& in, const edits::SettleRulesPtr& settles, 
   return entry;
 }
 
-void put(const edits::BindEntry& entry, ByteWriter& out) {
+void put(const edits::BindEntry& entry, store::ByteWriter& out) {
   out.byte(static_cast<std::uint8_t>(EntryKind::bind));
   out.varint(entry.names.size());
   for (const std::string& name : entry.names) out.counted(name);
 }
-edits::BindEntry get_bind(ByteReader& in) {
+edits::BindEntry get_bind(store::ByteReader& in) {
   edits::BindEntry entry;
   for (std::size_t left = count_of(in, 1, kMaxNames); left > 0 && in.ok(); --left) {
     entry.names.push_back(in.text(edits::kMaxMaterialNameBytes));
@@ -235,15 +234,15 @@ edits::BindEntry get_bind(ByteReader& in) {
 
 }  // namespace
 
-void encode(const LogEntry& entry, Bytes& out) {
-  ByteWriter writer{out};
+void encode(const LogEntry& entry, store::Bytes& out) {
+  store::ByteWriter writer{out};
   writer.byte(kEntryFormat);
   std::visit([&](const auto& each) { put(each, writer); }, entry);
 }
 
 tl::expected<LogEntry, EntryFault> decode_entry(std::span<const std::byte> bytes,
                                                 const edits::SettleRulesPtr& settles) {
-  ByteReader in{bytes};
+  store::ByteReader in{bytes};
   const std::uint8_t format = in.byte();
   const std::uint8_t kind = in.byte();
   if (!in.ok() || format == 0) return tl::unexpected{EntryFault::damaged};

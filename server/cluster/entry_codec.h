@@ -7,9 +7,9 @@
 #include <span>
 
 #include <talus/edits/settle.h>
+#include <talus/store/records.h>
 
 #include "edits/edit_log.h"
-#include "store/records.h"
 
 namespace talus::server::cluster {
 
@@ -30,7 +30,7 @@ enum class EntryFault : std::uint8_t {
 };
 
 /// Appends it. By which rules it settles is the message's, and not written here: only whether it does.
-void encode(const LogEntry& entry, Bytes& out);
+void encode(const LogEntry& entry, store::Bytes& out);
 
 /// A whole entry; `settles` for one that does. Counts are checked before memory is taken for them.
 [[nodiscard]] tl::expected<LogEntry, EntryFault> decode_entry(std::span<const std::byte> bytes,

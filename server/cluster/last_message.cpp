@@ -9,7 +9,7 @@
 namespace talus::server::cluster {
 
 tl::expected<LastMessage, StreamFailure> compare_last_message(LogStream& stream, const StreamState& state,
-                                                              const StreamPlace& place) {
+                                                              const store::StreamPlace& place) {
   constexpr std::chrono::milliseconds kLastMessagePatience{500};
   if (state.first > place.sequence) return LastMessage::not_kept;
   const auto message =

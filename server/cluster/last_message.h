@@ -6,8 +6,9 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/records.h>
+
 #include "cluster/log_stream.h"
-#include "store/records.h"
 
 namespace talus::server::cluster {
 
@@ -21,6 +22,6 @@ enum class LastMessage : std::uint8_t {
 /// most, as LogStream::next(), which goes on from anywhere after it.
 [[nodiscard]] tl::expected<LastMessage, StreamFailure> compare_last_message(LogStream& stream,
                                                                             const StreamState& state,
-                                                                            const StreamPlace& place);
+                                                                            const store::StreamPlace& place);
 
 }  // namespace talus::server::cluster

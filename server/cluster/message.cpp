@@ -8,8 +8,9 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <talus/store/bytes.h>
+
 #include "cluster/entry_codec.h"
-#include "store/bytes.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -23,14 +24,14 @@ constexpr std::size_t kLongestNumber = 10;
 // Format, kind, store, fingerprint and checksum.
 constexpr std::size_t kFrameBytes = 2 + 32 + kSealBytes;
 
-void put_identity(const StoreIdentity& identity, ByteWriter& out) {
+void put_identity(const store::StoreIdentity& identity, store::ByteWriter& out) {
   for (const ContentHash hash : {identity.store_id, identity.fingerprint}) {
     out.fixed64(hash.low);
     out.fixed64(hash.high);
   }
 }
-StoreIdentity get_identity(ByteReader& in) {
-  StoreIdentity identity;
+store::StoreIdentity get_identity(store::ByteReader& in) {
+  store::StoreIdentity identity;
   for (ContentHash* const hash : {&identity.store_id, &identity.fingerprint}) {
     hash->low = in.fixed64();
     hash->high = in.fixed64();
@@ -38,14 +39,14 @@ StoreIdentity get_identity(ByteReader& in) {
   return identity;
 }
 
-void put_rules(const edits::SettleRules& rules, ByteWriter& out) {
+void put_rules(const edits::SettleRules& rules, store::ByteWriter& out) {
   out.varint(rules.size());
   for (const edits::SettleRule& rule : rules) {
     out.varint(to_integer(rule.material));
     out.zigzag(rule.rise);
   }
 }
-edits::SettleRules get_rules(ByteReader& in) {
+edits::SettleRules get_rules(store::ByteReader& in) {
   edits::SettleRules rules;
   for (std::size_t left = in.count(); left > 0 && in.ok(); --left) {
     const MaterialId material{static_cast<std::uint16_t>(in.varint(UINT16_MAX))};
@@ -56,22 +57,22 @@ edits::SettleRules get_rules(ByteReader& in) {
   return rules;
 }
 
-void put_state(std::uint64_t revision, edits::StateHash hash, ByteWriter& out) {
+void put_state(std::uint64_t revision, edits::StateHash hash, store::ByteWriter& out) {
   out.fixed64(revision);
   out.fixed64(hash.low);
   out.fixed64(hash.high);
 }
 
-Bytes begin_message(MessageKind kind) {
-  Bytes out;
-  ByteWriter writer{out};
+store::Bytes begin_message(MessageKind kind) {
+  store::Bytes out;
+  store::ByteWriter writer{out};
   writer.byte(kMessageFormat);
   writer.byte(static_cast<std::uint8_t>(kind));
   return out;
 }
 
-void seal_message(Bytes& out) {
-  ByteWriter{out}.fixed64(XXH3_64bits(out.data(), out.size()));
+void seal_message(store::Bytes& out) {
+  store::ByteWriter{out}.fixed64(XXH3_64bits(out.data(), out.size()));
 }
 
 tl::unexpected<MessageFault> message_fault(MessageFault::Kind kind, std::string reason) {
@@ -93,13 +94,14 @@ tl::expected<std::span<const std::byte>, MessageFault> open_frame(std::span<cons
     return damaged("it is no message of talusd");
   }
   const auto body = bytes.first(bytes.size() - kSealBytes);
-  if (ByteReader{bytes.last(kSealBytes)}.fixed64() != XXH3_64bits(body.data(), body.size())) {
+  if (store::ByteReader{bytes.last(kSealBytes)}.fixed64() != XXH3_64bits(body.data(), body.size())) {
     return damaged("its checksum is wrong");
   }
   return body;
 }
 
-tl::expected<void, MessageFault> check_identity(const StoreIdentity& held, const StoreIdentity& identity) {
+tl::expected<void, MessageFault> check_identity(const store::StoreIdentity& held,
+                                                const store::StoreIdentity& identity) {
   if (held.store_id != identity.store_id) {
     return message_fault(MessageFault::Kind::other_store,
                          fmt::format("it is of store {}; this server has store {}", to_string(held.store_id),
@@ -118,12 +120,12 @@ tl::expected<void, MessageFault> check_identity(const StoreIdentity& held, const
 /// What follows format and kind, up to the checksum. `identity`: of the store and world that it must be of.
 tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<const std::byte> bytes,
                                                                     MessageKind kind,
-                                                                    const StoreIdentity* identity) {
+                                                                    const store::StoreIdentity* identity) {
   const auto frame = open_frame(bytes);
   if (!frame) return frame;
   const auto body = frame->subspan(2);
   if (identity != nullptr) {
-    ByteReader in{body};
+    store::ByteReader in{body};
     if (auto ours = check_identity(get_identity(in), *identity); !ours) return tl::unexpected{ours.error()};
   }
   const auto format = std::to_integer<std::uint8_t>(frame->front());
@@ -151,9 +153,9 @@ std::uint64_t hash_of_message(std::span<const std::byte> bytes) {
   return XXH3_64bits(bytes.data(), bytes.size());
 }
 
-tl::expected<Bytes, std::string> encode(const Genesis& genesis) {
-  Bytes out = begin_message(MessageKind::genesis);
-  ByteWriter writer{out};
+tl::expected<store::Bytes, std::string> encode(const Genesis& genesis) {
+  store::Bytes out = begin_message(MessageKind::genesis);
+  store::ByteWriter writer{out};
   put_identity(genesis.identity, writer);
   writer.fixed32(genesis.level_rule);
   writer.fixed64(genesis.head.position);
@@ -178,7 +180,7 @@ tl::expected<Bytes, std::string> encode(const Genesis& genesis) {
 tl::expected<Genesis, MessageFault> decode_genesis(std::span<const std::byte> bytes) {
   const auto body = open_message(bytes, MessageKind::genesis, nullptr);
   if (!body) return tl::unexpected{body.error()};
-  ByteReader in{*body};
+  store::ByteReader in{*body};
   Genesis genesis;
   genesis.identity = get_identity(in);
   genesis.level_rule = in.fixed32();
@@ -203,11 +205,11 @@ std::size_t batch_overhead(const edits::SettleRulesPtr& settles) {
   return kBatchFixedBytes + (settles == nullptr ? 0 : settles->size() * 2 * kLongestNumber);
 }
 
-Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
-                   std::span<const Bytes> entries) {
+store::Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
+                          std::span<const store::Bytes> entries) {
   assert(entries.size() <= kMaxEntries);
-  Bytes out = begin_message(MessageKind::batch);
-  ByteWriter writer{out};
+  store::Bytes out = begin_message(MessageKind::batch);
+  store::ByteWriter writer{out};
   put_identity(head.identity, writer);
   writer.fixed64(head.publisher);
   writer.varint(head.number);
@@ -216,17 +218,17 @@ Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
   writer.byte(settles == nullptr ? 0 : 1);
   if (settles != nullptr) put_rules(*settles, writer);
   writer.varint(entries.size());
-  for (const Bytes& entry : entries) writer.counted(entry);
+  for (const store::Bytes& entry : entries) writer.counted(entry);
   seal_message(out);
   assert(out.size() <= kMaxMessageBytes);
   return out;
 }
 
 tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte> bytes,
-                                                      const StoreIdentity& identity) {
+                                                      const store::StoreIdentity& identity) {
   const auto body = open_message(bytes, MessageKind::batch, &identity);
   if (!body) return tl::unexpected{body.error()};
-  ByteReader in{*body};
+  store::ByteReader in{*body};
   BatchMessage batch;
   batch.head.identity = get_identity(in);
   batch.head.publisher = in.fixed64();
@@ -255,7 +257,7 @@ MessageFault fault_of_entries(const BatchMessage& batch, std::size_t first) {
 }
 
 std::optional<MessageFault> fault_of(std::span<const std::byte> bytes, std::uint64_t sequence,
-                                     const StoreIdentity& identity) {
+                                     const store::StoreIdentity& identity) {
   if (sequence == 1) {
     const auto genesis = decode_genesis(bytes);
     if (!genesis) return genesis.error();

@@ -14,10 +14,9 @@
 
 #include <talus/edits/batch.h>
 #include <talus/edits/settle.h>
+#include <talus/store/records.h>
+#include <talus/store/store_identity.h>
 #include <talus/voxel/content_hash.h>
-
-#include "store/records.h"
-#include "store/store_identity.h"
 
 namespace talus::server::cluster {
 
@@ -34,7 +33,7 @@ inline constexpr std::size_t kSealBytes = 8;
 
 /// The stream's first message: the state on which all others are applied.
 struct Genesis {
-  StoreIdentity identity;
+  store::StoreIdentity identity;
   std::uint32_t level_rule = edits::kLevelRule;
   edits::Head head;
   edits::SettleRules settles;    // by which loose material slides in this world
@@ -44,7 +43,7 @@ struct Genesis {
 
 /// Entries that one server wrote at once, and where it stood when it did.
 struct BatchHead {
-  StoreIdentity identity;
+  store::StoreIdentity identity;
   std::uint64_t publisher = 0;  // of one start of one server: publisher_of()
   std::uint64_t number = 0;     // of its batches: from 1 on. The same number again is the same batch again
   std::int64_t time_ms = 0;     // since 1970, by the server's clock
@@ -89,7 +88,7 @@ struct MessageFault {
 [[nodiscard]] std::uint64_t hash_of_message(std::span<const std::byte> bytes);
 
 /// An error, in one line, where it has more materials than a message holds.
-[[nodiscard]] tl::expected<Bytes, std::string> encode(const Genesis& genesis);
+[[nodiscard]] tl::expected<store::Bytes, std::string> encode(const Genesis& genesis);
 [[nodiscard]] tl::expected<Genesis, MessageFault> decode_genesis(std::span<const std::byte> bytes);
 
 /// Bytes that a batch has beside its entries, at most, where `settles` are its rules.
@@ -97,8 +96,8 @@ struct MessageFault {
 
 /// Of entries as encode() of entry_codec.h writes them. REQUIRES: at most kMaxEntries and kMaxMessageBytes in
 /// all (asserted).
-[[nodiscard]] Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
-                                 std::span<const Bytes> entries);
+[[nodiscard]] store::Bytes encode_batch(const BatchHead& head, const edits::SettleRulesPtr& settles,
+                                        std::span<const store::Bytes> entries);
 /// What becomes of a batch whose entry number `first` is the first that decode_entry() refuses: `newer` where
 /// any of its entries is, as a talusd that knows it may find all of them right; else `damaged`.
 [[nodiscard]] MessageFault fault_of_entries(const BatchMessage& batch, std::size_t first);
@@ -106,10 +105,10 @@ struct MessageFault {
 /// Why a server with this store and world does not apply the message, if it does not: as decode_batch() and
 /// fault_of_entries() say it. `sequence` 1 is a genesis.
 [[nodiscard]] std::optional<MessageFault> fault_of(std::span<const std::byte> bytes, std::uint64_t sequence,
-                                                   const StoreIdentity& identity);
+                                                   const store::StoreIdentity& identity);
 
 /// A batch of this world and store. What is returned refers to `bytes`.
 [[nodiscard]] tl::expected<BatchMessage, MessageFault> decode_batch(std::span<const std::byte> bytes,
-                                                                    const StoreIdentity& identity);
+                                                                    const store::StoreIdentity& identity);
 
 }  // namespace talus::server::cluster

@@ -161,13 +161,13 @@ void Publisher::run() {
     pace_.sent(std::chrono::steady_clock::now(), taken.size());
     if (!stand) stand = parts_.stand();
     const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
-    std::vector<Bytes> entries;
+    std::vector<store::Bytes> entries;
     Open open;
     for (Queue::Waiting& each : taken) {
       entries.push_back(std::move(each.entry.bytes));
       open.done.push_back(std::move(each.done));
     }
-    const Bytes message = encode_batch(head, parts_.settles, entries);
+    const store::Bytes message = encode_batch(head, parts_.settles, entries);
     open.seal.assign(seal_of(message).begin(), seal_of(message).end());
     {
       const std::lock_guard lock{mutex_};

@@ -44,7 +44,7 @@ class Publisher {
   struct Parts {
     LogStream& stream;
     const Clock& clock;
-    StoreIdentity identity;
+    store::StoreIdentity identity;
     std::uint32_t server_number = 0;
     edits::SettleRulesPtr settles;    // of all entries that settle; null: none does
     std::function<Stand()> stand;     // now; any thread
@@ -93,7 +93,7 @@ class Publisher {
 
  private:
   struct Encoded {
-    Bytes bytes;
+    store::Bytes bytes;
   };
   using Queue = EntryQueue<Encoded>;
   /// A message that was not seen in the stream yet.

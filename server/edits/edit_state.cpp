@@ -51,13 +51,13 @@ std::uint32_t add_voxels_now(const edits::Applied& applied, std::size_t write,
 
 }  // namespace
 
-EditState::EditState(EditDatabase& database, const EditStateSettings& settings)
+EditState::EditState(store::EditDatabase& database, const EditStateSettings& settings)
     : database_{database},
       settings_{settings},
       recent_{settings.recent_bytes},
       cache_{settings.cache_bytes} {}
 
-tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(EditDatabase& database,
+tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(store::EditDatabase& database,
                                                                       const EditStateSettings& settings) {
   std::unique_ptr<EditState> state{new EditState{database, settings}};
   auto good = database.for_each_chunk([&](ChunkKey key, std::uint64_t revision) {
@@ -74,11 +74,11 @@ bool EditState::fit_cache() {
   return cache_.fit(looks);
 }
 
-EditDatabase::Done EditState::replay() {
+store::EditDatabase::Done EditState::replay() {
   Replay replay{database_, index_};
   auto good = database_.for_each_editor(
-      [&](edits::EditorId id, StoredEditor&& editor) { replay.start(id, std::move(editor)); });
-  if (good) good = database_.replay([&](LogRecord&& record) { return replay.apply(record); });
+      [&](edits::EditorId id, store::StoredEditor&& editor) { replay.start(id, std::move(editor)); });
+  if (good) good = database_.replay([&](store::LogRecord&& record) { return replay.apply(record); });
   if (!good) return good;
   for (auto& [key, chunk] : replay.take_chunks()) {
     index_.raise(key, {chunk.revision});

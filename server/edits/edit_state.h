@@ -18,13 +18,13 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/batch.h>
+#include <talus/store/edit_database.h>
 
 #include "chunks/cache/flat_map.h"
 #include "chunks/cache/sharded_cache.h"
 #include "edits/applied_edits.h"
 #include "edits/chunk_index.h"
 #include "edits/recent_changes.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 
@@ -47,7 +47,7 @@ class EditState final : public AppliedEdits {
 
   /// What `database` holds, which is newly opened and outlives this. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditState>, std::string> open(
-      EditDatabase& database, const EditStateSettings& settings);
+      store::EditDatabase& database, const EditStateSettings& settings);
 
   // Any thread.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const override { return index_.revision(key); }
@@ -107,8 +107,8 @@ class EditState final : public AppliedEdits {
   void mark_clean(ChunkKey key, std::uint64_t revision);
 
  private:
-  EditState(EditDatabase& database, const EditStateSettings& settings);
-  [[nodiscard]] EditDatabase::Done replay();
+  EditState(store::EditDatabase& database, const EditStateSettings& settings);
+  [[nodiscard]] store::EditDatabase::Done replay();
 
   struct Dirty {
     EditedChunk chunk;
@@ -125,7 +125,7 @@ class EditState final : public AppliedEdits {
   /// Writes there; under the lock.
   void write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision);
 
-  EditDatabase& database_;
+  store::EditDatabase& database_;
   EditStateSettings settings_;
   ChunkIndex index_;
   RecentChanges recent_;

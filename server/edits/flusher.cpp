@@ -5,7 +5,7 @@
 
 namespace talus::server {
 
-Flusher::Flusher(EditState& state, EditDatabase& database)
+Flusher::Flusher(EditState& state, store::EditDatabase& database)
     : Flusher{state, database, [&database]() -> tl::expected<bool, std::string> {
                 if (auto synced = database.sync(); !synced) return tl::unexpected{std::move(synced.error())};
                 return true;
@@ -24,13 +24,13 @@ void Flusher::start() {
   running_ = true;
 }
 
-EditDatabase::Done Flusher::step() {
+store::EditDatabase::Done Flusher::step() {
   if (flushed_) {
     clean_some();
     return {};
   }
   if (put_) return mark();
-  EditDatabase::Slice slice;
+  store::EditDatabase::Slice slice;
   const auto has_place = [&] { return slice.count() < kSliceValues && slice.bytes() < kSliceBytes; };
   const std::size_t written_before = written_.size();
   std::size_t chunks_left = chunks_.size();
@@ -64,7 +64,7 @@ EditDatabase::Done Flusher::step() {
   return mark();
 }
 
-EditDatabase::Done Flusher::mark() {
+store::EditDatabase::Done Flusher::mark() {
   const auto synced = synced_();
   if (!synced) return tl::unexpected{synced.error()};
   if (!*synced) return {};

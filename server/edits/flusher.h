@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include <talus/store/edit_database.h>
+
 #include "edits/edit_state.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 
@@ -25,8 +26,8 @@ class Flusher {
   using Synced = std::function<tl::expected<bool, std::string>()>;
 
   /// Both outlive this. Waits for the disk itself.
-  Flusher(EditState& state, EditDatabase& database);
-  Flusher(EditState& state, EditDatabase& database, Synced synced)
+  Flusher(EditState& state, store::EditDatabase& database);
+  Flusher(EditState& state, store::EditDatabase& database, Synced synced)
       : state_{state}, database_{database}, synced_{std::move(synced)} {}
 
   [[nodiscard]] bool is_running() const { return running_; }
@@ -35,18 +36,18 @@ class Flusher {
   /// Writes one slice, or asks whether all are synced. An error is one line, and the slice is written again
   /// by the next step. Chunks count as clean only when all of them are on the disk for sure: until then
   /// nobody reads them there.
-  [[nodiscard]] EditDatabase::Done step();
+  [[nodiscard]] store::EditDatabase::Done step();
   /// What was written since start() may be lost: all of it stays dirty. REQUIRES: is_running().
   void abandon();
 
  private:
   /// All is put: says so in the database once it is synced.
-  [[nodiscard]] EditDatabase::Done mark();
+  [[nodiscard]] store::EditDatabase::Done mark();
   /// As many as a slice has, of those that are on the disk for sure.
   void clean_some();
 
   EditState& state_;
-  EditDatabase& database_;
+  store::EditDatabase& database_;
   const Synced synced_;
   bool running_ = false;
   bool put_ = false;              // all is written

@@ -27,7 +27,7 @@ tl::unexpected<LogFailure> log_failure(LogFailure::Kind kind, std::string reason
 
 }  // namespace
 
-LocalLog::LocalLog(EditDatabase& database, EditState& state, const Clock& clock,
+LocalLog::LocalLog(store::EditDatabase& database, EditState& state, const Clock& clock,
                    const LocalLogSettings& settings, OnChanged on_changed)
     : database_{database},
       state_{state},

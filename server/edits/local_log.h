@@ -29,8 +29,8 @@ class LocalLog final : public EditLog {
 
   /// `database`, `state`, which is of that database, and `clock` outlive this. From here on nobody else may
   /// change them.
-  LocalLog(EditDatabase& database, EditState& state, const Clock& clock, const LocalLogSettings& settings,
-           OnChanged on_changed);
+  LocalLog(store::EditDatabase& database, EditState& state, const Clock& clock,
+           const LocalLogSettings& settings, OnChanged on_changed);
   /// Applies and answers what was taken, writes all that is dirty, and stops.
   ~LocalLog() override;
 
@@ -59,7 +59,7 @@ class LocalLog final : public EditLog {
   /// answers them.
   [[nodiscard]] bool stage(std::vector<Queue::Waiting>& entries, bool careful, std::vector<Done>& done);
 
-  EditDatabase& database_;
+  store::EditDatabase& database_;
   EditState& state_;
   const Clock& clock_;
   Queue queue_;

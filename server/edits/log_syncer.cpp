@@ -6,7 +6,7 @@
 
 namespace talus::server {
 
-LogSyncer::LogSyncer(EditDatabase& database, std::function<void()> on_ended)
+LogSyncer::LogSyncer(store::EditDatabase& database, std::function<void()> on_ended)
     : database_{database}, on_ended_{std::move(on_ended)} {
   thread_ = std::thread{[this] {
     block_signals();

@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "store/edit_database.h"
+#include <talus/store/edit_database.h>
 
 namespace talus::server {
 
@@ -17,7 +17,7 @@ class LogSyncer {
  public:
   /// `database`, whose log is elsewhere, outlives this. `on_ended` is called on the syncer's thread when
   /// take_ended() has something.
-  explicit LogSyncer(EditDatabase& database, std::function<void()> on_ended = {});
+  explicit LogSyncer(store::EditDatabase& database, std::function<void()> on_ended = {});
   /// Waits for the sync that is under way.
   ~LogSyncer();
   LogSyncer(const LogSyncer&) = delete;
@@ -28,8 +28,8 @@ class LogSyncer {
   std::uint64_t begin();
   struct Ended {
     std::uint64_t number = 0;
-    EditDatabase::Written written;
-    EditDatabase::Done done;
+    store::EditDatabase::Written written;
+    store::EditDatabase::Done done;
   };
   /// The sync that ended last, once.
   [[nodiscard]] std::optional<Ended> take_ended();
@@ -41,12 +41,12 @@ class LogSyncer {
  private:
   void run();
 
-  EditDatabase& database_;
+  store::EditDatabase& database_;
   const std::function<void()> on_ended_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t begun_ = 0;  // the newest
-  EditDatabase::Written written_;
+  store::EditDatabase::Written written_;
   std::uint64_t run_ = 0;        // the newest that is under way, or was
   std::uint64_t forgotten_ = 0;  // errors up to this one are not told
   std::optional<Ended> ended_;

@@ -9,32 +9,34 @@
 #include <utility>
 
 #include <talus/edits/batch.h>
+#include <talus/store/edit_database.h>
+#include <talus/store/replayed_chunks.h>
+#include <talus/store/replayed_editors.h>
 
 #include "edits/chunk_index.h"
-#include "store/edit_database.h"
-#include "store/replayed_chunks.h"
-#include "store/replayed_editors.h"
 
 namespace talus::server {
 
 class Replay {
  public:
   /// `index` has the revisions of the database's chunks. Both outlive this.
-  Replay(const EditDatabase& database, const ChunkIndex& index);
+  Replay(const store::EditDatabase& database, const ChunkIndex& index);
 
   /// An editor of the database. All of them before the first record.
-  void start(edits::EditorId id, StoredEditor&& stored) { editors_.start(id, std::move(stored)); }
+  void start(edits::EditorId id, store::StoredEditor&& stored) { editors_.start(id, std::move(stored)); }
   /// False where the record does not fit to those before it, or a chunk cannot be read.
-  [[nodiscard]] bool apply(const LogRecord& record);
+  [[nodiscard]] bool apply(const store::LogRecord& record);
 
-  [[nodiscard]] std::unordered_map<ChunkKey, ReplayedChunks::Chunk> take_chunks() { return chunks_.take(); }
+  [[nodiscard]] std::unordered_map<ChunkKey, store::ReplayedChunks::Chunk> take_chunks() {
+    return chunks_.take();
+  }
   [[nodiscard]] edits::Editors take_editors() { return editors_.take(); }
   /// Those that the database has otherwise, or has and should not.
   [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty_editors() { return editors_.take_dirty(); }
 
  private:
-  ReplayedChunks chunks_;
-  ReplayedEditors editors_;
+  store::ReplayedChunks chunks_;
+  store::ReplayedEditors editors_;
   std::optional<std::uint64_t> revision_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace talus::server {
 
-StoreWriter::StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
+StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
                          OnChanged on_changed, std::function<void()> wake)
     : database_{database},
       state_{state},
@@ -31,7 +31,7 @@ edits::Batch& StoreWriter::begin(std::int64_t now_ms) {
   return pending_.emplace(state_, now_ms, database_.materials()).batch;
 }
 
-bool StoreWriter::store(std::vector<EditLog::Done> done, const StreamPlace& place) {
+bool StoreWriter::store(std::vector<EditLog::Done> done, const store::StreamPlace& place) {
   pending_->done = std::move(done);
   pending_->place = place;
   return write();

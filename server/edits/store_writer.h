@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
+#include <talus/store/edit_database.h>
+
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
 #include "edits/flusher.h"
 #include "edits/log_syncer.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 
@@ -36,12 +37,12 @@ class StoreWriter {
 
   /// `database` and `state`, which is of that database, outlive this. From here on nobody else may change
   /// them. `wake`, of a log that is elsewhere: any thread, when look() is due before next_look() said.
-  StoreWriter(EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
+  StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
               OnChanged on_changed, std::function<void()> wake = {});
 
   struct Status {
     edits::Head head;
-    StreamPlace stream;
+    store::StreamPlace stream;
     std::optional<std::string> read_only;  // why nothing can be written, in one line
   };
   /// Any thread.
@@ -57,7 +58,7 @@ class StoreWriter {
   void drop() { pending_.reset(); }
   /// Whether the batch is stored now, and the state; then each of `done`, those of its first entries, was
   /// called. Else its outcome is open, so that it alone may be written next: look() tries that.
-  bool store(std::vector<EditLog::Done> done, const StreamPlace& place);
+  bool store(std::vector<EditLog::Done> done, const store::StreamPlace& place);
   /// Of a batch whose write failed: nobody is called for it any more.
   [[nodiscard]] std::vector<EditLog::Done> take_done();
 
@@ -82,7 +83,7 @@ class StoreWriter {
     EditState::Reading reading;
     edits::Batch batch;
     std::vector<EditLog::Done> done;
-    StreamPlace place;
+    store::StreamPlace place;
   };
 
   bool write();
@@ -100,7 +101,7 @@ class StoreWriter {
   void retry();
   void publish();
 
-  EditDatabase& database_;
+  store::EditDatabase& database_;
   EditState& state_;
   const StoreWriterSettings settings_;
   const OnChanged on_changed_;

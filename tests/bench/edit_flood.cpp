@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include <talus/store/edit_database.h>
 #include <talus/voxel/codec.h>
 
 #include "chunks/chunk_source.h"
@@ -19,7 +20,6 @@
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
 
 namespace {
 
@@ -129,7 +129,7 @@ struct Digger {
 
 void measure(const fs::path& path, const char* name, int sessions, bool one_flow, std::int64_t edge) {
   fs::remove_all(path);
-  auto database = EditDatabase::open({.path = path, .fingerprint = {1, 2}, .store_id = {3, 4}});
+  auto database = store::EditDatabase::open({.path = path, .fingerprint = {1, 2}, .store_id = {3, 4}});
   if (!database) fail(database.error());
   auto state = EditState::open(**database, {});
   if (!state) fail(state.error());

@@ -19,11 +19,12 @@
 #include <rocksdb/db.h>
 #include <rocksdb/write_batch.h>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/store_builder.h>
+
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
-#include "store/store_builder.h"
 
 namespace {
 
@@ -52,20 +53,20 @@ double cpu_seconds() {
   std::exit(1);
 }
 
-EditDatabaseSettings settings_at(const fs::path& path) {
+store::EditDatabaseSettings settings_at(const fs::path& path) {
   return {.path = path, .fingerprint = {1, 2}, .store_id = {3, 4}};
 }
 
 struct Store {
   explicit Store(const fs::path& path) {
-    auto opened = EditDatabase::open(settings_at(path));
+    auto opened = store::EditDatabase::open(settings_at(path));
     if (!opened) fail(opened.error());
     database = std::move(*opened);
     auto read = EditState::open(*database, {});
     if (!read) fail(read.error());
     state = std::move(*read);
   }
-  std::unique_ptr<EditDatabase> database;
+  std::unique_ptr<store::EditDatabase> database;
   std::unique_ptr<EditState> state;
 };
 
@@ -165,13 +166,13 @@ Rate edits_a_second(const fs::path& path, std::uint32_t chunks) {
   rate.edits = editors.run();
   rate.cpu_us = (cpu_seconds() - cpu) / (rate.edits * kSeconds) * 1e6;
   log.stop();
-  std::vector<LogRecord> batch;
-  const auto read = store.database->for_each_record(65, [&](LogRecord&& record) {
+  std::vector<store::LogRecord> batch;
+  const auto read = store.database->for_each_record(65, [&](store::LogRecord&& record) {
     batch.push_back(std::move(record));
     return batch.size() < kEditors;
   });
   if (!read) fail(read.error());
-  Bytes value;
+  store::Bytes value;
   encode(batch, 0, value);
   rate.bytes_each = static_cast<double>(value.size()) / kEditors;
   return rate;
@@ -197,7 +198,7 @@ Rate rocksdb_a_second(const fs::path& path, std::size_t bytes_each) {
   const double cpu = cpu_seconds();
   while (seconds_since(start) < kSeconds) {
     rocksdb::WriteBatch batch;
-    for (int i = 0; i < kEditors; ++i) batch.Put(log_key(++position), value);
+    for (int i = 0; i < kEditors; ++i) batch.Put(store::log_key(++position), value);
     batch.Put("m", meta);
     if (const auto status = db->Write(synced, &batch); !status.ok()) fail(status.ToString());
   }
@@ -284,7 +285,7 @@ void open_many_chunks(const fs::path& path) {
   fs::remove_all(path);
   fs::create_directories(path);
   {
-    auto builder = StoreBuilder::create(path, {{3, 4}, {1, 2}}, 0, 0);
+    auto builder = store::StoreBuilder::create(path, {{3, 4}, {1, 2}}, 0, 0);
     if (!builder) fail(builder.error());
     for (std::int32_t x = 0; x < kSide; ++x) {
       for (std::int32_t z = 0; z < kSide; ++z) {

@@ -31,13 +31,13 @@ const edits::SettleRulesPtr& rules() {
 void try_entry(std::span<const std::byte> bytes, const edits::SettleRulesPtr& settles) {
   const auto entry = cluster::decode_entry(bytes, settles);
   if (!entry) return;
-  Bytes again;
+  store::Bytes again;
   cluster::encode(*entry, again);
   const auto* const edit = std::get_if<edits::EditEntry>(&*entry);
   if (edit != nullptr && edit->edit.paste) {  // a chunk may have had an older codec's bytes
     const auto second = cluster::decode_entry(again, settles);
     require(second.has_value(), "what was written is read");
-    Bytes third;
+    store::Bytes third;
     cluster::encode(*second, third);
     require(third == again, "an entry that was written has one encoding");
   } else {
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::byte> raw{first, size};
   try_entry(raw, rules());
 
-  Bytes message(raw.begin(), raw.end());
+  store::Bytes message(raw.begin(), raw.end());
   const std::uint64_t hash = XXH3_64bits(message.data(), message.size());
   for (int i = 0; i < 8; ++i) message.push_back(static_cast<std::byte>(hash >> (8 * i)));
   if (const auto genesis = cluster::decode_genesis(message)) {
@@ -60,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(again && *again == message, "a genesis has one encoding");
   }
   if (message.size() >= 34) {
-    StoreIdentity identity;  // its own
+    store::StoreIdentity identity;  // its own
     const auto number = [&](std::size_t at) {
       std::uint64_t value = 0;
       for (std::size_t i = 8; i > 0; --i)
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     identity.store_id = {number(2), number(10)};
     identity.fingerprint = {number(18), number(26)};
     if (const auto batch = cluster::decode_batch(message, identity)) {
-      std::vector<Bytes> entries;
+      std::vector<store::Bytes> entries;
       for (const auto entry : batch->entries) {
         entries.emplace_back(entry.begin(), entry.end());
         try_entry(entry, batch->settles);

@@ -7,14 +7,14 @@
 
 #include <xxhash.h>
 
-#include "store/keys.h"
-#include "store/log_records.h"
-#include "store/records.h"
+#include <talus/store/keys.h>
+#include <talus/store/log_records.h>
+#include <talus/store/records.h>
 
 namespace {
 
 using namespace talus;
-using namespace talus::server;
+using namespace talus::store;
 
 void require(bool holds, std::string_view what) {
   if (holds) return;

@@ -9,8 +9,9 @@
 
 #include <xxhash.h>
 
+#include <talus/store/bytes.h>
+
 #include "commands/store/portable_file.h"
-#include "store/bytes.h"
 
 namespace {
 
@@ -28,7 +29,7 @@ struct Read {
   std::vector<PortableChunk> chunks;
 };
 
-std::optional<Read> read(const Bytes& bytes) {
+std::optional<Read> read(const store::Bytes& bytes) {
   std::size_t at = 0;
   auto reader = PortableReader::open([&](std::span<std::byte> into) {
     require(into.size() <= kMaxPortableBlock, "no more than a block is asked for");
@@ -48,8 +49,8 @@ std::optional<Read> read(const Bytes& bytes) {
   }
 }
 
-Bytes written(const Read& all) {
-  Bytes bytes;
+store::Bytes written(const Read& all) {
+  store::Bytes bytes;
   PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
     bytes.insert(bytes.end(), piece.begin(), piece.end());
     return {};
@@ -60,7 +61,7 @@ Bytes written(const Read& all) {
   return bytes;
 }
 
-void check(const Bytes& bytes) {
+void check(const store::Bytes& bytes) {
   const auto all = read(bytes);
   if (!all) return;
   const auto again = read(written(*all));
@@ -68,9 +69,9 @@ void check(const Bytes& bytes) {
 }
 
 /// Blocks of the pieces, each as long as its first byte says, with right checksums.
-Bytes in_blocks(const Bytes& pieces) {
-  Bytes file;
-  ByteWriter writer{file};
+store::Bytes in_blocks(const store::Bytes& pieces) {
+  store::Bytes file;
+  store::ByteWriter writer{file};
   writer.bytes(std::as_bytes(std::span{std::string_view{"talusedt"}}));
   writer.fixed32(kPortableVersion);
   std::uint64_t link = 0;
@@ -90,7 +91,7 @@ Bytes in_blocks(const Bytes& pieces) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto* const first = reinterpret_cast<const std::byte*>(data);
-  const Bytes raw(first, first + size);
+  const store::Bytes raw(first, first + size);
   check(raw);
   check(in_blocks(raw));
   return 0;

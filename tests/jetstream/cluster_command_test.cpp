@@ -10,6 +10,8 @@
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
 
+#include <talus/store/bytes.h>
+
 #include "cluster/jetstream/stream_settings.h"
 #include "commands/cluster/check.h"
 #include "commands/cluster/connection_words.h"
@@ -19,7 +21,6 @@
 #include "commands/cluster/status.h"
 #include "opened_stream.h"
 #include "scratch_directory.h"
-#include "store/bytes.h"
 
 using namespace talus::nats_test;
 using namespace talus::server;
@@ -48,10 +49,10 @@ cluster::Genesis genesis_of(std::uint64_t world = 7) {
 }
 
 /// As a message of a newer talusd.
-Bytes of_newer_format(Bytes message) {
+talus::store::Bytes of_newer_format(talus::store::Bytes message) {
   message.at(0) = std::byte{9};
   message.resize(message.size() - cluster::kSealBytes);
-  ByteWriter{message}.fixed64(XXH3_64bits(message.data(), message.size()));
+  talus::store::ByteWriter{message}.fixed64(XXH3_64bits(message.data(), message.size()));
   return message;
 }
 
@@ -527,7 +528,7 @@ TEST_CASE("which store is meant: the one that is named, or that of the data dire
   CHECK(Target::for_init(config)->store_id != Target::for_init(config)->store_id);
 
   const ContentHash id{5, 6};
-  scratch.write("store.toml", store_text({id, ContentHash{7, 0}}));
+  scratch.write("store.toml", talus::store::store_text({id, ContentHash{7, 0}}));
   config.data = scratch.path();
   REQUIRE(Target::of(config));
   CHECK(Target::of(config)->store_id == id);

@@ -8,11 +8,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/data_directory.h>
+#include <talus/store/store_builder.h>
+
 #include "cluster/checkpoint/checkpoint_download.h"
 #include "cluster/checkpoint/take_checkpoint.h"
 #include "edits_of_tests.h"
-#include "store/data_directory.h"
-#include "store/store_builder.h"
 
 namespace talus::server {
 namespace {
@@ -38,7 +39,7 @@ std::uint64_t wanted_number(const char* name, std::uint64_t otherwise) {
 
 /// Of the world with which talusd is to use it.
 ContentHash wanted_fingerprint() {
-  return *parse_hash(setting("TALUS_FINGERPRINT", "dd1b53cc3a1f39800d4ccfab0c61c065"));
+  return *store::parse_hash(setting("TALUS_FINGERPRINT", "dd1b53cc3a1f39800d4ccfab0c61c065"));
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ ContentHash wanted_fingerprint() {
 TEST_CASE("make a store of edits of one voxel", "[.figures]") {
   const fs::path path = wanted_directory();
   const std::uint64_t edits = wanted_number("TALUS_EDITS", 1'000'000);
-  const auto directory = DataDirectory::open(path, wanted_fingerprint());
+  const auto directory = store::DataDirectory::open(path, wanted_fingerprint());
   REQUIRE(directory.has_value());
   EditStore store{path};
   store.database_settings.fingerprint = wanted_fingerprint();
@@ -85,8 +86,8 @@ TEST_CASE("make a store of edits of one voxel", "[.figures]") {
 TEST_CASE("make a store of chunks full of noise", "[.figures]") {
   const fs::path path = wanted_directory();
   const std::uint64_t mebibytes = wanted_number("TALUS_MEBIBYTES", 10'240);
-  const StoreIdentity identity{random_store_id(), wanted_fingerprint()};
-  auto builder = StoreBuilder::create(path, identity, 1, 1);
+  const store::StoreIdentity identity{store::random_store_id(), wanted_fingerprint()};
+  auto builder = store::StoreBuilder::create(path, identity, 1, 1);
   REQUIRE(builder.has_value());
   std::mt19937_64 random{1};
   std::vector<Override> voxels(kChunkVolume);

@@ -2,9 +2,10 @@
 #include <asio/ip/tcp.hpp>
 #include <catch2/catch.hpp>
 
+#include <talus/store/store_swap.h>
+
 #include "checkpoint_peer.h"
 #include "cluster/checkpoint/from_peers.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -50,7 +51,7 @@ TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next wher
   Peer foreign{8};
   ScratchDirectory scratch{ScratchDirectory::memory()};
   const fs::path data = scratch / "data";
-  auto directory = DataDirectory::open_any(data);
+  auto directory = store::DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
   const WantedStore wanted{{1, 2}, peer.store.id()};
   const auto give_up = [](std::chrono::milliseconds, const Round&) { return false; };
@@ -60,7 +61,7 @@ TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next wher
     REQUIRE(meta.has_value());
     CHECK(meta->head == peer.store.head());
   }
-  REQUIRE(swap_in(data).has_value());
+  REQUIRE(store::swap_in(data).has_value());
   EditStore joined{data};
   joined.database_settings.store_id = peer.store.id();
   CHECK(joined.open() == "");

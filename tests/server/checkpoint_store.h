@@ -4,10 +4,11 @@
 #include <filesystem>
 #include <string>
 
+#include <talus/store/data_directory.h>
+
 #include "cluster/checkpoint/checkpoint_tar.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/data_directory.h"
 
 namespace talus::server::testing {
 
@@ -24,7 +25,7 @@ struct CheckpointStore {
   }
 
   /// The store is one of a cluster, and stands there.
-  void enter(const StreamPlace& place) {
+  void enter(const store::StreamPlace& place) {
     store.close();
     REQUIRE(store.open_without_log() == "");
     REQUIRE(store.database().enter(place).has_value());
@@ -68,7 +69,7 @@ struct CheckpointStore {
 
   ScratchDirectory scratch{ScratchDirectory::memory()};
   std::filesystem::path path = scratch / "data";
-  tl::expected<DataDirectory, std::string> directory = DataDirectory::open(path, {1, 2});
+  tl::expected<store::DataDirectory, std::string> directory = store::DataDirectory::open(path, {1, 2});
   EditStore store{path};
   TestEditor editor;
 };

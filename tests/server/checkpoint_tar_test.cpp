@@ -7,10 +7,11 @@
 #include <archive_entry.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/read_only_store.h>
+#include <talus/store/whole_store.h>
+
 #include "checkpoint_store.h"
 #include "cluster/checkpoint/take_checkpoint.h"
-#include "store/read_only_store.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -45,7 +46,7 @@ class TextSource final : public TarSource {
 
 struct Taken {
   std::string error;
-  StoreMeta meta;
+  store::StoreMeta meta;
 };
 
 /// Into a directory of its own.
@@ -295,10 +296,10 @@ TEST_CASE("edits that are not those of the state's hash are refused, though ever
   {
     auto settings = peer.store.database_settings;
     settings.path = at;
-    auto database = EditDatabase::open(settings);  // without the file acknowledged: another store
+    auto database = store::EditDatabase::open(settings);  // without the file acknowledged: another store
     REQUIRE(database.has_value());
-    REQUIRE((*database)->replay([](LogRecord&&) { return true; }).has_value());
-    EditDatabase::Slice slice;
+    REQUIRE((*database)->replay([](store::LogRecord&&) { return true; }).has_value());
+    store::EditDatabase::Slice slice;
     const std::vector<Override> voxels{{7, MaterialId{3}}};
     slice.put(ChunkKey{{100, 2, 3}, Lod{}}, 1, voxels);
     REQUIRE((*database)->put(slice).has_value());

@@ -88,8 +88,8 @@ inline edits::AttachEntry attach(std::uint64_t editor = 7) {
   return {{editor, 9}, 1, "somebody"};
 }
 
-inline Bytes bytes_of_entry(const LogEntry& entry) {
-  Bytes bytes;
+inline store::Bytes bytes_of_entry(const LogEntry& entry) {
+  store::Bytes bytes;
   cluster::encode(entry, bytes);
   return bytes;
 }
@@ -98,7 +98,7 @@ inline cluster::BatchHead foreign_head() {
   return {kClusterIdentity, 1234, 1, 5, 0, {}};
 }
 
-struct Cluster {
+struct ClusterInMemory {
   ScratchDirectory scratch;
   SharedStream stream{empty_genesis()};
   std::vector<std::unique_ptr<ClusterNode>> nodes;
@@ -106,7 +106,7 @@ struct Cluster {
   std::vector<std::optional<cluster::Lost>> lost;
   std::vector<std::string> why;
 
-  explicit Cluster(std::size_t count) : lost(count), why(count) {
+  explicit ClusterInMemory(std::size_t count) : lost(count), why(count) {
     for (std::size_t i = 0; i < count; ++i) {
       nodes.push_back(
           std::make_unique<ClusterNode>(scratch / std::to_string(i), ends_of(stream, i * 100), i * 100));
@@ -117,7 +117,7 @@ struct Cluster {
       };
     }
   }
-  ~Cluster() { nodes.clear(); }
+  ~ClusterInMemory() { nodes.clear(); }
   void open() {
     for (auto& node : nodes) REQUIRE(node->open() == "");
   }

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/acknowledged_file.h>
+
 #include "cluster/batch_time.h"
 #include "cluster/entry_codec.h"
 #include "cluster_in_memory.h"
-#include "store/acknowledged_file.h"
 
 namespace talus::server {
 namespace {
@@ -16,7 +17,7 @@ using cluster::Lost;
 using Kind = edits::Applied::Kind;
 
 TEST_CASE("what one server takes all apply, and it is answered where it was taken") {
-  Cluster cluster{3};
+  ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
   CHECK(answers.apply(cluster.log(0), attach())->kind == Kind::attached);
@@ -37,7 +38,7 @@ TEST_CASE("what one server takes all apply, and it is answered where it was take
 }
 
 TEST_CASE("names that several servers bring at once have the same ids everywhere") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   const auto first = answers.send(cluster.log(0), edits::BindEntry{{"glass", "lamp"}});
@@ -57,7 +58,7 @@ TEST_CASE("names that several servers bring at once have the same ids everywhere
 }
 
 TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, and all recovers by itself") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -86,7 +87,7 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
 }
 
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.nodes[0]->settings.look_interval = 1ms;
   REQUIRE(cluster.nodes[0]->open() == "");
   Answers answers;
@@ -123,7 +124,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
 }
 
 TEST_CASE("a stream that lost its end and went on is found out, though the server was away meanwhile") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -139,7 +140,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     head.number = number;
     head.revision = 0;
     cluster.stream.append(
-        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+        cluster::encode_batch(head, nullptr, std::vector<store::Bytes>{bytes_of_entry(attach(number))}));
   };
   SECTION("while it was away") {
     append_foreign(1);
@@ -171,7 +172,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
 }
 
 TEST_CASE("a stream that gets its end again is gone on with, and so is one that keeps nothing old") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -195,7 +196,7 @@ TEST_CASE("a stream that gets its end again is gone on with, and so is one that 
 }
 
 TEST_CASE("a batch that says a time far ahead is dated by the stream, alike everywhere") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   const auto now_ms = [] {
     return std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -209,7 +210,7 @@ TEST_CASE("a batch that says a time far ahead is dated by the stream, alike ever
     head.number = ++number;
     head.time_ms = time_ms;
     cluster.stream.append(
-        cluster::encode_batch(head, nullptr, std::vector<Bytes>{bytes_of_entry(attach(number))}));
+        cluster::encode_batch(head, nullptr, std::vector<store::Bytes>{bytes_of_entry(attach(number))}));
     cluster.until_applied();
     return cluster.log(0).status().head.time_ms;
   };
@@ -235,7 +236,7 @@ TEST_CASE("a batch that says a time far ahead is dated by the stream, alike ever
 }
 
 TEST_CASE("a server whose clock is far ahead dates what it writes by the stream, once it knows") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->clock.ahead = 24h * 365;
   cluster.open();
   Answers answers;
@@ -251,7 +252,7 @@ TEST_CASE("a server whose clock is far ahead dates what it writes by the stream,
 }
 
 TEST_CASE("a full disk stops a server where it is, and it goes on when there is room") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -272,7 +273,7 @@ TEST_CASE("a full disk stops a server where it is, and it goes on when there is 
 
 TEST_CASE(
     "edits are applied and answered while the disk syncs, and are there after a power cut once it has") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   ClusterNode& node = *cluster.nodes[0];
   Answers answers;
@@ -292,7 +293,7 @@ TEST_CASE(
   }
   const std::uint64_t last = node.log().status().head.position;
   until([&] {
-    const auto file = AcknowledgedFile::read(node.env(), (node.path() / "acknowledged").string());
+    const auto file = store::AcknowledgedFile::read(node.env(), (node.path() / "acknowledged").string());
     return file && *file && (*file)->position == last;
   });
   node.cut_power();
@@ -301,7 +302,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a server that is behind tells who is new to come again soon, not that all editors are there") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->state_settings.editor_bytes = EditState::kNewEditorBytes;
   cluster.open();
   Answers answers;
@@ -318,7 +319,7 @@ TEST_CASE("a server that is behind tells who is new to come again soon, not that
   until(is_at_end);
   CHECK(refused_as(LogFailure::Kind::editors_full));
   cluster.stream.fail_next_as(StreamFailure::Kind::unavailable);
-  const std::vector<Bytes> elsewhere{bytes_of_entry(attach(8))};
+  const std::vector<store::Bytes> elsewhere{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, elsewhere));
   until([&] { return cluster.log(0).status().lag > 0; });
   CHECK(refused_as(LogFailure::Kind::cut_off));
@@ -330,7 +331,7 @@ TEST_CASE("a server that is behind tells who is new to come again soon, not that
 }
 
 TEST_CASE("an edit that no message has room for is refused before it is in the log") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());

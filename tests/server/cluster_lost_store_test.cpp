@@ -5,11 +5,12 @@
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/bytes.h>
+#include <talus/store/rocks.h>
+
 #include "cluster/entry_codec.h"
 #include "cluster/server_number.h"
 #include "cluster_in_memory.h"
-#include "store/bytes.h"
-#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -22,22 +23,22 @@ using Kind = edits::Applied::Kind;
 /// Where the store says that S is another.
 void falsify(const std::filesystem::path& path) {
   rocksdb::DB* opened = nullptr;
-  REQUIRE(rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &opened).ok());
+  REQUIRE(rocksdb::DB::Open(store::rocks_options({}, false), (path / "db").string(), &opened).ok());
   const std::unique_ptr<rocksdb::DB> db{opened};
   std::string value;
-  REQUIRE(db->Get({}, meta_key(), &value).ok());
-  auto meta = decode_meta(std::as_bytes(std::span{value}));
+  REQUIRE(db->Get({}, store::meta_key(), &value).ok());
+  auto meta = store::decode_meta(std::as_bytes(std::span{value}));
   REQUIRE(meta.has_value());
   meta->head.hash.low += 1;
-  Bytes bytes;
+  store::Bytes bytes;
   encode(*meta, bytes);
-  REQUIRE(db->Put({}, meta_key(), as_slice(bytes)).ok());
+  REQUIRE(db->Put({}, store::meta_key(), store::as_slice(bytes)).ok());
   REQUIRE(db->Close().ok());
 }
 
 TEST_CASE("a server whose place the stream does not keep, or whose stream is another, is lost") {
-  Cluster cluster{1};
-  const std::vector<Bytes> some{bytes_of_entry(attach(8))};
+  ClusterInMemory cluster{1};
+  const std::vector<store::Bytes> some{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, some));
   SECTION("while it was away") {
     cluster.open();
@@ -87,7 +88,7 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
 }
 
 TEST_CASE("a publisher writes nothing more into a stream that is another, and answers what it has") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -104,7 +105,7 @@ TEST_CASE("a publisher writes nothing more into a stream that is another, and an
 }
 
 TEST_CASE("what waits when a server stops for good is answered, and not published any more") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -128,7 +129,7 @@ TEST_CASE("what waits when a server stops for good is answered, and not publishe
 }
 
 TEST_CASE("a server that was given a false message has a wrong state") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   cluster.until_applied();
   cluster.stream.fail_next_as(StreamFailure::Kind::false_message);
@@ -137,7 +138,7 @@ TEST_CASE("a server that was given a false message has a wrong state") {
 }
 
 TEST_CASE("while the leader says less than was applied no edits are taken, and no player comes") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -154,7 +155,7 @@ TEST_CASE("while the leader says less than was applied no edits are taken, and n
 }
 
 TEST_CASE("a server that cannot read a chunk takes no edits, and then needs another's store") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -163,7 +164,7 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   cluster.until_applied();
   cluster.nodes[1]->close();
   cluster.nodes[1]->before_log = [&] {
-    EditDatabase::Slice older;
+    store::EditDatabase::Slice older;
     older.put({{0, 0, 0}, Lod{}}, 1, {});
     REQUIRE(cluster.nodes[1]->database().put(older));
   };
@@ -198,7 +199,7 @@ TEST_CASE("a server has one number, however often it starts") {
 }
 
 TEST_CASE("of three servers the one whose state is another takes itself out, and the others go on") {
-  Cluster cluster{3};
+  ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -229,7 +230,7 @@ TEST_CASE("of three servers the one whose state is another takes itself out, and
 
 TEST_CASE(
     "what a power cut takes of a server's end is read from the log again, and what was synced is missed") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());

@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 
+#include <talus/store/bytes.h>
 #include <talus/voxel/codec.h>
 #include <xxhash.h>
 #include <catch2/catch.hpp>
@@ -12,7 +13,6 @@
 #include "cluster/log_format.h"
 #include "cluster/message.h"
 #include "edits/model.h"
-#include "store/bytes.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -27,7 +27,7 @@ std::string hex_of(std::span<const std::byte> bytes) {
   return hex;
 }
 
-const StoreIdentity kIdentity{{1, 2}, {3, 4}};
+const store::StoreIdentity kIdentity{{1, 2}, {3, 4}};
 
 edits::SettleRulesPtr sand_slides() {
   return std::make_shared<const edits::SettleRules>(edits::SettleRules{{MaterialId{3}, 160}});
@@ -56,22 +56,22 @@ BatchHead small_head() {
   return {kIdentity, 77, 3, 1'700'000'000'000, 5, {10, 11}};
 }
 
-Bytes bytes_of_entry(const LogEntry& entry) {
-  Bytes bytes;
+store::Bytes bytes_of_entry(const LogEntry& entry) {
+  store::Bytes bytes;
   encode(entry, bytes);
   return bytes;
 }
 
 /// Every bit flipped and every end cut off must be refused.
 template <typename Decode>
-void check_damage(const Bytes& value, const Decode& decode) {
+void check_damage(const store::Bytes& value, const Decode& decode) {
   for (std::size_t bit = 0; bit < value.size() * 8; ++bit) {
-    Bytes damaged = value;
+    store::Bytes damaged = value;
     damaged[bit / 8] ^= static_cast<std::byte>(1U << (bit % 8));
     if (decode(damaged)) FAIL("bit " << bit << " makes no difference");
   }
   for (std::size_t size = 0; size < value.size(); ++size) {
-    const Bytes cut(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
+    const store::Bytes cut(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
     if (decode(cut)) FAIL(size << " bytes are enough");
   }
 }
@@ -116,8 +116,9 @@ TEST_CASE("messages of the shared log are those of FORMAT.md, byte by byte") {
         "0100010000000000000002000000000000000300000000000000040000000000000001000000090000000000"
         "0000070000000000000005000000000000000a000000000000000b000000000000000103c0020205676c6173"
         "738102046c616d708002d93c8673f3397950");
-  const std::vector<Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
-                                   bytes_of_entry(small_edit()), bytes_of_entry(edits::BindEntry{{"glass"}})};
+  const std::vector<store::Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
+                                          bytes_of_entry(small_edit()),
+                                          bytes_of_entry(edits::BindEntry{{"glass"}})};
   CHECK(hex_of(entries[0]) == "0100050000000000000006000000000000000203626f62");
   CHECK(hex_of(entries[1]) ==
         "010105000000000000000600000000000000020903626f620101010406000201040603020000ac0201000000"
@@ -132,11 +133,11 @@ TEST_CASE("messages of the shared log are those of FORMAT.md, byte by byte") {
 }
 
 TEST_CASE("a genesis is read back, and damage is seen") {
-  const Bytes bytes = *encode(small_genesis());
+  const store::Bytes bytes = *encode(small_genesis());
   const auto read = decode_genesis(bytes);
   REQUIRE(read.has_value());
   CHECK(*read == small_genesis());
-  check_damage(bytes, [](const Bytes& each) { return decode_genesis(each).has_value(); });
+  check_damage(bytes, [](const store::Bytes& each) { return decode_genesis(each).has_value(); });
   Genesis large = small_genesis();
   for (std::uint16_t id = 256; id < 20'000; ++id) {
     large.materials.emplace(std::string(40, 'm') + std::to_string(id), MaterialId{id});
@@ -147,18 +148,18 @@ TEST_CASE("a genesis is read back, and damage is seen") {
 }
 
 TEST_CASE("a batch is read back by those whose store and world it is of, and damage is seen") {
-  const std::vector<Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
-                                   bytes_of_entry(small_edit())};
-  const Bytes bytes = encode_batch(small_head(), sand_slides(), entries);
+  const std::vector<store::Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
+                                          bytes_of_entry(small_edit())};
+  const store::Bytes bytes = encode_batch(small_head(), sand_slides(), entries);
   const auto read = decode_batch(bytes, kIdentity);
   REQUIRE(read.has_value());
   CHECK(read->head == small_head());
   CHECK(*read->settles == *sand_slides());
   REQUIRE(read->entries.size() == 2);
   CHECK(std::equal(entries[1].begin(), entries[1].end(), read->entries[1].begin(), read->entries[1].end()));
-  check_damage(bytes, [](const Bytes& each) { return decode_batch(each, kIdentity).has_value(); });
+  check_damage(bytes, [](const store::Bytes& each) { return decode_batch(each, kIdentity).has_value(); });
   // None at all: where a server says where it stands.
-  const Bytes none = encode_batch(small_head(), nullptr, {});
+  const store::Bytes none = encode_batch(small_head(), nullptr, {});
   REQUIRE(decode_batch(none, kIdentity).has_value());
   CHECK(decode_batch(none, kIdentity)->settles == nullptr);
 
@@ -170,16 +171,17 @@ TEST_CASE("a batch is read back by those whose store and world it is of, and dam
   REQUIRE_FALSE(other_world.has_value());
   CHECK(other_world.error().kind == Kind::other_world);
   CHECK(other_world.error().reason.find("the same world") != std::string::npos);
-  Bytes newer = bytes;
+  store::Bytes newer = bytes;
   newer.front() = std::byte{kMessageFormat + 1};
   CHECK(decode_batch(newer, kIdentity).error().kind == Kind::damaged);
   newer.resize(newer.size() - kSealBytes);
-  ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
+  store::ByteWriter{newer}.fixed64(XXH3_64bits(newer.data(), newer.size()));
   CHECK(decode_batch(newer, kIdentity).error().kind == Kind::newer);
   CHECK(decode_batch(newer, {{1, 1}, kIdentity.fingerprint}).error().kind == Kind::other_store);
   CHECK(decode_batch(*encode(small_genesis()), kIdentity).error().kind == Kind::damaged);
   CHECK(decode_genesis(bytes).error().kind == Kind::damaged);
-  CHECK(decode_batch(Bytes(kMaxMessageBytes + 1, std::byte{1}), kIdentity).error().kind == Kind::damaged);
+  CHECK(decode_batch(store::Bytes(kMaxMessageBytes + 1, std::byte{1}), kIdentity).error().kind ==
+        Kind::damaged);
 }
 
 TEST_CASE("entries of every kind are read back") {
@@ -188,7 +190,7 @@ TEST_CASE("entries of every kind are read back") {
   std::mt19937_64 random{seed};
   for (int i = 0; i < 300; ++i) {
     const edits::EditEntry entry = any_edit(random);
-    const Bytes bytes = bytes_of_entry(entry);
+    const store::Bytes bytes = bytes_of_entry(entry);
     const auto read = decode_entry(bytes, sand_slides());
     REQUIRE(read.has_value());
     const auto& edit = std::get<edits::EditEntry>(*read);
@@ -274,7 +276,7 @@ TEST_CASE("a description that speaks of formats otherwise lets no message be pas
 }
 
 TEST_CASE("entries that are newer are told from those that are damaged") {
-  Bytes bytes = bytes_of_entry(small_edit());
+  store::Bytes bytes = bytes_of_entry(small_edit());
   CHECK(decode_entry(bytes, nullptr).error() == EntryFault::damaged);  // it settles, and nothing says how
   bytes[0] = std::byte{kEntryFormat + 1};
   CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::newer);
@@ -285,8 +287,8 @@ TEST_CASE("entries that are newer are told from those that are damaged") {
   // What it pastes: the payload of a chunk of one material, by its codec.
   edits::EditEntry pastes;
   pastes.edit.paste = edits::Paste{{0, 0, 0}, Chunk::uniform(MaterialId{7}), false};
-  Bytes pasted = bytes_of_entry(pastes);
-  Bytes payload;
+  store::Bytes pasted = bytes_of_entry(pastes);
+  store::Bytes payload;
   talus::encode(pastes.edit.paste->voxels, payload);
   const auto at = std::search(pasted.begin(), pasted.end(), payload.begin(), payload.end());
   REQUIRE(at != pasted.end());
@@ -301,10 +303,10 @@ TEST_CASE("an entry that names more voxels than it has bytes for takes no memory
   std::vector<Override> all;
   for (std::uint16_t index = 0; index < kChunkVolume; ++index) all.push_back({index, MaterialId{1}});
   for (std::int32_t x = 0; x < 3; ++x) entry.base.emplace(ChunkCoord{x, 0, 0}, all);
-  const Bytes bytes = bytes_of_entry(entry);
+  const store::Bytes bytes = bytes_of_entry(entry);
   CHECK(bytes.size() < 200);
   CHECK(decode_entry(bytes, sand_slides()).error() == EntryFault::damaged);
-  Bytes many{std::byte{kEntryFormat}, std::byte{2}, std::byte{255}, std::byte{255}, std::byte{3}};
+  store::Bytes many{std::byte{kEntryFormat}, std::byte{2}, std::byte{255}, std::byte{255}, std::byte{3}};
   CHECK(decode_entry(many, nullptr).error() == EntryFault::damaged);
 }
 

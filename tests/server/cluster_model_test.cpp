@@ -30,8 +30,8 @@ std::uint64_t seed_of_run() {
 }
 
 /// A message that this talusd does not know, and that nobody has enabled.
-Bytes of_a_format_to_come() {
-  const std::vector<Bytes> entries{{std::byte{9}, std::byte{9}}};
+store::Bytes of_a_format_to_come() {
+  const std::vector<store::Bytes> entries{{std::byte{9}, std::byte{9}}};
   return cluster::encode_batch({kClusterIdentity, 1234, 1, 5, 1'000'000, {}}, nullptr, entries);
 }
 

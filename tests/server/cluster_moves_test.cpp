@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/whole_store.h>
+
 #include "../failing_renames.h"
 #include "cluster/join/enter_cluster.h"
 #include "cluster/message.h"
@@ -14,7 +16,6 @@
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 #include "shared_stream.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -27,7 +28,7 @@ struct Member {
   Member() {
     const std::string_view scheme = "nats";
     settings.nats = ServerUrls::parse("nats://127.0.0.1:4222", {&scheme, 1}).value();
-    auto directory = DataDirectory::open(path, world.fingerprint());
+    auto directory = store::DataDirectory::open(path, world.fingerprint());
     REQUIRE(directory.has_value());
     id = directory->store_id();
     EditStore store{path};
@@ -43,31 +44,31 @@ struct Member {
     REQUIRE(editor.edit(store, planks).has_value());
     head = store.log().status().head;
     store.close();
-    REQUIRE(enter_stream(path, kPlace).has_value());
+    REQUIRE(store::enter_stream(path, kPlace).has_value());
     scratch.write("data/rejoin", "the store that was here was found to be wrong");
   }
 
   /// The error, or nothing.
   std::string leave(const fs::path& data) {
-    const auto directory = DataDirectory::open_store(data);
+    const auto directory = store::DataDirectory::open_store(data);
     if (!directory) return directory.error();
     const auto left = leave_cluster(*directory, {}, tools, false, true);
     return left ? "" : left.error();
   }
   std::string fork(const fs::path& data) {
-    const auto directory = DataDirectory::open_store(data);
+    const auto directory = store::DataDirectory::open_store(data);
     if (!directory) return directory.error();
     const auto forked = fork_cluster(*directory, settings, world, tools, true);
     return forked ? "" : forked.error();
   }
   std::string join(const fs::path& data) {
-    const auto directory = DataDirectory::open_store(data);
+    const auto directory = store::DataDirectory::open_store(data);
     if (!directory) return directory.error();
     const auto joined = join_cluster(*directory, settings, world, tools);
     return joined ? "" : joined.error();
   }
 
-  static constexpr StreamPlace kPlace{5, 1};
+  static constexpr store::StreamPlace kPlace{5, 1};
   static constexpr MaterialId kPlanks{300};
   ScratchDirectory scratch{ScratchDirectory::memory()};
   fs::path path = scratch / "data";
@@ -107,7 +108,7 @@ TEST_CASE("a store that leaves its cluster, or is forked, is the old or the new 
       failed = failing.has_failed();
     }
     CAPTURE(error);
-    const auto directory = DataDirectory::open_store(data);
+    const auto directory = store::DataDirectory::open_store(data);
     REQUIRE(directory.has_value());
     const auto meta = join::read_place(data);
     INFO((meta ? "" : meta.error()));
@@ -139,16 +140,16 @@ TEST_CASE("a cluster's store gets a material another name by a new stream, and k
   }
   REQUIRE(member.leave(member.path) == "");
   {
-    const auto directory = DataDirectory::open_store(member.path);
+    const auto directory = store::DataDirectory::open_store(member.path);
     REQUIRE(directory.has_value());
     const auto renamed = rename_material(*directory, "planks", "boards");
     REQUIRE(renamed.has_value());
     CHECK(*renamed == 1);
   }
   REQUIRE(member.join(member.path) == "");
-  const auto store = ReadOnlyStore::open(member.path);
+  const auto store = store::ReadOnlyStore::open(member.path);
   REQUIRE(store.has_value());
-  const StoreMeta& meta = (*store)->meta();
+  const store::StoreMeta& meta = (*store)->meta();
   CHECK(meta.store_id != member.id);
   CHECK(meta.head == member.head);
   CHECK(meta.stream.sequence == 1);
@@ -170,8 +171,8 @@ TEST_CASE("a cluster's store gets a material another name by a new stream, and k
 
 TEST_CASE("a database and a store.toml of different stores are noticed, and no stream is made or named") {
   Member member;
-  REQUIRE(enter_stream(member.path, {}).has_value());
-  member.scratch.write("data/store.toml", store_text({{8, 9}, member.world.fingerprint()}));
+  REQUIRE(store::enter_stream(member.path, {}).has_value());
+  member.scratch.write("data/store.toml", store::store_text({{8, 9}, member.world.fingerprint()}));
   const auto check_noticed = [&](const std::string& error) {
     CHECK_THAT(error, Catch::Contains("the edits belong to store " + to_string(member.id)));
     CHECK_THAT(error, Catch::Contains("write store_id = \"" + to_string(member.id) + "\" into store.toml"));
@@ -183,18 +184,18 @@ TEST_CASE("a database and a store.toml of different stores are noticed, and no s
   const auto opened = OpenedStore::open(member.path);
   REQUIRE_FALSE(opened.has_value());
   check_noticed(opened.error());
-  const auto compacted = compact(member.path);
+  const auto compacted = store::compact(member.path);
   REQUIRE_FALSE(compacted.has_value());
   check_noticed(compacted.error());
   {
-    const auto directory = DataDirectory::open_store(member.path);
+    const auto directory = store::DataDirectory::open_store(member.path);
     REQUIRE(directory.has_value());
     const auto rebased = rebase_edits(*directory, member.world, false);
     REQUIRE_FALSE(rebased.has_value());
     check_noticed(rebased.error());
   }
   // What is said helps.
-  member.scratch.write("data/store.toml", store_text({member.id, member.world.fingerprint()}));
+  member.scratch.write("data/store.toml", store::store_text({member.id, member.world.fingerprint()}));
   CHECK(member.join(member.path) == "");
 }
 

@@ -9,17 +9,18 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/edit_database.h>
+
 #include "cluster/cluster_log.h"
 #include "cluster/log_stream.h"
 #include "cluster/message.h"
 #include "edits/edit_state.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
 #include "unsafe_disk.h"
 
 namespace talus::server::testing {
 
-inline const StoreIdentity kClusterIdentity{{3, 4}, {1, 2}};
+inline const store::StoreIdentity kClusterIdentity{{3, 4}, {1, 2}};
 
 inline std::vector<std::byte> empty_genesis() {
   cluster::Genesis genesis;
@@ -81,14 +82,14 @@ class ClusterNode {
     return {};
   }
   [[nodiscard]] std::string open_store() {
-    EditDatabaseSettings store;
+    store::EditDatabaseSettings store;
     store.path = path_;
     store.fingerprint = kClusterIdentity.fingerprint;
     store.store_id = kClusterIdentity.store_id;
     store.memory.write_buffer_bytes = 64 << 10;
     store.env = env_.get();
     store.log_elsewhere = true;
-    auto database = EditDatabase::open(store);
+    auto database = store::EditDatabase::open(store);
     if (!database) return database.error();
     database_ = *std::move(database);
     auto state = EditState::open(*database_, state_settings);
@@ -112,7 +113,7 @@ class ClusterNode {
 
   [[nodiscard]] cluster::ClusterLog& log() { return *log_; }
   [[nodiscard]] EditState& state() { return *state_; }
-  [[nodiscard]] EditDatabase& database() { return *database_; }
+  [[nodiscard]] store::EditDatabase& database() { return *database_; }
   [[nodiscard]] UnsafeDisk& disk() { return *disk_; }
   [[nodiscard]] rocksdb::Env& env() { return *env_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -122,7 +123,7 @@ class ClusterNode {
   const OpenStream open_stream_;
   const std::shared_ptr<UnsafeDisk> disk_;
   const std::unique_ptr<rocksdb::Env> env_;
-  std::unique_ptr<EditDatabase> database_;
+  std::unique_ptr<store::EditDatabase> database_;
   std::unique_ptr<EditState> state_;
   std::unique_ptr<LogStream> end_;
   std::unique_ptr<cluster::ClusterLog> log_;

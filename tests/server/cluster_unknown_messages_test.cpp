@@ -15,20 +15,20 @@ using cluster::Lost;
 using Kind = edits::Applied::Kind;
 
 /// Messages that this talusd does not know, and those to come may.
-std::vector<Bytes> unknown_messages() {
-  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
-  std::vector<Bytes> messages(2, cluster::encode_batch(foreign_head(), nullptr, good));
+std::vector<store::Bytes> unknown_messages() {
+  const std::vector<store::Bytes> good{bytes_of_entry(attach(8))};
+  std::vector<store::Bytes> messages(2, cluster::encode_batch(foreign_head(), nullptr, good));
   messages[0][0] = std::byte{9};
   messages[1][1] = std::byte{9};
-  for (Bytes& each : messages) each = sealed_again(each);
-  std::vector<Bytes> entries{good[0], bytes_of_entry(attach(9))};
+  for (store::Bytes& each : messages) each = sealed_again(each);
+  std::vector<store::Bytes> entries{good[0], bytes_of_entry(attach(9))};
   entries[1][0] = std::byte{7};
   messages.push_back(cluster::encode_batch(foreign_head(), nullptr, entries));
   return messages;
 }
 
 TEST_CASE("a message of a format that the stream has not enabled is passed over by all servers alike") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   SECTION("nor any other") {}
   SECTION("but that which is known") {
     cluster.stream.enable({cluster::kLogFormat, 1});
@@ -38,8 +38,8 @@ TEST_CASE("a message of a format that the stream has not enabled is passed over 
   }
   cluster.open();
   cluster.until_applied();
-  for (const Bytes& each : unknown_messages()) cluster.stream.append(each);
-  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  for (const store::Bytes& each : unknown_messages()) cluster.stream.append(each);
+  const std::vector<store::Bytes> good{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, good));
   cluster.until_applied();
   for (std::size_t i = 0; i < 2; ++i) {
@@ -61,11 +61,11 @@ TEST_CASE("a message of a format that the stream has not enabled is passed over 
 }
 
 TEST_CASE("of several formats that are enabled the first that this talusd does not read stops it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.describe(fmt::format("log format {} from message 5, {} from message 9",
                                       cluster::kLogFormat + 1, cluster::kLogFormat + 2));
   cluster.open();
-  for (const Bytes& each : unknown_messages()) cluster.stream.append(each);  // 2 to 4
+  for (const store::Bytes& each : unknown_messages()) cluster.stream.append(each);  // 2 to 4
   cluster.until_applied();
   CHECK(cluster.log(0).status().skipped == 3);
   CHECK_FALSE(cluster.log(0).status().stuck);
@@ -76,10 +76,10 @@ TEST_CASE("of several formats that are enabled the first that this talusd does n
 }
 
 TEST_CASE("a description of formats that is not understood stops a server, and it says so") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.describe("log format 2 from message 5.");
   cluster.open();
-  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  const std::vector<store::Bytes> good{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, good));
   cluster.until_applied();  // what it knows it applies
   CHECK(cluster.log(0).status().head.position == 1);
@@ -100,7 +100,7 @@ TEST_CASE("a description of formats that is not understood stops a server, and i
 }
 
 TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->settings.look_interval = 1h;  // so that it is this message by which it is found
   cluster.open();
   cluster.until_applied();
@@ -112,7 +112,7 @@ TEST_CASE("a message that is not known is not passed over where the stream is an
 }
 
 TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be right") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.replace_first(of_newer_format(empty_genesis()));
   cluster.open();
   until([&] {
@@ -122,7 +122,7 @@ TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be
 }
 
 TEST_CASE("a message that is not known waits for a leader that knows it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.nodes[0]->settings.look_interval = 1h;  // so that it asks for this message alone
   cluster.open();
   cluster.until_applied();
@@ -138,31 +138,31 @@ TEST_CASE("a message that is not known waits for a leader that knows it") {
 }
 
 TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   std::string why;
-  const std::vector<Bytes> good{bytes_of_entry(attach(8))};
+  const std::vector<store::Bytes> good{bytes_of_entry(attach(8))};
   SECTION("a format") {
-    Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
+    store::Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
     message[0] = std::byte{9};
     cluster.stream.append(sealed_again(message));
     why = "message 2 of the log cannot be applied: it has format 9; this talusd reads up to 1; upgrade it";
   }
   SECTION("a kind") {
-    Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
+    store::Bytes message = cluster::encode_batch(foreign_head(), nullptr, good);
     message[1] = std::byte{9};
     cluster.stream.append(sealed_again(message));
     why = "message 2 of the log cannot be applied: it is of kind 9, which this talusd does not know";
   }
   SECTION("an entry") {
-    std::vector<Bytes> entries = good;
+    std::vector<store::Bytes> entries = good;
     entries.push_back(bytes_of_entry(attach(9)));
     entries[1][0] = std::byte{7};
     cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
     why = "message 2 of the log cannot be applied: its entry 2 is one that this talusd does not know";
   }
   SECTION("an entry behind one that is damaged") {
-    std::vector<Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
+    std::vector<store::Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
     entries[0].pop_back();
     entries[1][1] = std::byte{7};
     cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
@@ -186,10 +186,10 @@ TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
 }
 
 TEST_CASE("a message that no talusd wrote is passed over by all servers alike") {
-  Cluster cluster{2};
-  const std::vector<Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
-  const Bytes good = cluster::encode_batch(foreign_head(), nullptr, entries);
-  Bytes bad = good;
+  ClusterInMemory cluster{2};
+  const std::vector<store::Bytes> entries{bytes_of_entry(attach(8)), bytes_of_entry(attach(9))};
+  const store::Bytes good = cluster::encode_batch(foreign_head(), nullptr, entries);
+  store::Bytes bad = good;
   SECTION("damaged") {
     bad[40] ^= std::byte{1};
   }
@@ -226,7 +226,7 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
     bad = sealed_again(bad);
   }
   SECTION("an entry that is damaged behind one that is not") {
-    std::vector<Bytes> damaged = entries;
+    std::vector<store::Bytes> damaged = entries;
     damaged[1].pop_back();
     bad = cluster::encode_batch(foreign_head(), nullptr, damaged);
   }
@@ -252,7 +252,7 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
 }
 
 TEST_CASE("a message that comes altered is asked of the log's leader, and applied as others have it") {
-  Cluster cluster{1};
+  ClusterInMemory cluster{1};
   std::uint64_t altered = 0;
   SECTION("a batch") {
     altered = 3;
@@ -270,7 +270,7 @@ TEST_CASE("a message that comes altered is asked of the log's leader, and applie
       900));
   cluster.open();
   for (std::uint64_t editor = 8; editor < 11; ++editor) {
-    const std::vector<Bytes> entries{bytes_of_entry(attach(editor))};
+    const std::vector<store::Bytes> entries{bytes_of_entry(attach(editor))};
     cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, entries));
   }
   cluster.until_applied();
@@ -280,12 +280,12 @@ TEST_CASE("a message that comes altered is asked of the log's leader, and applie
 }
 
 TEST_CASE("players may look on while no server can read the next message, and not where others can") {
-  Cluster cluster{2};
+  ClusterInMemory cluster{2};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;
   cluster.open();
   until([&] { return cluster.log(0).status().ready && cluster.log(1).status().ready; });
-  Bytes message = cluster::encode_batch(foreign_head(), nullptr, {});
+  store::Bytes message = cluster::encode_batch(foreign_head(), nullptr, {});
   message[0] = std::byte{9};
   cluster.stream.append(sealed_again(message));
   until([&] { return cluster.log(0).status().stuck && cluster.log(1).status().stuck; });

@@ -5,9 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/store_identity.h>
+
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/store_identity.h"
 
 namespace talus::server {
 namespace {
@@ -113,7 +114,7 @@ TEST_CASE("a log that lost its end is refused, and the entries that are lost are
 TEST_CASE("who deletes the file of what was acknowledged goes on with what is left, as another store") {
   Killed store;
   const fs::path log = store.file(".log");
-  const EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
+  const store::EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
   fs::remove(store.path() / "acknowledged");
   SECTION("one byte is lost") {
     fs::resize_file(log, fs::file_size(log) - 1);
@@ -121,35 +122,35 @@ TEST_CASE("who deletes the file of what was acknowledged goes on with what is le
   SECTION("all of the log is lost") {
     fs::resize_file(log, 0);
   }
-  const auto database = EditDatabase::open(settings);
+  const auto database = store::EditDatabase::open(settings);
   INFO((database ? std::string{} : database.error()));
   REQUIRE(database.has_value());
   const ContentHash now = (*database)->meta().store_id;
   CHECK(now != settings.store_id);
-  CHECK(read_store_identity(store.path() / "store.toml") == StoreIdentity{now, {1, 2}});
+  CHECK(store::read_store_identity(store.path() / "store.toml") == store::StoreIdentity{now, {1, 2}});
 }
 
 TEST_CASE("a store that became another stays that") {
   Killed store;
   fs::remove(store.path() / "acknowledged");
-  EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
+  store::EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
   {
-    const auto database = EditDatabase::open(settings);
+    const auto database = store::EditDatabase::open(settings);
     REQUIRE(database.has_value());
     CHECK((*database)->meta().head.position == 802);
     settings.store_id = (*database)->meta().store_id;
   }
   {
-    const auto again = EditDatabase::open(settings);
+    const auto again = store::EditDatabase::open(settings);
     REQUIRE(again.has_value());
     CHECK((*again)->meta().store_id == settings.store_id);
   }
   // The power was cut when store.toml had a new id and nothing else.
   fs::remove(store.path() / "acknowledged");
   settings.store_id = {5, 6};
-  const auto interrupted = EditDatabase::open(settings);
+  const auto interrupted = store::EditDatabase::open(settings);
   REQUIRE(interrupted.has_value());
-  CHECK(read_store_identity(store.path() / "store.toml")->store_id == (*interrupted)->meta().store_id);
+  CHECK(store::read_store_identity(store.path() / "store.toml")->store_id == (*interrupted)->meta().store_id);
 }
 
 TEST_CASE("damage in the log is refused") {

@@ -190,12 +190,12 @@ TEST_CASE(
   bool lost = false;
   for (std::uint64_t seed = 1; seed <= 50 && !lost; ++seed) {
     Trouble trouble{seed};
-    EditDatabaseSettings& settings = trouble.store.database_settings;
+    store::EditDatabaseSettings& settings = trouble.store.database_settings;
     settings.log_elsewhere = true;
     std::string told;
     settings.on_lost_end = [&](const std::string& what) { told = what; };
     REQUIRE(trouble.store.open_without_log() == "");
-    EditDatabase& database = trouble.store.database();
+    store::EditDatabase& database = trouble.store.database();
     EditState& state = trouble.store.state();
     const EditState::Reading reading{state};
     const auto append = [&](std::uint64_t editor) {
@@ -232,8 +232,8 @@ TEST_CASE("who opens the database again waits for no checkpoint, and chunks are 
   EditStore store{scratch / "edits"};
   store.database_settings.env = environment.get();
   REQUIRE(store.open_without_log() == "");
-  EditDatabase& database = store.database();
-  EditDatabase::Done made;
+  store::EditDatabase& database = store.database();
+  store::EditDatabase::Done made;
   std::thread copier{[&] { made = database.checkpoint(scratch / "copy"); }};
   disk->wait_until_stopped();
   const auto refused = database.recover();

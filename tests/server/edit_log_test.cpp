@@ -17,8 +17,8 @@ using edits::testing::Model;
 using Kind = edits::Applied::Kind;
 
 /// Chunks of all levels, as the database has them.
-std::map<ChunkKey, StoredChunk> stored_chunks(const EditDatabase& database) {
-  std::map<ChunkKey, StoredChunk> chunks;
+std::map<ChunkKey, store::StoredChunk> stored_chunks(const store::EditDatabase& database) {
+  std::map<ChunkKey, store::StoredChunk> chunks;
   REQUIRE(database.for_each_chunk([&](ChunkKey key, std::uint64_t) { chunks[key] = {}; }));
   for (auto& [key, chunk] : chunks) chunk = database.chunk(key).value().value();
   return chunks;
@@ -103,7 +103,7 @@ TEST_CASE("the log says whose an edit is: its editor's, or whom a game server na
   store.close();
   REQUIRE(store.open_without_log() == "");
   std::vector<std::string> subjects;
-  REQUIRE(store.database().for_each_record(0, [&](LogRecord record) {
+  REQUIRE(store.database().for_each_record(0, [&](store::LogRecord record) {
     if (record.kind == Kind::done) subjects.push_back(record.subject);
     return true;
   }));
@@ -256,7 +256,7 @@ TEST_CASE("history is kept up to its bytes, and what is kept follows entry by en
   CHECK(store.database().history().bytes <= 3 << 20);
   CHECK(store.database().history().since_ms > 0);
   std::vector<std::uint64_t> positions;
-  const auto collect = [&](LogRecord&& record) {
+  const auto collect = [&](store::LogRecord&& record) {
     positions.push_back(record.position);
     return true;
   };
@@ -287,7 +287,7 @@ TEST_CASE("edits of a chunk that cannot be read fail by its name, and the log go
   REQUIRE(editor.edit(store, write({512, 2, 0}, 8)).has_value());
   store.close();
   REQUIRE(store.open_without_log() == "");
-  EditDatabase::Slice older;
+  store::EditDatabase::Slice older;
   older.put(bad, 1, {});
   older.put(coarse, 1, {});
   REQUIRE(store.database().put(older));

@@ -13,11 +13,12 @@
 
 #include <rocksdb/env.h>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/store_identity.h>
+
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
-#include "store/store_identity.h"
 
 namespace talus::server::testing {
 
@@ -30,7 +31,7 @@ class EditStore {
   }
   ~EditStore() { close(); }
 
-  EditDatabaseSettings database_settings;
+  store::EditDatabaseSettings database_settings;
   EditStateSettings state_settings;
   LocalLogSettings log_settings;
   LocalLog::OnChanged on_changed;
@@ -46,9 +47,9 @@ class EditStore {
   }
   [[nodiscard]] std::string open_without_log() {
     // As a DataDirectory reads it, where the store became another.
-    const auto identity = read_store_identity(database_settings.path / "store.toml");
+    const auto identity = store::read_store_identity(database_settings.path / "store.toml");
     if (identity) database_settings.store_id = identity->store_id;
-    auto database = EditDatabase::open(database_settings);
+    auto database = store::EditDatabase::open(database_settings);
     if (!database) return database.error();
     database_ = std::move(*database);
     auto state = EditState::open(*database_, state_settings);
@@ -67,7 +68,7 @@ class EditStore {
 
   [[nodiscard]] LocalLog& log() { return *log_; }
   [[nodiscard]] EditState& state() { return *state_; }
-  [[nodiscard]] EditDatabase& database() { return *database_; }
+  [[nodiscard]] store::EditDatabase& database() { return *database_; }
 
   /// What became of an entry; nothing where the log did not take it, or failed.
   std::optional<edits::Applied> apply(LogEntry entry) {
@@ -89,7 +90,7 @@ class EditStore {
 
  private:
   SystemClock clock_;
-  std::unique_ptr<EditDatabase> database_;
+  std::unique_ptr<store::EditDatabase> database_;
   std::unique_ptr<EditState> state_;
   std::unique_ptr<LocalLog> log_;
 };

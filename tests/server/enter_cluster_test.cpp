@@ -4,13 +4,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/store_identity.h>
+#include <talus/store/whole_store.h>
+
 #include "checkpoint_store.h"
 #include "cluster/join/enter_cluster.h"
 #include "cluster_node.h"
 #include "sealed_again.h"
 #include "shared_stream.h"
-#include "store/store_identity.h"
-#include "store/whole_store.h"
 
 namespace talus::server::join {
 namespace {
@@ -31,8 +32,8 @@ struct Single {
     head = store.log().status().head;
     voxels = overrides_of(store.state());
     store.close();
-    const EditDatabaseSettings& settings = store.database_settings;
-    std::ofstream{path / "store.toml"} << store_text({settings.store_id, settings.fingerprint});
+    const store::EditDatabaseSettings& settings = store.database_settings;
+    std::ofstream{path / "store.toml"} << store::store_text({settings.store_id, settings.fingerprint});
   }
 
   std::string enter() {
@@ -45,7 +46,7 @@ struct Single {
     CHECK(entered->head == head);
     return "";
   }
-  [[nodiscard]] StoreMeta meta() const {
+  [[nodiscard]] store::StoreMeta meta() const {
     const auto read = read_place(path);
     REQUIRE(read.has_value());
     return *read;
@@ -89,7 +90,8 @@ std::optional<edits::Applied> apply(ClusterNode& node, LogEntry entry) {
 TEST_CASE("a store begins its stream where it stands, and once") {
   Single single;
   CHECK(single.enter() == "");
-  CHECK(single.meta().stream == StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
+  CHECK(single.meta().stream ==
+        store::StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
   CHECK(single.meta().head == single.head);
   const auto genesis = cluster::decode_genesis(single.stream.all().at(0));
   REQUIRE(genesis.has_value());
@@ -105,7 +107,7 @@ TEST_CASE("a store that was interrupted when it entered, enters") {
   Single single;
   SECTION("before it knew that it was in") {
     CHECK(single.enter() == "");
-    REQUIRE(enter_stream(single.path, {}).has_value());
+    REQUIRE(store::enter_stream(single.path, {}).has_value());
   }
   SECTION("without an answer") {
     single.faults.unacked = 256;
@@ -118,7 +120,8 @@ TEST_CASE("a store that was interrupted when it entered, enters") {
   }
   CHECK(single.enter() == "");
   CHECK(single.stream.state().last == 1);
-  CHECK(single.meta().stream == StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
+  CHECK(single.meta().stream ==
+        store::StreamPlace{1, 1, 0, cluster::hash_of_message(single.stream.all().at(0))});
 }
 
 TEST_CASE("a stream that something else has begun is not entered, and the store stays as it is") {
@@ -137,7 +140,7 @@ TEST_CASE("a stream that something else has begun is not entered, and the store 
   const auto before = single.stream.state().last;
   CHECK_THAT(single.enter(), Catch::Contains("is begun already") && Catch::Contains("talusd store fork"));
   CHECK(single.stream.state().last == before);
-  CHECK(single.meta().stream == StreamPlace{});
+  CHECK(single.meta().stream == store::StreamPlace{});
 }
 
 TEST_CASE("a stream that a newer talusd has begun is not to be deleted, but talusd upgraded") {
@@ -145,7 +148,7 @@ TEST_CASE("a stream that a newer talusd has begun is not to be deleted, but talu
   single.stream.append(of_newer_format(empty_genesis()));
   CHECK(single.enter() ==
         "the stream's first message: it has format 9; this talusd reads up to 1; upgrade it");
-  CHECK(single.meta().stream == StreamPlace{});
+  CHECK(single.meta().stream == store::StreamPlace{});
 }
 
 TEST_CASE("into a cluster and back a store keeps revisions, editors and edits") {
@@ -169,12 +172,12 @@ TEST_CASE("into a cluster and back a store keeps revisions, editors and edits") 
   const edits::Head in_cluster = single.meta().head;
   CHECK(single.meta().stream.sequence > 1);
   SECTION("under its id") {
-    REQUIRE(enter_stream(single.path, {}).has_value());
+    REQUIRE(store::enter_stream(single.path, {}).has_value());
   }
   SECTION("under another") {
-    REQUIRE(give_identity(single.path, {5, 6}).has_value());
+    REQUIRE(store::give_identity(single.path, {5, 6}).has_value());
   }
-  CHECK(single.meta().stream == StreamPlace{});
+  CHECK(single.meta().stream == store::StreamPlace{});
   CHECK(single.meta().head == in_cluster);
   REQUIRE(single.store.open() == "");
   CHECK(overrides_of(single.store.state()) == single.voxels);

@@ -5,13 +5,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/read_only_store.h>
+
 #include "checkpoint_peer.h"
 #include "cluster/join/prepare_store.h"
 #include "cluster/join/start_plan.h"
 #include "cluster/message.h"
 #include "cluster/server_number.h"
 #include "sealed_again.h"
-#include "store/read_only_store.h"
 
 namespace talus::server::join {
 namespace {
@@ -22,22 +23,22 @@ using Kind = StartPlan::Kind;
 constexpr std::int64_t kMade = 77;  // when the stream was
 
 /// Of a scripted stream, from its second one on.
-Bytes message_of(std::uint64_t sequence) {
+store::Bytes message_of(std::uint64_t sequence) {
   return {std::byte{1}, static_cast<std::byte>(sequence), static_cast<std::byte>(sequence >> 8U)};
 }
-StreamPlace place_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
+store::StreamPlace place_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
   return {sequence, created_ns, 0, cluster::hash_of_message(message_of(sequence))};
 }
 
-StoreMeta store_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
-  StoreMeta meta;
+store::StoreMeta store_at(std::uint64_t sequence, std::int64_t created_ns = kMade) {
+  store::StoreMeta meta;
   meta.store_id = {3, 4};
   meta.head.position = 100;
   meta.stream = {sequence, created_ns};
   return meta;
 }
 
-StartPlan plan(std::optional<StoreMeta> local, StreamState stream, bool from_nothing = true,
+StartPlan plan(std::optional<store::StoreMeta> local, StreamState stream, bool from_nothing = true,
                bool has_peers = true) {
   return plan_start({local, stream, from_nothing, has_peers, 0, {}});
 }
@@ -47,7 +48,7 @@ class ScriptedStream final : public LogStream {
  public:
   struct Script {
     StreamState state{1, 1, kMade};
-    std::optional<Bytes> first;
+    std::optional<store::Bytes> first;
     std::deque<StreamFailure> failures;  // of state(), one after the other
     bool lost_end = false;               // and went on: its messages are others than those of the stores
   };
@@ -73,7 +74,7 @@ class ScriptedStream final : public LogStream {
   Script& script_;
 };
 
-Bytes genesis(ContentHash id, ContentHash world = {1, 2}, std::uint64_t position = 0) {
+store::Bytes genesis(ContentHash id, ContentHash world = {1, 2}, std::uint64_t position = 0) {
   cluster::Genesis genesis;
   genesis.identity = {id, world};
   genesis.head.position = position;
@@ -94,7 +95,7 @@ struct Joiner {
 
   /// The error; empty: the store is ready.
   std::string start() {
-    auto directory = DataDirectory::open_member(path, {1, 2});
+    auto directory = store::DataDirectory::open_member(path, {1, 2});
     if (!directory) return directory.error();
     const auto prepared =
         prepare_store({*directory,
@@ -117,8 +118,8 @@ struct Joiner {
     CHECK(directory->store_id() == opened);
     return "";
   }
-  [[nodiscard]] std::optional<StoreMeta> meta() const {
-    const auto store = ReadOnlyStore::open(path);
+  [[nodiscard]] std::optional<store::StoreMeta> meta() const {
+    const auto store = store::ReadOnlyStore::open(path);
     return store ? std::optional{(*store)->meta()} : std::nullopt;
   }
   [[nodiscard]] bool kept_the_old_one() const { return fs::exists(path / "rejoined-1"); }
@@ -212,7 +213,7 @@ TEST_CASE("an empty disk begins from a stream that goes back to nothing, and onl
   joiner.script.first = genesis({8, 8});
   CHECK(joiner.start() == "");
   CHECK(joiner.opened == ContentHash{8, 8});
-  CHECK(read_store_identity(joiner.path / "store.toml")->store_id == ContentHash{8, 8});
+  CHECK(store::read_store_identity(joiner.path / "store.toml")->store_id == ContentHash{8, 8});
 }
 
 TEST_CASE("an empty disk never begins empty where the cluster's store is not") {
@@ -240,7 +241,7 @@ TEST_CASE("an empty disk takes a peer's store, also where nobody said which") {
   }
   SECTION("whichever it is") {}
   SECTION("in place of one without entries") {
-    REQUIRE(DataDirectory::open(joiner.path, {1, 2}).has_value());
+    REQUIRE(store::DataDirectory::open(joiner.path, {1, 2}).has_value());
   }
   CHECK(joiner.start() == "");
   CHECK(joiner.meta()->head == peer.store.head());
@@ -466,7 +467,7 @@ TEST_CASE("a store of another id or world, or of no cluster, is refused and stay
   CheckpointStore mine;
   mine.store.close();
   const ContentHash id = mine.id();
-  { const DataDirectory unlocked = *std::move(mine.directory); }
+  { const store::DataDirectory unlocked = *std::move(mine.directory); }
   Joiner joiner;
   joiner.path = mine.path;
   joiner.script.state = {1, 90, kMade};
@@ -474,7 +475,7 @@ TEST_CASE("a store of another id or world, or of no cluster, is refused and stay
   joiner.id = ContentHash{9, 9};
   CHECK_THAT(joiner.start(), Catch::Contains("cluster.store names 00000000000000090000000000000009"));
   CHECK(joiner.meta()->store_id == id);
-  std::ofstream{mine.path / "store.toml"} << store_text({id, {1, 3}});
+  std::ofstream{mine.path / "store.toml"} << store::store_text({id, {1, 3}});
   CHECK_THAT(joiner.start(), Catch::Contains("belongs to the world with fingerprint"));
 }
 

@@ -155,7 +155,7 @@ class PowerCuts {
   /// Goes on with the model by the log's records, and holds the state against it.
   std::string compare() {
     std::string fault;
-    const auto read = store_.database().for_each_record(compared_ + 1, [&](LogRecord&& record) {
+    const auto read = store_.database().for_each_record(compared_ + 1, [&](store::LogRecord&& record) {
       fault = follow(record);
       return fault.empty();
     });
@@ -193,7 +193,7 @@ class PowerCuts {
     return {};
   }
 
-  std::string follow(const LogRecord& record) {
+  std::string follow(const store::LogRecord& record) {
     using Kind = edits::Applied::Kind;
     if (record.position != compared_ + 1) return "an entry is missing in the log";
     compared_ = record.position;
@@ -222,7 +222,7 @@ class PowerCuts {
   }
 
   /// Evaluated alone, whatever batches the log was cut into and wherever it was replayed from.
-  std::string follow_settling(const LogRecord& record, const edits::Edit& edit) {
+  std::string follow_settling(const store::LogRecord& record, const edits::Edit& edit) {
     const auto outcome = edits::evaluate(edit, base_for(edit), settled_, rules_.get());
     if (!outcome || outcome->chunks != record.changes ||
         outcome->conflict.has_value() != record.result.conflict.has_value()) {

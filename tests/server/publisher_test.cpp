@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using TimePoint = std::chrono::steady_clock::time_point;
 
-constexpr StoreIdentity kOwnStore{{1, 2}, {3, 4}};
+constexpr store::StoreIdentity kOwnStore{{1, 2}, {3, 4}};
 
 /// Acknowledges when it is told to.
 class SlowStream final : public LogStream {

@@ -192,7 +192,7 @@ TEST_CASE(
   }
   config.limits.memory_bytes = 0;
   CHECK(edit_state_settings(config) == EditStateSettings{});
-  CHECK(store_memory(config).most() == StoreMemory{}.most());
+  CHECK(store_memory(config).most() == store::StoreMemory{}.most());
 }
 
 TEST_CASE(

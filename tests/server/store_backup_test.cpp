@@ -8,12 +8,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/store_swap.h>
+#include <talus/store/whole_store.h>
+
 #include "commands/store/backup.h"
 #include "commands/store/store_figures.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/store_swap.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 /// A data directory with a store of some edits.
 struct Data {
   explicit Data(std::uint64_t seed = 7, int edits = 300) {
-    const auto directory = DataDirectory::open(path, {1, 2});
+    const auto directory = store::DataDirectory::open(path, {1, 2});
     REQUIRE(directory.has_value());
     EditStore store{path};
     store.database_settings.store_id = directory->store_id();
@@ -38,7 +39,7 @@ struct Data {
     head = store.log().status().head;
   }
 
-  BackupManifest back_up(const fs::path& target) const {
+  store::BackupManifest back_up(const fs::path& target) const {
     const auto manifest = write_backup(path, target);
     INFO((manifest ? "" : manifest.error()));
     REQUIRE(manifest.has_value());
@@ -52,7 +53,7 @@ struct Data {
 
 /// The store's state, where it is sound in every respect.
 edits::Head sound_head(const fs::path& path) {
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   INFO((store ? "" : store.error()));
   REQUIRE(store.has_value());
   ProgressBar progress{"", ""};
@@ -82,7 +83,7 @@ class SmallFilesAlone {
 };
 
 std::string restore_error(const fs::path& backup, const fs::path& data, bool replace = false) {
-  const auto directory = DataDirectory::open_any(data);
+  const auto directory = store::DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
   const auto restored = restore_backup(backup, *directory, replace);
   return restored ? std::string{} : restored.error();
@@ -92,7 +93,7 @@ std::string restore_error(const fs::path& backup, const fs::path& data, bool rep
 
 TEST_CASE("a backup is restored as it was, as another store") {
   const Data data;
-  const BackupManifest manifest = data.back_up(data.scratch / "backup");
+  const store::BackupManifest manifest = data.back_up(data.scratch / "backup");
   CHECK(manifest.head == data.head);
   CHECK(read_manifest(data.scratch / "backup") == manifest);
   fs::create_directory(data.scratch / "new");
@@ -100,7 +101,7 @@ TEST_CASE("a backup is restored as it was, as another store") {
   CHECK(restore_error(data.scratch / "backup", data.scratch / "new") == "");
   CHECK_FALSE(fs::exists(data.scratch / "new/rejoin"));
   CHECK(sound_head(data.scratch / "new") == data.head);
-  const auto restored = DataDirectory::open_store(data.scratch / "new");
+  const auto restored = store::DataDirectory::open_store(data.scratch / "new");
   REQUIRE(restored.has_value());
   CHECK(restored->identity()->fingerprint == ContentHash{1, 2});
   CHECK(restored->store_id() != manifest.identity.store_id);
@@ -157,7 +158,7 @@ TEST_CASE("a backup that finds no room leaves nothing behind") {
 TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused and changes nothing") {
   const Data data;
   const fs::path backup = data.scratch / "backup";
-  const BackupManifest manifest = data.back_up(backup);
+  const store::BackupManifest manifest = data.back_up(backup);
   const fs::path target = data.scratch / "target";
   SECTION("without a manifest") {
     fs::remove(backup / "manifest");
@@ -167,7 +168,7 @@ TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused an
     CHECK(restore_error(data.scratch / "none", target).find("no such directory") != std::string::npos);
   }
   SECTION("a file that changed, is short, or is gone") {
-    for (const BackupManifest::File& file : manifest.files) {
+    for (const store::BackupManifest::File& file : manifest.files) {
       const fs::path path = backup / file.name;
       const std::string whole = read_whole(path);
       INFO(file.name);
@@ -213,40 +214,40 @@ TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused an
 TEST_CASE("files whose sizes no number holds are not begun with, nor is one file twice") {
   const Data data;
   const fs::path backup = data.scratch / "backup";
-  BackupManifest manifest = data.back_up(backup);
-  const auto error_with = [&](const BackupManifest& changed) {
+  store::BackupManifest manifest = data.back_up(backup);
+  const auto error_with = [&](const store::BackupManifest& changed) {
     std::ofstream{backup / "manifest"} << encode(changed);
     return restore_error(backup, data.scratch / "target");
   };
-  BackupManifest large = manifest;
-  for (BackupManifest::File& file : large.files) file.bytes = std::uint64_t{1} << 63U;
+  store::BackupManifest large = manifest;
+  for (store::BackupManifest::File& file : large.files) file.bytes = std::uint64_t{1} << 63U;
   CHECK(large.bytes() == UINT64_MAX);
   CHECK_THAT(error_with(large), Catch::Contains("bytes free; 18446744073709551615 are needed"));
-  BackupManifest twice = manifest;
+  store::BackupManifest twice = manifest;
   twice.files.push_back(twice.files.front());
   CHECK_THAT(error_with(twice), Catch::Contains("its manifest is damaged"));
   CHECK(error_with(manifest) == "");
 }
 
 TEST_CASE("a manifest is read back, and any other text is refused") {
-  BackupManifest manifest{
+  store::BackupManifest manifest{
       {{1, 2}, {3, 4}}, {5, 6, 7, {8, 9}}, {{"db/000012.sst", 10, {11, 12}}, {"acknowledged", 25, {}}}};
   const std::string text = encode(manifest);
-  CHECK(decode_manifest(text) == manifest);
+  CHECK(store::decode_manifest(text) == manifest);
   for (std::size_t bit = 0; bit < text.size() * 8; ++bit) {
     std::string damaged = text;
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << (bit % 8)));
-    if (decode_manifest(damaged)) FAIL("bit " << bit << " makes no difference");
+    if (store::decode_manifest(damaged)) FAIL("bit " << bit << " makes no difference");
   }
   for (std::size_t size = 0; size < text.size(); ++size) {
-    if (decode_manifest(text.substr(0, size))) FAIL(size << " bytes are enough");
+    if (store::decode_manifest(text.substr(0, size))) FAIL(size << " bytes are enough");
   }
-  CHECK_FALSE(decode_manifest(text + "\n").has_value());
+  CHECK_FALSE(store::decode_manifest(text + "\n").has_value());
   manifest.files[0].name = "db/../../etc/passwd";
-  CHECK_FALSE(decode_manifest(encode(manifest)).has_value());
+  CHECK_FALSE(store::decode_manifest(encode(manifest)).has_value());
   std::string newer = text;
   newer.replace(newer.find("backup 1"), 8, "backup 2");
-  CHECK(decode_manifest(newer).error().find("use a newer talusd") != std::string::npos);
+  CHECK(store::decode_manifest(newer).error().find("use a newer talusd") != std::string::npos);
 }
 
 TEST_CASE("a swap that was interrupted after any step is ended by who opens the directory next") {
@@ -271,7 +272,7 @@ TEST_CASE("a swap that was interrupted after any step is ended by who opens the 
     }
     rename(next / "old", data / "replaced-1");
     if (left > 0) fs::remove_all(next);
-    REQUIRE(DataDirectory::open_any(data).has_value());
+    REQUIRE(store::DataDirectory::open_any(data).has_value());
     for (const char* const name : {"acknowledged", "db", "store.toml"}) {
       CHECK(read_whole(data / name) == "new");
       CHECK(read_whole(data / "replaced-1" / name) == "old");
@@ -285,7 +286,7 @@ TEST_CASE("what was not finished is removed by who opens the directory next, and
   for (const char* const name : {"talus-staging/db", "talus-checkpoint-3/db", "staging", "checkpoint-1"}) {
     fs::create_directories(scratch.path() / name);
   }
-  REQUIRE(DataDirectory::open_any(scratch.path()).has_value());
+  REQUIRE(store::DataDirectory::open_any(scratch.path()).has_value());
   CHECK_FALSE(fs::exists(scratch / "talus-staging"));
   CHECK_FALSE(fs::exists(scratch / "talus-checkpoint-3"));
   CHECK(fs::exists(scratch / "staging"));
@@ -295,7 +296,7 @@ TEST_CASE("what was not finished is removed by who opens the directory next, and
 TEST_CASE(
     "verify finds a chunk that is not what the hash says, and coarse levels that are not those of level 0") {
   const Data data;
-  const auto store = ReadOnlyStore::open(data.path);
+  const auto store = store::ReadOnlyStore::open(data.path);
   ProgressBar progress{"", ""};
   auto figures = read_figures(**store, progress);
   REQUIRE(figures.has_value());
@@ -309,16 +310,16 @@ TEST_CASE(
 
 TEST_CASE("a compacted store is the same store") {
   const Data data;
-  const auto before = ReadOnlyStore::open(data.path).value()->meta();
-  REQUIRE(compact(data.path).has_value());
+  const auto before = store::ReadOnlyStore::open(data.path).value()->meta();
+  REQUIRE(store::compact(data.path).has_value());
   CHECK(sound_head(data.path) == data.head);
-  CHECK(ReadOnlyStore::open(data.path).value()->meta() == before);
+  CHECK(store::ReadOnlyStore::open(data.path).value()->meta() == before);
 }
 
 TEST_CASE("what does not fit on the disk is not begun") {
   const ScratchDirectory scratch;
-  CHECK(check_space(scratch.path(), 1'000).has_value());
-  const auto refused = check_space(scratch.path(), std::uint64_t{1} << 60U);
+  CHECK(store::check_space(scratch.path(), 1'000).has_value());
+  const auto refused = store::check_space(scratch.path(), std::uint64_t{1} << 60U);
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().find("bytes free; 1152921504673955840 are needed") != std::string::npos);
 }

@@ -6,14 +6,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/data_directory.h>
+#include <talus/store/edit_database.h>
+
 #include "commands/store/local_writer.h"
 #include "commands/store/moments.h"
 #include "commands/store/opened_store.h"
 #include "commands/store/store_command.h"
 #include "config/parse_flags.h"
 #include "scratch_directory.h"
-#include "store/data_directory.h"
-#include "store/edit_database.h"
 
 namespace talus::server {
 namespace {
@@ -73,13 +74,13 @@ TEST_CASE("a store of a cluster is replaced or changed by no command, and each s
   const ScratchDirectory scratch;
   const std::filesystem::path data = scratch / "data";
   {
-    const auto directory = DataDirectory::open(data, {1, 2});
+    const auto directory = store::DataDirectory::open(data, {1, 2});
     REQUIRE(directory.has_value());
-    EditDatabaseSettings settings;
+    store::EditDatabaseSettings settings;
     settings.path = data;
     settings.fingerprint = {1, 2};
     settings.store_id = directory->store_id();
-    const auto database = EditDatabase::open(settings);
+    const auto database = store::EditDatabase::open(settings);
     REQUIRE(database.has_value());
     REQUIRE((*database)->enter({5, 1}).has_value());
   }
@@ -89,7 +90,7 @@ TEST_CASE("a store of a cluster is replaced or changed by no command, and each s
     CHECK(refused.error().find("talusd store leave-cluster, " + std::string{command}) != std::string::npos);
   }
   CHECK(check_is_alone(scratch / "empty", "restore").has_value());
-  const auto identity = read_store_identity(data / "store.toml");
+  const auto identity = store::read_store_identity(data / "store.toml");
   const auto writer = LocalWriter::open(data, *identity);
   REQUIRE_FALSE(writer.has_value());
   CHECK(writer.error().find("start its talusd") != std::string::npos);

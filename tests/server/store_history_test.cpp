@@ -10,12 +10,13 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <talus/store/data_directory.h>
+
 #include "commands/store/history_report.h"
 #include "commands/store/store_figures.h"
 #include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 namespace {
@@ -36,7 +37,7 @@ void build_row(EditStore& store, std::int64_t edits) {
 }
 
 std::string printed(const fs::path& path, const SubjectQuery& query, bool json) {
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   REQUIRE(store.has_value());
   std::string text;
   REQUIRE(print_history(**store, query, json, [&](std::string_view page) { text += page; }));
@@ -44,7 +45,7 @@ std::string printed(const fs::path& path, const SubjectQuery& query, bool json) 
 }
 
 std::string printed(const fs::path& path, VoxelPos voxel, bool json) {
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   REQUIRE(store.has_value());
   std::string text;
   REQUIRE(print_history(**store, voxel, json, [&](std::string_view page) { text += page; }));
@@ -63,12 +64,12 @@ TEST_CASE("a store that was just imported has no records, and history says so") 
     store.open_log();
     build_row(store, 3);
   }
-  const auto exported = export_edits(**ReadOnlyStore::open(from), scratch / "file");
+  const auto exported = export_edits(**store::ReadOnlyStore::open(from), scratch / "file");
   INFO((exported ? "" : exported.error()));
   REQUIRE(exported.has_value());
   const fs::path to = scratch / "to";
   {
-    const auto directory = DataDirectory::open_any(to);
+    const auto directory = store::DataDirectory::open_any(to);
     REQUIRE(directory.has_value());
     REQUIRE(import_edits(scratch / "file", *directory, Winner::file, 1'800'000'000'000).has_value());
   }
@@ -125,7 +126,7 @@ TEST_CASE("a long history is printed in pages, and as JSON it is one document") 
     REQUIRE(store.open() == "");
     build_row(store, kEdits);
   }
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   REQUIRE(store.has_value());
   const bool json = GENERATE(false, true);
   std::vector<std::string> pages;
@@ -156,7 +157,7 @@ TEST_CASE("what is not flushed yet counts among a store's editors and history") 
   build_row(store, 10);
   fs::create_directory(copy);
   REQUIRE(store.database().checkpoint(copy / "db").has_value());
-  const auto read = ReadOnlyStore::open(copy);
+  const auto read = store::ReadOnlyStore::open(copy);
   REQUIRE(read.has_value());
   REQUIRE((*read)->meta().flushed == 0);
   ProgressBar progress{"", ""};

@@ -11,15 +11,15 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/read_only_store.h>
+#include <talus/store/store_builder.h>
 #include <talus/terrain/world.h>
 
 #include "commands/store/portable_file.h"
 #include "commands/store/store_commands.h"
 #include "commands/store/transfer.h"
 #include "scratch_directory.h"
-#include "store/edit_database.h"
-#include "store/read_only_store.h"
-#include "store/store_builder.h"
 
 namespace talus::server {
 namespace {
@@ -51,7 +51,7 @@ fs::path write_edits(const fs::path& file, const Materials& materials, MaterialI
 /// A store without edits.
 void make_empty_store(const fs::path& path, const Materials& materials, std::int64_t time_ms = kNow) {
   fs::create_directories(path);
-  const auto builder = StoreBuilder::create(path, {{3, 4}, kLand}, 10, 11);
+  const auto builder = store::StoreBuilder::create(path, {{3, 4}, kLand}, 10, 11);
   REQUIRE(builder.has_value());
   for (const auto& [name, id] : materials) REQUIRE((*builder)->add(name, id).has_value());
   REQUIRE((*builder)->finish(6, time_ms).has_value());
@@ -60,7 +60,7 @@ void make_empty_store(const fs::path& path, const Materials& materials, std::int
 /// The error, or nothing.
 std::string import_into(const fs::path& data, const fs::path& file, const terrain::World* world = nullptr) {
   fs::create_directories(data);
-  const auto directory = DataDirectory::open_any(data);
+  const auto directory = store::DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
   const auto imported = import_edits(file, *directory, Winner::file, kNow, world);
   return imported ? std::string{} : imported.error();
@@ -105,7 +105,7 @@ TEST_CASE("a file from a time to come leaves the store at the present, or at its
     if (of_store) make_empty_store(data, {}, *of_store);
     const auto file = write_edits(scratch / "file", {{"planks", MaterialId{256}}}, MaterialId{256}, of_file);
     REQUIRE(import_into(data, file) == "");
-    return (*ReadOnlyStore::open(data))->meta().head.time_ms;
+    return (*store::ReadOnlyStore::open(data))->meta().head.time_ms;
   };
   CHECK(time_after(INT64_MAX, {}) == kNow);
   CHECK(time_after(kNow + 10 * kYear, {}) == kNow);
@@ -124,7 +124,7 @@ TEST_CASE("a generated material that the store's world has not is refused where 
   CHECK_THAT(import_into(scratch / "data", ghosts),
              Catch::Contains(R"(material 37, "ghost", which its world does not generate)"));
   CHECK(import_into(scratch / "data", write_edits(scratch / "planks", of_file, MaterialId{256})) == "");
-  CHECK((*ReadOnlyStore::open(scratch / "data"))->materials() == of_store);
+  CHECK((*store::ReadOnlyStore::open(scratch / "data"))->materials() == of_store);
   // By another name of the world's file it is the same.
   const auto rock = write_edits(scratch / "rock", {{"rock", MaterialId{2}}}, MaterialId{2});
   CHECK(import_into(scratch / "data", rock) == "");
@@ -151,7 +151,7 @@ TEST_CASE("of an import into an empty directory the file's world says what it ge
   for (const MaterialId known : {rock.id, MaterialId{256}}) {
     const fs::path data = scratch / ("data of " + std::to_string(to_integer(known)));
     CHECK(import_into(data, file_of(known, world->fingerprint()), &*world) == "");
-    CHECK_FALSE((*ReadOnlyStore::open(data))->materials().contains("ghost"));
+    CHECK_FALSE((*store::ReadOnlyStore::open(data))->materials().contains("ghost"));
   }
   // Of another world it is not known; it may be rebased to one that is.
   CHECK(import_into(scratch / "data", file_of(MaterialId{255}, kLand), &*world) == "");
@@ -205,24 +205,24 @@ TEST_CASE("what a rebase that drops unknown materials leaves can be exported") {
                                   world->fingerprint());
   REQUIRE(import_into(scratch / "data", ghosts) == "");
   {
-    const auto directory = DataDirectory::open_any(scratch / "data");
+    const auto directory = store::DataDirectory::open_any(scratch / "data");
     REQUIRE(directory.has_value());
-    EditDatabaseSettings settings;
+    store::EditDatabaseSettings settings;
     settings.path = scratch / "data";
     settings.fingerprint = world->fingerprint();
-    settings.store_id = (*ReadOnlyStore::open(scratch / "data"))->meta().store_id;
-    const auto database = EditDatabase::open(settings);
+    settings.store_id = (*store::ReadOnlyStore::open(scratch / "data"))->meta().store_id;
+    const auto database = store::EditDatabase::open(settings);
     REQUIRE(database.has_value());
     REQUIRE((*database)->name_generated({{"air", kAir}}).has_value());
   }
   const auto export_now = [&] {
-    const auto exported = export_edits(**ReadOnlyStore::open(scratch / "data"), scratch / "file");
+    const auto exported = export_edits(**store::ReadOnlyStore::open(scratch / "data"), scratch / "file");
     return exported ? std::string{} : exported.error();
   };
   CHECK_THAT(export_now(), Catch::Contains("material 255 has no name") &&
                                Catch::Contains("talusd store rebase --drop-unknown"));
   {
-    const auto directory = DataDirectory::open_any(scratch / "data");
+    const auto directory = store::DataDirectory::open_any(scratch / "data");
     const auto rebased = rebase_edits(*directory, *world, true);
     REQUIRE(rebased.has_value());
     CHECK(rebased->unknown == 1);

@@ -5,13 +5,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/acknowledged_file.h>
+#include <talus/store/whole_store.h>
+
 #include "commands/store/backup.h"
 #include "commands/store/opened_store.h"
 #include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/acknowledged_file.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 class Killed {
  public:
   Killed() {
-    const auto directory = DataDirectory::open(scratch_ / "live", {1, 2});
+    const auto directory = store::DataDirectory::open(scratch_ / "live", {1, 2});
     REQUIRE(directory.has_value());
     EditStore store{scratch_ / "live"};
     store.database_settings.store_id = directory->store_id();
@@ -39,7 +40,7 @@ class Killed {
     fs::copy(scratch_ / "live", path(), fs::copy_options::recursive);
     head_ = store.log().status().head;
     store.close();
-    const auto whole = ReadOnlyStore::open(scratch_ / "live");
+    const auto whole = store::ReadOnlyStore::open(scratch_ / "live");
     REQUIRE(whole.has_value());
     REQUIRE(export_edits(**whole, file()).has_value());
   }
@@ -72,22 +73,22 @@ class Killed {
     return done ? "" : done.error();
   }
   [[nodiscard]] std::string import() const {
-    const auto directory = DataDirectory::open_any(path());
+    const auto directory = store::DataDirectory::open_any(path());
     REQUIRE(directory.has_value());
     const auto done = import_edits(file(), *directory, Winner::file, 1'800'000'000'000);
     return done ? "" : done.error();
   }
   [[nodiscard]] std::string rebase() const {
-    const auto directory = DataDirectory::open_store(path());
+    const auto directory = store::DataDirectory::open_store(path());
     REQUIRE(directory.has_value());
     const auto done = rebase_edits(*directory, terrain::default_world(), true);
     return done ? "" : done.error();
   }
 
   [[nodiscard]] std::string compact_it() const {
-    const auto directory = DataDirectory::open_store(path());
+    const auto directory = store::DataDirectory::open_store(path());
     REQUIRE(directory.has_value());
-    const auto done = compact(path());
+    const auto done = store::compact(path());
     return done ? "" : done.error();
   }
 
@@ -109,7 +110,7 @@ TEST_CASE("of a store whose log lost its end nothing is made") {
     CHECK_THAT(error, Catch::Contains("entries 41 to 41 of its log were acknowledged and are lost"));
   }
   CHECK_FALSE(fs::exists(store.path() / "replaced-1"));
-  CHECK(AcknowledgedFile::read(*rocksdb::Env::Default(), (store.path() / "acknowledged").string())
+  CHECK(store::AcknowledgedFile::read(*rocksdb::Env::Default(), (store.path() / "acknowledged").string())
             ->value()
             .position == store.head().position);
 }

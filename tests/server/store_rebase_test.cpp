@@ -9,12 +9,12 @@
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/edit_database.h>
 #include <talus/terrain/extraction.h>
 
 #include "commands/store/rename.h"
 #include "commands/store/transfer.h"
 #include "scratch_directory.h"
-#include "store/edit_database.h"
 #include "whole_stores.h"
 
 namespace talus::server {
@@ -93,7 +93,7 @@ TEST_CASE("edits that are rebased stay where they are unlike the new ground, wit
     voxels[{chunk, static_cast<std::uint16_t>(random() % 32'768)}] = all[random() % all.size()];
   }
   make_store(scratch / "data", voxels, old.fingerprint(), materials);
-  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto directory = store::DataDirectory::open_store(scratch / "data");
   REQUIRE(directory.has_value());
   const auto rebased = rebase_edits(*directory, fresh, false);
   INFO((rebased ? "" : rebased.error()));
@@ -115,7 +115,7 @@ TEST_CASE("edits that are rebased stay where they are unlike the new ground, wit
   CHECK(rebased->as_base == as_base);
   CHECK(voxels_of(scratch / "data") == expected);
   CHECK(voxels_of(rebased->replaced) == voxels);
-  const auto store = ReadOnlyStore::open(scratch / "data");
+  const auto store = store::ReadOnlyStore::open(scratch / "data");
   CHECK((*store)->meta().fingerprint == fresh.fingerprint());
   CHECK((*store)->materials().at("planks") == MaterialId{256});
   CHECK((*store)->materials().at("glass") == MaterialId{257});
@@ -124,7 +124,7 @@ TEST_CASE("edits that are rebased stay where they are unlike the new ground, wit
 
 TEST_CASE("a world whose new placeable finds all ids taken is refused") {
   std::map<std::string, MaterialId> all;
-  for (std::uint32_t id = kFirstBound; id <= UINT16_MAX; ++id) {
+  for (std::uint32_t id = edits::kFirstBound; id <= UINT16_MAX; ++id) {
     all.emplace(fmt::format("m{}", id), MaterialId{static_cast<std::uint16_t>(id)});
   }
   CHECK(rebased_materials(all, world_of(1, placeable("m300"))).has_value());
@@ -143,7 +143,7 @@ TEST_CASE("a rebase refuses materials that the new world does not name, with the
   const std::pair beside{ChunkCoord{0, 40, 0}, std::uint16_t{8}};
   make_store(scratch / "data", {{in_the_sky, MaterialId{256}}, {beside, id_of(old, "granite")}},
              old.fingerprint(), materials);
-  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto directory = store::DataDirectory::open_store(scratch / "data");
   const auto refused = rebase_edits(*directory, fresh, false);
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().find("names no planks (1): 1 voxels") != std::string::npos);
@@ -175,7 +175,7 @@ TEST_CASE("a world that lost a placeable is refused with the count of its voxels
                       {{sky, 8}, MaterialId{257}},
                       {{sky, 9}, id_of(old, "granite")}};
   make_store(scratch / "data", voxels, old.fingerprint(), materials);
-  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto directory = store::DataDirectory::open_store(scratch / "data");
   const auto refused = rebase_edits(*directory, fresh, false);
   REQUIRE_FALSE(refused.has_value());
   CHECK(refused.error().find("names no planks (2): 2 voxels") != std::string::npos);
@@ -187,7 +187,7 @@ TEST_CASE("a world that lost a placeable is refused with the count of its voxels
   CHECK(dropped->as_base == 0);
   CHECK(voxels_of(scratch / "data") ==
         Voxels{{{sky, 8}, MaterialId{257}}, {{sky, 9}, id_of(old, "granite")}});
-  const auto store = ReadOnlyStore::open(scratch / "data");
+  const auto store = store::ReadOnlyStore::open(scratch / "data");
   CHECK((*store)->meta().fingerprint == old.fingerprint());
   CHECK_FALSE((*store)->materials().contains("planks"));
   CHECK((*store)->materials().at("glass") == MaterialId{257});
@@ -216,40 +216,40 @@ TEST_CASE("a placed material that the same land generates now becomes that, wher
   for (const bool drop : {false, true}) {
     const auto path = scratch / (drop ? "dropping" : "keeping");
     make_store(path, voxels, world.fingerprint(), materials);
-    const auto directory = DataDirectory::open_store(path);
+    const auto directory = store::DataDirectory::open_store(path);
     const auto rebased = rebase_edits(*directory, world, drop);
     INFO((rebased ? "" : rebased.error()));
     REQUIRE(rebased.has_value());
     CHECK(rebased->as_base == 1);
     CHECK(rebased->unknown == 0);
     CHECK(voxels_of(path) == expected);
-    CHECK(ReadOnlyStore::open(path).value()->materials().at("granite") == granite);
+    CHECK(store::ReadOnlyStore::open(path).value()->materials().at("granite") == granite);
     const auto again = rebase_edits(*directory, world, drop);
     REQUIRE_FALSE(again.has_value());
     CHECK_THAT(again.error(), Catch::Contains("nothing is to be done"));
   }
   // talusd refuses the name though nothing is built of it.
   make_store(scratch / "unused", {{{sky, 8}, MaterialId{257}}}, world.fingerprint(), materials);
-  CHECK(rebase_edits(*DataDirectory::open_store(scratch / "unused"), world, false).has_value());
+  CHECK(rebase_edits(*store::DataDirectory::open_store(scratch / "unused"), world, false).has_value());
   CHECK(voxels_of(scratch / "unused") == Voxels{{{sky, 8}, MaterialId{257}}});
 }
 
 TEST_CASE("names are looked at before the voxels are counted, and any text of UTF-8 is one") {
   const ScratchDirectory scratch;
   make_store(scratch / "data", {{{{0, 0, 0}, 1}, MaterialId{256}}});
-  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto directory = store::DataDirectory::open_store(scratch / "data");
   const std::string name = "br\xC3\xA4tt \xE6\x9D\xBF \xF0\x9F\xAA\xB5";
   CHECK(rename_material(*directory, "planks", name) == 1);
-  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
+  CHECK(store::ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
   // A chunk that cannot be read.
   rocksdb::DB* db = nullptr;
   REQUIRE(rocksdb::DB::Open({}, (scratch / "data" / "db").string(), &db).ok());
-  REQUIRE(db->Put({}, chunk_key({{0, 0, 0}, Lod{}}), std::string{"damaged"}).ok());
+  REQUIRE(db->Put({}, store::chunk_key({{0, 0, 0}, Lod{}}), std::string{"damaged"}).ok());
   delete db;
   CHECK_THAT(rename_material(*directory, "plank", "boards").error(),
              Catch::Contains("no material \"plank\""));
   CHECK_FALSE(rename_material(*directory, name, "boards").has_value());
-  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
+  CHECK(store::ReadOnlyStore::open(scratch / "data").value()->materials().at(name) == MaterialId{256});
 }
 
 TEST_CASE("a placed material gets another name, and no other one's") {
@@ -258,7 +258,7 @@ TEST_CASE("a placed material gets another name, and no other one's") {
                       {{{0, 0, 0}, 2}, MaterialId{256}},
                       {{{1, 0, 0}, 2}, MaterialId{257}}};
   make_store(scratch / "data", voxels);
-  const auto directory = DataDirectory::open_store(scratch / "data");
+  const auto directory = store::DataDirectory::open_store(scratch / "data");
   REQUIRE(directory.has_value());
   const auto error = [&](const std::string& from, const std::string& to) {
     const auto renamed = rename_material(*directory, from, to);
@@ -279,11 +279,11 @@ TEST_CASE("a placed material gets another name, and no other one's") {
     refused("planks", name, "a name is text in UTF-8, and this is none");
   }
   CHECK_THAT(error("planks", "a\nb"), Catch::Contains("control characters"));
-  CHECK(ReadOnlyStore::open(scratch / "data").value()->materials() == kMaterials);
+  CHECK(store::ReadOnlyStore::open(scratch / "data").value()->materials() == kMaterials);
   const auto renamed = rename_material(*directory, "planks", "boards");
   INFO((renamed ? "" : renamed.error()));
   REQUIRE(renamed == 2);
-  const auto store = ReadOnlyStore::open(scratch / "data");
+  const auto store = store::ReadOnlyStore::open(scratch / "data");
   std::map<std::string, MaterialId> materials = kMaterials;
   materials.erase("planks");
   materials.emplace("boards", MaterialId{256});

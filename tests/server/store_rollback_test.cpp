@@ -10,14 +10,15 @@
 #include <rocksdb/db.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/read_only_store.h>
+#include <talus/store/rocks.h>
+
 #include "commands/store/history.h"
 #include "commands/store/local_writer.h"
 #include "commands/store/rollback.h"
 #include "commands/store/transfer.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/read_only_store.h"
-#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -112,7 +113,7 @@ struct Griefed {
 
 RollbackPlan plan_of(const Griefed& griefed, const RollbackRequest& request) {
   ProgressBar progress{"", ""};
-  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  const auto opened = store::ReadOnlyStore::open(griefed.scratch / "edits");
   REQUIRE(opened.has_value());
   auto plan = plan_rollback(**opened, request, progress);
   REQUIRE(plan.has_value());
@@ -200,7 +201,7 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
   REQUIRE(griefed.store.database().bind({{"brick", MaterialId{256}}}));  // an export names what it has
   griefed.store.close();
   const auto chunks_of = [](const fs::path& path) {
-    const auto store = ReadOnlyStore::open(path);
+    const auto store = store::ReadOnlyStore::open(path);
     REQUIRE(store.has_value());
     std::vector<ChunkKey> keys;
     REQUIRE((*store)->reader().for_each_chunk([&](ChunkKey key, std::uint64_t) { keys.push_back(key); }));
@@ -211,10 +212,10 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
   CHECK(roll_back_locally(griefed, plan) == 10);
   // Whoever asks this store is told revisions that never fall.
   CHECK(chunks_of(before).size() >= 11);
-  const auto store = ReadOnlyStore::open(before);
+  const auto store = store::ReadOnlyStore::open(before);
   REQUIRE(store.has_value());
   REQUIRE(export_edits(**store, griefed.scratch / "file").has_value());
-  const auto directory = DataDirectory::open_any(griefed.scratch / "new");
+  const auto directory = store::DataDirectory::open_any(griefed.scratch / "new");
   REQUIRE(directory.has_value());
   const auto imported = import_edits(griefed.scratch / "file", *directory, Winner::file, 1'800'000'000'000);
   REQUIRE(imported.has_value());
@@ -249,7 +250,7 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
   Griefed griefed{9};
   griefed.edit(200, false);
   griefed.store.close();
-  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  const auto opened = store::ReadOnlyStore::open(griefed.scratch / "edits");
   REQUIRE(opened.has_value());
   ProgressBar progress{"", ""};
   const auto changes_of = [&](VoxelPos at) {
@@ -283,11 +284,11 @@ TEST_CASE(
   const std::int64_t since = griefed.next_moment();
   griefed.edit(100, true);
   griefed.store.close();
-  const auto opened = ReadOnlyStore::open(griefed.scratch / "edits");
+  const auto opened = store::ReadOnlyStore::open(griefed.scratch / "edits");
   REQUIRE(opened.has_value());
   std::map<std::uint64_t, std::vector<VoxelPos>> expected;  // by position
   std::uint64_t before_since = 0;
-  REQUIRE((*opened)->reader().for_each_record((*opened)->meta(), 1, [&](LogRecord&& record) {
+  REQUIRE((*opened)->reader().for_each_record((*opened)->meta(), 1, [&](store::LogRecord&& record) {
     if (record.time_ms < since) before_since = record.position;
     if (record.subject != "griefer") return true;
     for (const auto& [chunk, voxels] : record.changes) {
@@ -360,13 +361,13 @@ TEST_CASE("a record that is missing in the middle, or at the end, is damage and 
   const fs::path path = griefed.scratch / "edits";
   {
     rocksdb::DB* opened = nullptr;
-    REQUIRE(rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &opened).ok());
+    REQUIRE(rocksdb::DB::Open(store::rocks_options({}, false), (path / "db").string(), &opened).ok());
     const std::unique_ptr<rocksdb::DB> db{opened};
     std::string record;
-    REQUIRE(db->Get({}, log_key(lost), &record).ok());
-    REQUIRE(db->Delete({}, log_key(lost)).ok());
+    REQUIRE(db->Get({}, store::log_key(lost), &record).ok());
+    REQUIRE(db->Delete({}, store::log_key(lost)).ok());
   }
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   REQUIRE(store.has_value());
   ProgressBar progress{"", ""};
   const std::string damage = fmt::format("entry {} of its log is damaged or lost", lost);
@@ -390,7 +391,7 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
   std::mt19937_64 random{1};
   for (int i = 0; i < 50; ++i) REQUIRE(editor.edit(store, random_edit(random)).has_value());
   store.close();
-  const auto opened = ReadOnlyStore::open(scratch / "edits");
+  const auto opened = store::ReadOnlyStore::open(scratch / "edits");
   REQUIRE(opened.has_value());
   CHECK((*opened)->first_record() > 1);
   const auto kept = kept_records(**opened);
@@ -400,7 +401,7 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
 
 TEST_CASE("slices are within the bounds of an edit") {
   Rollback rollback{{"a", 0, {-1'000, -1'000, -1'000}, {100'000, 1'000, 1'000}}};
-  LogRecord record;
+  store::LogRecord record;
   record.kind = edits::Applied::Kind::done;
   record.subject = "a";
   for (std::int32_t x = 0; x < 200; ++x) {

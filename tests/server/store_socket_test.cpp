@@ -8,6 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/bytes.h>
+#include <talus/store/read_only_store.h>
+
 #include "commands/store/backup.h"
 #include "edits/store_socket/store_connection.h"
 #include "edits/store_socket/store_socket.h"
@@ -15,8 +18,6 @@
 #include "edits_of_tests.h"
 #include "runtime/log/logger.h"
 #include "scratch_directory.h"
-#include "store/bytes.h"
-#include "store/read_only_store.h"
 
 namespace talus::server {
 namespace {
@@ -72,7 +73,7 @@ class RawPeer {
   RawPeer(const RawPeer&) = delete;
   RawPeer& operator=(const RawPeer&) = delete;
 
-  void say(const Bytes& bytes) const {
+  void say(const store::Bytes& bytes) const {
     REQUIRE(::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size()));
   }
   /// Why it is refused.
@@ -81,7 +82,7 @@ class RawPeer {
     INFO((frame ? "" : frame.error()));
     REQUIRE(frame.has_value());
     REQUIRE(frame->kind == SocketKind::failed);
-    ByteReader in{frame->fields};
+    store::ByteReader in{frame->fields};
     return in.text(1'000);
   }
   [[nodiscard]] int descriptor() const { return socket_; }
@@ -90,9 +91,9 @@ class RawPeer {
   int socket_;
 };
 
-Bytes frame_of(std::uint32_t length, std::initializer_list<int> bytes) {
-  Bytes frame;
-  ByteWriter writer{frame};
+store::Bytes frame_of(std::uint32_t length, std::initializer_list<int> bytes) {
+  store::Bytes frame;
+  store::ByteWriter writer{frame};
   writer.fixed32(length);
   for (const int byte : bytes) writer.byte(static_cast<std::uint8_t>(byte));
   return frame;
@@ -122,12 +123,12 @@ TEST_CASE("a checkpoint under edits is one moment of the store, and goes with it
       REQUIRE(checkpoint.has_value());
       path = checkpoint->path;
       CHECK(checkpoint->read_only.empty());
-      const auto store = ReadOnlyStore::open(path);
+      const auto store = store::ReadOnlyStore::open(path);
       INFO((store ? "" : store.error()));
       REQUIRE(store.has_value());
       CHECK((*store)->meta().head.position >= before);
       edits::StateHash hash;
-      REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+      REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
         hash.add(chunk, stored.voxels);
         return true;
       }));
@@ -151,12 +152,12 @@ TEST_CASE("where the disk has no place for a checkpoint the files are read and b
     while (!ends) (void)editor.edit(served.store, random_edit(random));
   }};
   const auto sound = [](const fs::path& path, std::uint64_t least) {
-    const auto store = ReadOnlyStore::open(path);
+    const auto store = store::ReadOnlyStore::open(path);
     INFO((store ? "" : store.error()));
     REQUIRE(store.has_value());
     CHECK((*store)->meta().head.position >= least);
     edits::StateHash hash;
-    REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+    REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
       hash.add(chunk, stored.voxels);
       return true;
     }));
@@ -176,7 +177,7 @@ TEST_CASE("where the disk has no place for a checkpoint the files are read and b
     INFO((manifest ? "" : manifest.error()));
     REQUIRE(manifest.has_value());
     sound(backup, before);
-    CHECK(ReadOnlyStore::open(backup).value()->meta().head == manifest->head);
+    CHECK(store::ReadOnlyStore::open(backup).value()->meta().head == manifest->head);
     // RocksDB removes files at other times.
     if (i % 2 == 0) REQUIRE(served.store.database().settle().has_value());
   }
@@ -283,7 +284,7 @@ TEST_CASE("a peer that says nonsense is told so, and nobody else notices") {
   const ScratchDirectory scratch;
   Served served{scratch / "data"};
   struct Case {
-    Bytes said;
+    store::Bytes said;
     std::string refusal;
   };
   const std::vector<Case> cases{

@@ -7,13 +7,14 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <talus/store/data_directory.h>
+
 #include "commands/store/history_report.h"
 #include "commands/store/store_command.h"
 #include "commands/store/subjects.h"
 #include "edits_of_tests.h"
 #include "runtime/log/escape.h"
 #include "scratch_directory.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 namespace {
@@ -91,7 +92,7 @@ TEST_CASE("what history calls a subject gives its edits back") {
   const std::string path = scratch / "data";
   const VoxelPos at{1, 2, 3};
   {
-    const auto directory = DataDirectory::open(path, {1, 2});
+    const auto directory = store::DataDirectory::open(path, {1, 2});
     REQUIRE(directory.has_value());
     EditStore store{path};
     store.database_settings.store_id = directory->store_id();
@@ -105,7 +106,7 @@ TEST_CASE("what history calls a subject gives its edits back") {
     REQUIRE(editor.edit(store, edit)->result.changed == 1);
   }
   const auto history = [&](bool json) {
-    const auto store = ReadOnlyStore::open(path);
+    const auto store = store::ReadOnlyStore::open(path);
     REQUIRE(store.has_value());
     std::string text;
     REQUIRE(print_history(**store, at, json, [&](std::string_view page) { text += page; }));

@@ -12,12 +12,13 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/store_builder.h>
+
 #include "commands/store/portable_file.h"
 #include "commands/store/store_figures.h"
 #include "commands/store/transfer.h"
 #include "scratch_directory.h"
-#include "store/edit_database.h"
-#include "store/store_builder.h"
 #include "whole_stores.h"
 
 namespace talus::server {
@@ -27,13 +28,13 @@ namespace fs = std::filesystem;
 
 /// Lets the store know somebody who edits.
 void add_editor(const fs::path& path) {
-  EditDatabaseSettings settings;
+  store::EditDatabaseSettings settings;
   settings.path = path;
   settings.fingerprint = kWorld;
   settings.store_id = {3, 4};
-  const auto database = EditDatabase::open(settings);
+  const auto database = store::EditDatabase::open(settings);
   REQUIRE(database.has_value());
-  EditDatabase::Slice slice;
+  store::EditDatabase::Slice slice;
   slice.put({7, 8}, 3, {.epoch = 2, .last_sequence = 0, .used_ms = 5, .subject = "alice", .results = {}});
   REQUIRE((*database)->put(slice).has_value());
 }
@@ -52,14 +53,14 @@ Voxels random_voxels(std::mt19937_64& random, int count) {
 }
 
 std::string export_to(const fs::path& data, const fs::path& file) {
-  const auto store = ReadOnlyStore::open(data);
+  const auto store = store::ReadOnlyStore::open(data);
   REQUIRE(store.has_value());
   const auto exported = export_edits(**store, file);
   return exported ? std::string{} : exported.error();
 }
 
 tl::expected<Rebuilt, std::string> import_from(const fs::path& file, const fs::path& data, Winner winner) {
-  const auto directory = DataDirectory::open_any(data);
+  const auto directory = store::DataDirectory::open_any(data);
   REQUIRE(directory.has_value());
   return import_edits(file, *directory, winner, 1'800'000'000'000);
 }
@@ -118,7 +119,7 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
     CHECK(imported->voxels == expected.size());
     CHECK(voxels_of(scratch / "b") == expected);
     CHECK(voxels_of(imported->replaced) == theirs);
-    const auto store = ReadOnlyStore::open(scratch / "b");
+    const auto store = store::ReadOnlyStore::open(scratch / "b");
     CHECK((*store)->meta().store_id == imported->store_id);
     CHECK((*store)->meta().head.position == 10);
     CHECK((*store)->meta().head.revision == 7);
@@ -128,7 +129,7 @@ TEST_CASE("edits that are exported and imported are the same, whichever wins whe
   }
 }
 
-// TALUS_STORE_CHUNKS=1000000 test_server_store_command "[large]"
+// TALUS_STORE_CHUNKS=1000000 test_server_commands "[large]"
 TEST_CASE("memory does not grow with the chunks of an export, an import, a verify", "[.][large]") {
   const char* const given = std::getenv("TALUS_STORE_CHUNKS");
   const std::int32_t chunks = given == nullptr ? 50'000 : std::atoi(given);
@@ -143,7 +144,7 @@ TEST_CASE("memory does not grow with the chunks of an export, an import, a verif
   };
   {
     fs::create_directories(scratch / "a");
-    const auto builder = StoreBuilder::create(scratch / "a", {{3, 4}, kWorld}, 10, 11);
+    const auto builder = store::StoreBuilder::create(scratch / "a", {{3, 4}, kWorld}, 10, 11);
     std::mt19937_64 random{1};
     for (std::int32_t i = 0; i < chunks; ++i) {
       std::vector<Override> voxels;
@@ -162,7 +163,7 @@ TEST_CASE("memory does not grow with the chunks of an export, an import, a verif
   measured("imported");
   REQUIRE(import_from(scratch / "file", scratch / "b", Winner::store).has_value());
   measured("imported over it");
-  const auto store = ReadOnlyStore::open(scratch / "b");
+  const auto store = store::ReadOnlyStore::open(scratch / "b");
   ProgressBar progress{"", ""};
   const auto figures = read_figures(**store, progress);
   REQUIRE(verify(**store, *figures).has_value());
@@ -180,7 +181,7 @@ TEST_CASE("an imported file's materials are those of the same names") {
   REQUIRE(import_from(scratch / "file", scratch / "b", Winner::file).has_value());
   CHECK(voxels_of(scratch / "b") ==
         Voxels{{{{0, 0, 0}, 1}, MaterialId{257}}, {{{0, 0, 0}, 2}, MaterialId{256}}});
-  const auto store = ReadOnlyStore::open(scratch / "b");
+  const auto store = store::ReadOnlyStore::open(scratch / "b");
   CHECK((*store)->materials() == std::map<std::string, MaterialId>{{"air", MaterialId{0}},
                                                                    {"glass", MaterialId{256}},
                                                                    {"planks", MaterialId{257}},
@@ -203,7 +204,7 @@ TEST_CASE("a file of what is placed there and generated here is refused, unless 
   REQUIRE(import_from(scratch / "of glass", scratch / "b", Winner::file).has_value());
   CHECK(voxels_of(scratch / "b") ==
         Voxels{{{{0, 0, 0}, 2}, MaterialId{256}}, {{{0, 0, 0}, 5}, MaterialId{256}}});
-  CHECK((*ReadOnlyStore::open(scratch / "b"))->materials() ==
+  CHECK((*store::ReadOnlyStore::open(scratch / "b"))->materials() ==
         std::map<std::string, MaterialId>{
             {"air", MaterialId{0}}, {"glass", MaterialId{256}}, {"planks", MaterialId{2}}});
 }
@@ -226,7 +227,7 @@ TEST_CASE("an import into a store that gave all ids is refused") {
   make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{256}}});
   REQUIRE(export_to(scratch / "a", scratch / "file") == "");
   std::map<std::string, MaterialId> all;
-  for (std::uint32_t id = kFirstBound; id <= UINT16_MAX; ++id) {
+  for (std::uint32_t id = edits::kFirstBound; id <= UINT16_MAX; ++id) {
     all.emplace(fmt::format("m{}", id), MaterialId{static_cast<std::uint16_t>(id)});
   }
   make_store(scratch / "b", {}, kWorld, all);

@@ -14,10 +14,11 @@
 #include <rocksdb/env.h>
 #include <catch2/catch.hpp>
 
+#include <talus/store/acknowledged_file.h>
+
 #include "edits/log_syncer.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
-#include "store/acknowledged_file.h"
 #include "unsafe_disk.h"
 
 namespace talus::server {
@@ -45,11 +46,11 @@ struct Written {
   ~Written() { disk->hold_syncs(false); }
 
   void open() {
-    EditDatabaseSettings of_database;
+    store::EditDatabaseSettings of_database;
     of_database.path = scratch / "edits";
     of_database.env = environment.get();
     of_database.log_elsewhere = true;
-    auto opened = EditDatabase::open(of_database);
+    auto opened = store::EditDatabase::open(of_database);
     REQUIRE(opened.has_value());
     database = *std::move(opened);
     auto read = EditState::open(*database, {});
@@ -90,7 +91,7 @@ struct Written {
   }
   [[nodiscard]] std::uint64_t head() const { return state->head().position; }
   [[nodiscard]] std::uint64_t acknowledged() const {
-    const auto file = AcknowledgedFile::read(*environment, (scratch / "edits/acknowledged").string());
+    const auto file = store::AcknowledgedFile::read(*environment, (scratch / "edits/acknowledged").string());
     return file && *file ? (*file)->position : 0;
   }
   [[nodiscard]] bool all_acknowledged() const { return acknowledged() == head(); }
@@ -100,7 +101,7 @@ struct Written {
   std::unique_ptr<rocksdb::Env> environment = environment_of(disk);
   StoreWriterSettings settings;
   std::atomic<bool> woken{false};
-  std::unique_ptr<EditDatabase> database;
+  std::unique_ptr<store::EditDatabase> database;
   std::unique_ptr<EditState> state;
   std::optional<StoreWriter> writer;
 };

@@ -1,5 +1,5 @@
 // A store that is read without a server.
-#include "store/stored_edits.h"
+#include <talus/store/stored_edits.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,9 +8,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/data_directory.h>
+
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 namespace {
@@ -32,13 +33,13 @@ std::map<std::string, std::pair<std::string, fs::file_time_type>> files_below(co
 
 /// A directory with a store.toml, as talusd makes it, whose id `store` is given.
 void make_directory(const fs::path& path, EditStore& store) {
-  const auto directory = DataDirectory::open(path, kWorld);
+  const auto directory = store::DataDirectory::open(path, kWorld);
   REQUIRE(directory);
   store.database_settings.store_id = directory->store_id();
 }
 
 /// Level 0's overrides, by the chunks of overrides_of().
-std::map<VoxelPos, MaterialId> stored_overrides(const StoredEdits& edits) {
+std::map<VoxelPos, MaterialId> stored_overrides(const store::StoredEdits& edits) {
   std::map<VoxelPos, MaterialId> voxels;
   for (std::int32_t x = -4; x <= 4; ++x) {
     for (std::int32_t y = -2; y <= 2; ++y) {
@@ -82,7 +83,7 @@ TEST_CASE("a store is read as its server left it, flushed or not, and stays as i
     for (const fs::path& path : {scratch.path(), killed.path()}) {
       const auto before = files_below(path);
       {
-        const auto edits = StoredEdits::open(path, kWorld);
+        const auto edits = store::StoredEdits::open(path, kWorld);
         INFO((edits ? std::string{} : edits.error()));
         REQUIRE(edits);
         CHECK((*edits)->revision() == revision);
@@ -108,22 +109,22 @@ TEST_CASE("a store that a server uses is not read, and its backup's name is told
   REQUIRE(store.open() == "");
   store.close();
   {
-    const auto server = DataDirectory::open(scratch.path(), kWorld);
+    const auto server = store::DataDirectory::open(scratch.path(), kWorld);
     REQUIRE(server);
-    const auto refused = StoredEdits::open(scratch.path(), kWorld);
+    const auto refused = store::StoredEdits::open(scratch.path(), kWorld);
     REQUIRE_FALSE(refused);
     CHECK_THAT(refused.error(), Catch::Contains("talusd uses it") && Catch::Contains("talusd store backup"));
   }
-  const auto reading = StoredEdits::open(scratch.path(), kWorld);
+  const auto reading = store::StoredEdits::open(scratch.path(), kWorld);
   REQUIRE(reading);
-  CHECK_FALSE(DataDirectory::open(scratch.path(), kWorld));  // while it is read
-  CHECK(StoredEdits::open(scratch.path(), kWorld));          // but others may read
+  CHECK_FALSE(store::DataDirectory::open(scratch.path(), kWorld));  // while it is read
+  CHECK(store::StoredEdits::open(scratch.path(), kWorld));          // but others may read
 }
 
 TEST_CASE("what is no store, another world's, damaged or cut short is refused in one line") {
   const ScratchDirectory scratch;
   const auto refused = [&](const std::string& part, ContentHash world = kWorld) {
-    const auto opened = StoredEdits::open(scratch.path(), world);
+    const auto opened = store::StoredEdits::open(scratch.path(), world);
     REQUIRE_FALSE(opened);
     INFO(opened.error());
     CHECK(opened.error().find('\n') == std::string::npos);
@@ -143,13 +144,13 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   refused(to_string(ContentHash{5, 6}), ContentHash{5, 6});
   // A file that says more was acknowledged than is there.
   const std::string acknowledged = read_whole(scratch / "acknowledged");
-  Bytes more;
-  encode(Acknowledged{1'000'000, 1}, more);
+  store::Bytes more;
+  encode(store::Acknowledged{1'000'000, 1}, more);
   std::ofstream{scratch / "acknowledged", std::ios::binary}.write(reinterpret_cast<const char*>(more.data()),
                                                                   static_cast<std::streamsize>(more.size()));
   refused("were acknowledged and are lost");
   std::ofstream{scratch / "acknowledged", std::ios::binary} << acknowledged;
-  CHECK(StoredEdits::open(scratch.path(), kWorld));
+  CHECK(store::StoredEdits::open(scratch.path(), kWorld));
   // Nothing is read whole that may have any length.
   const auto with_length = [&](const fs::path& file, std::uintmax_t bytes, const std::string& part) {
     const std::uintmax_t before = fs::file_size(file);
@@ -161,12 +162,12 @@ TEST_CASE("what is no store, another world's, damaged or cut short is refused in
   with_length(scratch / "acknowledged", kHuge, "acknowledged: it is damaged");
   with_length(scratch / "db" / "CURRENT", kHuge, "CURRENT: it has 1099511627776 bytes");
   with_length(scratch / "db" / "IDENTITY", kHuge, "IDENTITY: it has 1099511627776 bytes");
-  CHECK(StoredEdits::open(scratch.path(), kWorld));
+  CHECK(store::StoredEdits::open(scratch.path(), kWorld));
   // A backup has no lock, and a manifest where it is whole.
   fs::remove(scratch / "lock");
   refused("without its manifest");
   std::ofstream{scratch / "manifest"};
-  CHECK(StoredEdits::open(scratch.path(), kWorld));
+  CHECK(store::StoredEdits::open(scratch.path(), kWorld));
   fs::create_directory(scratch / "talus-next");
   refused("being put in its place");
   fs::remove(scratch / "talus-next");

@@ -11,10 +11,10 @@
 #include <catch2/catch.hpp>
 
 #include <talus/progress/progress_bar.h>
+#include <talus/store/read_only_store.h>
+#include <talus/store/store_builder.h>
 
 #include "commands/store/store_figures.h"
-#include "store/read_only_store.h"
-#include "store/store_builder.h"
 
 namespace talus::server {
 
@@ -31,7 +31,7 @@ inline void make_store(const std::filesystem::path& path, const Voxels& voxels,
                        ContentHash fingerprint = kWorld,
                        const std::map<std::string, MaterialId>& materials = kMaterials) {
   std::filesystem::create_directories(path);
-  const auto builder = StoreBuilder::create(path, {{3, 4}, fingerprint}, 10, 11);
+  const auto builder = store::StoreBuilder::create(path, {{3, 4}, fingerprint}, 10, 11);
   REQUIRE(builder.has_value());
   std::map<ChunkCoord, std::vector<Override>> chunks;
   for (const auto& [at, material] : voxels) chunks[at.first].push_back({at.second, material});
@@ -42,7 +42,7 @@ inline void make_store(const std::filesystem::path& path, const Voxels& voxels,
 
 /// What a data directory holds, once it is sound in every respect.
 inline Voxels voxels_of(const std::filesystem::path& path) {
-  const auto store = ReadOnlyStore::open(path);
+  const auto store = store::ReadOnlyStore::open(path);
   INFO((store ? "" : store.error()));
   REQUIRE(store.has_value());
   ProgressBar progress{"", ""};
@@ -52,7 +52,7 @@ inline Voxels voxels_of(const std::filesystem::path& path) {
   INFO((verified ? "" : verified.error()));
   REQUIRE(verified.has_value());
   Voxels voxels;
-  REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+  REQUIRE((*store)->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
     for (const Override& voxel : stored.voxels) voxels.emplace(std::pair{chunk, voxel.index}, voxel.material);
     return true;
   }));

@@ -34,7 +34,7 @@ class LandEdits {
 };
 
 /// Opens the store in a directory that talusd used as --data, or in a backup of one; it must belong to the
-/// world. Also fails if this program was built without talusd.
+/// world.
 [[nodiscard]] Expected<std::unique_ptr<const LandEdits>> open_store(const std::string& directory,
                                                                     const terrain::World& world);
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <talus/store/stored_edits.h>
+
 #include "land_edits.h"
-#include "store/stored_edits.h"
 
 namespace talus::tools {
 namespace {
@@ -12,7 +13,7 @@ constexpr terrain::Colour kForgotten{128, 128, 128};
 
 class StoreOfEdits final : public LandEdits {
  public:
-  StoreOfEdits(std::unique_ptr<server::StoredEdits> store, const terrain::World& world)
+  StoreOfEdits(std::unique_ptr<store::StoredEdits> store, const terrain::World& world)
       : store_{std::move(store)} {
     for (const auto& [name, id] : store_->materials()) {
       if (to_integer(id) < world.materials().size()) continue;  // the world generates it
@@ -36,7 +37,7 @@ class StoreOfEdits final : public LandEdits {
   }
 
  private:
-  const std::unique_ptr<server::StoredEdits> store_;
+  const std::unique_ptr<store::StoredEdits> store_;
   std::vector<terrain::Material> materials_;
 };
 
@@ -44,7 +45,7 @@ class StoreOfEdits final : public LandEdits {
 
 Expected<std::unique_ptr<const LandEdits>> open_store(const std::string& directory,
                                                       const terrain::World& world) {
-  auto store = server::StoredEdits::open(directory, world.fingerprint());
+  auto store = store::StoredEdits::open(directory, world.fingerprint());
   if (!store) return failed(std::move(store.error()));
   return std::make_unique<const StoreOfEdits>(*std::move(store), world);
 }

@@ -12,11 +12,10 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
+#include <talus/store/no_info_log.h>
+#include <talus/store/regular_files.h>
+#include <talus/store/rocks.h>
 #include <talus/voxel/codec.h>
-
-#include "store/no_info_log.h"
-#include "store/regular_files.h"
-#include "store/rocks.h"
 
 namespace talus::server {
 namespace {
@@ -38,7 +37,7 @@ rocksdb::Options options_of(const ColumnCacheSettings& settings) {
   // Files are not merged, the oldest go: many of them are no reason to hold writes up.
   options.level0_slowdown_writes_trigger = options.level0_stop_writes_trigger = 1 << 20;
   options.compression = rocksdb::kNoCompression;  // payloads are
-  options.info_log = std::make_shared<NoInfoLog>();
+  options.info_log = std::make_shared<store::NoInfoLog>();
   options.stats_dump_period_sec = 0;
   options.stats_persist_period_sec = 0;
   rocksdb::BlockBasedTableOptions table;
@@ -112,7 +111,7 @@ tl::expected<void, std::string> ColumnCache::begin_anew() {
 }
 
 tl::expected<void, std::string> ColumnCache::open_database() {
-  if (auto regular = check_regular_files(settings_.path / "db"); !regular) return regular;
+  if (auto regular = store::check_regular_files(settings_.path / "db"); !regular) return regular;
   rocksdb::DB* db = nullptr;
   const auto status = rocksdb::DB::Open(options_of(settings_), (settings_.path / "db").string(), &db);
   db_.reset(db);
@@ -156,10 +155,11 @@ void ColumnCache::put(ChunkKey column, const ColumnRecord& record) {
   encode(column, record, value);
   // A patch that is made again for another chunk mostly has what is kept: no room is taken twice.
   rocksdb::PinnableSlice kept;
-  if (db_->Get({}, db_->DefaultColumnFamily(), column_key(column), &kept).ok() && kept == as_slice(value)) {
+  if (db_->Get({}, db_->DefaultColumnFamily(), column_key(column), &kept).ok() &&
+      kept == store::as_slice(value)) {
     return;
   }
-  const auto status = db_->Put(without_waiting(), column_key(column), as_slice(value));
+  const auto status = db_->Put(without_waiting(), column_key(column), store::as_slice(value));
   if (status.ok()) return kept_.add();
   lost_.add();
   if (!status.IsIncomplete() && !told_.exchange(true)) {
@@ -188,7 +188,7 @@ bool ColumnCache::has_room() {
 ColumnCache::Status ColumnCache::status() const {
   Status status{found_.total(), missing_.total(), kept_.total(), lost_.total()};
   (void)db_->GetIntProperty(rocksdb::DB::Properties::kTotalSstFilesSize, &status.bytes);
-  status.memory_bytes = rocks_memory(*db_);
+  status.memory_bytes = store::rocks_memory(*db_);
   return status;
 }
 

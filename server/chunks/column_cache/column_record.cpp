@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "store/bytes.h"
+#include <talus/store/bytes.h>
 
 namespace talus::server {
 namespace {
@@ -44,7 +44,7 @@ std::string column_key(ChunkKey column) {
 
 void encode(ChunkKey column, const ColumnRecord& record, std::vector<std::byte>& out) {
   out.clear();
-  ByteWriter writer{out};
+  store::ByteWriter writer{out};
   writer.fixed32(static_cast<std::uint32_t>(record.rows.first));
   writer.varint(static_cast<std::uint64_t>(std::int64_t{record.rows.last} - record.rows.first + 1));
   writer.varint(to_integer(record.rows.below));
@@ -62,8 +62,8 @@ void encode(ChunkKey column, const ColumnRecord& record, std::vector<std::byte>&
 std::optional<ColumnRecord> decode_column(ChunkKey column, std::span<const std::byte> value) {
   if (value.size() < kSumBytes) return std::nullopt;
   const auto body = value.first(value.size() - kSumBytes);
-  if (ByteReader{value.last(kSumBytes)}.fixed64() != sum_of(column, body)) return std::nullopt;
-  ByteReader reader{body};
+  if (store::ByteReader{value.last(kSumBytes)}.fixed64() != sum_of(column, body)) return std::nullopt;
+  store::ByteReader reader{body};
   ColumnRecord record;
   record.rows.first = static_cast<std::int32_t>(reader.fixed32());
   const std::uint64_t rows = reader.varint(std::numeric_limits<std::uint32_t>::max());

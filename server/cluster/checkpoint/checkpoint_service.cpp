@@ -14,10 +14,11 @@
 #include <asio/this_coro.hpp>
 #include <asio/use_awaitable.hpp>
 
+#include <talus/store/store_swap.h>
+
 #include "config/access/auth_failure.h"
 #include "net/http/body_source.h"
 #include "runtime/log/escape.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -149,8 +150,8 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
 
 tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointService::make(
     std::uint64_t number) const {
-  const fs::path path = checkpoint_path(parts_.directory, fmt::format("http-{}", number));
-  if (const auto made = make_checkpoint(path, kCheckpointCopiesBytes, parts_.make); !made) {
+  const fs::path path = store::checkpoint_path(parts_.directory, fmt::format("http-{}", number));
+  if (const auto made = store::make_checkpoint(path, store::kCheckpointCopiesBytes, parts_.make); !made) {
     return tl::unexpected{made.error()};
   }
   auto tar = CheckpointTar::open(path);

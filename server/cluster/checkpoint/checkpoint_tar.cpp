@@ -16,8 +16,8 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include "store/read_only_store.h"
-#include "store/store_builder.h"
+#include <talus/store/read_only_store.h>
+#include <talus/store/store_builder.h>
 
 namespace talus::server {
 namespace {
@@ -40,9 +40,9 @@ std::uint64_t tar_bytes_of(std::uint64_t file_bytes) {
 
 }  // namespace
 
-std::uint64_t tar_bytes(const BackupManifest& manifest) {
+std::uint64_t tar_bytes(const store::BackupManifest& manifest) {
   std::uint64_t bytes = 2 * kTarBlock + tar_bytes_of(encode(manifest).size());
-  for (const BackupManifest::File& file : manifest.files) bytes += tar_bytes_of(file.bytes);
+  for (const store::BackupManifest::File& file : manifest.files) bytes += tar_bytes_of(file.bytes);
   return bytes;
 }
 
@@ -91,7 +91,7 @@ class CheckpointTar::Writer {
 /// A regular file of the checkpoint, hashed as it is read.
 class CheckpointTar::InputFile {
  public:
-  InputFile(const fs::path& path, BackupManifest::File& about)
+  InputFile(const fs::path& path, store::BackupManifest::File& about)
       : about_{about},
         left_{about.bytes},
         file_{::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)},
@@ -130,7 +130,7 @@ class CheckpointTar::InputFile {
   }
 
  private:
-  BackupManifest::File& about_;
+  store::BackupManifest::File& about_;
   std::uint64_t left_;
   int file_;
   int error_;
@@ -154,10 +154,10 @@ void CheckpointTar::remove_directory() {
 tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointTar::open(fs::path directory) {
   std::unique_ptr<CheckpointTar> tar{new CheckpointTar{std::move(directory)}};
   {
-    const auto store = ReadOnlyStore::open(tar->directory_);
+    const auto store = store::ReadOnlyStore::open(tar->directory_);
     if (!store) return tl::unexpected{store.error()};
-    const StoreMeta& meta = (*store)->meta();
-    if (auto written = write_store_files(tar->directory_, meta); !written) {
+    const store::StoreMeta& meta = (*store)->meta();
+    if (auto written = store::write_store_files(tar->directory_, meta); !written) {
       return tl::unexpected{written.error()};
     }
     tar->manifest_.identity = {meta.store_id, meta.fingerprint};
@@ -175,7 +175,7 @@ Done CheckpointTar::list_files() {
   std::error_code code;
   for (fs::directory_iterator at{directory_ / "db", code}, end; !code && at != end; at.increment(code)) {
     const std::string name = "db/" + at->path().filename().string();
-    if (name != "db/LOCK" && is_store_file(name)) names.push_back(name);
+    if (name != "db/LOCK" && store::is_store_file(name)) names.push_back(name);
   }
   if (code) return tl::unexpected{fmt::format("{}: {}", directory_.string(), code.message())};
   std::ranges::sort(names);
@@ -201,7 +201,7 @@ tl::expected<std::string_view, std::string> CheckpointTar::next() {
       if (auto begun = begin_file(); !begun) return tl::unexpected{begun.error()};
     } else {
       const std::string text = encode(manifest_);
-      if (!writer_->begin(std::string{kManifestName}, text.size()) || !writer_->add(text) ||
+      if (!writer_->begin(std::string{store::kManifestName}, text.size()) || !writer_->add(text) ||
           !writer_->end_file() || !writer_->end()) {
         return tl::unexpected{writer_->error()};
       }
@@ -213,7 +213,7 @@ tl::expected<std::string_view, std::string> CheckpointTar::next() {
 }
 
 Done CheckpointTar::begin_file() {
-  BackupManifest::File& about = manifest_.files[next_file_++];
+  store::BackupManifest::File& about = manifest_.files[next_file_++];
   const fs::path path = directory_ / about.name;
   file_ = std::make_unique<InputFile>(path, about);
   if (file_->error() != 0) return tar_failure(path, file_->error());

@@ -14,7 +14,7 @@
 
 #include <tl/expected.hpp>
 
-#include "store/backup_manifest.h"
+#include <talus/store/backup_manifest.h>
 
 namespace talus::server {
 
@@ -48,7 +48,7 @@ class CheckpointTar {
   void remove_directory();
 
   std::filesystem::path directory_;
-  BackupManifest manifest_;  // hashes only of what was read
+  store::BackupManifest manifest_;  // hashes only of what was read
   std::uint64_t size_ = 0;
   std::size_t next_file_ = 0;  // of manifest_.files
   bool ended_ = false;
@@ -58,6 +58,6 @@ class CheckpointTar {
 };
 
 /// How long a tar of such files is.
-[[nodiscard]] std::uint64_t tar_bytes(const BackupManifest& manifest);
+[[nodiscard]] std::uint64_t tar_bytes(const store::BackupManifest& manifest);
 
 }  // namespace talus::server

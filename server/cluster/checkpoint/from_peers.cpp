@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include <talus/progress/progress_bar.h>
-
-#include "store/store_swap.h"
+#include <talus/store/store_swap.h>
 
 namespace talus::server {
 namespace {
@@ -20,10 +19,10 @@ constexpr std::chrono::milliseconds kLongestPause{30'000};
 constexpr std::chrono::seconds kBetweenLines{5};
 constexpr double kMebibytes = 1 << 20;
 
-tl::expected<StoreMeta, PeerRefusal> take_from_peer(const std::string& peer, const PeerAccess& access,
-                                                    const std::filesystem::path& staging,
-                                                    const WantedStore& wanted, const Logger& log,
-                                                    const OnJoining& on_joining) {
+tl::expected<store::StoreMeta, PeerRefusal> take_from_peer(const std::string& peer, const PeerAccess& access,
+                                                           const std::filesystem::path& staging,
+                                                           const WantedStore& wanted, const Logger& log,
+                                                           const OnJoining& on_joining) {
   const auto begun = SteadyClock::now();
   auto download = CheckpointDownload::open(peer, access);
   if (!download) return tl::unexpected{std::move(download.error())};
@@ -56,11 +55,11 @@ tl::expected<StoreMeta, PeerRefusal> take_from_peer(const std::string& peer, con
 
 }  // namespace
 
-tl::expected<StoreMeta, std::string> take_from_peers(const Peers& peers,
-                                                     const std::filesystem::path& directory,
-                                                     const WantedStore& wanted, const Logger& log,
-                                                     const OnJoining& on_joining,
-                                                     const AfterRound& after_round) {
+tl::expected<store::StoreMeta, std::string> take_from_peers(const Peers& peers,
+                                                            const std::filesystem::path& directory,
+                                                            const WantedStore& wanted, const Logger& log,
+                                                            const OnJoining& on_joining,
+                                                            const AfterRound& after_round) {
   if (peers.urls.empty()) {
     return tl::unexpected{
         std::string{"cluster.peers: nobody is named of whom the store can be taken; name the operators' "
@@ -72,7 +71,7 @@ tl::expected<StoreMeta, std::string> take_from_peers(const Peers& peers,
     std::ranges::shuffle(order, random);
     Round round{order.size()};
     for (const std::string& peer : order) {
-      const auto staging = make_staging(directory);
+      const auto staging = store::make_staging(directory);
       if (!staging) return tl::unexpected{staging.error()};
       auto taken = take_from_peer(peer, peers.access, *staging, wanted, log, on_joining);
       if (taken) return *std::move(taken);
@@ -80,7 +79,7 @@ tl::expected<StoreMeta, std::string> take_from_peers(const Peers& peers,
       if (!taken.error().answers) ++round.silent;
       if (taken.error().aside) round.aside.push_back(*taken.error().aside);
     }
-    if (const auto emptied = make_staging(directory); !emptied) return tl::unexpected{emptied.error()};
+    if (const auto emptied = store::make_staging(directory); !emptied) return tl::unexpected{emptied.error()};
     log->warn("joining: no peer's store could be taken; all are asked again in {} ms", wait.count());
     if (!after_round(wait, round)) return tl::unexpected{std::string{"joining was given up"}};
   }

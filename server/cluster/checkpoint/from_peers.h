@@ -31,7 +31,7 @@ using AfterRound = std::function<bool(std::chrono::milliseconds, const Round&)>;
 /// Into the staging directory of `directory`, which is locked: swap_in() makes it the directory's store. An
 /// error is one line: there are no peers, nothing can be written here, or `after_round` gave up. What goes
 /// wrong with a peer is logged.
-[[nodiscard]] tl::expected<StoreMeta, std::string> take_from_peers(
+[[nodiscard]] tl::expected<store::StoreMeta, std::string> take_from_peers(
     const Peers& peers, const std::filesystem::path& directory, const WantedStore& wanted, const Logger& log,
     const OnJoining& on_joining, const AfterRound& after_round);
 

@@ -17,13 +17,13 @@
 
 #include <talus/edits/state_hash.h>
 #include <talus/files/atomic_file.h>
+#include <talus/store/acknowledged_file.h>
+#include <talus/store/backup_manifest.h>
+#include <talus/store/read_only_store.h>
+#include <talus/store/store_identity.h>
+#include <talus/store/store_swap.h>
 
 #include "runtime/log/escape.h"
-#include "store/acknowledged_file.h"
-#include "store/backup_manifest.h"
-#include "store/read_only_store.h"
-#include "store/store_identity.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -58,7 +58,7 @@ bool is_database_file(std::string_view name) {
 bool is_checkpoint_file(std::string_view name) {
   constexpr std::string_view kDatabase = "db/";
   if (name.starts_with(kDatabase)) return is_database_file(name.substr(kDatabase.size()));
-  return name == kManifestName || is_store_file(name);
+  return name == store::kManifestName || store::is_store_file(name);
 }
 
 tl::unexpected<std::string> no_checkpoint(std::string_view why) {
@@ -147,8 +147,8 @@ class Taking {
         staging_{staging},
         wanted_{wanted} {}
 
-  [[nodiscard]] tl::expected<StoreMeta, std::string> take() {
-    if (auto enough = check_space(staging_, left_); !enough) return tl::unexpected{enough.error()};
+  [[nodiscard]] tl::expected<store::StoreMeta, std::string> take() {
+    if (auto enough = store::check_space(staging_, left_); !enough) return tl::unexpected{enough.error()};
     std::error_code code;
     fs::create_directory(staging_ / "db", code);
     if (code) return tl::unexpected{fmt::format("{}: {}", staging_.string(), code.message())};
@@ -159,14 +159,14 @@ class Taking {
       if (auto taken = take_entry(**entry); !taken) return tl::unexpected{std::move(taken.error())};
     }
     if (auto right = check_manifest(); !right) return tl::unexpected{std::move(right.error())};
-    if (auto synced = sync_directory(staging_ / "db"); !synced)
+    if (auto synced = store::sync_directory(staging_ / "db"); !synced)
       return tl::unexpected{std::move(synced.error())};
     return check_store();
   }
 
  private:
   [[nodiscard]] Done take_entry(const TarReader::Entry& entry) {
-    const bool is_manifest = entry.name == kManifestName;
+    const bool is_manifest = entry.name == store::kManifestName;
     if (!is_checkpoint_file(entry.name)) {
       return no_checkpoint(fmt::format("a store has no file \"{}\"", escaped(entry.name)));
     }
@@ -182,7 +182,7 @@ class Taking {
     }
     const bool is_small = !is_manifest && !entry.name.starts_with("db/");
     if (entry.bytes > left_ || (is_small && entry.bytes > kMostSmallFileBytes) ||
-        (is_manifest && entry.bytes > kMaxManifestBytes)) {
+        (is_manifest && entry.bytes > store::kMaxManifestBytes)) {
       return no_checkpoint(
           fmt::format("\"{}\" in it has {} bytes, more than it may", entry.name, entry.bytes));
     }
@@ -227,7 +227,7 @@ class Taking {
 
   /// Before the rest is taken.
   [[nodiscard]] Done check_identity() {
-    const auto read = read_store_identity(staging_ / kIdentityName);
+    const auto read = store::read_store_identity(staging_ / kIdentityName);
     if (!read) return no_checkpoint("its store.toml was not written by talusd");
     identity_ = *read;
     if (identity_.fingerprint != wanted_.fingerprint) {
@@ -245,7 +245,7 @@ class Taking {
 
   [[nodiscard]] Done check_manifest() {
     if (manifest_.empty()) return no_checkpoint("it ends before its manifest");
-    auto decoded = decode_manifest(manifest_);
+    auto decoded = store::decode_manifest(manifest_);
     if (!decoded) return no_checkpoint(decoded.error());
     listed_ = *std::move(decoded);
     if (listed_.identity != identity_) return no_checkpoint("its manifest is of another store");
@@ -255,11 +255,11 @@ class Taking {
                                      come == files_.end() ? listed->name : come->name));
   }
 
-  [[nodiscard]] tl::expected<StoreMeta, std::string> check_store() {
-    const auto store = ReadOnlyStore::open(staging_);
+  [[nodiscard]] tl::expected<store::StoreMeta, std::string> check_store() {
+    const auto store = store::ReadOnlyStore::open(staging_);
     if (!store) return tl::unexpected{store.error()};
-    const StoreMeta meta = (*store)->meta();
-    if (StoreIdentity{meta.store_id, meta.fingerprint} != identity_ || meta.head != listed_.head) {
+    const store::StoreMeta meta = (*store)->meta();
+    if (store::StoreIdentity{meta.store_id, meta.fingerprint} != identity_ || meta.head != listed_.head) {
       return no_checkpoint("its database is not that of its manifest");
     }
     if (meta.level_rule != edits::kLevelRule) {
@@ -269,12 +269,13 @@ class Taking {
                       meta.level_rule, edits::kLevelRule)};
     }
     if (auto right = check_place(meta.stream); !right) return tl::unexpected{std::move(right.error())};
-    if (auto whole = check_acknowledged(staging_, meta); !whole) return tl::unexpected{whole.error()};
+    if (auto whole = store::check_acknowledged(staging_, meta); !whole) return tl::unexpected{whole.error()};
     edits::StateHash hash;
-    const auto visited = (*store)->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
-      hash.add(chunk, stored.voxels);
-      return true;
-    });
+    const auto visited =
+        (*store)->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
+          hash.add(chunk, stored.voxels);
+          return true;
+        });
     if (!visited) return tl::unexpected{visited.error()};
     if (hash != meta.head.hash) {
       return no_checkpoint(fmt::format("its edits have hash {}, not {}", edits::to_string(hash),
@@ -283,7 +284,7 @@ class Taking {
     return meta;
   }
 
-  [[nodiscard]] Done check_place(const StreamPlace& has) const {
+  [[nodiscard]] Done check_place(const store::StreamPlace& has) const {
     if (!wanted_.place) return {};
     if (has.sequence == 0) return tl::unexpected{std::string{"its store is in no cluster"}};
     if (wanted_.place->created_ns != 0 && has.created_ns != wanted_.place->created_ns) {
@@ -300,17 +301,18 @@ class Taking {
   const std::size_t most_files_;
   const fs::path& staging_;
   const WantedStore& wanted_;
-  StoreIdentity identity_;
+  store::StoreIdentity identity_;
   std::set<std::string, std::less<>> names_;
-  std::vector<BackupManifest::File> files_;
+  std::vector<store::BackupManifest::File> files_;
   std::string manifest_;
-  BackupManifest listed_;
+  store::BackupManifest listed_;
 };
 
 }  // namespace
 
-tl::expected<StoreMeta, std::string> take_checkpoint(TarSource& source, const fs::path& staging,
-                                                     const WantedStore& wanted, const OnTaken& on_taken) {
+tl::expected<store::StoreMeta, std::string> take_checkpoint(TarSource& source, const fs::path& staging,
+                                                            const WantedStore& wanted,
+                                                            const OnTaken& on_taken) {
   return Taking{source, staging, wanted, on_taken}.take();
 }
 

@@ -11,10 +11,10 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/records.h>
 #include <talus/voxel/content_hash.h>
 
 #include "cluster/checkpoint/tar_source.h"
-#include "store/records.h"
 
 namespace talus::server {
 
@@ -35,9 +35,8 @@ using OnTaken = std::function<void(std::uint64_t done)>;
 
 /// Into `staging`, an empty directory. Its files are on the disk when it returns. An error is one line; what
 /// is in `staging` is of no use then.
-[[nodiscard]] tl::expected<StoreMeta, std::string> take_checkpoint(TarSource& source,
-                                                                   const std::filesystem::path& staging,
-                                                                   const WantedStore& wanted,
-                                                                   const OnTaken& on_taken);
+[[nodiscard]] tl::expected<store::StoreMeta, std::string> take_checkpoint(
+    TarSource& source, const std::filesystem::path& staging, const WantedStore& wanted,
+    const OnTaken& on_taken);
 
 }  // namespace talus::server

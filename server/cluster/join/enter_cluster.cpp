@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/id_check.h>
+#include <talus/store/read_only_store.h>
+#include <talus/store/whole_store.h>
+
 #include "cluster/message.h"
-#include "store/id_check.h"
-#include "store/read_only_store.h"
-#include "store/whole_store.h"
 
 namespace talus::server::join {
 namespace {
@@ -35,9 +36,9 @@ auto insist(const Ask& ask) {
 
 tl::expected<cluster::Genesis, std::string> genesis_of(const fs::path& directory,
                                                        const edits::SettleRules& settles) {
-  const auto store = ReadOnlyStore::open(directory);
+  const auto store = store::ReadOnlyStore::open(directory);
   if (!store) return tl::unexpected{store.error()};
-  const StoreMeta& meta = (*store)->meta();
+  const store::StoreMeta& meta = (*store)->meta();
   cluster::Genesis genesis;
   genesis.identity = {meta.store_id, meta.fingerprint};
   genesis.level_rule = meta.level_rule;
@@ -84,16 +85,18 @@ tl::expected<void, std::string> check_first(LogStream& stream, const StreamState
 
 }  // namespace
 
-tl::expected<StoreMeta, std::string> read_place(const fs::path& directory) {
-  const auto store = ReadOnlyStore::open(directory);
+tl::expected<store::StoreMeta, std::string> read_place(const fs::path& directory) {
+  const auto store = store::ReadOnlyStore::open(directory);
   if (!store) return tl::unexpected{store.error()};
-  const StoreMeta meta = (*store)->meta();
-  if (const auto whole = check_whole_store(directory, meta); !whole) return tl::unexpected{whole.error()};
+  const store::StoreMeta meta = (*store)->meta();
+  if (const auto whole = store::check_whole_store(directory, meta); !whole)
+    return tl::unexpected{whole.error()};
   return meta;
 }
 
-tl::expected<StoreMeta, std::string> enter_cluster(const fs::path& directory,
-                                                   const edits::SettleRules& settles, LogStream& stream) {
+tl::expected<store::StoreMeta, std::string> enter_cluster(const fs::path& directory,
+                                                          const edits::SettleRules& settles,
+                                                          LogStream& stream) {
   auto meta = read_place(directory);
   if (!meta) return meta;
   if (meta->stream.sequence != 0) {
@@ -118,7 +121,7 @@ tl::expected<StoreMeta, std::string> enter_cluster(const fs::path& directory,
   }
   if (const auto right = check_first(stream, *state, *genesis); !right) return tl::unexpected{right.error()};
   meta->stream = {1, state->created_ns, 0, cluster::hash_of_message(*bytes)};
-  if (const auto entered = enter_stream(directory, meta->stream); !entered)
+  if (const auto entered = store::enter_stream(directory, meta->stream); !entered)
     return tl::unexpected{entered.error()};
   return meta;
 }

@@ -8,16 +8,16 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
+#include <talus/store/id_check.h>
+#include <talus/store/read_only_store.h>
+#include <talus/store/regular_files.h>
+#include <talus/store/store_swap.h>
 
 #include "cluster/join/start_plan.h"
 #include "cluster/last_message.h"
 #include "cluster/message.h"
 #include "cluster/server_number.h"
 #include "runtime/log/escape.h"
-#include "store/id_check.h"
-#include "store/read_only_store.h"
-#include "store/regular_files.h"
-#include "store/store_swap.h"
 
 namespace talus::server::join {
 namespace {
@@ -95,8 +95,8 @@ class Preparation {
   [[nodiscard]] Done read_local() {
     const fs::path& path = parts_.directory.path();
     std::error_code code;
-    if (fs::exists(path / kRejoinName, code)) {
-      const auto reason = files::read_regular_file(path / kRejoinName, kMaxReasonBytes);
+    if (fs::exists(path / store::kRejoinName, code)) {
+      const auto reason = files::read_regular_file(path / store::kRejoinName, kMaxReasonBytes);
       rejoin_ = reason ? on_one_line(*reason) : std::string{"it was found to be wrong"};
     }
     if (!fs::exists(path / "db" / "CURRENT", code)) {
@@ -105,10 +105,10 @@ class Preparation {
           "its store has lost its database, but not the file acknowledged; move that away for this server to "
           "take the store from a peer");
     }
-    const auto store = ReadOnlyStore::open(path);
+    const auto store = store::ReadOnlyStore::open(path);
     if (!store) return tl::unexpected{store.error()};
-    const StoreMeta& meta = (*store)->meta();
-    if (auto whole = check_whole_store(path, meta); !whole) return whole;
+    const store::StoreMeta& meta = (*store)->meta();
+    if (auto whole = store::check_whole_store(path, meta); !whole) return whole;
     if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // nothing of value
     if (parts_.store_id && meta.store_id != *parts_.store_id) {
       return refused(fmt::format("it has store {}, and cluster.store names {}; give --data another directory",
@@ -150,7 +150,7 @@ class Preparation {
                      state,
                      false,
                      !parts_.peers.urls.empty(),
-                     local_ ? bytes_of_files(parts_.directory.path() / "db") : 0,
+                     local_ ? store::bytes_of_files(parts_.directory.path() / "db") : 0,
                      rejoin_};
     is_known_ = false;
     if (local_ && local_->stream.sequence > 0 && local_->stream.created_ns == state.created_ns &&
@@ -175,7 +175,7 @@ class Preparation {
       return wrong(fmt::format("the stream's first message: {}{}", genesis.error().reason,
                                remedy_of(genesis.error())));
     }
-    if (genesis->identity != StoreIdentity{*id_, parts_.fingerprint}) {
+    if (genesis->identity != store::StoreIdentity{*id_, parts_.fingerprint}) {
       return wrong(fmt::format(
           "the stream is of store {} and the world with fingerprint {}; this server has {} and {}; "
           "give all servers of a cluster the same --world",
@@ -235,7 +235,7 @@ class Preparation {
     const auto meta = take_from_peers(parts_.peers, path, {parts_.fingerprint, id_, place}, parts_.log,
                                       parts_.on_joining, after_round);
     if (!meta) return tl::unexpected{meta.error()};
-    const auto replaced = swap_in(path);
+    const auto replaced = store::swap_in(path);
     if (!replaced) return tl::unexpected{replaced.error()};
     if (auto tidied = tidy(*replaced, *meta); !tidied) return tidied;
     if (auto known = parts_.directory.learn_identity(); !known) return known;
@@ -246,11 +246,11 @@ class Preparation {
   }
 
   /// What was there is kept where the new store does not have all of it.
-  [[nodiscard]] Done tidy(const fs::path& replaced, const StoreMeta& now) {
+  [[nodiscard]] Done tidy(const fs::path& replaced, const store::StoreMeta& now) {
     const bool of_value = local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty());
     std::error_code code;
     if (!replaced.empty() && of_value) {
-      const auto kept = keep_rejoined(parts_.directory.path(), replaced);
+      const auto kept = store::keep_rejoined(parts_.directory.path(), replaced);
       if (!kept) return tl::unexpected{kept.error()};
       parts_.log->warn(
           "joining: the store that was here is kept as {}, until two more were replaced so; delete it when "
@@ -277,7 +277,7 @@ class Preparation {
 
   const Parts& parts_;
   std::optional<ContentHash> id_;
-  std::optional<StoreMeta> local_;
+  std::optional<store::StoreMeta> local_;
   std::string rejoin_;
   bool give_up_ = false;  // where no peer has a store
   bool gave_up_ = false;
@@ -296,7 +296,8 @@ tl::expected<Prepared, std::string> prepare_store(const Parts& parts) {
 
 Done want_rejoin(const fs::path& directory, const std::string& reason) {
   const std::string text = on_one_line(reason).substr(0, kMaxReasonBytes);
-  if (const auto written = files::write_file(directory / kRejoinName, std::string_view{text}); !written) {
+  if (const auto written = files::write_file(directory / store::kRejoinName, std::string_view{text});
+      !written) {
     return tl::unexpected{written.error().message()};
   }
   return {};
@@ -304,8 +305,9 @@ Done want_rejoin(const fs::path& directory, const std::string& reason) {
 
 Done forget_rejoin(const fs::path& directory) {
   std::error_code code;
-  fs::remove(directory / kRejoinName, code);
-  if (code) return tl::unexpected{fmt::format("{}: {}", (directory / kRejoinName).string(), code.message())};
+  fs::remove(directory / store::kRejoinName, code);
+  if (code)
+    return tl::unexpected{fmt::format("{}: {}", (directory / store::kRejoinName).string(), code.message())};
   return {};
 }
 

@@ -11,18 +11,18 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/data_directory.h>
 #include <talus/voxel/content_hash.h>
 
 #include "cluster/checkpoint/from_peers.h"
 #include "cluster/log_stream.h"
 #include "runtime/log/logger.h"
-#include "store/data_directory.h"
 
 namespace talus::server::join {
 
 struct Parts {
-  DataDirectory& directory;  // locked, as open_member() opens it
-  ContentHash fingerprint;   // of the world
+  store::DataDirectory& directory;  // locked, as open_member() opens it
+  ContentHash fingerprint;          // of the world
   std::optional<ContentHash>
       store_id;  // as cluster.store has it; none: that of the directory, or of the peers
   Peers peers;

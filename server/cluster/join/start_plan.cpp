@@ -55,7 +55,7 @@ std::string other_stream(std::string_view what) {
 
 StartPlan plan_start(const StartFacts& facts) {
   if (!facts.local) return plan_without_store(facts);
-  const StreamPlace& place = facts.local->stream;
+  const store::StreamPlace& place = facts.local->stream;
   const StreamState& stream = facts.stream;
   if (place.sequence == 0) {
     return {
@@ -99,7 +99,7 @@ bool checkpoint_is_quicker(std::uint64_t messages, std::uint64_t message_bytes, 
   return by_messages > kCheckpointSeconds + static_cast<double>(store_bytes) / kTakenBytesPerSecond;
 }
 
-bool is_ancestor(const StoreMeta& before, const StoreMeta& now) {
+bool is_ancestor(const store::StoreMeta& before, const store::StoreMeta& now) {
   return before.stream.sequence > 0 && before.store_id == now.store_id &&
          before.stream.created_ns == now.stream.created_ns && before.stream.sequence <= now.stream.sequence;
 }

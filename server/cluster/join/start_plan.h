@@ -5,8 +5,9 @@
 #include <optional>
 #include <string>
 
+#include <talus/store/records.h>
+
 #include "cluster/log_stream.h"
-#include "store/records.h"
 
 namespace talus::server::join {
 
@@ -16,7 +17,7 @@ namespace talus::server::join {
                                          std::uint64_t store_bytes);
 
 struct StartFacts {
-  std::optional<StoreMeta> local;  // none: the disk has no store, or one without any entry
+  std::optional<store::StoreMeta> local;  // none: the disk has no store, or one without any entry
   StreamState stream;
   /// Whether the stream's first message is there and begins with an empty state: all of it can be read.
   bool from_nothing = false;
@@ -45,6 +46,6 @@ struct StartPlan {
 
 /// Whether what `before` holds is in `now` too, and more: both are of one stream, of which `now` has read
 /// as much at least.
-[[nodiscard]] bool is_ancestor(const StoreMeta& before, const StoreMeta& now);
+[[nodiscard]] bool is_ancestor(const store::StoreMeta& before, const store::StoreMeta& now);
 
 }  // namespace talus::server::join

@@ -49,7 +49,7 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
 }  // namespace
 
 tl::expected<Contents, std::string> read_contents(
-    jetstream::Connection& connection, const Target& target, const StoreIdentity& identity,
+    jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
     std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read) {
   const auto info = ask_stream_info(connection, target.names);
   if (!info) return tl::unexpected{failure_of(info.error(), target.names).reason};

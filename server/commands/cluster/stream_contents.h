@@ -28,7 +28,7 @@ struct Contents {
 /// Reads the newest `most` messages of those that the stream keeps, one at a time. `on_read` is called after
 /// each. An error, in one line: one does not come.
 [[nodiscard]] tl::expected<Contents, std::string> read_contents(
-    jetstream::Connection& connection, const Target& target, const StoreIdentity& identity,
+    jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
     std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read);
 
 }  // namespace talus::server::cluster_tool

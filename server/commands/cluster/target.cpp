@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/store_identity.h>
+
 #include "config/cluster_check.h"
-#include "store/store_identity.h"
 
 namespace talus::server::cluster_tool {
 namespace {
@@ -16,7 +17,7 @@ tl::expected<std::optional<ContentHash>, std::string> store_of(const std::filesy
   const std::filesystem::path file = data / "store.toml";
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  const auto identity = read_store_identity(file);
+  const auto identity = store::read_store_identity(file);
   if (!identity) return tl::unexpected{identity.error()};
   return identity->store_id;
 }
@@ -25,7 +26,7 @@ tl::expected<Target, std::string> target_of(const Config& config, bool may_be_ne
   const Cluster& cluster = config.cluster;
   const auto here = store_of(config.data);
   if (!here) return tl::unexpected{here.error()};
-  const auto named = parse_hash(cluster.store);
+  const auto named = store::parse_hash(cluster.store);
   if (named && *here && *named != **here) {
     return tl::unexpected{
         fmt::format("cluster.store: {} is not the store of the data directory {}, which is {}; name that, or "
@@ -47,7 +48,7 @@ tl::expected<Target, std::string> target_of(const Config& config, bool may_be_ne
   }
   auto credentials = jetstream::load_credentials(cluster);
   if (!credentials) return tl::unexpected{credentials.error()};
-  const ContentHash id = named ? *named : *here ? **here : random_store_id();
+  const ContentHash id = named ? *named : *here ? **here : store::random_store_id();
   return Target{cluster.nats,
                 std::make_shared<const jetstream::Credentials>(*std::move(credentials)),
                 id,

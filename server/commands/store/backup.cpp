@@ -10,11 +10,11 @@
 #include <fmt/format.h>
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
+#include <talus/store/store_builder.h>
+#include <talus/store/store_swap.h>
+#include <talus/store/whole_store.h>
 
 #include "commands/store/copied_file.h"
-#include "store/store_builder.h"
-#include "store/store_swap.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -31,17 +31,17 @@ bool lists_files(std::string_view name) {
 }
 
 /// Those of the store in `path`, the newest of its log last. No hashes yet.
-tl::expected<std::vector<BackupManifest::File>, std::string> database_files(const fs::path& path) {
-  std::vector<BackupManifest::File> files;
+tl::expected<std::vector<store::BackupManifest::File>, std::string> database_files(const fs::path& path) {
+  std::vector<store::BackupManifest::File> files;
   std::error_code code;
   for (fs::directory_iterator at{path / "db", code}, end; !code && at != end; at.increment(code)) {
     const std::string name = "db/" + at->path().filename().string();
     // Others come and go.
-    if (at->path().filename() == "LOCK" || name.ends_with(".dbtmp") || !is_store_file(name)) continue;
+    if (at->path().filename() == "LOCK" || name.ends_with(".dbtmp") || !store::is_store_file(name)) continue;
     files.push_back({name, at->file_size(code), {}});
   }
   if (code) return no_backup(path, code.message());
-  std::ranges::sort(files, {}, [](const BackupManifest::File& file) {
+  std::ranges::sort(files, {}, [](const store::BackupManifest::File& file) {
     return std::pair{file.name.ends_with(".log"), std::string_view{file.name}};
   });
   return files;
@@ -49,15 +49,15 @@ tl::expected<std::vector<BackupManifest::File>, std::string> database_files(cons
 
 /// Copies the database of `path` into `target`; its files with their checksums. Nothing where a file went
 /// between being listed and being copied.
-tl::expected<std::optional<std::vector<BackupManifest::File>>, std::string> copy_database(
+tl::expected<std::optional<std::vector<store::BackupManifest::File>>, std::string> copy_database(
     const fs::path& path, const fs::path& target, ProgressBar& progress) {
-  std::vector<BackupManifest::File> all;
+  std::vector<store::BackupManifest::File> all;
   // A server may write meanwhile: what says which files there are comes first, so that they are among those
   // that are copied then.
   for (const bool lists : {true, false}) {
     auto found = database_files(path);
     if (!found) return tl::unexpected{found.error()};
-    for (BackupManifest::File& file : *found) {
+    for (store::BackupManifest::File& file : *found) {
       if (lists_files(file.name) != lists) continue;
       const auto copied = copy_file(path / file.name, target / file.name, UINT64_MAX, progress);
       if (!copied) {
@@ -87,7 +87,7 @@ std::vector<fs::path> missing_directories(fs::path path) {
 /// `made` that are empty then. Where something stays it says so, as the end of a line.
 std::string remove_unfinished(const fs::path& target, std::span<const fs::path> made) {
   std::error_code code;
-  for (const std::string_view name : {kManifestName, std::string_view{"store.toml"},
+  for (const std::string_view name : {store::kManifestName, std::string_view{"store.toml"},
                                       std::string_view{"acknowledged"}, std::string_view{"db"}}) {
     fs::remove_all(target / name, code);
   }
@@ -97,18 +97,18 @@ std::string remove_unfinished(const fs::path& target, std::span<const fs::path> 
 }
 
 /// Into a directory that is there and empty.
-tl::expected<BackupManifest, std::string> fill_backup(const fs::path& path, const fs::path& target) {
+tl::expected<store::BackupManifest, std::string> fill_backup(const fs::path& path, const fs::path& target) {
   std::error_code code;
   fs::create_directory(target / "db", code);
   if (code) return no_backup(target, code.message());
   const auto found = database_files(path);
   if (!found) return tl::unexpected{found.error()};
   std::uint64_t bytes = 0;
-  for (const BackupManifest::File& file : *found) bytes += file.bytes;
-  if (const auto enough = check_space(target, bytes); !enough) return tl::unexpected{enough.error()};
+  for (const store::BackupManifest::File& file : *found) bytes += file.bytes;
+  if (const auto enough = store::check_space(target, bytes); !enough) return tl::unexpected{enough.error()};
   ProgressBar progress{"backup", "bytes"};
   progress.expect(bytes);
-  BackupManifest manifest;
+  store::BackupManifest manifest;
   // A file that the server had given up before its files were held may still go.
   constexpr int kTries = 10;
   for (int tries = 1;; ++tries) {
@@ -124,24 +124,26 @@ tl::expected<BackupManifest, std::string> fill_backup(const fs::path& path, cons
     if (code) return no_backup(target, code.message());
   }
   {
-    const auto store = ReadOnlyStore::open(target);
+    const auto store = store::ReadOnlyStore::open(target);
     if (!store) return tl::unexpected{store.error()};
-    const StoreMeta& meta = (*store)->meta();
+    const store::StoreMeta& meta = (*store)->meta();
     manifest.identity = {meta.store_id, meta.fingerprint};
     manifest.head = meta.head;
-    if (const auto written = write_store_files(target, meta); !written) {
+    if (const auto written = store::write_store_files(target, meta); !written) {
       return tl::unexpected{written.error()};
     }
   }
-  std::ranges::sort(manifest.files, {}, &BackupManifest::File::name);
+  std::ranges::sort(manifest.files, {}, &store::BackupManifest::File::name);
   for (const char* const name : {"acknowledged", "store.toml"}) {
     const auto read = hash_file(target / name, progress);
     if (!read) return tl::unexpected{read.error()};
     manifest.files.push_back({name, read->bytes, read->hash});
   }
-  if (const auto synced = sync_directory(target / "db"); !synced) return tl::unexpected{synced.error()};
+  if (const auto synced = store::sync_directory(target / "db"); !synced)
+    return tl::unexpected{synced.error()};
   // From here on it is a backup.
-  if (const auto written = files::write_file(target / kManifestName, std::string_view{encode(manifest)});
+  if (const auto written =
+          files::write_file(target / store::kManifestName, std::string_view{encode(manifest)});
       !written) {
     return tl::unexpected{written.error().message()};
   }
@@ -150,7 +152,7 @@ tl::expected<BackupManifest, std::string> fill_backup(const fs::path& path, cons
 
 }  // namespace
 
-tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
+tl::expected<store::BackupManifest, std::string> write_backup(const fs::path& path, const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code) && !fs::is_empty(target, code)) {
     return no_backup(target,
@@ -158,28 +160,28 @@ tl::expected<BackupManifest, std::string> write_backup(const fs::path& path, con
   }
   const std::vector<fs::path> made = missing_directories(target);
   fs::create_directories(target, code);
-  tl::expected<BackupManifest, std::string> written = no_backup(target, code.message());
+  tl::expected<store::BackupManifest, std::string> written = no_backup(target, code.message());
   if (!code) written = fill_backup(path, target);
   if (!written) written.error() += remove_unfinished(target, made);
   return written;
 }
 
-tl::expected<BackupManifest, std::string> read_manifest(const fs::path& backup) {
+tl::expected<store::BackupManifest, std::string> read_manifest(const fs::path& backup) {
   std::error_code code;
   if (!fs::is_directory(backup, code)) return no_backup(backup, "there is no such directory");
   if (fs::is_symlink(backup / "db", code)) return no_backup(backup, "db is a link; give another one");
-  if (!fs::exists(backup / kManifestName, code)) {
+  if (!fs::exists(backup / store::kManifestName, code)) {
     return no_backup(backup, "it has no manifest: it is no backup, or was not finished; give another one");
   }
-  const auto text = files::read_regular_file(backup / kManifestName, kMaxManifestBytes);
+  const auto text = files::read_regular_file(backup / store::kManifestName, store::kMaxManifestBytes);
   if (!text) return tl::unexpected{text.error().message()};
-  auto manifest = decode_manifest(*text);
+  auto manifest = store::decode_manifest(*text);
   if (!manifest) return no_backup(backup, fmt::format("{}; give another one", manifest.error()));
   return manifest;
 }
 
-tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const DataDirectory& directory,
-                                                   bool replace) {
+tl::expected<Restored, std::string> restore_backup(const fs::path& backup,
+                                                   const store::DataDirectory& directory, bool replace) {
   auto manifest = read_manifest(backup);
   if (!manifest) return tl::unexpected{manifest.error()};
   if (directory.has_store() && !replace) {
@@ -187,17 +189,17 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const
         fmt::format("data {}: it holds a store; give --replace to move that aside, or another --data",
                     directory.path().string())};
   }
-  if (const auto enough = check_space(directory.path(), manifest->bytes()); !enough) {
+  if (const auto enough = store::check_space(directory.path(), manifest->bytes()); !enough) {
     return tl::unexpected{enough.error()};
   }
-  const auto staging = make_staging(directory.path());
+  const auto staging = store::make_staging(directory.path());
   if (!staging) return tl::unexpected{staging.error()};
   std::error_code code;
   fs::create_directory(*staging / "db", code);
   if (code) return tl::unexpected{fmt::format("{}: {}", staging->string(), code.message())};
   ProgressBar progress{"restore", "bytes"};
   progress.expect(manifest->bytes());
-  for (const BackupManifest::File& file : manifest->files) {
+  for (const store::BackupManifest::File& file : manifest->files) {
     const auto copied = copy_file(backup / file.name, *staging / file.name, file.bytes, progress);
     if (!copied) return tl::unexpected{copied.error()};
     if (!copied->all || copied->bytes != file.bytes || copied->hash != file.hash) {
@@ -207,16 +209,16 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup, const
     }
   }
   {
-    const auto store = ReadOnlyStore::open(*staging);
+    const auto store = store::ReadOnlyStore::open(*staging);
     if (!store) return tl::unexpected{store.error()};
     if ((*store)->meta().head != manifest->head) {
       return no_backup(backup,
                        "its database is not at the position that its manifest says; give another one");
     }
   }
-  const ContentHash id = random_store_id();
-  if (const auto given = give_identity(*staging, id); !given) return tl::unexpected{given.error()};
-  auto replaced = swap_in(directory.path());
+  const ContentHash id = store::random_store_id();
+  if (const auto given = store::give_identity(*staging, id); !given) return tl::unexpected{given.error()};
+  auto replaced = store::swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
   return Restored{*std::move(manifest), id, *std::move(replaced)};
 }

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/store_swap.h>
+#include <talus/store/whole_store.h>
+
 #include "cluster/join/enter_cluster.h"
 #include "cluster/join/prepare_store.h"
 #include "config/cluster_check.h"
-#include "store/store_swap.h"
-#include "store/whole_store.h"
 
 namespace talus::server {
 namespace {
@@ -27,7 +28,7 @@ struct Behind {
   std::string text;  // part of a sentence
 };
 
-Behind measure(const StoreMeta& meta, const Cluster& settings, const ClusterTools& tools) {
+Behind measure(const store::StoreMeta& meta, const Cluster& settings, const ClusterTools& tools) {
   const auto unknown = [](const std::string& why) {
     return Behind{false, 0, fmt::format("how far it is behind the stream cannot be said: {}", why)};
   };
@@ -53,18 +54,19 @@ Behind measure(const StoreMeta& meta, const Cluster& settings, const ClusterTool
                       behind, behind == 1 ? "" : "s")};
 }
 
-tl::expected<StoreMeta, std::string> place_of_member(const DataDirectory& directory) {
+tl::expected<store::StoreMeta, std::string> place_of_member(const store::DataDirectory& directory) {
   auto meta = join::read_place(directory.path());
   if (!meta || meta->stream.sequence != 0) return meta;
   return tl::unexpected{fmt::format("data {}: its store is in no cluster", directory.path().string())};
 }
 
-std::string place_of(const StoreMeta& meta) {
+std::string place_of(const store::StoreMeta& meta) {
   return fmt::format("position {}, revision {}, hash {}", meta.head.position, meta.head.revision,
                      edits::to_string(meta.head.hash));
 }
 
-tl::expected<void, std::string> check_world(const DataDirectory& directory, const terrain::World& world) {
+tl::expected<void, std::string> check_world(const store::DataDirectory& directory,
+                                            const terrain::World& world) {
   if (!directory.identity() || directory.identity()->fingerprint == world.fingerprint()) return {};
   return tl::unexpected{fmt::format(
       "data {}: the store is of the world with fingerprint {}; --world has {}; give the store's world",
@@ -72,7 +74,7 @@ tl::expected<void, std::string> check_world(const DataDirectory& directory, cons
       to_string(world.fingerprint()))};
 }
 
-std::string of_beginning(const fs::path& path, const StoreMeta& entered) {
+std::string of_beginning(const fs::path& path, const store::StoreMeta& entered) {
   const std::string id = to_string(entered.store_id);
   return fmt::format(
       "{}: store {} begins its cluster's stream at {}\n"
@@ -83,17 +85,17 @@ std::string of_beginning(const fs::path& path, const StoreMeta& entered) {
 
 /// The store under another id: made beside it, so that a kill leaves the one or the other, whole.
 tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentHash id) {
-  const auto staging = stage_copy(path);
+  const auto staging = store::stage_copy(path);
   if (!staging) return staging;
-  if (const auto given = give_identity(*staging, id); !given) return tl::unexpected{given.error()};
+  if (const auto given = store::give_identity(*staging, id); !given) return tl::unexpected{given.error()};
   return *staging;
 }
 
 /// What is in staging is the directory's store, which had the same edits. `if_not` is said where it is not.
 tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_view if_not) {
-  const auto swapped = swap_in(path, Replaced::goes);
+  const auto swapped = store::swap_in(path, store::Replaced::goes);
   if (swapped) return {};
-  if (!swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", swapped.error(), if_not)};
+  if (!store::swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", swapped.error(), if_not)};
   return tl::unexpected{
       fmt::format("{}; the new store counts already: \"talusd store stat\" ends its move into place, and "
                   "prints its id",
@@ -102,7 +104,7 @@ tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_v
 
 }  // namespace
 
-Text join_cluster(const DataDirectory& directory, const Cluster& settings, const terrain::World& world,
+Text join_cluster(const store::DataDirectory& directory, const Cluster& settings, const terrain::World& world,
                   const ClusterTools& tools) {
   if (auto known = check_nats(settings); !known) return tl::unexpected{known.error()};
   if (auto right = check_world(directory, world); !right) return tl::unexpected{right.error()};
@@ -123,7 +125,7 @@ Text join_cluster(const DataDirectory& directory, const Cluster& settings, const
   return of_beginning(directory.path(), *entered);
 }
 
-Text leave_cluster(const DataDirectory& directory, const Cluster& settings, const ClusterTools& tools,
+Text leave_cluster(const store::DataDirectory& directory, const Cluster& settings, const ClusterTools& tools,
                    bool keeps_id, bool confirmed) {
   const auto meta = place_of_member(directory);
   if (!meta) return tl::unexpected{meta.error()};
@@ -133,9 +135,10 @@ Text leave_cluster(const DataDirectory& directory, const Cluster& settings, cons
         "nothing is changed yet: the store would be this machine's alone from {} on; {}; give --yes to do it",
         place_of(*meta), behind.text)};
   }
-  const ContentHash id = keeps_id ? meta->store_id : random_store_id();
+  const ContentHash id = keeps_id ? meta->store_id : store::random_store_id();
   if (keeps_id) {
-    if (const auto left = enter_stream(directory.path(), {}); !left) return tl::unexpected{left.error()};
+    if (const auto left = store::enter_stream(directory.path(), {}); !left)
+      return tl::unexpected{left.error()};
     if (const auto forgotten = join::forget_rejoin(directory.path()); !forgotten)
       return tl::unexpected{forgotten.error()};
   } else {
@@ -148,7 +151,7 @@ Text leave_cluster(const DataDirectory& directory, const Cluster& settings, cons
       directory.path().string(), to_string(id), place_of(*meta), behind.text);
 }
 
-Text fork_cluster(const DataDirectory& directory, const Cluster& settings, const terrain::World& world,
+Text fork_cluster(const store::DataDirectory& directory, const Cluster& settings, const terrain::World& world,
                   const ClusterTools& tools, bool confirmed) {
   if (auto known = check_nats(settings); !known) return tl::unexpected{known.error()};
   if (auto right = check_world(directory, world); !right) return tl::unexpected{right.error()};
@@ -166,7 +169,7 @@ Text fork_cluster(const DataDirectory& directory, const Cluster& settings, const
                     "store stat\" has the greatest position, and give --yes",
                     place_of(*meta), behind.text)};
   }
-  const ContentHash id = random_store_id();
+  const ContentHash id = store::random_store_id();
   // What may fail for a while comes first: the store is what it was until there is something else.
   const auto stream = tools.open(settings, id, true);
   if (!stream) {

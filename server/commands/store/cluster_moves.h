@@ -9,12 +9,12 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/settle.h>
+#include <talus/store/data_directory.h>
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
 #include "cluster/log_stream.h"
 #include "config/config.h"
-#include "store/data_directory.h"
 
 namespace talus::server {
 
@@ -33,19 +33,19 @@ struct ClusterTools {
 // its store.
 
 /// The store of one machine begins a new stream, under its own id.
-[[nodiscard]] tl::expected<std::string, std::string> join_cluster(const DataDirectory& directory,
+[[nodiscard]] tl::expected<std::string, std::string> join_cluster(const store::DataDirectory& directory,
                                                                   const Cluster& settings,
                                                                   const terrain::World& world,
                                                                   const ClusterTools& tools);
 
 /// The store is one machine's again, at the place that it has reached; under a new id, unless `keeps_id`.
-[[nodiscard]] tl::expected<std::string, std::string> leave_cluster(const DataDirectory& directory,
+[[nodiscard]] tl::expected<std::string, std::string> leave_cluster(const store::DataDirectory& directory,
                                                                    const Cluster& settings,
                                                                    const ClusterTools& tools, bool keeps_id,
                                                                    bool confirmed);
 
 /// The store begins a new stream, under a new id: what the old stream has beyond it is lost for it.
-[[nodiscard]] tl::expected<std::string, std::string> fork_cluster(const DataDirectory& directory,
+[[nodiscard]] tl::expected<std::string, std::string> fork_cluster(const store::DataDirectory& directory,
                                                                   const Cluster& settings,
                                                                   const terrain::World& world,
                                                                   const ClusterTools& tools, bool confirmed);

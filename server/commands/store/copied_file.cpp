@@ -8,9 +8,8 @@
 #include <vector>
 
 #include <talus/files/atomic_file.h>
+#include <talus/store/regular_files.h>
 #include <xxhash.h>
-
-#include "store/regular_files.h"
 
 namespace talus::server {
 namespace {
@@ -21,7 +20,7 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 template <typename Piece>
 tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& path, std::uint64_t most,
                                                   ProgressBar& progress, const Piece& piece) {
-  const auto file = RegularFile::open(path);
+  const auto file = store::RegularFile::open(path);
   if (!file) return tl::unexpected{file.error()};
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state{XXH3_createState(),
                                                                               XXH3_freeState};

@@ -8,7 +8,7 @@ namespace talus::server {
 namespace {
 
 /// REQUIRES: the record changes something.
-SubjectEdit edit_of(const LogRecord& record) {
+SubjectEdit edit_of(const store::LogRecord& record) {
   SubjectEdit all{record.time_ms, record.position, record.revision, record.editor, 0, {}, {}};
   for (const edits::ChunkChanges& changes : record.changes) {
     const VoxelPos origin = chunk_origin(changes.chunk);
@@ -49,11 +49,11 @@ class Others {
 
 }  // namespace
 
-tl::expected<KeptRecords, std::string> kept_records(const ReadOnlyStore& store) {
-  const StoreMeta& meta = store.meta();
+tl::expected<KeptRecords, std::string> kept_records(const store::ReadOnlyStore& store) {
+  const store::StoreMeta& meta = store.meta();
   KeptRecords kept{store.first_record(), meta.head.position, meta.head.time_ms};
   if (!kept.any()) return kept;
-  const auto read = store.reader().for_each_record(meta, kept.first, [&](LogRecord&& record) {
+  const auto read = store.reader().for_each_record(meta, kept.first, [&](store::LogRecord&& record) {
     kept.first_time_ms = record.time_ms;
     return false;
   });
@@ -61,15 +61,15 @@ tl::expected<KeptRecords, std::string> kept_records(const ReadOnlyStore& store) 
   return kept;
 }
 
-tl::expected<void, std::string> history_of(const ReadOnlyStore& store, VoxelPos voxel,
+tl::expected<void, std::string> history_of(const store::ReadOnlyStore& store, VoxelPos voxel,
                                            const std::function<void(const VoxelHistory&)>& visit,
                                            ProgressBar& progress) {
   const auto key = chunk_holding(voxel, Lod{});
   if (!key) return tl::unexpected{key.error().message};
   const auto index = static_cast<std::uint16_t>(voxel_index(local_pos(voxel)));
-  const StoreMeta& meta = store.meta();
+  const store::StoreMeta& meta = store.meta();
   progress.expect(meta.head.position + 1 - store.first_record());
-  return store.reader().for_each_record(meta, store.first_record(), [&](LogRecord&& record) {
+  return store.reader().for_each_record(meta, store.first_record(), [&](store::LogRecord&& record) {
     progress.advance(1);
     const auto chunk = std::ranges::find(record.changes, key->coord, &edits::ChunkChanges::chunk);
     if (chunk == record.changes.end()) return true;
@@ -83,28 +83,29 @@ tl::expected<void, std::string> history_of(const ReadOnlyStore& store, VoxelPos 
 }
 
 tl::expected<SubjectSummary, std::string> subject_history(
-    const ReadOnlyStore& store, const SubjectQuery& query,
+    const store::ReadOnlyStore& store, const SubjectQuery& query,
     const std::function<void(const SubjectEdit&)>& visit, ProgressBar& progress) {
-  const StoreMeta& meta = store.meta();
+  const store::StoreMeta& meta = store.meta();
   SubjectSummary summary;
   Others others;
   progress.expect(meta.head.position + 1 - store.first_record());
-  const auto read = store.reader().for_each_record(meta, store.first_record(), [&](LogRecord&& record) {
-    progress.advance(1);
-    if (record.changes.empty()) return true;
-    if (record.subject != query.subject) {
-      if (!summary.met) others.count(record.subject);
-      return true;
-    }
-    summary.met = true;
-    if (record.position <= query.after || record.time_ms < query.since_ms) return true;
-    summary.more = summary.listed == query.most_edits;
-    if (summary.more) return false;
-    visit(edit_of(record));
-    ++summary.listed;
-    summary.last_position = record.position;
-    return true;
-  });
+  const auto read =
+      store.reader().for_each_record(meta, store.first_record(), [&](store::LogRecord&& record) {
+        progress.advance(1);
+        if (record.changes.empty()) return true;
+        if (record.subject != query.subject) {
+          if (!summary.met) others.count(record.subject);
+          return true;
+        }
+        summary.met = true;
+        if (record.position <= query.after || record.time_ms < query.since_ms) return true;
+        summary.more = summary.listed == query.most_edits;
+        if (summary.more) return false;
+        visit(edit_of(record));
+        ++summary.listed;
+        summary.last_position = record.position;
+        return true;
+      });
   if (!read) return tl::unexpected{read.error()};
   if (!summary.met) others.give(summary);
   return summary;

@@ -11,8 +11,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/progress/progress_bar.h>
-
-#include "store/read_only_store.h"
+#include <talus/store/read_only_store.h>
 
 namespace talus::server {
 
@@ -23,7 +22,7 @@ struct KeptRecords {
   std::int64_t first_time_ms = 0;  // since 1970; of none: the time of the store's last entry
   [[nodiscard]] bool any() const { return first <= last; }
 };
-[[nodiscard]] tl::expected<KeptRecords, std::string> kept_records(const ReadOnlyStore& store);
+[[nodiscard]] tl::expected<KeptRecords, std::string> kept_records(const store::ReadOnlyStore& store);
 
 struct VoxelHistory {
   std::int64_t time_ms = 0;  // since 1970
@@ -37,7 +36,7 @@ struct VoxelHistory {
 
 /// All changes of the voxel, the oldest first.
 [[nodiscard]] tl::expected<void, std::string> history_of(
-    const ReadOnlyStore& store, VoxelPos voxel, const std::function<void(const VoxelHistory&)>& visit,
+    const store::ReadOnlyStore& store, VoxelPos voxel, const std::function<void(const VoxelHistory&)>& visit,
     ProgressBar& progress);
 
 struct SubjectQuery {
@@ -74,7 +73,7 @@ struct SubjectSummary {
 
 /// Visits the edits of a subject, the oldest first. Reads records up to those that it visits and one more.
 [[nodiscard]] tl::expected<SubjectSummary, std::string> subject_history(
-    const ReadOnlyStore& store, const SubjectQuery& query,
+    const store::ReadOnlyStore& store, const SubjectQuery& query,
     const std::function<void(const SubjectEdit&)>& visit, ProgressBar& progress);
 
 }  // namespace talus::server

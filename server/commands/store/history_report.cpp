@@ -157,7 +157,7 @@ HistoryJson others_json(const SubjectSummary& summary) {
 
 }  // namespace
 
-tl::expected<void, std::string> print_history(const ReadOnlyStore& store, VoxelPos voxel, bool json,
+tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store, VoxelPos voxel, bool json,
                                               const Print& print) {
   const auto kept = kept_records(store);
   if (!kept) return tl::unexpected{kept.error()};
@@ -192,7 +192,7 @@ tl::expected<void, std::string> print_history(const ReadOnlyStore& store, VoxelP
   return {};
 }
 
-tl::expected<void, std::string> print_history(const ReadOnlyStore& store, const SubjectQuery& query,
+tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store, const SubjectQuery& query,
                                               bool json, const Print& print) {
   const auto kept = kept_records(store);
   if (!kept) return tl::unexpected{kept.error()};

@@ -7,8 +7,9 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/read_only_store.h>
+
 #include "commands/store/history.h"
-#include "store/read_only_store.h"
 
 namespace talus::server {
 
@@ -19,9 +20,9 @@ inline constexpr std::size_t kPageBytes = std::size_t{64} << 10U;
 // Each reads the records as it prints. An error is one line: what was printed until then is no whole
 // document.
 
-[[nodiscard]] tl::expected<void, std::string> print_history(const ReadOnlyStore& store, VoxelPos voxel,
+[[nodiscard]] tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store, VoxelPos voxel,
                                                             bool json, const Print& print);
-[[nodiscard]] tl::expected<void, std::string> print_history(const ReadOnlyStore& store,
+[[nodiscard]] tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store,
                                                             const SubjectQuery& query, bool json,
                                                             const Print& print);
 

@@ -10,15 +10,15 @@
 namespace talus::server {
 
 tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
-    const std::filesystem::path& directory, const StoreIdentity& identity) {
+    const std::filesystem::path& directory, const store::StoreIdentity& identity) {
   std::unique_ptr<LocalWriter> writer{new LocalWriter};
-  EditDatabaseSettings settings;
+  store::EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = identity.fingerprint;
   settings.store_id = identity.store_id;
   // How much of it is kept is talusd's to say.
   settings.history = {std::numeric_limits<std::uint64_t>::max(), std::chrono::milliseconds::max()};
-  auto database = EditDatabase::open(settings);
+  auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   if ((*database)->meta().stream.sequence != 0) {
     return tl::unexpected{fmt::format(

@@ -7,12 +7,13 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/store_identity.h>
+
 #include "edits/edit_state.h"
 #include "edits/local_log.h"
 #include "edits/store_socket/restorer.h"
 #include "runtime/clock.h"
-#include "store/edit_database.h"
-#include "store/store_identity.h"
 
 namespace talus::server {
 
@@ -20,7 +21,7 @@ class LocalWriter {
  public:
   /// `directory` is locked, and nobody has its database open. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<LocalWriter>, std::string> open(
-      const std::filesystem::path& directory, const StoreIdentity& identity);
+      const std::filesystem::path& directory, const store::StoreIdentity& identity);
   /// Writes all that is dirty.
   ~LocalWriter() {
     if (log_ != nullptr) log_->stop();
@@ -35,7 +36,7 @@ class LocalWriter {
   LocalWriter() = default;
 
   SystemClock clock_;
-  std::unique_ptr<EditDatabase> database_;
+  std::unique_ptr<store::EditDatabase> database_;
   std::unique_ptr<EditState> state_;
   std::unique_ptr<LocalLog> log_;
   std::unique_ptr<Restorer> restorer_;

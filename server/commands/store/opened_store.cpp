@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "store/id_check.h"
+#include <talus/store/id_check.h>
 
 namespace talus::server {
 
@@ -22,7 +22,7 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
     opened.path_ = std::move(checkpoint->path);
     opened.read_only_ = std::move(checkpoint->read_only);
   } else {
-    auto directory = DataDirectory::open_to_read(data);
+    auto directory = store::DataDirectory::open_to_read(data);
     if (!directory) return tl::unexpected{std::move(directory.error())};
     if (!directory->has_edits()) {
       return tl::unexpected{fmt::format(
@@ -31,20 +31,21 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
     opened.directory_.emplace(*std::move(directory));
     opened.path_ = data;
   }
-  auto store = ReadOnlyStore::open(opened.path_);
+  auto store = store::ReadOnlyStore::open(opened.path_);
   if (!store) return tl::unexpected{std::move(store.error())};
   opened.store_ = *std::move(store);
   if (!opened.server_) {
-    const auto whole = check_whole_store(data, opened.store_->meta());
+    const auto whole = store::check_whole_store(data, opened.store_->meta());
     if (!whole) return tl::unexpected{whole.error()};
   }
   return opened;
 }
 
-tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(const DataDirectory& directory) {
-  auto store = ReadOnlyStore::open(directory.path());
+tl::expected<std::unique_ptr<store::ReadOnlyStore>, std::string> open_whole(
+    const store::DataDirectory& directory) {
+  auto store = store::ReadOnlyStore::open(directory.path());
   if (!store) return store;
-  if (const auto whole = check_whole_store(directory.path(), (*store)->meta()); !whole) {
+  if (const auto whole = store::check_whole_store(directory.path(), (*store)->meta()); !whole) {
     return tl::unexpected{whole.error()};
   }
   return store;
@@ -65,7 +66,7 @@ tl::expected<void, std::string> check_may_write(const std::filesystem::path& dat
 }
 
 tl::expected<void, std::string> check_is_alone(const std::filesystem::path& data, std::string_view command) {
-  const auto store = ReadOnlyStore::open(data);
+  const auto store = store::ReadOnlyStore::open(data);
   if (!store || (*store)->meta().stream.sequence == 0) return {};
   return tl::unexpected{fmt::format(
       "data {}: the store is one of a cluster, whose servers all have the same; stop all of them, take it "

@@ -10,9 +10,10 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/data_directory.h>
+#include <talus/store/read_only_store.h>
+
 #include "edits/store_socket/store_connection.h"
-#include "store/data_directory.h"
-#include "store/read_only_store.h"
 
 namespace talus::server {
 
@@ -21,7 +22,7 @@ class OpenedStore {
   /// Refuses a store that lost what was acknowledged, or whose store.toml is another store's.
   [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
 
-  [[nodiscard]] const ReadOnlyStore& store() const { return *store_; }
+  [[nodiscard]] const store::ReadOnlyStore& store() const { return *store_; }
   /// Of the files: db is in it.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Of the server that uses the directory; null where none does.
@@ -29,7 +30,7 @@ class OpenedStore {
   [[nodiscard]] const StoreConnection* server() const { return server_ ? &*server_ : nullptr; }
   /// Why the server takes no edits; empty: it does, or there is none.
   [[nodiscard]] const std::string& read_only() const { return read_only_; }
-  [[nodiscard]] StoreIdentity identity() const {
+  [[nodiscard]] store::StoreIdentity identity() const {
     return {store_->meta().store_id, store_->meta().fingerprint};
   }
   /// Where no server uses the directory: as DataDirectory's. The files were let go of.
@@ -41,15 +42,15 @@ class OpenedStore {
   OpenedStore() = default;
 
   std::optional<StoreConnection> server_;
-  std::optional<DataDirectory> directory_;
+  std::optional<store::DataDirectory> directory_;
   std::filesystem::path path_;
   std::string read_only_;
-  std::unique_ptr<ReadOnlyStore> store_;
+  std::unique_ptr<store::ReadOnlyStore> store_;
 };
 
 /// The store in a directory that nobody else uses, with all that was acknowledged.
-[[nodiscard]] tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open_whole(
-    const DataDirectory& directory);
+[[nodiscard]] tl::expected<std::unique_ptr<store::ReadOnlyStore>, std::string> open_whole(
+    const store::DataDirectory& directory);
 
 /// For commands that write files of a store: refused where a server uses it, and where they would belong to
 /// another user than the directory does.

@@ -10,8 +10,7 @@
 #include <xxhash.h>
 
 #include <talus/edits/runs.h>
-
-#include "store/bytes.h"
+#include <talus/store/bytes.h>
 
 namespace talus::server {
 namespace {
@@ -37,7 +36,7 @@ std::int32_t of_zigzag(std::uint64_t value) {
   return static_cast<std::int32_t>((bits >> 1U) ^ (~(bits & 1U) + 1U));
 }
 
-void put_128(std::uint64_t low, std::uint64_t high, ByteWriter& out) {
+void put_128(std::uint64_t low, std::uint64_t high, store::ByteWriter& out) {
   out.fixed64(low);
   out.fixed64(high);
 }
@@ -45,8 +44,8 @@ void put_128(std::uint64_t low, std::uint64_t high, ByteWriter& out) {
 }  // namespace
 
 Done PortableWriter::write_block() {
-  Bytes framed;
-  ByteWriter writer{framed};
+  store::Bytes framed;
+  store::ByteWriter writer{framed};
   writer.fixed32(static_cast<std::uint32_t>(block_.size()));
   writer.bytes(block_);
   link_ = XXH3_64bits_withSeed(block_.data(), block_.size(), link_);
@@ -56,12 +55,12 @@ Done PortableWriter::write_block() {
 }
 
 Done PortableWriter::begin(const PortableHeader& header) {
-  Bytes first;
-  ByteWriter before{first};
+  store::Bytes first;
+  store::ByteWriter before{first};
   before.bytes(std::as_bytes(std::span{kMagic}));
   before.fixed32(kPortableVersion);
   if (auto done = sink_(first); !done) return done;
-  ByteWriter writer{block_};
+  store::ByteWriter writer{block_};
   writer.byte(static_cast<std::uint8_t>(Block::header));
   put_128(header.fingerprint.low, header.fingerprint.high, writer);
   put_128(header.store_id.low, header.store_id.high, writer);
@@ -87,16 +86,16 @@ Done PortableWriter::begin(const PortableHeader& header) {
 
 Done PortableWriter::add(ChunkCoord chunk, std::span<const Override> voxels) {
   if (voxels.empty()) return {};
-  std::string key = chunk_key({chunk, Lod{}});
+  std::string key = store::chunk_key({chunk, Lod{}});
   assert(last_ < key);
   last_ = std::move(key);
   ++chunks_;
   voxels_ += voxels.size();
   hash_.add(chunk, voxels);
-  ByteWriter writer{block_};
+  store::ByteWriter writer{block_};
   if (block_.empty()) writer.byte(static_cast<std::uint8_t>(Block::chunks));
   for (const std::int32_t at : {chunk.x, chunk.z, chunk.y}) writer.varint(zigzag_of(at));
-  Bytes runs;
+  store::Bytes runs;
   edits::encode_runs(voxels, runs);
   writer.counted(runs);
   return block_.size() < kBlockBytes ? Done{} : write_block();
@@ -106,7 +105,7 @@ Done PortableWriter::end() {
   if (!block_.empty()) {
     if (auto done = write_block(); !done) return done;
   }
-  ByteWriter writer{block_};
+  store::ByteWriter writer{block_};
   writer.byte(static_cast<std::uint8_t>(Block::end));
   writer.varint(chunks_);
   writer.varint(voxels_);
@@ -124,7 +123,7 @@ Done PortableReader::read(std::span<std::byte> into) {
 Done PortableReader::read_block() {
   std::array<std::byte, 4> length{};
   if (auto done = read(length); !done) return done;
-  const std::uint32_t bytes = ByteReader{length}.fixed32();
+  const std::uint32_t bytes = store::ByteReader{length}.fixed32();
   if (bytes == 0 || bytes > kMaxPortableBlock) {
     return damaged(fmt::format("a block of {} bytes, where one has 1 to {}", bytes, kMaxPortableBlock));
   }
@@ -134,7 +133,7 @@ Done PortableReader::read_block() {
   std::array<std::byte, 8> checksum{};
   if (auto done = read(checksum); !done) return done;
   link_ = XXH3_64bits_withSeed(block_.data(), block_.size(), link_);
-  if (ByteReader{checksum}.fixed64() != link_) return damaged("a block's checksum is wrong");
+  if (store::ByteReader{checksum}.fixed64() != link_) return damaged("a block's checksum is wrong");
   return {};
 }
 
@@ -147,14 +146,14 @@ tl::expected<PortableReader, std::string> PortableReader::open(Source source) {
   if (*got < first.size() || !std::ranges::equal(std::span{first}.first(magic.size()), magic)) {
     return tl::unexpected{std::string{"it is no file of edits; give one that talusd store export wrote"}};
   }
-  const std::uint32_t version = ByteReader{std::span{first}.subspan(magic.size())}.fixed32();
+  const std::uint32_t version = store::ByteReader{std::span{first}.subspan(magic.size())}.fixed32();
   if (version != kPortableVersion) {
     return tl::unexpected{
         fmt::format("it has version {}; this talusd reads version {}; use the talusd that wrote it", version,
                     kPortableVersion)};
   }
   if (auto done = reader.read_block(); !done) return tl::unexpected{done.error()};
-  ByteReader in{reader.block_};
+  store::ByteReader in{reader.block_};
   if (in.byte() != static_cast<std::uint8_t>(Block::header)) in.fail();
   PortableHeader& header = reader.header_;
   header.fingerprint.low = in.fixed64();
@@ -198,15 +197,15 @@ tl::expected<std::optional<PortableChunk>, std::string> PortableReader::next() {
       return damaged("a block is of no known kind");
     }
   }
-  ByteReader in{std::span{std::as_const(block_)}.subspan(at_)};
+  store::ByteReader in{std::span{std::as_const(block_)}.subspan(at_)};
   PortableChunk next;
   for (std::int32_t* const at : {&next.chunk.x, &next.chunk.z, &next.chunk.y})
     *at = of_zigzag(in.varint(UINT32_MAX));
   const auto runs = in.counted();
   auto voxels = edits::decode_runs(runs);
   if (!in.ok() || !voxels || voxels->empty()) return damaged("a chunk is not one");
-  std::string key = chunk_key({next.chunk, Lod{}});
-  if (!chunk_of_key(key) || key <= last_) return damaged("its chunks are not in order");
+  std::string key = store::chunk_key({next.chunk, Lod{}});
+  if (!store::chunk_of_key(key) || key <= last_) return damaged("its chunks are not in order");
   last_ = std::move(key);
   at_ = static_cast<std::size_t>(runs.data() + runs.size() - block_.data());
   next.voxels = *std::move(voxels);
@@ -217,7 +216,7 @@ tl::expected<std::optional<PortableChunk>, std::string> PortableReader::next() {
 }
 
 Done PortableReader::check_end() {
-  ByteReader in{std::span{std::as_const(block_)}.subspan(1)};
+  store::ByteReader in{std::span{std::as_const(block_)}.subspan(1)};
   const bool same = in.varint() == chunks_ && in.varint() == voxels_ && in.fixed64() == hash_.low &&
                     in.fixed64() == hash_.high && in.ended();
   if (!same || hash_ != header_.head.hash) return damaged("its edits are not those that its end names");

@@ -15,8 +15,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/batch.h>
-
-#include "store/records.h"
+#include <talus/store/records.h>
 
 namespace talus::server {
 
@@ -59,7 +58,7 @@ class PortableWriter {
   [[nodiscard]] Done write_block();
 
   Sink sink_;
-  Bytes block_;
+  store::Bytes block_;
   std::uint64_t link_ = 0;  // the checksum of the block before
   std::string last_;        // key of the chunk before
   std::uint64_t chunks_ = 0;
@@ -87,7 +86,7 @@ class PortableReader {
 
   Source source_;
   PortableHeader header_;
-  Bytes block_;
+  store::Bytes block_;
   std::size_t at_ = 0;  // in block_
   std::uint64_t link_ = 0;
   std::string last_;

@@ -5,22 +5,23 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/rename_check.h>
+
 #include "commands/store/opened_store.h"
 #include "commands/store/store_figures.h"
-#include "store/edit_database.h"
-#include "store/rename_check.h"
 
 namespace talus::server {
 
-tl::expected<std::uint64_t, std::string> rename_material(const DataDirectory& directory,
+tl::expected<std::uint64_t, std::string> rename_material(const store::DataDirectory& directory,
                                                          const std::string& from, const std::string& to) {
-  EditDatabaseSettings settings;
+  store::EditDatabaseSettings settings;
   std::uint64_t voxels = 0;
   {
     const auto store = open_whole(directory);
     if (!store) return tl::unexpected{store.error()};
     // Before all is read to count them.
-    const auto id = check_rename((*store)->materials(), from, to);
+    const auto id = store::check_rename((*store)->materials(), from, to);
     if (!id) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), id.error())};
     const auto uses = voxels_by_material(**store);
     if (!uses) return tl::unexpected{uses.error()};
@@ -31,7 +32,7 @@ tl::expected<std::uint64_t, std::string> rename_material(const DataDirectory& di
   settings.path = directory.path();
   // How much of it is kept is talusd's to say.
   settings.history = {std::numeric_limits<std::uint64_t>::max(), std::chrono::milliseconds::max()};
-  const auto database = EditDatabase::open(settings);
+  const auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{database.error()};
   if (const auto renamed = (*database)->rename(from, to); !renamed) return tl::unexpected{renamed.error()};
   return voxels;

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <talus/store/regular_files.h>
+
 #include "commands/store/moments.h"
 #include "runtime/log/escape.h"
-#include "store/regular_files.h"
 
 namespace talus::server {
 namespace {
@@ -36,15 +37,15 @@ std::string readable_bytes(std::uint64_t bytes) {
 }
 
 std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
-  const ReadOnlyStore& store = opened.store();
-  const StoreMeta& meta = store.meta();
+  const store::ReadOnlyStore& store = opened.store();
+  const store::StoreMeta& meta = store.meta();
   std::string text;
   const auto line = [&](std::string_view name, std::string_view value) {
     text += fmt::format("{:<12} {}\n", name, value);
   };
   line("store", to_string(meta.store_id));
   line("world", to_string(meta.fingerprint));
-  line("format", fmt::format("{}, level rule {}", kStoreFormat, meta.level_rule));
+  line("format", fmt::format("{}, level rule {}", store::kStoreFormat, meta.level_rule));
   line("server", opened.server() == nullptr   ? "none uses it"
                  : opened.read_only().empty() ? "runs"
                                               : "runs and takes no edits: " + opened.read_only());
@@ -67,7 +68,7 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
                       ? "none"
                       : fmt::format("entries {} to {}, {}", store.first_record(), meta.head.position,
                                     readable_bytes(store.record_bytes())));
-  line("disk", readable_bytes(bytes_of_files(opened.path() / "db")));
+  line("disk", readable_bytes(store::bytes_of_files(opened.path() / "db")));
   const MaterialNames names{store.materials()};
   for (const auto& [material, voxels] : figures.materials) {
     line(counted(voxels, "voxel"), names.of(material));
@@ -76,12 +77,12 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
 }
 
 std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
-  const ReadOnlyStore& store = opened.store();
-  const StoreMeta& meta = store.meta();
+  const store::ReadOnlyStore& store = opened.store();
+  const store::StoreMeta& meta = store.meta();
   ReportJson json;
   json["store_id"] = to_string(meta.store_id);
   json["fingerprint"] = to_string(meta.fingerprint);
-  json["format"] = kStoreFormat;
+  json["format"] = store::kStoreFormat;
   json["level_rule"] = meta.level_rule;
   json["server_runs"] = opened.server() != nullptr;
   if (meta.stream.sequence != 0) json["cluster_message"] = meta.stream.sequence;
@@ -99,7 +100,7 @@ std::string stat_json(const OpenedStore& opened, const StoreFigures& figures) {
   json["history"] = {{"first_position", store.first_record()},
                      {"last_position", meta.head.position},
                      {"bytes", store.record_bytes()}};
-  json["disk_bytes"] = bytes_of_files(opened.path() / "db");
+  json["disk_bytes"] = store::bytes_of_files(opened.path() / "db");
   const MaterialNames names{store.materials()};
   json["materials"] = ReportJson::object();
   for (const auto& [material, voxels] : figures.materials) json["materials"][names.of(material)] = voxels;

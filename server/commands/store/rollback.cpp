@@ -41,7 +41,7 @@ void Rollback::count_other(const std::string& subject, const edits::ChunkChanges
   }
 }
 
-bool Rollback::add(const LogRecord& record) {
+bool Rollback::add(const store::LogRecord& record) {
   const bool is_since = record.time_ms >= request_.since_ms;
   const bool is_subjects = record.subject == request_.subject && is_since;
   const VoxelPos& first = request_.first;
@@ -120,9 +120,9 @@ std::vector<std::vector<edits::ChunkChanges>> Rollback::slices() const {
   return slices;
 }
 
-tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store,
+tl::expected<RollbackPlan, std::string> plan_rollback(const store::ReadOnlyStore& store,
                                                       const RollbackRequest& request, ProgressBar& progress) {
-  const StoreMeta& meta = store.meta();
+  const store::StoreMeta& meta = store.meta();
   RollbackPlan plan;
   plan.first_position = store.first_record();
   plan.first_time_ms = meta.head.time_ms;
@@ -130,7 +130,7 @@ tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store
   Rollback rollback{request};
   bool first = true;
   bool fits = true;
-  const auto read = store.reader().for_each_record(meta, plan.first_position, [&](LogRecord&& record) {
+  const auto read = store.reader().for_each_record(meta, plan.first_position, [&](store::LogRecord&& record) {
     progress.advance(1);
     if (std::exchange(first, false)) plan.first_time_ms = record.time_ms;
     fits = rollback.add(record);

@@ -13,9 +13,9 @@
 
 #include <talus/edits/evaluate.h>
 #include <talus/progress/progress_bar.h>
+#include <talus/store/read_only_store.h>
 
 #include "edits/store_socket/restorer.h"
-#include "store/read_only_store.h"
 
 namespace talus::server {
 
@@ -44,7 +44,7 @@ class Rollback {
   explicit Rollback(RollbackRequest request) : request_{std::move(request)} {}
 
   /// The next record. False: it touches more than kMaxVoxels.
-  [[nodiscard]] bool add(const LogRecord& record);
+  [[nodiscard]] bool add(const store::LogRecord& record);
 
   [[nodiscard]] std::size_t voxels() const;
   /// Voxels that the subject changed and a rollback has put back since.
@@ -89,7 +89,7 @@ struct RollbackPlan {
   std::uint64_t first_position = 0;  // how far back the records go
   std::int64_t first_time_ms = 0;
 };
-[[nodiscard]] tl::expected<RollbackPlan, std::string> plan_rollback(const ReadOnlyStore& store,
+[[nodiscard]] tl::expected<RollbackPlan, std::string> plan_rollback(const store::ReadOnlyStore& store,
                                                                     const RollbackRequest& request,
                                                                     ProgressBar& progress);
 

@@ -15,6 +15,8 @@
 
 #include <fmt/format.h>
 #include <talus/progress/progress_bar.h>
+#include <talus/store/store_swap.h>
+#include <talus/store/whole_store.h>
 
 #include "commands/store/backup.h"
 #include "commands/store/history_report.h"
@@ -29,8 +31,6 @@
 #include "commands/store/transfer.h"
 #include "config/boxes.h"
 #include "runtime/log/escape.h"
-#include "store/store_swap.h"
-#include "store/whole_store.h"
 
 namespace talus::server::store_commands {
 
@@ -76,7 +76,7 @@ Answer verify_all(const Flags& flags, const Outside&) {
   const auto figures = read_figures(opened->store(), progress);
   if (!figures) return tl::unexpected{figures.error()};
   if (const auto sound = verify(opened->store(), *figures); !sound) return tl::unexpected{sound.error()};
-  const StoreMeta& meta = opened->store().meta();
+  const store::StoreMeta& meta = opened->store().meta();
   const std::uint64_t first = opened->store().first_record();
   const std::string entries = first > meta.head.position
                                   ? "no entries of the log"
@@ -98,7 +98,7 @@ Answer restore(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   // Before a directory is made for it.
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
-  const auto directory = DataDirectory::open_any(flags.data);
+  const auto directory = store::DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "restore"); !alone) return tl::unexpected{alone.error()};
   const auto restored = restore_backup(flags.path, *directory, flags.replace);
@@ -115,9 +115,9 @@ Answer restore(const Flags& flags, const Outside&) {
 
 Answer compact_store(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  const auto directory = DataDirectory::open_store(flags.data);
+  const auto directory = store::DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
-  if (const auto done = compact(flags.data); !done) return tl::unexpected{done.error()};
+  if (const auto done = store::compact(flags.data); !done) return tl::unexpected{done.error()};
   return std::string{"compacted\n"};
 }
 
@@ -219,7 +219,7 @@ Answer rollback(const Flags& flags, const Outside&) {
   if (!request) return tl::unexpected{request.error()};
   auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  const StoreIdentity identity = opened->identity();
+  const store::StoreIdentity identity = opened->identity();
   const auto plan = [&] {
     ProgressBar progress{"looking for changes", "entries"};
     return plan_rollback(opened->store(), *request, progress);
@@ -302,8 +302,9 @@ std::vector<fs::path> missing_directories(const fs::path& path) {
 
 /// What a command that was refused has made: `made`, and what no store needs in the first of them, which it
 /// has locked. What others have put there stays.
-void remove_made(const DataDirectory& directory, std::span<const fs::path> made) {
-  if (directory.has_store() || swap_is_begun(directory.path()) || !tidy_up(directory.path())) return;
+void remove_made(const store::DataDirectory& directory, std::span<const fs::path> made) {
+  if (directory.has_store() || store::swap_is_begun(directory.path()) || !store::tidy_up(directory.path()))
+    return;
   std::error_code code;
   fs::remove(directory.path() / "lock", code);
   for (const fs::path& each : made) {
@@ -327,7 +328,7 @@ Answer import_file(const Flags& flags, const Outside& outside) {
   const auto world = outside.load_world(flags.world);
   if (!world) return tl::unexpected{world.error()};
   const std::vector<fs::path> missing = missing_directories(flags.data);
-  const auto directory = DataDirectory::open_any(flags.data);
+  const auto directory = store::DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "import into"); !alone) {
     return tl::unexpected{alone.error()};
@@ -356,7 +357,7 @@ Answer rebase(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   const auto world = outside.load_world(flags.world);
   if (!world) return tl::unexpected{world.error()};
-  const auto directory = DataDirectory::open_store(flags.data);
+  const auto directory = store::DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "rebase"); !alone) return tl::unexpected{alone.error()};
   const auto rebased = rebase_edits(*directory, **world, flags.drop_unknown);
@@ -370,7 +371,7 @@ Answer rebase(const Flags& flags, const Outside& outside) {
 
 Answer rename(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  const auto directory = DataDirectory::open_store(flags.data);
+  const auto directory = store::DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
   if (const auto alone = check_is_alone(flags.data, "rename a material of"); !alone) {
     return tl::unexpected{alone.error()};
@@ -385,9 +386,9 @@ Answer rename(const Flags& flags, const Outside&) {
 namespace {
 
 /// Of a store that nobody uses.
-tl::expected<DataDirectory, std::string> lock_store(const Flags& flags) {
+tl::expected<store::DataDirectory, std::string> lock_store(const Flags& flags) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  return DataDirectory::open_store(flags.data);
+  return store::DataDirectory::open_store(flags.data);
 }
 
 }  // namespace

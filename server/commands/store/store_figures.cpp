@@ -9,7 +9,7 @@
 namespace talus::server {
 namespace {
 
-void expect_coarse(ChunkCoord chunk, const StoredChunk& stored, StoreFigures& figures) {
+void expect_coarse(ChunkCoord chunk, const store::StoredChunk& stored, StoreFigures& figures) {
   std::vector<edits::OverrideWrite> writes;
   writes.reserve(stored.voxels.size());
   for (const Override& voxel : stored.voxels) writes.push_back({voxel.index, voxel.material});
@@ -23,10 +23,11 @@ void expect_coarse(ChunkCoord chunk, const StoredChunk& stored, StoreFigures& fi
 
 }  // namespace
 
-tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store, ProgressBar& progress) {
+tl::expected<StoreFigures, std::string> read_figures(const store::ReadOnlyStore& store,
+                                                     ProgressBar& progress) {
   StoreFigures figures;
   progress.expect(store.estimated_keys());
-  const auto read = store.for_each_chunk([&](ChunkKey key, const StoredChunk& chunk) {
+  const auto read = store.for_each_chunk([&](ChunkKey key, const store::StoredChunk& chunk) {
     progress.advance(1);
     if (chunk.voxels.empty()) {
       ++figures.emptied_chunks;
@@ -50,11 +51,11 @@ tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store,
 }
 
 tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
-    const ReadOnlyStore& store) {
+    const store::ReadOnlyStore& store) {
   std::map<MaterialId, std::uint64_t> voxels;
   ProgressBar progress{"counting materials", "chunks"};
   progress.expect(store.estimated_keys());
-  const auto read = store.for_each_base_chunk([&](ChunkCoord, const StoredChunk& chunk) {
+  const auto read = store.for_each_base_chunk([&](ChunkCoord, const store::StoredChunk& chunk) {
     progress.advance(1);
     for (const Override& voxel : chunk.voxels) ++voxels[voxel.material];
     return true;
@@ -63,28 +64,28 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_materia
   return voxels;
 }
 
-tl::expected<void, std::string> verify(const ReadOnlyStore& store, const StoreFigures& figures) {
-  const StoreReader reader = store.reader();
-  const StoreMeta& meta = store.meta();
+tl::expected<void, std::string> verify(const store::ReadOnlyStore& store, const StoreFigures& figures) {
+  const store::StoreReader reader = store.reader();
+  const store::StoreMeta& meta = store.meta();
   if (figures.levels[0].hash != meta.head.hash) {
     return reader.failure(fmt::format("its overrides hash to {}, and it says {}; {}",
                                       edits::to_string(figures.levels[0].hash),
-                                      edits::to_string(meta.head.hash), kStoreLost));
+                                      edits::to_string(meta.head.hash), store::kStoreLost));
   }
   for (std::size_t level = 1; level < figures.levels.size(); ++level) {
     if (figures.levels[level].hash != figures.levels[level].expected) {
-      return reader.failure(fmt::format("level {} is not what level 0 says; {}", level, kStoreLost));
+      return reader.failure(fmt::format("level {} is not what level 0 says; {}", level, store::kStoreLost));
     }
   }
   std::uint64_t last = store.first_record() - 1;
-  const auto read = reader.for_each_record(meta, last + 1, [&](LogRecord&& record) {
+  const auto read = reader.for_each_record(meta, last + 1, [&](store::LogRecord&& record) {
     if (record.position != last + 1) return false;
     last = record.position;
     return true;
   });
   if (!read) return read;
   if (last != meta.head.position) {
-    return reader.failure(fmt::format("entry {} of its log is lost; {}", last + 1, kStoreLost));
+    return reader.failure(fmt::format("entry {} of its log is lost; {}", last + 1, store::kStoreLost));
   }
   return store.verify_files();
 }

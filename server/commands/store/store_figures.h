@@ -10,8 +10,7 @@
 
 #include <talus/edits/state_hash.h>
 #include <talus/progress/progress_bar.h>
-
-#include "store/read_only_store.h"
+#include <talus/store/read_only_store.h>
 
 namespace talus::server {
 
@@ -28,15 +27,16 @@ struct StoreFigures {
   std::map<MaterialId, std::uint64_t> materials;  // voxels of level 0
 };
 
-[[nodiscard]] tl::expected<StoreFigures, std::string> read_figures(const ReadOnlyStore& store,
+[[nodiscard]] tl::expected<StoreFigures, std::string> read_figures(const store::ReadOnlyStore& store,
                                                                    ProgressBar& progress);
 
 /// Voxels of level 0 by material, with a progress bar of its own.
 [[nodiscard]] tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
-    const ReadOnlyStore& store);
+    const store::ReadOnlyStore& store);
 
 /// Whether S and the coarse levels are what level 0 says, and the log is whole as far as it is kept. An error
 /// is one line and names what is not as it must be.
-[[nodiscard]] tl::expected<void, std::string> verify(const ReadOnlyStore& store, const StoreFigures& figures);
+[[nodiscard]] tl::expected<void, std::string> verify(const store::ReadOnlyStore& store,
+                                                     const StoreFigures& figures);
 
 }  // namespace talus::server

@@ -12,6 +12,10 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/file_layer.h>
 #include <talus/progress/progress_bar.h>
+#include <talus/store/edit_database.h>
+#include <talus/store/regular_files.h>
+#include <talus/store/store_builder.h>
+#include <talus/store/store_swap.h>
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/voxel/material_name.h>
@@ -20,10 +24,6 @@
 #include "commands/store/portable_file.h"
 #include "commands/store/store_figures.h"
 #include "runtime/log/escape.h"
-#include "store/edit_database.h"
-#include "store/regular_files.h"
-#include "store/store_builder.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -45,12 +45,12 @@ class FreeIds {
     return tl::unexpected{
         fmt::format("all ids of materials that may be placed, {} to {}, are taken for ever; "
                     "begin with a new data directory",
-                    kFirstBound, UINT16_MAX)};
+                    edits::kFirstBound, UINT16_MAX)};
   }
 
  private:
   const std::set<MaterialId>& taken_;
-  std::uint32_t next_ = kFirstBound;
+  std::uint32_t next_ = edits::kFirstBound;
 };
 
 /// A file that is read from the front, in large pieces.
@@ -118,7 +118,7 @@ GeneratedIds generated_by(const terrain::World* world, ContentHash fingerprint,
     return ids;
   }
   for (const auto& [name, id] : stored) {
-    if (to_integer(id) < kFirstBound) ids.insert(id);
+    if (to_integer(id) < edits::kFirstBound) ids.insert(id);
   }
   return ids.empty() ? GeneratedIds{} : ids;
 }
@@ -133,8 +133,8 @@ tl::expected<MaterialMap, std::string> map_materials(const std::map<std::string,
   FreeIds free{taken};
   for (const auto& [name, id] : from) {
     const auto held = into.find(name);
-    const bool generated = to_integer(id) < kFirstBound;
-    if (!generated && held != into.end() && to_integer(held->second) < kFirstBound) {
+    const bool generated = to_integer(id) < edits::kFirstBound;
+    if (!generated && held != into.end() && to_integer(held->second) < edits::kFirstBound) {
       map.generated_now.emplace(id, name);
       continue;
     }
@@ -179,7 +179,7 @@ std::vector<Override> united(std::span<const Override> of_file, std::span<const 
 
 }  // namespace
 
-tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, const fs::path& file) {
+tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& store, const fs::path& file) {
   auto target = files::AtomicFile::create(file);
   if (!target) return tl::unexpected{target.error().message()};
   std::uint64_t offset = 0;
@@ -189,7 +189,7 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
     offset += bytes.size();
     return {};
   }};
-  const StoreMeta& meta = store.meta();
+  const store::StoreMeta& meta = store.meta();
   const auto begun = writer.begin({meta.fingerprint, meta.store_id, meta.head, store.materials()});
   if (!begun) return tl::unexpected{begun.error()};
   std::set<MaterialId> named;
@@ -197,7 +197,7 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
   ProgressBar progress{"export", "chunks"};
   progress.expect(store.estimated_keys());
   PortableWriter::Done added;
-  const auto read = store.for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+  const auto read = store.for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
     progress.advance(1);
     for (const Override& voxel : stored.voxels) {
       if (named.contains(voxel.material)) continue;
@@ -218,7 +218,7 @@ tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store, con
   return Exported{writer.chunks(), writer.voxels()};
 }
 
-tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const DataDirectory& directory,
+tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const store::DataDirectory& directory,
                                                 Winner winner, std::int64_t now_ms,
                                                 const terrain::World* world) {
   std::error_code code;
@@ -229,7 +229,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   PortableReader& reader = *opened;
   const PortableHeader& header = reader.header();
   if (const auto named = check_names_of_file(header.materials); !named) return of_file(file, named.error());
-  std::unique_ptr<ReadOnlyStore> store;
+  std::unique_ptr<store::ReadOnlyStore> store;
   if (directory.has_store()) {
     auto there = open_whole(directory);
     if (!there) return tl::unexpected{there.error()};
@@ -241,32 +241,33 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
                             to_string(header.fingerprint), to_string(store->meta().fingerprint)));
     }
   }
-  const StoreMeta before = store == nullptr ? StoreMeta{} : store->meta();
+  const store::StoreMeta before = store == nullptr ? store::StoreMeta{} : store->meta();
   const auto names = store == nullptr ? std::map<std::string, MaterialId>{} : store->materials();
   const GeneratedIds generated = generated_by(world, header.fingerprint, names);
   const auto mapped = map_materials(header.materials, names, generated);
   if (!mapped) return of_file(file, mapped.error());
   const MaterialMap& materials = *mapped;
-  if (const auto enough = check_space(directory.path(), file_bytes + bytes_of_files(directory.path() / "db"));
+  if (const auto enough =
+          store::check_space(directory.path(), file_bytes + store::bytes_of_files(directory.path() / "db"));
       !enough) {
     return tl::unexpected{enough.error()};
   }
-  const auto staging = make_staging(directory.path());
+  const auto staging = store::make_staging(directory.path());
   if (!staging) return tl::unexpected{staging.error()};
   Rebuilt rebuilt;
-  rebuilt.store_id = random_store_id();
+  rebuilt.store_id = store::random_store_id();
   rebuilt.compared = generated.has_value();
-  auto made = StoreBuilder::create(*staging, {rebuilt.store_id, header.fingerprint}, before.head.position,
-                                   before.link);
+  auto made = store::StoreBuilder::create(*staging, {rebuilt.store_id, header.fingerprint},
+                                          before.head.position, before.link);
   if (!made) return tl::unexpected{made.error()};
-  StoreBuilder& builder = **made;
+  store::StoreBuilder& builder = **made;
   const std::uint64_t revision = before.head.revision + 1;
 
   ProgressBar progress{"import", "bytes"};
   progress.expect(file_bytes);
   std::optional<PortableChunk> next;  // of the file
   std::uint64_t shown = 0;
-  const auto take_next = [&]() -> StoreBuilder::Done {
+  const auto take_next = [&]() -> store::StoreBuilder::Done {
     auto chunk = reader.next();
     if (!chunk) return of_file(file, chunk.error());
     next = *std::move(chunk);
@@ -300,17 +301,17 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
     }
     return {};
   };
-  StoreBuilder::Done done = take_next();
+  store::StoreBuilder::Done done = take_next();
   // The file's chunks that come before `key`; all that are left where there is none.
   const auto add_before = [&](const std::string* key) {
-    while (done && next && (key == nullptr || chunk_key({next->chunk, Lod{}}) < *key)) {
+    while (done && next && (key == nullptr || store::chunk_key({next->chunk, Lod{}}) < *key)) {
       done = builder.add(next->chunk, revision, next->voxels);
       if (done) done = take_next();
     }
   };
   if (store != nullptr && done) {
-    const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
-      const std::string key = chunk_key({chunk, Lod{}});
+    const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
+      const std::string key = store::chunk_key({chunk, Lod{}});
       add_before(&key);
       if (!done) return false;
       if (next && next->chunk == chunk) {
@@ -333,7 +334,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const Data
   }
   if (!done) return tl::unexpected{done.error()};
   store.reset();
-  auto replaced = swap_in(directory.path());
+  auto replaced = store::swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
   rebuilt.chunks = builder.chunks();
   rebuilt.voxels = builder.voxels();
@@ -350,7 +351,7 @@ tl::expected<std::map<std::string, MaterialId>, std::string> rebased_materials(
   FreeIds free{taken};
   for (const terrain::Placeable& placeable : world.placeables()) {
     const auto held = stored.find(placeable.name);
-    const bool keeps = held != stored.end() && to_integer(held->second) >= kFirstBound;
+    const bool keeps = held != stored.end() && to_integer(held->second) >= edits::kFirstBound;
     const tl::expected<MaterialId, std::string> id = keeps ? held->second : free.next();
     if (!id) return tl::unexpected{id.error()};
     taken.insert(*id);
@@ -382,7 +383,7 @@ struct Renaming {
 };
 
 /// Refuses where the store has voxels of materials that the world has not.
-tl::expected<void, std::string> check_names(const ReadOnlyStore& store, Renaming& renaming) {
+tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, Renaming& renaming) {
   const auto uses = voxels_by_material(store);
   if (!uses) return tl::unexpected{uses.error()};
   std::map<std::string, std::uint64_t> unknown;
@@ -429,12 +430,12 @@ class BaseChunkMaker {
 
 }  // namespace
 
-tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, const terrain::World& world,
-                                                bool drop_unknown) {
+tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& directory,
+                                                const terrain::World& world, bool drop_unknown) {
   auto opened = open_whole(directory);
   if (!opened) return tl::unexpected{opened.error()};
-  std::unique_ptr<ReadOnlyStore> store = *std::move(opened);
-  const StoreMeta before = store->meta();
+  std::unique_ptr<store::ReadOnlyStore> store = *std::move(opened);
+  const store::StoreMeta before = store->meta();
   const bool same_land = before.fingerprint == world.fingerprint();
   const auto named = rebased_materials(store->materials(), world);
   if (!named) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), named.error())};
@@ -458,24 +459,26 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
                       directory.path().string(), to_string(before.fingerprint))};
     }
   }
-  if (const auto enough = check_space(directory.path(), bytes_of_files(directory.path() / "db")); !enough) {
+  if (const auto enough =
+          store::check_space(directory.path(), store::bytes_of_files(directory.path() / "db"));
+      !enough) {
     return tl::unexpected{enough.error()};
   }
-  const auto staging = make_staging(directory.path());
+  const auto staging = store::make_staging(directory.path());
   if (!staging) return tl::unexpected{staging.error()};
   Rebuilt rebuilt;
-  rebuilt.store_id = random_store_id();
-  auto made = StoreBuilder::create(*staging, {rebuilt.store_id, world.fingerprint()}, before.head.position,
-                                   before.link);
+  rebuilt.store_id = store::random_store_id();
+  auto made = store::StoreBuilder::create(*staging, {rebuilt.store_id, world.fingerprint()},
+                                          before.head.position, before.link);
   if (!made) return tl::unexpected{made.error()};
-  StoreBuilder& builder = **made;
+  store::StoreBuilder& builder = **made;
   const std::uint64_t revision = before.head.revision + 1;
   BaseChunkMaker maker{world};
   const auto base = std::make_unique<DenseVoxels>();
   ProgressBar progress{"rebase", "chunks"};
   progress.expect(store->estimated_keys());
-  StoreBuilder::Done done;
-  const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const StoredChunk& stored) {
+  store::StoreBuilder::Done done;
+  const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
     progress.advance(1);
     if (stored.voxels.empty()) return true;
     // On the same land an override that keeps its material is unlike the base as before.
@@ -504,7 +507,7 @@ tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory, 
   if (done) done = builder.finish(revision, before.head.time_ms);
   if (!done) return tl::unexpected{done.error()};
   store.reset();
-  auto replaced = swap_in(directory.path());
+  auto replaced = store::swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
   rebuilt.chunks = builder.chunks();
   rebuilt.voxels = builder.voxels();

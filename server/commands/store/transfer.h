@@ -9,10 +9,9 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/data_directory.h>
+#include <talus/store/read_only_store.h>
 #include <talus/terrain/world.h>
-
-#include "store/data_directory.h"
-#include "store/read_only_store.h"
 
 namespace talus::server {
 
@@ -20,7 +19,7 @@ struct Exported {
   std::uint64_t chunks = 0;
   std::uint64_t voxels = 0;
 };
-[[nodiscard]] tl::expected<Exported, std::string> export_edits(const ReadOnlyStore& store,
+[[nodiscard]] tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& store,
                                                                const std::filesystem::path& file);
 
 enum class Winner : std::uint8_t { file, store };
@@ -44,14 +43,14 @@ struct Rebuilt {
 /// world is known. The new store's time is the file's where the store's is
 /// earlier, but at most `now_ms`, since 1970.
 [[nodiscard]] tl::expected<Rebuilt, std::string> import_edits(const std::filesystem::path& file,
-                                                              const DataDirectory& directory, Winner winner,
-                                                              std::int64_t now_ms,
+                                                              const store::DataDirectory& directory,
+                                                              Winner winner, std::int64_t now_ms,
                                                               const terrain::World* world = nullptr);
 
 /// The store's edits over another world: overrides that are as that generates go, materials are those of the
 /// same names. Where the world lacks some, nothing happens, unless those voxels may go. A store of that world
 /// has something to lose where the world's file has lost a placeable; else it is refused.
-[[nodiscard]] tl::expected<Rebuilt, std::string> rebase_edits(const DataDirectory& directory,
+[[nodiscard]] tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& directory,
                                                               const terrain::World& world, bool drop_unknown);
 
 /// The ids that a rebased store gives to the world's materials, by name: those that the world generates have

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "store/bytes.h"
+#include <talus/store/bytes.h>
 
 namespace talus::server {
 namespace {
@@ -11,9 +11,9 @@ constexpr double kMillion = 1e6;
 
 }  // namespace
 
-void encode(const PregenPlan& plan, Bytes& out) {
+void encode(const PregenPlan& plan, store::Bytes& out) {
   out.clear();
-  ByteWriter writer{out};
+  store::ByteWriter writer{out};
   for (const std::int32_t number : {plan.x, plan.z, plan.radius}) {
     writer.fixed32(static_cast<std::uint32_t>(number));
   }
@@ -21,14 +21,14 @@ void encode(const PregenPlan& plan, Bytes& out) {
   writer.fixed32(static_cast<std::uint32_t>(std::lround(plan.share * kMillion)));
 }
 
-void encode(const PregenProgress& progress, Bytes& out) {
+void encode(const PregenProgress& progress, store::Bytes& out) {
   out.clear();
-  ByteWriter writer{out};
+  store::ByteWriter writer{out};
   for (const std::uint64_t number : {progress.squares, progress.of, progress.columns}) writer.varint(number);
 }
 
 std::optional<PregenPlan> decode_pregen_plan(std::span<const std::byte> fields) {
-  ByteReader reader{fields};
+  store::ByteReader reader{fields};
   PregenPlan plan;
   for (std::int32_t* const number : {&plan.x, &plan.z, &plan.radius}) {
     *number = static_cast<std::int32_t>(reader.fixed32());
@@ -39,7 +39,7 @@ std::optional<PregenPlan> decode_pregen_plan(std::span<const std::byte> fields) 
 }
 
 std::optional<PregenProgress> decode_pregen_progress(std::span<const std::byte> fields) {
-  ByteReader reader{fields};
+  store::ByteReader reader{fields};
   PregenProgress progress;
   for (std::uint64_t* const number : {&progress.squares, &progress.of, &progress.columns}) {
     *number = reader.varint();

@@ -4,14 +4,15 @@
 #include <optional>
 #include <span>
 
+#include <talus/store/records.h>
+
 #include "chunks/pregen.h"
-#include "store/records.h"
 
 namespace talus::server {
 
 // Both replace what `out` holds.
-void encode(const PregenPlan& plan, Bytes& out);
-void encode(const PregenProgress& progress, Bytes& out);
+void encode(const PregenPlan& plan, store::Bytes& out);
+void encode(const PregenProgress& progress, store::Bytes& out);
 
 [[nodiscard]] std::optional<PregenPlan> decode_pregen_plan(std::span<const std::byte> fields);
 [[nodiscard]] std::optional<PregenProgress> decode_pregen_progress(std::span<const std::byte> fields);

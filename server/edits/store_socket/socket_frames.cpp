@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "store/bytes.h"
+#include <talus/store/bytes.h>
 
 namespace talus::server {
 namespace {
@@ -57,8 +57,8 @@ Done receive(int socket, std::span<std::byte> into, SteadyClock::time_point unti
 }  // namespace
 
 Done send_frame(int socket, SocketKind kind, std::span<const std::byte> fields) {
-  Bytes frame;
-  ByteWriter writer{frame};
+  store::Bytes frame;
+  store::ByteWriter writer{frame};
   writer.fixed32(static_cast<std::uint32_t>(kHeaderBytes + fields.size()));
   writer.byte(kSocketVersion);
   writer.byte(static_cast<std::uint8_t>(kind));
@@ -77,8 +77,8 @@ Done send_frame(int socket, SocketKind kind, std::span<const std::byte> fields) 
 }
 
 Done send_text(int socket, SocketKind kind, std::string_view text) {
-  Bytes fields;
-  ByteWriter{fields}.counted(text);
+  store::Bytes fields;
+  store::ByteWriter{fields}.counted(text);
   return send_frame(socket, kind, fields);
 }
 
@@ -94,7 +94,7 @@ tl::expected<SocketFrame, std::string> receive_frame(int socket, std::chrono::mi
     return tl::unexpected{error.empty() ? std::string{"a frame ends early"} : std::move(error)};
   };
   if (auto done = receive(socket, std::span{length}.subspan(1), until); !done) return early(done.error());
-  const std::uint32_t bytes = ByteReader{length}.fixed32();
+  const std::uint32_t bytes = store::ByteReader{length}.fixed32();
   if (bytes < kHeaderBytes || bytes > kMaxSocketFrame) {
     return tl::unexpected{fmt::format("a frame of {} bytes; at most {} are taken", bytes, kMaxSocketFrame)};
   }
@@ -106,7 +106,7 @@ tl::expected<SocketFrame, std::string> receive_frame(int socket, std::chrono::mi
         "the other side speaks version {} of the store's socket, this one {}; use the talusd that runs",
         version, kSocketVersion)};
   }
-  SocketFrame frame{static_cast<SocketKind>(header[1]), Bytes(bytes - kHeaderBytes)};
+  SocketFrame frame{static_cast<SocketKind>(header[1]), store::Bytes(bytes - kHeaderBytes)};
   if (auto done = receive(socket, frame.fields, until); !done) return early(done.error());
   return frame;
 }

@@ -27,7 +27,7 @@
 
 #include <tl/expected.hpp>
 
-#include "store/records.h"
+#include <talus/store/records.h>
 
 namespace talus::server {
 
@@ -50,7 +50,7 @@ enum class SocketKind : std::uint8_t {
 
 struct SocketFrame {
   SocketKind kind{};
-  Bytes fields;
+  store::Bytes fields;
 };
 
 /// An error is one line. It gives up where the peer takes nothing for kFramePatience.

@@ -13,11 +13,12 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/bytes.h>
+#include <talus/store/store_swap.h>
+
 #include "edits/store_socket/pregen_fields.h"
 #include "edits/store_socket/store_socket.h"
 #include "edits/store_socket/unix_address.h"
-#include "store/bytes.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 namespace {
@@ -85,7 +86,7 @@ tl::expected<SocketFrame, Restorer::Failure> StoreConnection::receive() {
   auto got = receive_frame(socket_, kAnswerPatience);
   if (!got) return server_failed(got.error().empty() ? "it has closed the connection" : got.error());
   if (got->kind != SocketKind::failed && got->kind != SocketKind::busy) return *std::move(got);
-  ByteReader in{got->fields};
+  store::ByteReader in{got->fields};
   return server_failed(in.text(kMaxText), got->kind == SocketKind::busy);
 }
 
@@ -103,22 +104,22 @@ tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kin
 tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoint() {
   const auto answer = ask(SocketKind::checkpoint, {}, SocketKind::checkpoint_made);
   if (!answer) return tl::unexpected{answer.error().reason};
-  ByteReader in{answer->fields};
+  store::ByteReader in{answer->fields};
   const std::uint64_t number = in.varint();
   std::string read_only = in.text(kMaxText);
   if (!in.ended()) return tl::unexpected{std::string{"the running server: its answer is damaged"}};
   const bool in_place = number == 0;
-  return Checkpoint{in_place ? directory_ : checkpoint_path(directory_, std::to_string(number)),
+  return Checkpoint{in_place ? directory_ : store::checkpoint_path(directory_, std::to_string(number)),
                     std::move(read_only)};
 }
 
 tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
     const std::vector<edits::ChunkChanges>& changes) {
-  Bytes fields;
-  encode(changes, fields);
+  store::Bytes fields;
+  store::encode(changes, fields);
   const auto answer = ask(SocketKind::restore, fields, SocketKind::restored);
   if (!answer) return tl::unexpected{answer.error()};
-  ByteReader in{answer->fields};
+  store::ByteReader in{answer->fields};
   const std::uint64_t revision = in.varint();
   const std::uint64_t changed = in.varint();
   if (!in.ended()) return tl::unexpected{Restorer::Failure{"the running server: its answer is damaged"}};
@@ -127,7 +128,7 @@ tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
 
 tl::expected<PregenProgress, std::string> StoreConnection::pregen(
     const PregenPlan& plan, const std::function<void(const PregenProgress&)>& report) {
-  Bytes fields;
+  store::Bytes fields;
   encode(plan, fields);
   const auto sent = send_frame(socket_, SocketKind::pregen, fields);
   for (;;) {

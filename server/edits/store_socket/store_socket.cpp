@@ -13,10 +13,11 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/bytes.h>
+
 #include "edits/store_socket/pregen_fields.h"
 #include "edits/store_socket/restorer.h"
 #include "edits/store_socket/unix_address.h"
-#include "store/bytes.h"
 
 namespace talus::server {
 namespace {
@@ -157,7 +158,7 @@ void StoreSocket::join_ended() {
 }
 
 void StoreSocket::serve(Command& command) {
-  const fs::path checkpoint = checkpoint_path(directory_, std::to_string(command.number));
+  const fs::path checkpoint = store::checkpoint_path(directory_, std::to_string(command.number));
   try {
     Restorer restorer{parts_.log, ends_.get_token()};
     auto patience = parts_.patience.first;
@@ -180,19 +181,19 @@ void StoreSocket::serve(Command& command) {
 }
 
 tl::expected<void, std::string> StoreSocket::make_checkpoint(const fs::path& path) const {
-  return server::make_checkpoint(path, parts_.checkpoint_copies_bytes,
-                                 [this](const fs::path& db) { return parts_.database.checkpoint(db); });
+  return store::make_checkpoint(path, parts_.checkpoint_copies_bytes,
+                                [this](const fs::path& db) { return parts_.database.checkpoint(db); });
 }
 
 bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer& restorer) {
   const auto refuse = [&](std::string_view why) {
     return send_text(command.socket, SocketKind::failed, why).has_value();
   };
-  Bytes fields;
-  ByteWriter writer{fields};
+  store::Bytes fields;
+  store::ByteWriter writer{fields};
   if (request.kind == SocketKind::checkpoint) {
     command.held.reset();
-    if (const auto made = make_checkpoint(checkpoint_path(directory_, std::to_string(command.number)));
+    if (const auto made = make_checkpoint(store::checkpoint_path(directory_, std::to_string(command.number)));
         made) {
       writer.varint(command.number);
     } else {
@@ -204,7 +205,7 @@ bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer&
     return send_frame(command.socket, SocketKind::checkpoint_made, fields).has_value();
   }
   if (request.kind == SocketKind::restore) {
-    const auto changes = decode_changes(request.fields);
+    const auto changes = store::decode_changes(request.fields);
     std::size_t voxels = 0;
     if (changes) {
       for (const edits::ChunkChanges& chunk : *changes) voxels += chunk.voxels.size();
@@ -235,7 +236,7 @@ bool StoreSocket::pregenerate(Command& command, const SocketFrame& request) {
   if (!parts_.pregen) return refuse(kNoColumnCache);
   const std::unique_lock alone{pregen_, std::try_to_lock};
   if (!alone) return refuse("another pregen runs on this server; wait until it has ended");
-  Bytes fields;
+  store::Bytes fields;
   auto told = std::chrono::steady_clock::now();
   bool reached = true;
   const auto tell = [&](SocketKind kind, const PregenProgress& progress) {

@@ -20,12 +20,13 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/store/edit_database.h>
+#include <talus/store/store_swap.h>
+
 #include "chunks/pregen.h"
 #include "edits/edit_log.h"
 #include "edits/store_socket/socket_frames.h"
 #include "runtime/log/logger.h"
-#include "store/edit_database.h"
-#include "store/store_swap.h"
 
 namespace talus::server {
 
@@ -48,12 +49,12 @@ class StoreSocket {
 
   /// All outlive this.
   struct Parts {
-    const EditDatabase& database;
+    const store::EditDatabase& database;
     EditLog& log;
     std::function<std::optional<std::string>()> read_only;  // why no edits are taken; any thread
     RunPregen pregen;                                       // on a thread of the socket's; may be empty
     Patience patience{};
-    std::uint64_t checkpoint_copies_bytes = kCheckpointCopiesBytes;
+    std::uint64_t checkpoint_copies_bytes = store::kCheckpointCopiesBytes;
   };
 
   /// Makes the socket in `directory`, whose lock the process has, and starts its threads. An error is one
@@ -71,7 +72,7 @@ class StoreSocket {
     std::uint64_t number = 0;
     std::atomic<bool> ended{false};
     std::thread thread;
-    std::unique_ptr<EditDatabase::HeldFiles> held;  // of the thread
+    std::unique_ptr<store::EditDatabase::HeldFiles> held;  // of the thread
   };
 
   StoreSocket(std::filesystem::path directory, Parts parts, Logger log, int listener, int wake);

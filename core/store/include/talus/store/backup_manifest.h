@@ -1,0 +1,43 @@
+// What a backup of a store has, as text: its files with their checksums. store_command/FORMAT.md has every
+// byte. Pure.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/edits/batch.h>
+#include <talus/store/store_identity.h>
+
+namespace talus::store {
+
+inline constexpr std::string_view kManifestName = "manifest";
+inline constexpr std::size_t kMaxManifestBytes = std::size_t{16} << 20U;
+
+struct BackupManifest {
+  struct File {
+    std::string name;  // "db/000012.sst"
+    std::uint64_t bytes = 0;
+    ContentHash hash;  // XXH3-128 of its bytes
+    bool operator==(const File&) const = default;
+  };
+  StoreIdentity identity;
+  edits::Head head;
+  std::vector<File> files;
+
+  /// Where it is more than the type holds: the most that it does.
+  [[nodiscard]] std::uint64_t bytes() const;
+  bool operator==(const BackupManifest&) const = default;
+};
+
+[[nodiscard]] std::string encode(const BackupManifest& manifest);
+/// An error is one line. Any text is safe; a name that leads out of the backup is an error.
+[[nodiscard]] tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text);
+
+/// Whether a store has files of this name: two, and those of its database. None leads out of the store.
+[[nodiscard]] bool is_store_file(std::string_view name);
+
+}  // namespace talus::store

@@ -1,0 +1,76 @@
+// A new store of edits, written chunk by chunk where nobody looks yet: what restore, import and rebase put in
+// the place of another. Memory is bounded however many chunks there are.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include <talus/store/records.h>
+#include <talus/store/store_identity.h>
+
+namespace rocksdb {
+class DB;
+class WriteBatch;
+}  // namespace rocksdb
+
+namespace talus::store {
+
+class StoreBuilder {
+ public:
+  using Done = tl::expected<void, std::string>;
+
+  /// Makes the database in `directory`, which is empty. The log goes on behind `position` and `link`.
+  [[nodiscard]] static tl::expected<std::unique_ptr<StoreBuilder>, std::string> create(
+      const std::filesystem::path& directory, const StoreIdentity& identity, std::uint64_t position,
+      std::uint64_t link);
+  ~StoreBuilder();
+
+  /// A chunk of level 0, each once, in any order; coarse levels follow from it. Without voxels nothing is
+  /// written. `revision` is at least 1.
+  [[nodiscard]] Done add(ChunkCoord chunk, std::uint64_t revision, std::span<const Override> voxels);
+  [[nodiscard]] Done add(std::string_view name, MaterialId material);
+
+  [[nodiscard]] std::uint64_t chunks() const { return chunks_; }  // of level 0
+  [[nodiscard]] std::uint64_t voxels() const { return voxels_; }
+  [[nodiscard]] edits::StateHash hash() const { return hash_; }
+
+  /// Writes where the store stands, and the files beside the database; all is on the disk when it returns.
+  /// `revision` is at least that of each chunk.
+  [[nodiscard]] Done finish(std::uint64_t revision, std::int64_t time_ms);
+
+ private:
+  struct Coarse {
+    std::uint64_t revision = 0;
+    std::vector<Override> voxels;
+  };
+
+  StoreBuilder(std::filesystem::path directory, const StoreIdentity& identity);
+  [[nodiscard]] Done put(const std::string& key);
+  [[nodiscard]] Done write();
+  [[nodiscard]] Done write_coarse();
+
+  std::filesystem::path directory_;
+  std::unique_ptr<rocksdb::DB> db_;
+  std::unique_ptr<rocksdb::WriteBatch> batch_;
+  StoreMeta meta_;
+  edits::StateHash hash_;
+  std::uint64_t chunks_ = 0;
+  std::uint64_t voxels_ = 0;
+  std::unordered_map<ChunkKey, Coarse> coarse_;  // not written yet
+  std::size_t coarse_voxels_ = 0;
+  Bytes value_;
+};
+
+/// Writes the files beside a database that stands where `meta` says: store.toml and acknowledged.
+[[nodiscard]] tl::expected<void, std::string> write_store_files(const std::filesystem::path& directory,
+                                                                const StoreMeta& meta);
+
+}  // namespace talus::store

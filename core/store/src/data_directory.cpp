@@ -1,0 +1,213 @@
+#include <talus/store/data_directory.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <talus/files/atomic_file.h>
+#include <talus/store/regular_files.h>
+#include <talus/store/store_swap.h>
+
+namespace talus::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<std::string> system_failure(const fs::path& path, std::string_view what, int error) {
+  return tl::make_unexpected(fmt::format("data {}: {}: {}; give --data a directory that talusd may write",
+                                         path.string(), what, std::generic_category().message(error)));
+}
+
+/// Whether something has the name, if it is a dangling link: a file that cannot be read may be a store.
+bool has_name(const fs::path& file) {
+  std::error_code error;
+  return fs::symlink_status(file, error).type() != fs::file_type::not_found;
+}
+
+/// Whose file, where there is none, may not be what it is a name of.
+tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
+  const fs::path file = path / "lock";
+  if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
+  const int lock = ::open(file.c_str(), how | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0644);
+  if (lock >= 0) return lock;
+  return system_failure(path, "cannot write into it", errno);
+}
+
+tl::unexpected<std::string> no_store(const fs::path& path) {
+  return tl::make_unexpected(
+      fmt::format("data {}: there is no store in it; give --data the directory of a talusd", path.string()));
+}
+
+tl::expected<void, std::string> check_directory(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return {};
+  return tl::make_unexpected(
+      fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
+}
+
+tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
+  if (held == fingerprint) return {};
+  return tl::make_unexpected(
+      fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
+                  "give --data another directory, or --world the store's world, or carry the edits over by "
+                  "talusd store rebase",
+                  file.string(), to_string(held), to_string(fingerprint)));
+}
+
+}  // namespace
+
+tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, uid_t user, gid_t group) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error).lexically_normal();
+  // "/data/" is "/data".
+  const fs::path leaf = absolute.has_filename() ? absolute : absolute.parent_path();
+  if (fs::exists(leaf, error)) return {};
+  fs::create_directories(leaf.parent_path(), error);
+  if (error) return system_failure(path, "cannot create the directory", error.value());
+  constexpr mode_t kOwnerAndGroup = 0750;
+  if (::mkdir(leaf.c_str(), kOwnerAndGroup) != 0)
+    return system_failure(path, "cannot create the directory", errno);
+  // Changed through a descriptor, so that nobody can put another directory in its place meanwhile.
+  const int made = ::open(leaf.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  const int failed = made >= 0 && ::fchown(made, user, group) == 0 ? 0 : errno;
+  if (made >= 0) ::close(made);
+  if (failed != 0) return system_failure(path, "cannot change the directory's owner", failed);
+  return {};
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::lock(const fs::path& path) {
+  const auto lock = open_lock(path, O_RDWR | O_CREAT);
+  if (!lock) return tl::unexpected{lock.error()};
+  DataDirectory directory{*lock, path};
+  if (::flock(*lock, LOCK_EX | LOCK_NB) != 0) {
+    return tl::make_unexpected(
+        fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
+  }
+  if (const auto tidied = tidy_up(path); !tidied) {
+    return tl::make_unexpected(fmt::format("data {}", tidied.error()));
+  }
+  return directory;
+}
+
+tl::expected<void, std::string> DataDirectory::read_identity() {
+  const fs::path file = path_ / "store.toml";
+  if (!has_name(file)) return {};
+  const auto identity = read_store_identity(file);
+  if (!identity) return tl::make_unexpected(identity.error());
+  identity_ = *identity;
+  return {};
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& path, ContentHash fingerprint,
+                                                             files::FileLayer& layer) {
+  auto directory = open_any(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  const fs::path file = path / "store.toml";
+  if (directory->identity_) {
+    const auto same = check_world(file, directory->identity_->fingerprint, fingerprint);
+    if (!same) return tl::make_unexpected(same.error());
+    return directory;
+  }
+  if (directory->has_edits()) {
+    return tl::make_unexpected(
+        fmt::format("{}: there is no such file, though the directory has a store's database; put it back, or "
+                    "give --data a backup that talusd store restore made a store of",
+                    file.string()));
+  }
+  if (const auto begun = directory->begin({random_store_id(), fingerprint}, layer); !begun) {
+    return tl::make_unexpected(begun.error());
+  }
+  return directory;
+}
+
+tl::expected<void, std::string> DataDirectory::begin(const StoreIdentity& identity, files::FileLayer& layer) {
+  if (const auto written = files::write_file(path_ / "store.toml", store_text(identity), layer); !written) {
+    return system_failure(path_, "cannot write store.toml", written.error().code.value());
+  }
+  identity_ = identity;
+  return {};
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_member(const fs::path& path,
+                                                                    ContentHash fingerprint) {
+  auto directory = open_any(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  if (!directory->identity_) return directory;
+  const auto same = check_world(path / "store.toml", directory->identity_->fingerprint, fingerprint);
+  if (!same) return tl::make_unexpected(same.error());
+  return directory;
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return system_failure(path, "cannot create the directory", error.value());
+  return lock(path);
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
+  if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
+  // Nothing is made in a directory that is none of talusd's.
+  if (!has_name(path / "store.toml") && !has_name(path / "talus-next")) return no_store(path);
+  auto directory = lock(path);
+  if (!directory) return directory;
+  if (const auto read = directory->read_identity(); !read) return tl::make_unexpected(read.error());
+  if (!directory->identity_) return no_store(path);
+  return directory;
+}
+
+tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path) {
+  if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
+  if (has_name(path / "talus-next")) return open_store(path);  // a swap that was interrupted ends first
+  if (!has_name(path / "store.toml")) return no_store(path);
+  // Where there is no lock no talusd ever was, nor can come unseen but in this moment.
+  DataDirectory directory{-1, path};
+  if (has_name(path / "lock")) {
+    const auto lock = open_lock(path, O_RDONLY);
+    if (!lock) return tl::unexpected{lock.error()};
+    directory.lock_ = *lock;
+    if (::flock(*lock, LOCK_SH | LOCK_NB) != 0) {
+      return tl::make_unexpected(
+          fmt::format("data {}: a talusd uses it, or another command changes it; wait until that has ended",
+                      path.string()));
+    }
+  }
+  if (const auto read = directory.read_identity(); !read) return tl::make_unexpected(read.error());
+  return directory;
+}
+
+tl::expected<void, std::string> DataDirectory::lock_to_write() {
+  const auto lock = open_lock(path_, O_RDWR | O_CREAT);
+  if (!lock) return tl::unexpected{lock.error()};
+  // In place of the one before, which is let go of: between them somebody may come.
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = *lock;
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};
+  return tl::make_unexpected(fmt::format(
+      "data {}: a talusd uses it, or another command reads it; wait until that has ended", path_.string()));
+}
+
+bool DataDirectory::has_store() const {
+  return has_name(path_ / "store.toml") || has_edits();
+}
+
+bool DataDirectory::has_edits() const {
+  return has_name(path_ / "db") || has_name(path_ / "acknowledged");
+}
+
+DataDirectory::DataDirectory(DataDirectory&& other) noexcept
+    : lock_{std::exchange(other.lock_, -1)}, path_{std::move(other.path_)}, identity_{other.identity_} {}
+
+DataDirectory::~DataDirectory() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+}  // namespace talus::store

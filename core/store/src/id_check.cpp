@@ -1,0 +1,37 @@
+#include <talus/store/id_check.h>
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include <talus/store/acknowledged_file.h>
+#include <talus/store/store_identity.h>
+
+namespace talus::store {
+
+tl::expected<void, std::string> check_store_id(const std::filesystem::path& directory,
+                                               const StoreMeta& meta) {
+  std::error_code code;
+  if (!std::filesystem::exists(directory / "acknowledged", code)) return {};
+  const auto identity = read_store_identity(directory / "store.toml");
+  if (!identity) return tl::unexpected{identity.error()};
+  if (identity->store_id == meta.store_id) return {};
+  return tl::unexpected{
+      fmt::format("edits {}: {}", directory.string(), ids_differ(meta.store_id, identity->store_id))};
+}
+
+tl::expected<void, std::string> check_whole_store(const std::filesystem::path& directory,
+                                                  const StoreMeta& meta) {
+  auto one = check_store_id(directory, meta);
+  return one ? check_acknowledged(directory, meta) : one;
+}
+
+std::string ids_differ(ContentHash of_database, ContentHash of_store_toml) {
+  return fmt::format(
+      "the edits belong to store {0}; this directory's store.toml has {1}; where \"talusd store "
+      "leave-cluster\" or \"fork\" of an older talusd was interrupted here, write store_id = \"{0}\" into "
+      "store.toml; else put back the directory's own edits, or give --data another directory",
+      to_string(of_database), to_string(of_store_toml));
+}
+
+}  // namespace talus::store

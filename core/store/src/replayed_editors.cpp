@@ -1,0 +1,50 @@
+#include <talus/store/replayed_editors.h>
+
+#include <utility>
+
+namespace talus::store {
+
+void ReplayedEditors::start(edits::EditorId id, StoredEditor&& stored) {
+  positions_.emplace(id, stored.position);
+  editors_.put(id, std::move(stored.editor));
+}
+
+void ReplayedEditors::apply(const LogRecord& record) {
+  using Kind = edits::Applied::Kind;
+  const bool attach =
+      record.kind == Kind::attached || record.kind == Kind::superseded || record.kind == Kind::editors_full;
+  if (attach) {
+    for (const edits::EditorId id : editors_.idle_at(record.time_ms)) {
+      editors_.erase(id);
+      dirty_.insert(id);
+    }
+  }
+  if (record.forgotten) {
+    // One of that id which the database has of later never was this one.
+    const auto has = positions_.find(*record.forgotten);
+    if (has == positions_.end() || has->second < record.position) {
+      editors_.erase(*record.forgotten);
+      dirty_.insert(*record.forgotten);
+    }
+  }
+  if (record.kind != Kind::attached && record.kind != Kind::done && record.kind != Kind::conflict) return;
+  if (const auto has = positions_.find(record.editor);
+      has != positions_.end() && has->second >= record.position) {
+    return;
+  }
+  const edits::Editor* const before = editors_.find(record.editor);
+  // One that the database has forgotten already, by a record that follows.
+  if (before == nullptr && record.kind != Kind::attached) return;
+  edits::Editor editor = before == nullptr ? edits::Editor{} : *before;
+  editor.used_ms = record.time_ms;
+  if (record.kind == Kind::attached) {
+    editor.epoch = record.epoch;
+    editor.subject = record.subject;
+  } else {
+    editor.keep(record.result);
+  }
+  editors_.put(record.editor, std::move(editor));
+  dirty_.insert(record.editor);
+}
+
+}  // namespace talus::store

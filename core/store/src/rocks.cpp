@@ -1,0 +1,79 @@
+#include <talus/store/rocks.h>
+
+#include <rocksdb/cache.h>
+#include <rocksdb/env.h>
+#include <rocksdb/filter_policy.h>
+#include <rocksdb/slice_transform.h>
+#include <rocksdb/table.h>
+
+#include <talus/store/no_info_log.h>
+#include <talus/store/store_reader.h>
+
+namespace talus::store {
+namespace {
+
+/// Keys of chunks come in slices that are in order, so that where the last one went is near where the next
+/// one goes. RocksDB 7.8 remembers one place for keys and for the beginnings of ranges that are deleted,
+/// which lie in different lists: so none of those, which are of the log, may be in the domain.
+class ChunksInOrder final : public rocksdb::SliceTransform {
+ public:
+  [[nodiscard]] const char* Name() const override { return "talus.chunks_in_order"; }
+  [[nodiscard]] rocksdb::Slice Transform(const rocksdb::Slice& key) const override { return {key.data(), 1}; }
+  [[nodiscard]] bool InDomain(const rocksdb::Slice& key) const override {
+    return !key.empty() && static_cast<KeyKind>(key[0]) == KeyKind::chunk;
+  }
+};
+
+}  // namespace
+
+rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
+  rocksdb::Options options;
+  if (settings.env != nullptr) options.env = settings.env;
+  options.create_if_missing = create;
+  options.paranoid_checks = true;
+  options.wal_recovery_mode = settings.point_in_time
+                                  ? rocksdb::WALRecoveryMode::kPointInTimeRecovery
+                                  : rocksdb::WALRecoveryMode::kTolerateCorruptedTailRecords;
+  options.track_and_verify_wals_in_manifest = true;
+  options.manual_wal_flush = false;
+  options.recycle_log_file_num = 0;
+  options.wal_compression = rocksdb::kNoCompression;
+  options.write_buffer_size = settings.write_buffer_bytes;
+  options.compression = rocksdb::kLZ4Compression;
+  options.allow_concurrent_memtable_write = false;  // one thread writes
+  options.memtable_insert_with_hint_prefix_extractor = std::make_shared<ChunksInOrder>();
+  options.max_background_jobs = 2;
+  options.max_open_files = 256;
+  options.info_log = std::make_shared<NoInfoLog>();
+  options.stats_dump_period_sec = 0;
+  options.stats_persist_period_sec = 0;
+  rocksdb::BlockBasedTableOptions table;
+  table.filter_policy.reset(rocksdb::NewBloomFilterPolicy(10));
+  table.block_cache = rocksdb::NewLRUCache(settings.block_cache_bytes);
+  options.table_factory.reset(rocksdb::NewBlockBasedTableFactory(table));
+  return options;
+}
+
+std::size_t rocks_memory(rocksdb::DB& db) {
+  using Properties = rocksdb::DB::Properties;
+  std::size_t bytes = 0;
+  for (const std::string& property :
+       {Properties::kSizeAllMemTables, Properties::kBlockCacheUsage, Properties::kEstimateTableReadersMem}) {
+    std::uint64_t of_property = 0;
+    if (db.GetIntProperty(property, &of_property)) bytes += of_property;
+  }
+  return bytes;
+}
+
+std::string_view remedy_for(const rocksdb::Status& status) {
+  return status.IsNoSpace() ? "its disk is full: nothing is damaged; free space" : kStoreLost;
+}
+
+rocksdb::ReadOptions for_scans() {
+  rocksdb::ReadOptions options;
+  options.fill_cache = false;
+  options.total_order_seek = true;
+  return options;
+}
+
+}  // namespace talus::store

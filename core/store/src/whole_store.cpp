@@ -1,0 +1,111 @@
+#include <talus/store/whole_store.h>
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <rocksdb/utilities/checkpoint.h>
+
+#include <talus/store/id_check.h>
+#include <talus/store/regular_files.h>
+#include <talus/store/rocks.h>
+#include <talus/store/store_builder.h>
+#include <talus/store/store_reader.h>
+#include <talus/store/store_swap.h>
+
+namespace talus::store {
+namespace {
+
+/// On a disk with place for so many further bytes: on a full one RocksDB may abort the process.
+tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path,
+                                                                      std::uint64_t bytes) {
+  if (const auto regular = check_regular_files(path / "db"); !regular) {
+    return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
+  }
+  if (const auto enough = check_space(path, bytes); !enough) return tl::unexpected{enough.error()};
+  rocksdb::DB* db = nullptr;
+  const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
+  std::unique_ptr<rocksdb::DB> opened{db};
+  if (status.ok()) return opened;
+  return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
+                                    status.ToString(), remedy_for(status))};
+}
+
+tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, const rocksdb::Status& status) {
+  return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
+}
+
+/// Changes where the store stands, and nothing else; on the disk when it returns.
+template <typename Change>
+tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
+  const auto db = open_to_write(path, 0);
+  if (!db) return tl::unexpected{db.error()};
+  const StoreReader reader{**db, path};
+  const auto read = reader.meta();
+  if (!read) return tl::unexpected{read.error()};
+  if (!*read) {
+    return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  }
+  StoreMeta meta = **read;
+  change(meta);
+  Bytes value;
+  encode(meta, value);
+  rocksdb::WriteOptions synced;
+  synced.sync = true;
+  if (const auto status = (*db)->Put(synced, meta_key(), as_slice(value)); !status.ok()) {
+    return whole_failure(path, status);
+  }
+  if (const auto status = (*db)->Close(); !status.ok()) return whole_failure(path, status);
+  return meta;
+}
+
+}  // namespace
+
+tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesystem::path& path) {
+  const auto db = open_to_write(path, kCheckpointCopiesBytes);
+  if (!db) return tl::unexpected{db.error()};
+  auto staging = make_staging(path);
+  if (!staging) return staging;
+  rocksdb::Checkpoint* made = nullptr;
+  rocksdb::Status status = rocksdb::Checkpoint::Create(db->get(), &made);
+  const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
+  if (status.ok()) status = checkpoint->CreateCheckpoint((*staging / "db").string(), UINT64_MAX);
+  if (status.ok()) status = (*db)->Close();
+  if (!status.ok()) return whole_failure(path, status);
+  return staging;
+}
+
+tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) {
+    changed.store_id = store_id;
+    changed.stream = {};  // a store of its own
+  });
+  if (!meta) return tl::unexpected{meta.error()};
+  if (auto written = write_store_files(path, *meta); !written) return written;
+  return sync_directory(path / "db");
+}
+
+tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, const StreamPlace& place) {
+  const auto meta = change_meta(path, [&](StoreMeta& changed) { changed.stream = place; });
+  return meta ? tl::expected<void, std::string>{} : tl::unexpected{meta.error()};
+}
+
+tl::expected<void, std::string> compact(const std::filesystem::path& path) {
+  const auto db =
+      open_to_write(path, bytes_of_files(path / "db"));  // the old files go when the new are there
+  if (!db) return tl::unexpected{db.error()};
+  // What is lost would not be found out any more: the end of the log goes with its records.
+  const StoreReader reader{**db, path};
+  const auto meta = reader.meta();
+  if (!meta) return tl::unexpected{meta.error()};
+  if (!*meta)
+    return reader.failure(fmt::format("its record of the store's state is missing; {}", kStoreLost));
+  if (const auto whole = check_whole_store(path, **meta); !whole) return whole;
+  rocksdb::CompactRangeOptions all;
+  all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
+  rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);
+  if (status.ok()) status = (*db)->Close();
+  if (!status.ok()) return whole_failure(path, status);
+  return {};
+}
+
+}  // namespace talus::store
