@@ -20,8 +20,8 @@ endif()
 if(TALUS_SERVER)
   install(TARGETS talusd RUNTIME)
   install(FILES server/talusd.toml DESTINATION ${CMAKE_INSTALL_SYSCONFDIR}/talus)
-  install(FILES docs/OPERATIONS.md docs/CLUSTER.md docs/REFERENCE.md docs/THREATS.md docs/CHANGELOG.md docs/UPGRADING.md
-    DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(FILES docs/OPERATIONS.md docs/CLUSTER.md docs/REFERENCE.md docs/THREATS.md docs/SECURITY.md docs/CHANGELOG.md
+    docs/COMPATIBILITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endif()
 if(TALUS_TOOLS)
   install(TARGETS talus-gen RUNTIME)

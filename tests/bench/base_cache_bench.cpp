@@ -1,6 +1,6 @@
-// What a column of chunks as generated costs: made anew, read from a database on disk, found in memory. By
-// this table docs/DESIGN.md decides which worlds keep what they generate. bench_base_cache [DIRECTORY]: where
-// the database lies, on the disk to be measured.
+// Measures what a column of chunks as generated costs: made anew, read from a database on disk, found in
+// memory. docs/decisions/07-columns-on-disk.md decides by this table which worlds keep what they generate.
+// bench_base_cache [DIRECTORY]: where the database lies, on the disk to be measured.
 #include <fcntl.h>
 #include <time.h>
 #include <unistd.h>

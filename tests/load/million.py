@@ -58,8 +58,8 @@ def costs():
                      f"{players * M['cores_per_player'] * M['default_world_factor']:,.0f}", f"{edits(players) * M['edit_seconds']:.4f}",
                      f"{servers * edits(players) * M['edit_seconds']:,.1f}", f"{players * M['horizon_bits'] / 1e9:,.1f}",
                      f"{fan_out(players) * 8 / 1e9:,.3f}", f"{players * P['overrides_per_player'] * M['override_bytes'] / 1e9:,.2f}"])
-    return ["players", "servers", "cores for land, classic", "default world", "cores for edits, each server", "all servers",
-            "to players, Gbit/s", "from NATS, Gbit/s", "store on each, GB"], rows
+    return ["players", "servers", "land cores, classic", "default", "edit cores, each", "all", "sent, Gbit/s",
+            "NATS, Gbit/s", "store, GB"], rows
 
 
 def breaks():
@@ -150,8 +150,7 @@ def regions():
             applied = numpy.array([rate[f].sum() for f in followed])
             row += [f"{numpy.mean([len(f) for f in followed]):,.0f}", f"{applied.mean():,.0f}", f"{applied.max():,.0f}"]
         rows.append(row)
-    return ["logs", "edits/s of the busiest", "players anywhere: logs a server follows", "edits/s it applies", "at most",
-            "players by place: logs a server follows", "edits/s it applies", "at most"], rows
+    return ["logs", "busiest, edits/s", "anywhere: logs", "edits/s", "at most", "by place: logs", "edits/s", "at most"], rows
 
 
 def table(head, rows):

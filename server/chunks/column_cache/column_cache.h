@@ -2,7 +2,7 @@
 // memory has let it go. A cache: what is lost or damaged is made again, the oldest goes first, and nothing
 // waits for the disk but who reads. Callable from any thread.
 //
-// Which columns are worth it, docs/DESIGN.md has by a table of what they cost.
+// docs/decisions/07-columns-on-disk.md says which columns are worth it, by a table of what they cost.
 #pragma once
 
 #include <atomic>
