@@ -26,11 +26,7 @@ constexpr milliseconds kBetweenReads{50};  // for a slow reader
 
 protocol::Frame hello_frame(const std::string& token) {
   return protocol::make_frame([&](auto& b) {
-    std::vector<std::uint8_t> codecs;  // all codecs that decode() reads, newest first
-    for (int version = kCodecVersion; version >= kOldestCodecVersion; --version) {
-      codecs.push_back(static_cast<std::uint8_t>(version));
-    }
-    const auto codec_list = b.CreateVector(codecs);
+    const auto codec_list = b.CreateVector(std::vector{kCodecVersion});
     const auto token_text = b.CreateString(token);
     const auto name = b.CreateString("talus-load " TALUS_VERSION);
     return wire::CreateHello(b, protocol::kOldestProtocol, protocol::kProtocolVersion, codec_list, token_text,

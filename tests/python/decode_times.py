@@ -10,7 +10,7 @@ import paths  # noqa: F401
 
 import talus
 
-KINDS = {(3, 0): "layers", (3, 1): "palette", (4, 1): "volume", (4, 3): "runs"}
+KINDS = {(3, 0): "layers", (4, 1): "volume", (4, 3): "runs"}
 
 
 def seconds(function, argument):

@@ -111,13 +111,6 @@ class Hostile(unittest.TestCase):
                     self.assertEqual(voxels.shape, (32, 32, 32))
         self.assertIn("truncated", refused)
 
-    def test_a_palette_index_past_the_list_is_a_bad_number(self):
-        payload = next(payload for _, name, _, payload in vectors() if name == "version3_palette")
-        self.assertEqual(payload[2:10].hex(), "0300d5aa01aad502")
-        with self.assertRaises(talus.DecodeError) as raised:
-            talus.decode(payload[:2] + bytes.fromhex("0200d5aa01") + payload[10:])
-        self.assertEqual(raised.exception.reason, "bad_number")
-
     def test_scores_that_are_kept_are_bounded(self):
         columns = decoder.Columns("level", "odd")
         columns.MOST = 100

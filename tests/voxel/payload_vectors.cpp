@@ -121,7 +121,6 @@ std::string payload_vectors() {
   add_chunk("layers_hill", encoded(Chunk::from_layers(hill(1))));
   add_chunk("layers_listed", encoded(Chunk::from_layers(with_large_ids(random_layers(3, 7, 400)))));
   for (const FrozenChunk& each : frozen_chunks()) add_chunk("frozen_" + each.name, encoded(each.chunk));
-  add_chunk("version3_palette", frozen(3, "few_materials"));
 
   const auto add_error = [&text](const std::string& name, const std::vector<std::byte>& payload) {
     const auto chunk = decode(payload);
@@ -135,6 +134,7 @@ std::string payload_vectors() {
   };
   add_error("no_bytes", {});
   add_error("version_2", {std::byte{2}, std::byte{0}, std::byte{1}, std::byte{0}});
+  add_error("palette_of_version_3", {std::byte{3}, std::byte{1}, std::byte{1}, std::byte{0}});
   add_error("layered_of_version_4", {std::byte{4}, std::byte{0}, std::byte{1}, std::byte{0}});
   for (const auto& [name, chunk, payload] : worked_examples()) {
     add_error(name + "_cut", changed(payload, [](auto& bytes) { bytes.pop_back(); }));

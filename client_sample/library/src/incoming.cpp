@@ -96,7 +96,7 @@ Result<WorldInfo> read_welcome(const wire::Welcome& welcome) {
                                           " voxels along an edge; this client reads chunks of 32",
                                       {}}};
   }
-  if (welcome.codec() < kOldestCodecVersion || welcome.codec() > kCodecVersion) {
+  if (welcome.codec() != kCodecVersion) {
     return tl::unexpected{broken_protocol("Welcome picks chunk codec " + std::to_string(welcome.codec()) +
                                           ", which was not offered")};
   }

@@ -28,11 +28,7 @@ wire::Voxel wire_voxel(VoxelPos at) {
 
 protocol::Frame hello_frame(const Options& options) {
   return protocol::make_frame([&](auto& b) {
-    std::vector<std::uint8_t> codecs;  // all codecs that decode() reads, newest first
-    for (int version = kCodecVersion; version >= kOldestCodecVersion; --version) {
-      codecs.push_back(static_cast<std::uint8_t>(version));
-    }
-    const auto codec_list = b.CreateVector(codecs);
+    const auto codec_list = b.CreateVector(std::vector{kCodecVersion});
     const auto token = b.CreateString(options.token);
     const auto name = b.CreateString(options.client_name);
     return wire::CreateHello(b, protocol::kOldestProtocol, protocol::kProtocolVersion, codec_list, token,

@@ -3,16 +3,14 @@
 #include <memory>
 
 #include "layered.h"
-#include "palette.h"
 #include "runs.h"
 #include "volume.h"
 
 namespace talus {
 namespace {
 
-// What the second byte of a payload says, by its first.
 constexpr std::uint8_t kLayeredVersion = 3;
-enum class Encoding3 : std::uint8_t { layered, palette, raw };
+constexpr std::byte kLayered{0};  // the only encoding of version 3
 enum class Encoding : std::uint8_t { volume = 1, raw = 2, runs = 3 };
 
 constexpr std::size_t kHeaderBytes = 2;
@@ -45,7 +43,7 @@ void encode_raw(std::span<const MaterialId, kChunkVolume> voxels, std::vector<st
 bool append_layered(const Layers& layers, std::size_t limit, std::vector<std::byte>& out) {
   const std::size_t start = out.size();
   out.push_back(std::byte{kLayeredVersion});
-  out.push_back(static_cast<std::byte>(Encoding3::layered));
+  out.push_back(kLayered);
   if (codec::encode_layered(layers, limit, out)) return true;
   out.resize(start);
   return false;
@@ -144,21 +142,14 @@ void encode(const Chunk& chunk, std::vector<std::byte>& out) {
 tl::expected<Chunk, DecodeError> decode(std::span<const std::byte> payload) {
   if (payload.empty()) return tl::unexpected{DecodeError::empty};
   const auto version = std::to_integer<std::uint8_t>(payload[0]);
-  if (version < kOldestCodecVersion || version > kCodecVersion)
+  if (version != kLayeredVersion && version != kCodecVersion)
     return tl::unexpected{DecodeError::unknown_version};
   if (payload.size() < kHeaderBytes) return tl::unexpected{DecodeError::truncated};
   if (payload.size() > kMaxPayloadBytes) return tl::unexpected{DecodeError::too_long};
   const std::span<const std::byte> body = payload.subspan(kHeaderBytes);
   if (version == kLayeredVersion) {
-    switch (static_cast<Encoding3>(payload[1])) {
-      case Encoding3::layered:
-        return codec::decode_layered(body);
-      case Encoding3::palette:
-        return codec::decode_palette(body);
-      case Encoding3::raw:
-        return decode_raw(body);
-    }
-    return tl::unexpected{DecodeError::unknown_encoding};
+    if (payload[1] != kLayered) return tl::unexpected{DecodeError::unknown_encoding};
+    return codec::decode_layered(body);
   }
   switch (static_cast<Encoding>(payload[1])) {
     case Encoding::volume:

@@ -78,9 +78,8 @@ class Explainer {
       const char* key;
       const char* name;
     };
-    static constexpr std::array kNames{Named{"3.0", "layered"}, Named{"3.1", "palette, of version 3"},
-                                       Named{"3.2", "raw"},     Named{"4.1", "volume"},
-                                       Named{"4.2", "raw"},     Named{"4.3", "runs"}};
+    static constexpr std::array kNames{Named{"3.0", "layered"}, Named{"4.1", "volume"}, Named{"4.2", "raw"},
+                                       Named{"4.3", "runs"}};
     std::string name = "unknown";
     for (const Named& each : kNames) {
       if (key == each.key) name = each.name;
@@ -92,7 +91,6 @@ class Explainer {
     const std::size_t from = offset();
     rest_ = {};
     if (name == "raw") note(from, "voxels", "ids of two bytes, low byte first, in dense order");
-    if (name == "palette, of version 3") note(from, "palette", "a list of materials, then the coded voxels");
   }
 
   bool note_materials(std::uint32_t count) {

@@ -2,7 +2,6 @@
 // worker can load it alone.
 import { DecodeError, type DecodeFault } from './codec/decode_error.js';
 import { LayersDecoder } from './codec/layers.js';
-import { decodePalette } from './codec/palette.js';
 import { RunsDecoder } from './codec/runs.js';
 import { MAX_PAYLOAD_BYTES, Source } from './codec/source.js';
 import { VolumeDecoder } from './codec/volume.js';
@@ -45,12 +44,12 @@ function decode(payload: Uint8Array, into?: Uint16Array<ArrayBuffer>): Voxels {
   if (payload.length < 2) throw new DecodeError('truncated');
   if (payload.length > MAX_PAYLOAD_BYTES) throw new DecodeError('too_long');
   const encoding = payload[1]!;
-  if (encoding > 3 || (version === 3 ? encoding === 3 : encoding === 0)) throw new DecodeError('unknown_encoding');
+  if (version === 3 ? encoding !== 0 : encoding === 0 || encoding > 3) throw new DecodeError('unknown_encoding');
 
   workshop ??= new Workshop();
   const { source, layers, volume, runs } = workshop;
   source.begin(payload);
-  const isLayered = version === 3 && encoding === 0;
+  const isLayered = version === 3;
   if (isLayered) {
     const uniform = layers.decode(source);
     if (uniform !== null) return { uniform, voxels: null };
@@ -58,7 +57,6 @@ function decode(payload: Uint8Array, into?: Uint16Array<ArrayBuffer>): Voxels {
   const voxels = into ?? new Uint16Array(CHUNK_VOLUME);
   if (isLayered) layers.expand(voxels);
   else if (encoding === 2) readRaw(payload, voxels);
-  else if (version === 3) decodePalette(source, voxels);
   else if (encoding === 1) volume.decode(source, voxels);
   else runs.decode(source, voxels);
   return { uniform: null, voxels };

@@ -20,9 +20,6 @@ namespace talus {
 /// has not changed since version 3.
 inline constexpr std::uint8_t kCodecVersion = 4;
 
-/// What decode still reads, down from kCodecVersion.
-inline constexpr std::uint8_t kOldestCodecVersion = 3;
-
 /// Maximum payload that the encoder writes and the decoder accepts: raw voxels after two header bytes.
 inline constexpr std::size_t kMaxPayloadBytes = 2 + sizeof(DenseVoxels);
 
