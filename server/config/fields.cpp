@@ -322,11 +322,6 @@ const std::array kFields{
           WordTarget{[](Config& c) -> std::string& { return c.log.format; }, kLogFormats}},
 };
 
-constexpr std::array kRenamedKeys{
-    RenamedKey{"http", "http.listen"},
-    RenamedKey{"limits.handshakes_under_way", "limits.handshakes_in_flight"},
-};
-
 }  // namespace
 
 std::span<const Field> fields() {
@@ -350,17 +345,6 @@ Counts counts(const Field& field) {
     return Counts::after_restart;
   }
   return Counts::for_new_sessions;
-}
-
-std::span<const RenamedKey> renamed_keys() {
-  return kRenamedKeys;
-}
-
-const RenamedKey* find_renamed(std::string_view old_key) {
-  const auto* const found =
-      std::find_if(kRenamedKeys.begin(), kRenamedKeys.end(),
-                   [&](const RenamedKey& renamed) { return renamed.old_key == old_key; });
-  return found == kRenamedKeys.end() ? nullptr : found;
 }
 
 std::string variable_name(std::string_view key) {

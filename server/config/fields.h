@@ -96,22 +96,13 @@ struct Field {
 };
 
 [[nodiscard]] std::span<const Field> fields();
-/// Null where no setting has this key; old keys are not found.
+/// Null where no setting has this key.
 [[nodiscard]] const Field* find_field(std::string_view key);
 
 [[nodiscard]] Counts counts(const Field& field);
 
 /// Whether it is a number, or auto in its place: set_from_number() sets it, and a file has it without quotes.
 [[nodiscard]] bool is_number(const Field& field);
-
-/// A key that was renamed. The old key is still read, with a warning that names the new one.
-struct RenamedKey {
-  std::string_view old_key;
-  std::string_view key;
-};
-[[nodiscard]] std::span<const RenamedKey> renamed_keys();
-/// Null where no setting had this key.
-[[nodiscard]] const RenamedKey* find_renamed(std::string_view old_key);
 
 /// "TALUS_LIMITS_CONNECTIONS" for "limits.connections".
 [[nodiscard]] std::string variable_name(std::string_view key);

@@ -27,15 +27,13 @@ std::vector<std::string_view> known_keys() {
   return keys;
 }
 
-/// Whether a setting, under its present or an old key, stands in the table `path`.
+/// Returns true if a setting stands in the table `path`.
 bool is_table(std::string_view path) {
   const auto stands_there = [&](std::string_view key) {
     return key.size() > path.size() && key.starts_with(path) && key[path.size()] == '.';
   };
   return std::any_of(fields().begin(), fields().end(),
-                     [&](const Field& field) { return stands_there(field.key); }) ||
-         std::any_of(renamed_keys().begin(), renamed_keys().end(),
-                     [&](const RenamedKey& renamed) { return stands_there(renamed.old_key); });
+                     [&](const Field& field) { return stands_there(field.key); });
 }
 
 /// A list's texts, separated by commas; none where it holds something else.
@@ -94,20 +92,11 @@ class TomlFile {
   }
 
   Done apply_node(const toml::key& key, const std::string& path, const toml::node& node) {
-    if (is_table(path) && (node.is_table() || find_renamed(path) == nullptr)) {
+    if (is_table(path)) {
       if (const auto* const inner = node.as_table()) return apply_table(*inner, path);
       return fail(key, fmt::format("{}: is a table; write [{}]", path, path));
     }
-    const Field* field = find_field(path);
-    if (const RenamedKey* const renamed = find_renamed(path)) {
-      if (root_.at_path(renamed->key)) {
-        return fail(key, fmt::format("{}: is the old name of {}, which is set too; delete this line", path,
-                                     renamed->key));
-      }
-      settings_.warnings.push_back(
-          fmt::format("{}: {} is now called {}; rename it", place(key), path, renamed->key));
-      field = find_field(renamed->key);
-    }
+    const Field* const field = find_field(path);
     if (field == nullptr) {
       return fail(
           key, fmt::format("{}: no such key; did you mean {}?", escaped(path), nearest(path, known_keys())));
@@ -157,10 +146,7 @@ void warn_of_unknown(Settings& settings, const Environment& environment) {
     if (name == kInstructionSetVariable) continue;  // read by core/vectors
     if (name == "TALUS_TOKEN" || name == "TALUS_TOKEN_FILE")
       continue;  // read by clients, as health checks are
-    const bool renamed = std::any_of(
-        renamed_keys().begin(), renamed_keys().end(),
-        [&, &name = name](const RenamedKey& each) { return variable_name(each.old_key) == name; });
-    if (renamed || std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     settings.warnings.push_back(
         fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));
   }
@@ -212,18 +198,6 @@ Done apply_file(Settings& settings, const std::filesystem::path& file) {
 }
 
 Done apply_environment(Settings& settings, const Environment& environment) {
-  for (const RenamedKey& renamed : renamed_keys()) {
-    const std::string old_name = variable_name(renamed.old_key);
-    const std::string name = variable_name(renamed.key);
-    const auto found = environment.find(old_name);
-    if (found == environment.end()) continue;
-    if (environment.contains(name)) {
-      return tl::make_unexpected(
-          fmt::format("{}: is the old name of {}, which is set too; unset {}", old_name, name, old_name));
-    }
-    settings.warnings.push_back(fmt::format("{} is now called {}; rename it", old_name, name));
-    if (Done done = set_from_variable(settings, renamed.key, old_name, found->second); !done) return done;
-  }
   for (const Field& field : fields()) {
     const std::string name = variable_name(field.key);
     const auto found = environment.find(name);

@@ -146,16 +146,6 @@ TEST_CASE("a switch is true or false, in the file and as a variable") {
   }
 }
 
-TEST_CASE("the old key http is read as http.listen, with a warning") {
-  Settings settings;
-  REQUIRE(apply_toml(settings, "http = \"127.0.0.1:1\"\n", "f.toml"));
-  REQUIRE(settings.config.http.listen);
-  CHECK(settings.config.http.listen->port == 1);
-  CHECK(settings.warnings.size() == 1);
-  const auto wrong = apply_toml(settings, "http = 3\n", "f.toml");
-  REQUIRE_FALSE(wrong);
-}
-
 TEST_CASE("every field is written as it is read") {
   for (const Field& field : fields()) {
     CAPTURE(field.key);
@@ -250,42 +240,6 @@ TEST_CASE("a duration is read in milliseconds, in its range") {
 TEST_CASE("a number beyond 64 bits names the key and its range") {
   CHECK_THAT(toml_error("[threads]\nio = 1\n[limits]\n  connections = 99999999999999999999\n"),
              Catch::StartsWith("file.toml:4: limits.connections: ") && Catch::Contains("1 to 1000000"));
-}
-
-TEST_CASE("an old key is read, with a warning that names the new one") {
-  REQUIRE_FALSE(renamed_keys().empty());
-  for (const RenamedKey& renamed : renamed_keys()) {
-    CAPTURE(renamed.old_key);
-    CHECK(find_field(renamed.old_key) == nullptr);
-    REQUIRE(find_field(renamed.key) != nullptr);
-  }
-  const Settings settings = settings_of("[limits]\nhandshakes_under_way = 7");
-  CHECK(settings.config.limits.handshakes_in_flight == 7);
-  CHECK(settings.warnings ==
-        std::vector<std::string>{"file.toml:2: limits.handshakes_under_way is now called "
-                                 "limits.handshakes_in_flight; rename it"});
-}
-
-TEST_CASE("an error in the value of an old key is found") {
-  CHECK_THAT(toml_error("[limits]\nhandshakes_under_way = 0"),
-             Catch::StartsWith("file.toml:2: limits.handshakes_"));
-}
-
-TEST_CASE("an old key beside the new one is an error") {
-  CHECK_THAT(toml_error("[limits]\nhandshakes_under_way = 7\nhandshakes_in_flight = 8"),
-             Catch::StartsWith("file.toml:2: limits.handshakes_under_way: is the old name"));
-  Settings settings;
-  CHECK_FALSE(apply_environment(settings, {{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY", "7"},
-                                           {"TALUS_LIMITS_HANDSHAKES_IN_FLIGHT", "8"}})
-                  .has_value());
-}
-
-TEST_CASE("a variable of an old key is read, with a warning that names the new one") {
-  const auto read = command({}, {{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY", "7"}});
-  REQUIRE(read.has_value());
-  CHECK(read->config.limits.handshakes_in_flight == 7);
-  CHECK(read->warnings == std::vector<std::string>{"TALUS_LIMITS_HANDSHAKES_UNDER_WAY is now called "
-                                                   "TALUS_LIMITS_HANDSHAKES_IN_FLIGHT; rename it"});
 }
 
 TEST_CASE("a later error about a setting gets the line or the variable that set it") {
