@@ -12,9 +12,6 @@ inline constexpr std::uint16_t kEditsProtocol = 2;    // first version with edit
 /// Maximum frame from a client, prefix included: the default, and the lowest that a server may set.
 inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;
 inline constexpr std::uint32_t kMinClientFrameBytes = 4U * 1024;
-/// Its name in 0.1; goes with 0.3.
-[[deprecated("its name is kMinClientFrameBytes")]] inline constexpr std::uint32_t kLeastClientFrameBytes =
-    kMinClientFrameBytes;
 
 /// Maximum frame before Welcome, prefix included: a Hello with the longest strings fits.
 inline constexpr std::uint32_t kHelloFrameBytes = 16U * 1024;

@@ -16,14 +16,6 @@
 
 #include <talus/protocol/talus_generated.h>
 
-namespace talus::wire {
-
-/// Their names in 0.1; they go with 0.3.
-using Column2 [[deprecated("its name is ColumnPos")]] = ColumnPos;
-using Column [[deprecated("its name is UniformColumn")]] = UniformColumn;
-
-}  // namespace talus::wire
-
 namespace talus::protocol {
 
 /// Reason to reject a frame.

@@ -10,11 +10,6 @@
 
 namespace talus::client {
 
-/// Their names in 0.1; they go with 0.3.
-using TlsContext [[deprecated("its name is talus::tls::Context")]] = tls::Context;
-using Tls [[deprecated("its name is talus::tls::Handle")]] = tls::Handle;
-using FreeTls [[deprecated("its name is talus::tls::FreeHandle")]] = tls::FreeHandle;
-
 /// Creates a TLS 1.3 context. An error states what is wrong with options.ca_file.
 [[nodiscard]] Result<tls::Context> make_tls_context(const TlsOptions& options);
 

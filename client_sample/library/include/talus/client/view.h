@@ -11,9 +11,6 @@
 
 namespace talus::client {
 
-/// Its name in 0.1; goes with 0.3.
-using Span [[deprecated("its name is talus::ChunkRange")]] = ChunkRange;
-
 /// Coarser chunks around the View, out to `radius` base chunks.
 struct LodRing {
   Lod lod;                   // 1 and up; each ring is coarser and wider than the previous one
