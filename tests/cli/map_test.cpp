@@ -34,7 +34,7 @@ TEST_CASE("a map asks for no more heights at once than the server allows") {
     CHECK((drawn ? "" : drawn.error()) == std::string{});
   };
   const auto serve = [&]() -> asio::awaitable<void> {
-    co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {false, 320, 1, 512});
+    co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {.heights_per_request = 512});
     try {
       while (true) {
         const auto* message = co_await peer.receive();

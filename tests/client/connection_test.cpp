@@ -38,7 +38,7 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
         co_await peer.accept();
         const auto* hello = (co_await peer.receive())->body_as_Hello();
         REQUIRE(hello != nullptr);
-        CHECK(hello->protocol_min() == 1);
+        CHECK(hello->protocol_min() == protocol::kOldestProtocol);
         CHECK(hello->protocol_max() == protocol::kProtocolVersion);
         CHECK(hello->codecs()->size() == 1);
         CHECK(hello->codecs()->Get(0) == kCodecVersion);

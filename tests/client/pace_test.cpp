@@ -264,23 +264,6 @@ TEST_CASE("a refused ping fails, the oldest first") {
   CHECK(answers == std::vector<std::string>{"first refused", "second came"});
 }
 
-TEST_CASE("a server of 0.1 that refuses a request leaves the next step to the caller") {
-  Meeting m;
-  m.make_client();
-  const auto visit = [&]() -> asio::awaitable<void> {
-    co_await m.join();
-    const auto chunk = co_await m.client->get(key_at(1, 2, 3));
-    REQUIRE_FALSE(chunk.has_value());
-    CHECK(chunk.error().kind == ErrorKind::overloaded);
-  };
-  const auto serve = [&]() -> asio::awaitable<void> {
-    co_await m.welcome();
-    const auto id = co_await m.next_request();
-    co_await m.peer.send(error_frame(wire::ErrorCode::overloaded, "over a rate", id));
-  };
-  run(m.io, {visit, serve});
-}
-
 TEST_CASE("a server that goes away is asked nothing more, and the next one is asked after the time told") {
   Meeting m;
   m.make_client(3);

@@ -8,6 +8,7 @@
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
 
+#include <talus/protocol/limits.h>
 #include <talus/voxel/codec.h>
 
 namespace talus::client::testing {
@@ -130,8 +131,8 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
     const auto server = b.CreateString("a test");
     const auto looks = b.CreateVectorOfStrings({"", "snow"});
     const auto fields = b.CreateVectorOfStrings({"temperature", "moisture"});
-    return wire::CreateWelcome(b, more.protocol, kCodecVersion, &world, &store, 32, material_list, 0,
-                               more.max_y, &spawn, limits, server, looks, fields);
+    return wire::CreateWelcome(b, protocol::kProtocolVersion, kCodecVersion, &world, &store, 32,
+                               material_list, 0, more.max_y, &spawn, limits, server, looks, fields);
   });
 }
 
@@ -153,8 +154,9 @@ protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash h
 }
 
 protocol::Frame error_frame(wire::ErrorCode code, const std::string& text, std::uint32_t id) {
+  const auto about = id == 0 ? wire::ErrorAbout::connection : wire::ErrorAbout::request;
   return protocol::make_frame(
-      [&](auto& b) { return wire::CreateError(b, code, b.CreateString(text), id, 0); });
+      [&](auto& b) { return wire::CreateError(b, code, b.CreateString(text), id, 0, about); });
 }
 
 protocol::Frame refusal_frame(wire::ErrorAbout about, std::uint32_t id_or_number,

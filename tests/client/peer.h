@@ -25,7 +25,6 @@ namespace talus::client::testing {
 struct WelcomeMore {
   bool view_horizon = false;
   std::int64_t max_y = 320;
-  std::uint16_t protocol = 1;
   std::uint32_t heights_per_request = 2048;
 };
 
@@ -84,7 +83,7 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,
                                           const std::vector<std::byte>& payload);
-/// As a server of 0.1 sends it.
+/// About the request `id`, or about the connection if `id` is 0.
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, const std::string& text,
                                           std::uint32_t id = 0);
 /// Overloaded, about a request or, with a View's number, about that.

@@ -278,7 +278,7 @@ TEST_CASE("an edit that changed less than was seen leaves no trace where the con
     while (!is_lost) co_await asio::post(io, asio::use_awaitable);
   };
   const auto serve = [&]() -> asio::awaitable<void> {
-    co_await peer.welcome(1, 1U << 20, 64, 60'000, std::nullopt, {false, 320, 2});
+    co_await peer.welcome();
     const auto* attach = co_await peer.receive();
     CHECK(attach->body_type() == wire::Body::Attach);
     co_await peer.send(protocol::make_frame([](auto& b) {

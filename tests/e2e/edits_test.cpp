@@ -158,38 +158,6 @@ TEST_CASE("where loose material settles a hole fills from its edges, for all who
   CHECK(done->changed > static_cast<std::uint64_t>(before.in_hole - after.in_hole));
 }
 
-TEST_CASE("a client of version 1 sees edits as chunks that come again") {
-  const ScratchDirectory scratch;
-  const ServerProcess server{editable(scratch / "data")};
-  RawClient old{server.port()};
-  REQUIRE(old.send(hello()));
-  const auto welcome = old.receive();
-  REQUIRE(welcome->as<wire::Welcome>().protocol() == 1);
-  const wire::Voxel& spawn = *welcome->as<wire::Welcome>().spawn();
-  const VoxelPos at{spawn.x(), spawn.y() + 40, spawn.z()};
-  REQUIRE(old.send(view({.centre = at, .number = 1})));
-  for (;;) {
-    const auto received = old.receive();
-    REQUIRE(received);
-    if (received->kind() == wire::Body::ViewComplete) break;
-  }
-  Player player;
-  const auto world = player.connect(server.port());
-  REQUIRE(player.put(at, solid(*world)).has_value());
-  for (;;) {
-    const auto received = old.receive();
-    REQUIRE(received);
-    REQUIRE(received->kind() == wire::Body::Chunk);
-    const auto& chunk = received->as<wire::Chunk>();
-    CHECK(chunk.revision() == 1);
-    const auto decoded =
-        decode({reinterpret_cast<const std::byte*>(chunk.payload()->data()), chunk.payload()->size()});
-    REQUIRE(decoded);
-    CHECK(decoded->at(local_pos(at)) == solid(*world));
-    break;
-  }
-}
-
 TEST_CASE("without a directory no edits are taken, and the client says so") {
   Settings settings = editable("");
   const ServerProcess server{settings};

@@ -33,7 +33,7 @@ TEST_CASE("Welcome describes the world and the limits") {
   const auto& welcome = received.as<wire::Welcome>();
 
   const terrain::World& world = served_world();
-  CHECK(welcome.protocol() == 1);
+  CHECK(welcome.protocol() == protocol::kProtocolVersion);
   CHECK(welcome.codec() == kCodecVersion);
   CHECK(hash_of(*welcome.fingerprint()) == world.fingerprint());
   CHECK(hash_of(*welcome.store_id()) == ContentHash{});
@@ -54,7 +54,7 @@ TEST_CASE("a client from another time is told both versions") {
       future ? HelloFields{.oldest = 7, .newest = 9} : HelloFields{.oldest = 0, .newest = 0};
   REQUIRE(client.send(hello(fields)));
   const std::string text = closing_error(client, wire::ErrorCode::version);
-  CHECK_THAT(text, Catch::Contains("versions 1 to 2"));
+  CHECK_THAT(text, Catch::Contains("speaks protocol version 2,"));
   CHECK_THAT(text, Catch::Contains(future ? "versions 7 to 9" : "version 0"));
 }
 

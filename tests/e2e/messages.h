@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
@@ -13,8 +14,8 @@
 namespace talus::e2e {
 
 struct HelloFields {
-  std::uint16_t oldest = 1;
-  std::uint16_t newest = 1;
+  std::uint16_t oldest = protocol::kOldestProtocol;
+  std::uint16_t newest = protocol::kProtocolVersion;
   std::vector<std::uint8_t> codecs{kCodecVersion};
   std::uint64_t window_bytes = 0;
   std::string client = "raw client";

@@ -204,8 +204,8 @@ TEST_CASE("the newest common version is chosen") {
   struct Case {
     std::uint16_t oldest, newest, chosen;
   };
-  static_assert(kOldestProtocol == 1 && kProtocolVersion == 2, "extend the table with the new version");
-  constexpr std::array kCases{Case{1, 1, 1},    Case{1, 9, 2}, Case{0, 1, 1},         Case{0, 65535, 2},
+  static_assert(kOldestProtocol == 2 && kProtocolVersion == 2, "extend the table with the new version");
+  constexpr std::array kCases{Case{1, 1, 0},    Case{1, 9, 2}, Case{0, 1, 0},         Case{0, 65535, 2},
                               Case{2, 9, 2},    Case{2, 2, 2}, Case{1, 2, 2},         Case{3, 9, 0},
                               Case{0, 0, 0},    Case{2, 1, 0}, Case{65535, 65535, 0}, Case{1, 0, 0},
                               Case{65535, 1, 0}};

@@ -22,7 +22,6 @@ WRITE = ([((1, 2, 3), 5)],)
 
 def greeting(store=3):
     message = welcome()
-    message.protocol = 2
     message.store_id = protocol.Hash128(store, 4)
     message.materials = [protocol.Material(id=0, name="air"), protocol.Material(id=5, name="stone")]
     return message

@@ -22,7 +22,7 @@ def welcome(fields=None, **limits):
     """`fields`: of Welcome, in place of the usual ones."""
     given = dict(frame_bytes=65536, requests_in_flight=64, heights_per_request=2048, window_bytes=1 << 17)
     usual = dict(
-        protocol=1,
+        protocol=2,
         codec=4,
         fingerprint=protocol.Hash128(1, 2),
         store_id=protocol.Hash128(0, 0),
@@ -100,7 +100,7 @@ class Requests(Scripted):
         with talus.connect(self.serve(lambda peer: seen.put(peer.greet())), token="open sesame"):
             pass
         hello = seen.get(timeout=20)
-        self.assertEqual((hello.codecs, hello.token, hello.protocol_min), (b"\4", "open sesame", 1))
+        self.assertEqual((hello.codecs, hello.token, hello.protocol_min), (b"\4", "open sesame", 2))
 
     def test_answers_may_come_in_any_order(self):
         keys = [(x, 2, 3, 1) for x in range(5)]
@@ -378,7 +378,8 @@ class Welcomes(Scripted):
 
     def test_one_that_this_client_cannot_use_is_refused(self):
         self.refuses("16 voxels along an edge", chunk_size=16)
-        self.refuses("protocol version 3, which was not offered", protocol=3)
+        for protocol_version in (1, 3):
+            self.refuses(f"protocol version {protocol_version}, which was not offered", protocol=protocol_version)
         self.refuses("codec 3, which was not offered", codec=3)
         self.refuses("whole Welcome", spawn=None)
         self.refuses("unknown phase", materials=[protocol.Material(id=1, name="dark matter", phase=9)])

@@ -56,7 +56,6 @@ struct EditingBench {
                .address = std::move(address),
                .access = access,
                .edits = &taker,
-               .protocol = protocol::kEditsProtocol,
                .rules = std::move(rules)}} {}
 
   void attached(std::uint64_t last_sequence = 0) {

@@ -120,7 +120,8 @@ TEST_CASE("who comes with a blocked subject is refused, and the log knows from t
                     nullptr};
     session.receive(protocol::make_frame([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
-      return wire::CreateHello(builder, 1, 1, codecs, builder.CreateString(shared.token({Right::read})));
+      return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, codecs,
+                               builder.CreateString(shared.token({Right::read})));
     }));
     CHECK_THAT(session.failure(), Catch::Contains("blocked you (line 2 of access.blocked_file)"));
     CHECK(session.failure_is_known() == known);

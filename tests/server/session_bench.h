@@ -112,7 +112,6 @@ struct SessionBench {
     bool greet = true;
     HeightRange heights{};  // of the world
     EditTaker* edits = nullptr;
-    std::uint16_t protocol = 1;
     EditRules rules{};
   };
 
@@ -126,7 +125,6 @@ struct SessionBench {
   FlowUses flows;
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
-  const std::uint16_t protocol;
   Session session;
   std::uint32_t view_number = 0;  // of the Views to come
 
@@ -135,7 +133,6 @@ struct SessionBench {
         world{.heights = options.heights},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
-        protocol{options.protocol},
         session{{limits, world, source, memory, metrics, access, rates, flows, clock, options.edits},
                 mailbox,
                 options.address} {
@@ -156,7 +153,7 @@ struct SessionBench {
     receive([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{codec});
       const auto shown = builder.CreateString(token);
-      return wire::CreateHello(builder, 1, protocol, codecs, shown);
+      return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, codecs, shown);
     });
   }
   void get_chunk(std::uint32_t id, ChunkKey key, const EncodedChunkPtr& known = nullptr) {

@@ -131,7 +131,7 @@ TEST_CASE("a session that leaves or finishes waits for the answers of its edits"
 TEST_CASE("a session that ends forgets its edits, and so does the taker") {
   ScriptedTaker taker;
   {
-    SessionBench bench{{.access = editors(), .edits = &taker, .protocol = 2}};
+    SessionBench bench{{.access = editors(), .edits = &taker}};
     bench.attach();
     bench.mailbox->put(AttachAnswer{EditorSession{{1, 2}, 3, 0, false, 9}});
     bench.take_mail();
@@ -146,7 +146,7 @@ TEST_CASE("a session that ends forgets its edits, and so does the taker") {
 
 TEST_CASE("the taker forgets a session whose Attach was refused") {
   ScriptedTaker taker;
-  SessionBench bench{{.access = editors(), .edits = &taker, .protocol = 2}};
+  SessionBench bench{{.access = editors(), .edits = &taker}};
   bench.attach();
   bench.mailbox->put(AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "later", 1s}}});
   bench.take_mail();
@@ -243,8 +243,7 @@ TEST_CASE("a token whose subject cannot be printed does not let edit") {
   ScriptedTaker taker;
   for (const auto& [name, lets] :
        {std::pair{"J\u00f6rg", true}, std::pair{"a\x1b[2Jb", false}, std::pair{"a\nb", false}}) {
-    SessionBench bench{
-        {.access = access, .greet = false, .edits = &taker, .protocol = protocol::kEditsProtocol}};
+    SessionBench bench{{.access = access, .greet = false, .edits = &taker}};
     bench.hello(*make_signed_token(Secret{key}, {name, {Right::read, Right::edit}, bench.clock.wall() + 1h},
                                    bench.clock.wall()));
     (void)bench.output();
@@ -259,26 +258,17 @@ TEST_CASE("a token whose subject cannot be printed does not let edit") {
   }
 }
 
-TEST_CASE("Attach needs the right, version 2, a store, and its turn") {
+TEST_CASE("Attach needs the right, a store, and its turn") {
   SECTION("the right") {
     ScriptedTaker taker;
-    SessionBench bench{{.edits = &taker, .protocol = 2}};
+    SessionBench bench{{.edits = &taker}};
     bench.attach();
     const auto said = bench.output();
     CHECK(said.at(0).code == ErrorCode::forbidden);
     CHECK(said.at(0).about == wire::ErrorAbout::attach);
   }
-  SECTION("version 2") {
-    ScriptedTaker taker;
-    SessionBench bench{{.access = editors(), .edits = &taker}};
-    bench.write_voxel(1, 1);
-    CHECK(bench.output().at(0).code == ErrorCode::unsupported);
-    bench.attach();
-    CHECK(bench.output().at(0).code == ErrorCode::unsupported);
-    CHECK(bench.session.state() == State::joined);
-  }
   SECTION("a store") {
-    SessionBench bench{{.access = editors(), .protocol = 2}};
+    SessionBench bench{{.access = editors()}};
     bench.attach();
     bench.write_voxel(1, 1);
     const auto said = bench.output();

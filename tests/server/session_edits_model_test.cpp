@@ -202,13 +202,12 @@ const std::vector<ViewRing> kRings{{Lod::of(1), 4}};
 /// A session, and a client that keeps to PROTOCOL.md.
 class Conversation {
  public:
-  Conversation(std::uint64_t seed, std::uint16_t protocol)
-      : random_{std::mt19937_64{seed}}, protocol_{protocol} {
+  explicit Conversation(std::uint64_t seed) : random_{std::mt19937_64{seed}} {
     limits_.window_bytes = 1 + static_cast<std::uint64_t>(random_.below(2000));
     limits_.queued_bytes = 5000;
     receive([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
-      return wire::CreateHello(builder, 1, protocol, codecs);
+      return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, codecs);
     });
     (void)read(SIZE_MAX);
   }
@@ -407,7 +406,6 @@ class Conversation {
       }
     } else if (const auto* broadcast = message.body_as_EditBroadcast()) {
       ++broadcasts_;
-      if (protocol_ < protocol::kEditsProtocol) fault_ = "a client of version 1 got an EditBroadcast";
       apply(*broadcast);
     } else if (const auto* error = message.body_as_Error()) {
       open_.erase(error->request_id());  // overloaded, as the source was full
@@ -443,7 +441,6 @@ class Conversation {
   }
 
   Random random_;
-  const std::uint16_t protocol_;
   ModelSource source_{random_};
   ManualClock clock_{std::chrono::sys_seconds{std::chrono::seconds{1'700'000'000}}};
   MemoryBudget memory_{0};
@@ -482,7 +479,7 @@ TEST_CASE("whatever is edited, a client that is quiet has its View as the source
   int wrong = 0;
   for (std::uint64_t run = 0; run < runs; ++run) {
     const std::uint64_t seed = first + run;
-    Conversation conversation{seed, static_cast<std::uint16_t>(seed % 4 == 0 ? 1 : protocol::kEditsProtocol)};
+    Conversation conversation{seed};
     for (int steps = 0; steps < 150; ++steps) conversation.step();
     conversation.calm_down();
     const std::string difference = conversation.difference();

@@ -12,8 +12,9 @@ namespace {
 const ChunkKey kKey = chunk_at(5);
 
 struct Bench : SessionBench {
-  explicit Bench(std::uint16_t of_protocol = protocol::kEditsProtocol, std::uint64_t window_bytes = 4U << 20)
-      : SessionBench{{.greet = false, .protocol = of_protocol}} {
+  /// `remembers`: the source knows which voxels an edit changed.
+  explicit Bench(bool remembers = true, std::uint64_t window_bytes = 4U << 20)
+      : SessionBench{{.greet = false}}, remembers_{remembers} {
     limits.window_bytes = window_bytes;
     hello();
     (void)output();
@@ -28,6 +29,7 @@ struct Bench : SessionBench {
   void edit(std::uint64_t revision, std::size_t voxels = 1) {
     source.revisions[kKey] = revision;
     voxels_ = voxels;
+    if (!remembers_) return;
     source.changes = [this](ChunkKey key, std::uint64_t since) -> std::optional<ChangedVoxels> {
       ChangedVoxels changed{source.revisions.at(key), {}};
       if (since >= changed.revision) return changed;
@@ -42,6 +44,7 @@ struct Bench : SessionBench {
   }
 
  private:
+  const bool remembers_;
   std::size_t voxels_ = 1;
 };
 
@@ -74,8 +77,8 @@ TEST_CASE("several edits that were not written yet are one broadcast, from what 
   CHECK(said[0].revision == 4);
 }
 
-TEST_CASE("a client of version 1 gets the chunk again") {
-  Bench bench{1};
+TEST_CASE("a chunk of which no change is remembered comes again") {
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
@@ -87,7 +90,7 @@ TEST_CASE("a client of version 1 gets the chunk again") {
 }
 
 TEST_CASE("a chunk that is to be sent again and is not in memory is asked for") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
@@ -102,7 +105,7 @@ TEST_CASE("a chunk that is to be sent again and is not in memory is asked for") 
 }
 
 TEST_CASE("an answer from before the edit is asked for again") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
@@ -114,7 +117,7 @@ TEST_CASE("an answer from before the edit is asked for again") {
 }
 
 TEST_CASE("where the source is full a chunk that is to be sent again waits for room") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.source.queue_places = 0;
@@ -131,7 +134,7 @@ TEST_CASE("where the source is full a chunk that is to be sent again waits for r
 }
 
 TEST_CASE("where it fails the client is told, and may ask for it") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
@@ -231,7 +234,7 @@ TEST_CASE("what left the View is forgotten, and comes back in its newest version
 }
 
 TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
@@ -242,7 +245,7 @@ TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
 }
 
 TEST_CASE("updates need credit to begin, and broadcasts count none") {
-  Bench bench{protocol::kEditsProtocol, 100};
+  Bench bench{true, 100};
   bench.see();  // the window is overdrawn
   const std::uint64_t sent = scripted_chunk(kKey)->frame_bytes();
   bench.edit(3);
@@ -255,7 +258,7 @@ TEST_CASE("updates need credit to begin, and broadcasts count none") {
 }
 
 TEST_CASE("a chunk that is sent again counts as any") {
-  Bench bench{1};
+  Bench bench{false};
   bench.see();
   bench.edit(3);
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
@@ -314,7 +317,7 @@ TEST_CASE("where any chunk may have changed, all edited ones are told from the c
 }
 
 TEST_CASE("ViewComplete does not wait for updates") {
-  Bench bench{protocol::kEditsProtocol, 100};
+  Bench bench{true, 100};
   bench.source.in_memory[kKey] = scripted_chunk(kKey);
   bench.view_number = 9;
   bench.look_at(5, 0);
@@ -333,7 +336,7 @@ TEST_CASE("the source is told where to send changes, and forgets a session that 
 }
 
 TEST_CASE("updates that wait are memory of the session") {
-  Bench bench{protocol::kEditsProtocol, 1 << 20};
+  Bench bench{true, 1 << 20};
   bench.look_at(0, 10);
   const auto sent = bench.run_dry();
   REQUIRE(sent.size() == 21 * 21);
@@ -444,7 +447,7 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
 }
 
 TEST_CASE("chunks that are to be sent again take no more than half of the room for what waits") {
-  Bench bench{1};
+  Bench bench{false};
   bench.limits.queued_bytes = 100'000;
   bench.look_at(5, 4);
   const auto sent = bench.run_dry();
@@ -468,13 +471,13 @@ TEST_CASE("chunks that are to be sent again take no more than half of the room f
 }
 
 TEST_CASE("small chunks are sent again at once, however often, as broadcasts are") {
-  const bool knows_broadcasts = GENERATE(true, false);
-  Bench bench{knows_broadcasts ? protocol::kEditsProtocol : std::uint16_t{1}};
+  const bool remembers = GENERATE(true, false);
+  Bench bench{remembers};
   bench.see();
   for (std::uint64_t revision = 1; revision < 10; ++revision) {
     // Of the one the chunk is smaller than a broadcast, of the other it is all that goes.
     bench.edit(revision, 1000);
-    bench.source.in_memory[kKey] = scripted_chunk(kKey, revision, knows_broadcasts ? 0 : 3000);
+    bench.source.in_memory[kKey] = scripted_chunk(kKey, revision, remembers ? 0 : 3000);
     bench.tell(revision - 1, revision);
     const auto said = bench.output();
     REQUIRE(kinds(said) == Kinds{Body::Chunk});

@@ -25,10 +25,10 @@ using namespace std::chrono_literals;
 
 using Runner = SessionRunner<LoopbackStream>;
 
-inline protocol::Frame hello(std::uint16_t version = 1) {
+inline protocol::Frame hello() {
   return protocol::make_frame([&](auto& builder) {
     const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
-    return wire::CreateHello(builder, version, version, codecs);
+    return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, codecs);
   });
 }
 inline protocol::Frame ping() {

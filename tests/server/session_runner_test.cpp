@@ -297,7 +297,7 @@ TEST_CASE("of a client whose edits wait no more is read once they take a quarter
   who_may.without_token = "read,edit";
   Bench bench{0, who_may, &taker};
   const auto client = bench.connect();
-  bench.send(*client, hello(protocol::kEditsProtocol));
+  bench.send(*client, hello());
   bench.send(*client, protocol::make_frame([](auto& builder) { return wire::CreateAttach(builder); }));
   REQUIRE(taker.mailbox);
   const auto answer = [&](Mail mail) {

@@ -46,7 +46,8 @@ TEST_CASE("a client that decodes none of this server's codecs is told which, and
     SessionBench bench{{.greet = false}};
     bench.receive([&](auto& builder) {
       const auto list = builder.CreateVector(codecs);
-      return wire::CreateHello(builder, 1, 1, list, builder.CreateString(""));
+      return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, list,
+                               builder.CreateString(""));
     });
     return bench.output().at(0).text;
   };

@@ -191,7 +191,7 @@ Result<void> Core::accept_world(const WorldInfo& world) {
     tracker_.forget_revisions();
     fail_edits(edits_.forget_editor(), kOutcomeUnknown);
   }
-  if (world.protocol < protocol::kEditsProtocol || world.store_id == ContentHash{}) {
+  if (world.store_id == ContentHash{}) {
     fail_all_edits({ErrorKind::refused, "this server stores no edits", {}});
   }
   // A server of another release may report other heights.

@@ -4,8 +4,6 @@
 
 #include <asio/post.hpp>
 
-#include <talus/protocol/limits.h>
-
 #include "core.h"
 #include "incoming.h"
 #include "outgoing.h"
@@ -15,7 +13,7 @@ void Core::edit(Edit edit, std::function<void(Result<EditDone>)> handler) {
   std::optional<ClientError> error;
   if (!running_ || !world_) {
     error = ClientError{ErrorKind::not_connected, "connect() comes first", {}};
-  } else if (world_->protocol < protocol::kEditsProtocol || world_->store_id == ContentHash{}) {
+  } else if (world_->store_id == ContentHash{}) {
     error = ClientError{ErrorKind::refused, "this server stores no edits", {}};
   }
   if (error) {

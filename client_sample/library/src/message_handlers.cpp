@@ -196,11 +196,8 @@ Result<void> Core::handle_heights(const wire::Heights& heights) {
 
 Result<void> Core::handle_error(const wire::Error& error) {
   const ClientError why = read_error(error);
-  // A server of 0.1 reports neither the subject of an Error nor its rates: the caller decides whether to
-  // retry.
-  const bool told = error.about() != wire::ErrorAbout::unspecified;
-  const bool is_request = told ? error.about() == wire::ErrorAbout::request : error.request_id() != 0;
-  const bool comes_back = told && error.code() == wire::ErrorCode::overloaded && why.retry_after.count() > 0;
+  const bool is_request = error.about() == wire::ErrorAbout::request;
+  const bool comes_back = error.code() == wire::ErrorCode::overloaded && why.retry_after.count() > 0;
   if (comes_back) pace_.refused(options_.clock->now(), why.retry_after);
   if (is_request && (error.request_id() & OpenEdits::kIdBit) != 0) return edit_refused(error, comes_back);
   if (error.about() == wire::ErrorAbout::attach) {

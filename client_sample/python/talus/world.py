@@ -17,7 +17,7 @@ from .protocol import ChunkKey, ChunkRequest, ErrorAbout
 from .queries import Places, Queries
 from .view_shape import CHUNK_SIZE, level_boxes, world_heights
 
-_PROTOCOLS = range(1, 3)
+_PROTOCOL = 2
 _CODEC = 4
 _REQUESTS_AT_ONCE = 64
 # Small enough for the kernel's buffer: a server never waits for a program that computes between chunks.
@@ -127,7 +127,7 @@ class World(Queries):
         OutcomeUnknown if that can no longer be known.
         """
         message = edit_message(self.welcome.materials, writes, guards, fills, paste, subject)
-        if self.welcome.protocol < 2 or self.store_id == protocol.Hash128(0, 0):
+        if self.store_id == protocol.Hash128(0, 0):
             raise ServerError(protocol.ErrorCode.unsupported, "this server stores no edits")
         self._wake()
         return self._editor.edit(message)
@@ -186,8 +186,8 @@ class World(Queries):
         self._unanswered, self._answers = set(), {}
         self._viewing, self._ponged = False, 0
         hello = protocol.Hello(
-            protocol_min=_PROTOCOLS[0],
-            protocol_max=_PROTOCOLS[-1],
+            protocol_min=_PROTOCOL,
+            protocol_max=_PROTOCOL,
             codecs=bytes([_CODEC]),
             token=self._token,
             client="talus for Python",
@@ -403,7 +403,7 @@ class World(Queries):
         error = ServerError(message.code, message.text, message.retry_after_ms)
         if again_later(error) and message.about != ErrorAbout.connection:
             self._pace.refused(message.retry_after_ms)
-        if message.about == ErrorAbout.request or (message.about == ErrorAbout.unspecified and message.request_id):
+        if message.about == ErrorAbout.request:
             self._answer(message.request_id, message)
         elif message.about == ErrorAbout.view:
             view = self._view
@@ -477,7 +477,7 @@ def _check_welcome(welcome):
         raise protocol.ProtocolError(
             f"the server's chunks have {welcome.chunk_size} voxels along an edge; this client reads chunks of {CHUNK_SIZE}"
         )
-    if welcome.protocol not in _PROTOCOLS:
+    if welcome.protocol != _PROTOCOL:
         raise protocol.ProtocolError(f"Welcome picks protocol version {welcome.protocol}, which was not offered")
     if welcome.codec != _CODEC:
         raise protocol.ProtocolError(f"Welcome picks chunk codec {welcome.codec}, which was not offered")

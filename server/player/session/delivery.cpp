@@ -8,15 +8,9 @@
 
 #include <fmt/format.h>
 
-#include <talus/protocol/limits.h>
-
 namespace talus::server {
 
 using wire::ErrorCode;
-
-void Delivery::speaks(std::uint16_t protocol) {
-  broadcasts_ = protocol >= protocol::kEditsProtocol;
-}
 
 void Delivery::request_heights(std::uint32_t id, HeightsQuery query) {
   constexpr std::size_t kTaskBytes = 256;
@@ -373,8 +367,7 @@ Outbox::Update Delivery::write_update(ChunkKey key) {
     return {};
   }
   const EncodedChunkPtr chunk = newest_of_update(key);
-  const auto changed =
-      broadcasts_ ? context_.chunks.changes_since(key, has, kMaxBroadcastVoxels) : std::nullopt;
+  const auto changed = context_.chunks.changes_since(key, has, kMaxBroadcastVoxels);
   if (changed) {
     protocol::Frame frame = edit_broadcast_frame(key, has, *changed);
     if (chunk == nullptr || frame.size() < chunk->frame_bytes()) {

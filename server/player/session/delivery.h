@@ -75,9 +75,6 @@ class Delivery {
   /// In whose turns its chunks are generated from now on; before it asks for anything.
   void join(FlowUsePtr flow) { mailbox_->join(std::move(flow)); }
 
-  /// The protocol's version that was agreed on: whether the client knows EditBroadcast.
-  void speaks(std::uint16_t protocol);
-
   [[nodiscard]] FlowUse& flow() const { return *mailbox_->flow_use(); }
 
   // ---- what the client asks for
@@ -207,7 +204,6 @@ class Delivery {
   ChunkWaits waits_;
   PendingUpdates updates_;
   ResendPauses pauses_;
-  bool broadcasts_ = false;  // the client knows EditBroadcast
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;

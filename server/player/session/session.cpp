@@ -213,7 +213,6 @@ void Session::on(const wire::Hello& hello) {
   greeting_ = *std::move(greeting);
   const std::string& subject = greeting_->grant.subject;
   if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
-  delivery_.speaks(greeting_->protocol);
   credit_ = Credit{greeting_->window_bytes};
   if (greeting_->grant.rights.has(Right::gateway)) rates_.become_gateway(received_at_);
   replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
@@ -313,9 +312,6 @@ void Session::on(const wire::Edit& edit) {
     return replies_.error(subject, ErrorCode::unsupported,
                           "this server stores no edits: it was started without a directory for data");
   }
-  if (greeting_->protocol < protocol::kEditsProtocol) {
-    return replies_.error(subject, ErrorCode::unsupported, "edits need version 2 of the protocol");
-  }
   if (!editing_.attached()) {
     return replies_.error(subject, ErrorCode::expired, "an Attach must be answered before the first Edit");
   }
@@ -360,9 +356,6 @@ void Session::on(const wire::Edit& edit) {
 void Session::on(const wire::Attach& attach) {
   const Subject subject = about_attach();
   if (!within_rates(subject)) return;
-  if (greeting_->protocol < protocol::kEditsProtocol) {
-    return replies_.error(subject, ErrorCode::unsupported, "edits need version 2 of the protocol");
-  }
   if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
   if (const auto why = edits_forbidden(greeting_->grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);

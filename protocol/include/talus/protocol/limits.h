@@ -6,8 +6,7 @@
 namespace talus::protocol {
 
 inline constexpr std::uint16_t kProtocolVersion = 2;  // newest supported version
-inline constexpr std::uint16_t kOldestProtocol = 1;   // oldest supported version
-inline constexpr std::uint16_t kEditsProtocol = 2;    // first version with edits and EditBroadcast
+inline constexpr std::uint16_t kOldestProtocol = 2;   // oldest supported version
 
 /// Maximum frame from a client, prefix included: the default, and the lowest that a server may set.
 inline constexpr std::uint32_t kDefaultClientFrameBytes = 64U * 1024;

@@ -89,7 +89,7 @@ struct Events {
   /// A chunk that on_chunk delivered left the View and will no longer be updated.
   std::function<void(ChunkKey)> on_left_view;
   /// All chunks of the View arrived, except any reported by on_error. Called at most once per View sent, not
-  /// for a View replaced before; again after a reconnect. Never with a server of 0.1.
+  /// for a View replaced before; again after a reconnect.
   std::function<void(const View&)> on_view_complete;
   /// An error that the connection survives: a bad chunk of the View, or a refused View.
   std::function<void(const ClientError&)> on_error;

@@ -40,7 +40,7 @@ struct ServerLimits {
   std::uint32_t view_chunks = 0;             // all levels of one View together
   std::uint64_t window_bytes = 0;
   std::chrono::milliseconds idle_timeout{0};
-  std::optional<Rates> session_rates;  // empty if not reported (talusd 0.1 never reports it)
+  std::optional<Rates> session_rates;  // empty if not reported
   std::optional<Rates> address_rates;  // shared by all connections from this client's address
   bool view_horizon = false;           // true if Views may have a horizon
 };
@@ -55,7 +55,7 @@ struct WorldInfo {
   VoxelPos spawn;          // position of the feet: the first free voxel above dry ground
   ServerLimits limits;
   std::string server;               // name and version
-  std::uint16_t protocol = 1;       // version in use; edits need 2
+  std::uint16_t protocol = 0;       // version in use
   std::vector<std::string> looks;   // biome names for ColumnPlaces::looks; the first, "": no biome
   std::vector<std::string> fields;  // names that get_places() accepts. Without support, both lists are empty
 

@@ -8,7 +8,6 @@ import { checkedEdit } from './checked.js';
 import { NO_EDITOR, type OpenEdit, OpenEdits } from './open_edits.js';
 import type { Edit, EditDone, EditLimits } from './types.js';
 
-const EDITS_PROTOCOL = 2;
 const NO_STORE = '0'.repeat(32);
 
 type Message<K extends ServerMessage['kind']> = Extract<ServerMessage, { kind: K }>;
@@ -20,7 +19,6 @@ interface Asker {
 
 /** Error if edits are impossible in this world; null: they may be tried. */
 export function noEditsIn(world: World): TalusError | null {
-  if (world.protocol < EDITS_PROTOCOL) return new TalusError('refused', 'this server is of a release without edits');
   if (world.storeId === NO_STORE) return new TalusError('refused', 'this server stores no edits');
   return null;
 }

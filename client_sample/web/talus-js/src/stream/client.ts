@@ -20,7 +20,6 @@ import { errorOf } from './server_error.js';
 import type { OpenTransport, Transport } from './transport.js';
 import { chunkOf, ViewContents } from './view_contents.js';
 
-const OLDEST_PROTOCOL = 1;
 const PROTOCOL = 2;
 const CODEC = 4;
 const MAX_TEXT_BYTES = 4_096; // for token and client in Hello
@@ -115,7 +114,7 @@ export class StreamClient extends ClientBase {
   private sayHello(): void {
     this.send(
       helloFrame({
-        protocolMin: OLDEST_PROTOCOL,
+        protocolMin: PROTOCOL,
         protocolMax: PROTOCOL,
         codecs: [CODEC],
         token: this.options.token ?? '',
@@ -217,7 +216,7 @@ export class StreamClient extends ClientBase {
   }
 
   private handleWelcome({ world }: Message<'welcome'>): void {
-    if (world.protocol < OLDEST_PROTOCOL || world.protocol > PROTOCOL || world.codec !== CODEC) {
+    if (world.protocol !== PROTOCOL || world.codec !== CODEC) {
       throw broken(`a Welcome for protocol ${world.protocol} and codec ${world.codec}, which were not offered`);
     }
     clearTimeout(this.deadline);

@@ -241,7 +241,6 @@ export class Engine {
   get whyNoEdits(): string | null {
     if (this.options.transport === 'http') return 'By HTTP one only looks. The settings have WebSocket, which takes edits.';
     if (this.info === null) return 'The world is not here yet.';
-    if (this.info.protocol < 2) return 'This server is too old to dig and build in its world.';
     return /^0*$/.test(this.info.storeId) ? 'This server keeps no edits: it has no place to store them.' : null;
   }
 
