@@ -46,6 +46,7 @@
 #include "runtime/signals.h"
 #include "web/site.h"
 
+#include <talus/build_version.h>
 #include <talus/files/standard_descriptors.h>
 #include <talus/vectors/instruction_set.h>
 
@@ -293,12 +294,12 @@ int main(int argc, char** argv) {
       end_by_default_on_signals();
       return pregen_command(argc - 1, argv + 1, environment);
     }
-    const auto command = read_command_line(argc, argv, environment);
+    const auto command = read_command_line(argc, argv, environment, talus::kBuildVersion);
     if (command) {
       log_format = command->config.log.format;
       if (command->check_only) end_by_default_on_signals();
       return serve(*command, [&]() -> tl::expected<Config, std::string> {
-        const auto again = read_command_line(argc, argv, environment);
+        const auto again = read_command_line(argc, argv, environment, talus::kBuildVersion);
         if (!again) return tl::make_unexpected(std::string{line_of(again.error())});
         const auto enough = check_memory(again->config);
         if (!enough) return tl::make_unexpected(again->origins.locate(enough.error()));

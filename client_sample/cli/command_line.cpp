@@ -199,9 +199,10 @@ Checked check_edit(CommandLine line, EditOptions options, const Words& words) {
 
 }  // namespace
 
-tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv) {
+tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* argv,
+                                                  const std::string& version) {
   CLI::App app{"A sample client for Talus servers."};
-  app.set_version_flag("--version", "talus-client " TALUS_VERSION);
+  app.set_version_flag("--version", "talus-client " + version);
   app.require_subcommand(1);
   app.fallthrough();
   CommandLine line;

@@ -1,6 +1,7 @@
 // Command line of talus-client.
 #pragma once
 
+#include <string>
 #include <variant>
 
 #include <tl/expected.hpp>
@@ -15,7 +16,9 @@ struct CommandLine {
   std::variant<GetOptions, AtOptions, FlyOptions, MapOptions, EditOptions> options;
 };
 
+/// `version`: what --version prints.
 [[nodiscard]] tl::expected<CommandLine, command_line::Exit> read_command_line(int argc,
-                                                                              const char* const* argv);
+                                                                              const char* const* argv,
+                                                                              const std::string& version);
 
 }  // namespace talus::cli

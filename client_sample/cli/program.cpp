@@ -49,8 +49,8 @@ CommandResult finish_printing() {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv) {
-  const auto line = read_command_line(argc, argv);
+int run_program(int argc, const char* const* argv, const std::string& version) {
+  const auto line = read_command_line(argc, argv, version);
   if (!line && line.error().status != 0) return failed(line.error().text, line.error().status);
   CommandResult result;
   if (line) {

@@ -190,14 +190,14 @@ void add_results(CLI::App& app, Options& options, Words& words) {
 
 }  // namespace
 
-tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv) {
+tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv, const std::string& version) {
   const auto wrong = [](const std::string& line) {
     return tl::unexpected{Exit{command_line::kExitWrongUse, line}};
   };
   CLI::App app{
       "Load generator for a Talus server: simulated players that check what they receive and measure "
       "latencies."};
-  app.set_version_flag("--version", "talus-load " TALUS_VERSION);
+  app.set_version_flag("--version", "talus-load " + version);
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   Options options;
   Words words;

@@ -1,6 +1,8 @@
 // Command line of talus-load.
 #pragma once
 
+#include <string>
+
 #include <tl/expected.hpp>
 
 #include "command_line/parse.h"
@@ -8,6 +10,8 @@
 
 namespace talus::load {
 
-[[nodiscard]] tl::expected<Options, command_line::Exit> read_command_line(int argc, const char* const* argv);
+/// `version`: what --version prints.
+[[nodiscard]] tl::expected<Options, command_line::Exit> read_command_line(int argc, const char* const* argv,
+                                                                          const std::string& version);
 
 }  // namespace talus::load

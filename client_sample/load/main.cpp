@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include <talus/build_version.h>
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
 #include <talus/files/standard_descriptors.h>
@@ -149,7 +150,7 @@ int main(int argc, char** argv) {
   talus::files::open_closed_standard_descriptors();
   // OpenSSL writes to sockets that the server may have closed.
   std::signal(SIGPIPE, SIG_IGN);
-  const auto options = read_command_line(argc, argv);
+  const auto options = read_command_line(argc, argv, kBuildVersion);
   if (!options && options.error().status != 0) return failed(options.error().text, options.error().status);
   if (!options) {
     std::cout << options.error().text;

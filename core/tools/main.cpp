@@ -1,8 +1,9 @@
+#include <talus/build_version.h>
 #include <talus/files/standard_descriptors.h>
 
 #include "command_line.h"
 
 int main(int argc, char** argv) {
   talus::files::open_closed_standard_descriptors();
-  return talus::tools::run_command_line(argc, argv, TALUS_VERSION);
+  return talus::tools::run_command_line(argc, argv, talus::kBuildVersion);
 }

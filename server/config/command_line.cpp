@@ -41,10 +41,10 @@ std::string no_such_command(std::string_view word) {
 }  // namespace
 
 tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
-                                              const Environment& environment) {
+                                              const Environment& environment, std::string_view version) {
   if (argc > 1 && argv[1][0] != '-') return tl::unexpected{one_line(no_such_command(argv[1]), kWrongUse)};
   CLI::App app{"talusd streams an endless voxel world, generated on demand, to game clients.", "talusd"};
-  app.set_version_flag("--version", "talusd " TALUS_VERSION);
+  app.set_version_flag("--version", fmt::format("talusd {}", version));
   app.footer(
       "Each setting of talusd.toml has an environment variable: TALUS_LIMITS_CONNECTIONS for "
       "limits.connections.\n"

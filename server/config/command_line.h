@@ -1,6 +1,8 @@
 // The command line of talusd.
 #pragma once
 
+#include <string_view>
+
 #include <tl/expected.hpp>
 
 #include "config/load.h"
@@ -14,9 +16,10 @@ struct Command : Settings {
   bool has_file = false;  // which may be read again
 };
 
-/// Reads flags, environment and file. The exit status is kWrongUse for wrong flags, kFailed for a wrong file
-/// or variable.
+/// Reads flags, environment and file; `version` is what --version prints. The exit status is kWrongUse for
+/// wrong flags, kFailed for a wrong file or variable.
 [[nodiscard]] tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
-                                                            const Environment& environment);
+                                                            const Environment& environment,
+                                                            std::string_view version);
 
 }  // namespace talus::server

@@ -7,7 +7,7 @@ namespace {
 
 tl::expected<CommandLine, command_line::Exit> read(std::vector<const char*> words) {
   words.insert(words.begin(), "talus-client");
-  return read_command_line(static_cast<int>(words.size()), words.data());
+  return read_command_line(static_cast<int>(words.size()), words.data(), "0.0.0 (01234567)");
 }
 
 void check_wrong_use(const std::vector<const char*>& words, const std::string& part) {

@@ -33,7 +33,7 @@ function file_of(from, name, quoted,   folder, module, list, n, i) {
   }
   if (name in exported) return exported[name]
   if (quoted || name ~ /^talus\//) {
-    if (name !~ /^talus\/(protocol\/talus_generated|version)\.h$/) fail(from ": " name " is no header of a module")
+    if (name !~ /^talus\/(protocol\/talus_generated|(build_)?version)\.h$/) fail(from ": " name " is no header of a module")
   }
   return ""
 }

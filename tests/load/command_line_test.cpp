@@ -8,7 +8,7 @@ namespace {
 
 auto read(std::vector<const char*> words) {
   words.insert(words.begin(), "talus-load");
-  return read_command_line(static_cast<int>(words.size()), words.data());
+  return read_command_line(static_cast<int>(words.size()), words.data(), "0.0.0 (01234567)");
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ TEST_CASE("the words that users rely on are taken") {
 TEST_CASE("help and version end well") {
   CHECK(read({"--help"}).error().status == 0);
   CHECK(read({"--help"}).error().text.find("p99_ms") != std::string::npos);
-  CHECK(read({"--version"}).error().text.find("talus-load") == 0);
+  CHECK(read({"--version"}).error().text.find("talus-load 0.0.0 (01234567)") == 0);
 }
 
 TEST_CASE("builders are as many groups as their players make") {

@@ -42,7 +42,7 @@ Settings settings_of(std::string_view toml) {
 
 tl::expected<Command, Exit> command(std::vector<const char*> flags, const Environment& environment = {}) {
   flags.insert(flags.begin(), "talusd");
-  return read_command_line(static_cast<int>(flags.size()), flags.data(), environment);
+  return read_command_line(static_cast<int>(flags.size()), flags.data(), environment, "0.0.0 (01234567)");
 }
 
 std::string other_than_default(const Field& field) {
@@ -371,6 +371,7 @@ TEST_CASE("variables that clients read are no warning") {
 TEST_CASE("--help and --version exit with 0") {
   CHECK(command({"--help"}).error().status == 0);
   CHECK(command({"--version"}).error().status == 0);
+  CHECK(command({"--version"}).error().text == "talusd 0.0.0 (01234567)\n");
 }
 
 TEST_CASE("A key with more parts than the parser's stack holds is refused in one line") {
