@@ -1,4 +1,4 @@
-// The flows that use most, as a table for people and as JSON.
+// The flows that use most, as a text table and as JSON.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace talus::server {
 
 struct FlowsReport {
   std::uint64_t sessions = 0;  // open connections
-  std::uint64_t flows = 0;     // that are served
+  std::uint64_t flows = 0;     // active flows
   std::array<TopFlows, kFlowMeasures> top;
 };
 
