@@ -14,8 +14,8 @@
 namespace talus::server {
 
 struct JoinProgress {
-  std::atomic<std::uint64_t> done{0};   // 0: not started
-  std::atomic<std::uint64_t> total{0};  // 0: none comes yet
+  std::atomic<std::uint64_t> done{0};   // bytes of the peer's checkpoint
+  std::atomic<std::uint64_t> total{0};  // 0: not started
 
   /// Sets the store that the server must not use. Callable from any thread.
   void put_aside(const std::optional<AsideStore>& store);

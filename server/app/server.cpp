@@ -186,7 +186,7 @@ std::string Server::metrics_text() {
         log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
         history_limit_bytes_,      history.since_ms / 1000};
   }
-  std::vector<std::string_view> error_codes{""};  // code 0, NONE, is unused
+  std::vector<std::string_view> error_codes{""};  // code 0, "none", is not an error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }

@@ -266,7 +266,7 @@ GenerationSettings generation_settings(const Config& config, const terrain::Worl
   // Share for chunks merged with edits, if edits are stored.
   constexpr std::uint64_t kMergedShare = 8;
   constexpr std::size_t kMapBytesAColumn =
-      160;  // of a map in the making: its stacks, and what light falls on
+      160;  // of a map being painted: its stacks and the surface to be lit
   const bool maps = config.http.listen.has_value();
   const std::size_t map_bytes = maps ? map::TilePainting::kColumnsAtOnce * kMapBytesAColumn : 0;
   return {.threads = generator_threads(config),

@@ -99,7 +99,7 @@ class ClusterLog final : public EditLog {
     std::uint64_t sequence = 0;
     std::uint64_t gaps = 0;
     std::uint64_t republished = 0;
-    std::uint64_t skipped = 0;         // messages that talusd cannot apply
+    std::uint64_t skipped = 0;         // messages that no talusd can apply
     std::uint64_t false_messages = 0;  // altered or forged; the leader has others
     std::uint64_t bounded = 0;         // batches whose stated time was bounded
     bool stuck = false;                // the next message is for a newer talusd
@@ -195,11 +195,10 @@ class ClusterLog final : public EditLog {
   LogEnd end_;
   std::uint64_t sequence_ = 0;  // last applied message
   std::int64_t created_ns_ = 0;
-  bool shorter_ = false;  // the stream seems shorter than what was applied
-  std::optional<TimePoint>
-      shorter_since_;          // the leader has reported that since then, without a failed request
-  bool heard_ = false;         // the leader has answered since the place is known
-  bool began_silent_ = false;  // it failed to answer before that
+  bool shorter_ = false;                    // the stream seems shorter than what was applied
+  std::optional<TimePoint> shorter_since_;  // the leader has kept reporting that since then
+  bool heard_ = false;                      // the leader has answered since the place is known
+  bool began_silent_ = false;               // it failed to answer before that
   bool places_known_ = false;
   std::string fault_;                // permanent reason for not applying
   std::string trouble_;              // temporary reason for not applying
@@ -211,7 +210,7 @@ class ClusterLog final : public EditLog {
   std::uint64_t bounded_ = 0;
   std::optional<TimePoint> stuck_since_;       // the next message is for a newer talusd
   bool was_ready_ = false;                     // at stuck_since_
-  std::optional<std::uint64_t> stuck_at_end_;  // last message published by others until then
+  std::optional<std::uint64_t> stuck_at_end_;  // the stream's end once surely stuck
   bool others_go_on_ = false;                  // another server published later
   bool stopping_ = false;                      // entries are rejected
   bool ending_ = false;                        // the threads end

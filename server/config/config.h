@@ -76,7 +76,7 @@ struct Access {
   std::filesystem::path signing_key_file;  // empty: no signed tokens
   std::string without_token = "auto";
   std::filesystem::path previous_signing_key_file{};  // empty: only signing_key_file
-  std::filesystem::path revoked_file{};               // empty: no signed token is revoked
+  std::filesystem::path revoked_file{};               // empty: no revoked tokens
   std::filesystem::path blocked_file{};               // empty: no blocks
   /// True if there are files to read.
   [[nodiscard]] bool wanted() const {

@@ -35,7 +35,7 @@ struct Round {
 };
 
 /// True if the server of `own` goes on: every answering peer has put its store aside, none has read more, and
-/// together with this server they are a majority. If `patient`, silent peers are waited for.
+/// they are more than half of all peers. If `patient`, silent peers are waited for.
 [[nodiscard]] bool goes_on(const AsideStore& own, const Round& round, bool patient);
 
 }  // namespace talus::server

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using Done = tl::expected<void, std::string>;
 
 /// RocksDB's tables have 64 MiB, a few of them less; the newest tables and the log are some dozens of files.
-/// A store of 10 GiB may have up to 3,000 files by this bound, each costing two syncs.
+/// A store of 10 GiB may have fewer than 3,000 files by this bound, each costing two syncs.
 constexpr std::size_t kFilesOfAny = 300;
 constexpr std::uint64_t kBytesPerFile = std::uint64_t{4} << 20U;
 constexpr std::uint64_t kMostSmallFileBytes = 4'096;  // store.toml and acknowledged

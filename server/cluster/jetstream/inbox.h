@@ -63,7 +63,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void answers();
   /// True if messages were requested, and none was answered within the usual time.
   [[nodiscard]] bool is_unanswered() const;
-  /// Sets if a leader answers on this connection. If not, messages are requested from any replica.
+  /// Sets whether a leader answers on this connection. If not, messages are requested from any replica.
   void leader_answers(bool does);
   /// True if replicas returned messages that the leader has not confirmed.
   [[nodiscard]] bool awaits_confirmation() const;

@@ -81,7 +81,7 @@ class JetStreamLog final : public LogStream {
   std::shared_ptr<const Credentials> credentials_;
   Logger log_;
   std::shared_ptr<Inbox> inbox_;
-  std::atomic<bool> has_settings_{false};  // the expected ones
+  std::atomic<bool> has_settings_{false};  // the stream has the expected settings
   std::mutex connection_mutex_;
   std::shared_ptr<Connection> connection_;
   TimePoint connected_at_{};  // when it was created

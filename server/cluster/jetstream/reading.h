@@ -89,8 +89,8 @@ class Reading {
   /// Next time at which wanted() may return more.
   [[nodiscard]] TimePoint next_look() const;
 
-  /// Sets if a leader answers. Without one the end is unknown, and messages are requested more often; with
-  /// one, messages from replicas that take() did not return are dropped.
+  /// Sets whether a leader answers. Without one the end is unknown, and messages are requested more often;
+  /// with one, messages from replicas that take() did not return are dropped.
   void leader_answers(bool does);
   /// The last unconfirmed message of a replica that take() returned.
   [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
@@ -146,7 +146,7 @@ class Reading {
   std::uint64_t claimed_ = 0;  // in the stream, as the tail claims
   std::map<std::uint64_t, Held> held_;
   std::size_t held_bytes_ = 0;
-  std::map<std::uint64_t, TimePoint> asked_;  // by due time of the answer
+  std::map<std::uint64_t, TimePoint> asked_;  // with the due times of the answers
   std::set<std::uint64_t> doubted_;           // the tail had two of them
   TimePoint news_;
   TimePoint looked_{};

@@ -28,7 +28,7 @@ struct Rebuilt {
   std::uint64_t chunks = 0;  // in the new store
   std::uint64_t voxels = 0;
   std::uint64_t both = 0;     // import: voxels in both the file and the store
-  bool compared = false;      // import: the world's generated voxels were known
+  bool compared = false;      // import: the materials that the world generates were known
   std::uint64_t as_base = 0;  // rebase: overrides equal to the new world's generated voxels
   std::uint64_t unknown = 0;  // rebase: overrides of materials that the new world lacks
   ContentHash store_id;

@@ -43,7 +43,7 @@ struct Metrics {
   Counter columns_sent;
   Counter unchanged_sent;
   Counter broadcasts_sent;
-  Counter chunk_bytes_sent;  // including frame headers
+  Counter chunk_bytes_sent;  // size of their frames
 
   /// From when a session begins to serve a request for a chunk to when the chunk is ready to be sent. Hot:
   /// the chunk was cached (one time for all chunks of a batch, which are sent together). Cold: it waited for

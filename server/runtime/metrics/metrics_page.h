@@ -50,8 +50,8 @@ struct RuntimeGauges {
     std::uint64_t gaps = 0;
     const LatencyHistogram* publishing = nullptr;
     std::uint64_t joins = 0;    // checkpoints of other servers' stores loaded at this start
-    std::uint64_t skipped = 0;  // messages that talusd cannot apply
-    std::uint64_t bounded = 0;  // batches whose claimed time was replaced
+    std::uint64_t skipped = 0;  // messages that no talusd can apply
+    std::uint64_t bounded = 0;  // batches whose stated time was bounded
     bool stuck = false;         // the next message is for a newer talusd
     bool tail = false;          // messages are pushed by the stream
     std::uint64_t false_messages = 0;

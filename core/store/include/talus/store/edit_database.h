@@ -173,7 +173,7 @@ class EditDatabase {
  private:
   /// A batch that is not flushed yet.
   struct Unflushed {
-    std::uint64_t position = 0;  // its last record
+    std::uint64_t position = 0;  // its last record's
     std::uint64_t link = 0;
     std::uint64_t bytes = 0;
     std::int64_t time_ms = 0;
