@@ -17,7 +17,7 @@ struct SettingChange {
 /// Returns the settings that differ, in the order of fields().
 [[nodiscard]] std::vector<SettingChange> changes_between(const Config& before, const Config& after);
 
-/// Returns `before` with those settings of `after` that take effect without a restart.
+/// Returns `before` with the settings of `after` that take effect without a restart.
 [[nodiscard]] Config changed_while_running(const Config& before, const Config& after);
 
 }  // namespace talus::server

@@ -57,7 +57,7 @@ class Server {
   /// identity of config.tls; nullopt for plain connections. `site`: files served at / over HTTP; may be null.
   /// `edits`: the store's edits; null if edits are neither stored nor accepted. `columns`: disk cache of
   /// expensive columns; null if disabled. From here on signals wait for run(). Starts no thread before run(),
-  /// except those of `edits`.
+  /// except the threads of `edits`.
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
          Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
@@ -70,9 +70,9 @@ class Server {
   void end_where(std::function<bool()> wanted) { end_wanted_ = std::move(wanted); }
 
  private:
-  /// Empty if there is no disk cache.
+  /// Empty without a disk cache.
   [[nodiscard]] RunPregen pregen();
-  /// Empty if there is no store.
+  /// Empty without a store.
   [[nodiscard]] decltype(OperatorAnswers::checkpoint) checkpoints();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();

@@ -173,7 +173,8 @@ void Inbox::denied(std::string_view what) {
   changed_.notify_all();
   // Requests for messages are repeated many times per second.
   if (is_news)
-    log_->error("NATS: {}; see \"Credentials and permissions\" in CLUSTER.md for what talusd must be allowed", what);
+    log_->error("NATS: {}; see \"Credentials and permissions\" in CLUSTER.md for what talusd must be allowed",
+                what);
 }
 
 void Inbox::tail(const Arrived& arrived) {
