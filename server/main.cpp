@@ -59,13 +59,13 @@ int failed(std::string_view line, std::string_view format = "text") {
   return kFailed;
 }
 
-/// The log's format as far as it is known before the settings are read.
+/// Log format known before the settings are read.
 std::string format_of(const Environment& environment) {
   const auto set = environment.find("TALUS_LOG_FORMAT");
   return set == environment.end() ? Config{}.log.format : set->second;
 }
 
-/// Of wrong flags or settings, which are "talusd: LINE\n".
+/// Strips "talusd: " and the newline from an error about flags or settings.
 std::string_view line_of(const Exit& exit) {
   std::string_view line{exit.text};
   constexpr std::string_view kBefore{"talusd: "};
@@ -127,7 +127,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const Logger log = make_logger(config.log.level, config.log.format);
   auto listeners = open_listeners(config, clock, log);
   if (!listeners) return fail(listeners.error());
-  // Addresses and keys are what root may be needed for. No thread runs yet.
+  // Only binding addresses and reading keys may need root. No thread runs yet.
   auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
@@ -150,7 +150,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
         [lost](const std::string& reason) { lost->start_again(reason); }};
   }
   if (*data) {
-    // A large store takes its time, and whoever ends the server meanwhile need not wait for it.
+    // Opening a large store takes time; a signal ends the process meanwhile.
     auto opened = without_signals([&] {
       const talus::store::HistoryLimits history{config.edits.history_bytes,
                                                 std::chrono::days{config.edits.history_days}};
@@ -166,7 +166,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   std::unique_ptr<ColumnCache> columns;
   if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
     auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
-    // Only a cache: without it players are served, too.
+    // Only a cache: players are served without it.
     if (opened) {
       columns = *std::move(opened);
     } else {
@@ -194,7 +194,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             to_integer((*world)->generator_version()), to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
-  // On its own and whatever the log level: programs that start a server read this line.
+  // Printed alone, at every log level: programs that start a server parse this line.
   fmt::print("listening on {}\n", address);
   if (!web_address.empty()) {
     if (site != nullptr)
@@ -240,7 +240,7 @@ int show_top(int argc, const char* const* argv, const Environment& environment) 
   }
 }
 
-/// The first message of the stream of a new world.
+/// First message of a new world's stream.
 tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem::path& world_file,
                                                           const talus::ContentHash& store_id) {
   const auto world = load_world(world_file);
@@ -251,8 +251,8 @@ tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem:
   return genesis;
 }
 
-/// Memory that writes and patches gave back serves the next ones. By default glibc hands the top of its heaps
-/// to the system from 128 KiB on, and a page fault for every 4 KiB of it costs more than an answer does.
+/// Keeps memory freed by writes and patches for the next ones. By default glibc returns the top of its heaps
+/// to the system from 128 KiB on, and a page fault per 4 KiB costs more than an answer.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMebibyte = 1 << 20;
@@ -266,7 +266,7 @@ void keep_freed_memory() {
 int main(int argc, char** argv) {
   talus::files::open_closed_standard_descriptors();
   end_at_once_on_signals();
-  // A log whose reader went away must not end the server.
+  // Writing to a closed log must not end the server.
   std::signal(SIGPIPE, SIG_IGN);
   keep_freed_memory();
   const jetstream::NatsThreads nats_threads;

@@ -10,7 +10,7 @@
 namespace talus::server {
 namespace {
 
-/// Of one connection.
+/// Serves one connection.
 class OperatorHandler final : public http::Handler {
  public:
   OperatorHandler(const std::shared_ptr<const OperatorAnswers>& answers, std::string address)
@@ -27,7 +27,7 @@ class OperatorHandler final : public http::Handler {
   }
 
  private:
-  const std::shared_ptr<const OperatorAnswers>& answers_;  // those of now
+  const std::shared_ptr<const OperatorAnswers>& answers_;  // the current answers
   const std::string address_;
 };
 

@@ -1,5 +1,5 @@
-// The operators' HTTP server, on a thread of its own: whatever players do, it answers. Nothing of it is for
-// players or for the open network.
+// The operators' HTTP server, on its own thread, so that it answers whatever the load. Not for players or the
+// open network.
 #pragma once
 
 #include <cstddef>
@@ -22,22 +22,22 @@ namespace talus::server {
 
 class AdminServer {
  public:
-  /// Open at once. Where descriptors run out it is fewer: the next takes the quietest one's.
+  /// Maximum open connections. If descriptors run out the maximum is lower. At the maximum a new connection
+  /// closes the one idle longest.
   static constexpr std::size_t kMaxConnections = 32;
 
-  /// `clock` outlives it.
+  /// `clock` must outlive this.
   AdminServer(const Clock& clock, Logger log);
-  /// Ends the thread.
+  /// Stops the thread.
   ~AdminServer();
   AdminServer(const AdminServer&) = delete;
   AdminServer& operator=(const AdminServer&) = delete;
 
-  /// Opens the listening socket; returns its address with the real port, or why not.
+  /// Opens the listening socket and returns its address with the real port. An error is one line.
   [[nodiscard]] tl::expected<std::string, std::string> listen(const protocol::Endpoint& wanted);
-  /// Starts the thread, on which `answers` are asked; after listen(). Called again, others are asked from
-  /// then on.
+  /// Starts the thread that calls `answers`; requires listen(). Calling it again replaces the answers.
   void start(OperatorAnswers answers);
-  /// Ends the thread; connections stay as they are until the destructor.
+  /// Stops the thread; connections stay open until the destructor.
   void stop();
 
  private:

@@ -12,16 +12,16 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kNameBytesShown = 48;  // of a name
+constexpr std::size_t kNameBytesShown = 48;  // longest name shown
 
-/// How a measure is shown.
+/// Display format of a measure.
 struct MeasureFormat {
   std::string_view title;
   std::string_view rate;   // unit of rates
   std::string_view total;  // unit of totals
-  double per_rate;         // of the measure a second, for one such unit
+  double per_rate;         // measure per second in one such unit
   double per_total;
-  std::string_view key;  // in JSON
+  std::string_view key;  // name in JSON
   double per_key_unit;
 };
 
@@ -36,7 +36,7 @@ std::string name_shown(const FlowName& name) {
   return name.kind == FlowName::Kind::subject ? "subject " + text : text;
 }
 
-/// The members of a JSON object.
+/// Writes the members of a JSON object.
 std::string json_of(const FlowFigures& figures, const MeasureFormat& shown) {
   return fmt::format(R"("per_second_10_s": {}, "per_second_1_min": {}, "total": {})",
                      figures.in_ten_seconds / shown.per_key_unit, figures.in_a_minute / shown.per_key_unit,
@@ -44,7 +44,7 @@ std::string json_of(const FlowFigures& figures, const MeasureFormat& shown) {
 }
 
 std::string json_of(const FlowName& name) {
-  // A name that was cut may end inside a character.
+  // A truncated name may end inside a UTF-8 character.
   const std::string text =
       nlohmann::json(name.text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   return fmt::format(R"("{}": {}{})", name.kind == FlowName::Kind::subject ? "subject" : "address", text,
@@ -75,7 +75,7 @@ std::string flows_text(const FlowsReport& report) {
                    fmt::format("{}, 10 s", shown.rate), fmt::format("{}, 1 min", shown.rate), "share",
                    shown.total);
     for (const FlowFigures& each : flows.top) {
-      // What is long over would be a row of zeros.
+      // Skips flows whose rates would be shown as zeros.
       const double rate = std::max(each.in_ten_seconds, each.in_a_minute) / shown.per_rate;
       if (rate >= 0.05 || each.in_a_minute > 0.005 * flows.all.in_a_minute) row(name_shown(*each.name), each);
     }

@@ -1,4 +1,4 @@
-// The flows that use most, as a table for people and as JSON.
+// The flows that use most, as a text table and as JSON.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@ namespace talus::server {
 
 struct FlowsReport {
   std::uint64_t sessions = 0;  // open connections
-  std::uint64_t flows = 0;     // that are served
+  std::uint64_t flows = 0;     // active flows
   std::array<TopFlows, kFlowMeasures> top;
 };
 
-/// Three tables in printable ASCII, for a terminal of 80 columns where names are short. A flow's name is as
-/// access.blocked_file has it, unless it is longer than 48 bytes and ends in "...".
+/// Formats three tables in printable ASCII; with short names they fit into 80 columns. A flow's name can be
+/// used in access.blocked_file, unless it was longer than 48 bytes and ends in "...".
 [[nodiscard]] std::string flows_text(const FlowsReport& report);
 
-/// One object, in ASCII. Rates are per second; the units are seconds, bytes and refusals. Names are whole up
-/// to FlowName::kMaxBytes; "cut" marks longer ones.
+/// Formats one JSON object in ASCII. Rates are per second; the units are seconds, bytes and refusals. Names
+/// longer than FlowName::kMaxBytes are truncated and marked by "cut".
 [[nodiscard]] std::string flows_json(const FlowsReport& report);
 
 }  // namespace talus::server

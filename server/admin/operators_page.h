@@ -1,4 +1,4 @@
-// What operators may ask over HTTP: /metrics, /flows, /flows.json, /-/healthy, /-/ready, /store/checkpoint.
+// The operators' HTTP pages: /metrics, /flows, /flows.json, /-/healthy, /-/ready, /store/checkpoint.
 #pragma once
 
 #include <functional>
@@ -13,28 +13,28 @@
 
 namespace talus::server {
 
-/// Whether players are to be sent here, and what is said of it, in one line.
+/// True if players may be sent here, with the reason in one line.
 struct Readiness {
   bool ready = true;
   std::string text = "ready";
 };
 
-/// Asked for each request, on the thread that serves it.
+/// Called for each request, on the thread that serves it.
 struct OperatorAnswers {
   std::function<std::string()> metrics;
-  std::function<bool()> healthy;  // whether the main thread responded lately
+  std::function<bool()> healthy;  // true if the main thread responded recently
   std::function<Readiness()> ready;
   std::function<FlowsReport()> flows;
-  /// Asked for kCheckpointPath, with the client's address; empty: there is no store to take.
+  /// Answers kCheckpointPath; takes the client's address. Empty if there is not a store to copy.
   std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address)>
       checkpoint{};
-  /// What a balancer said in its check, and what the check's query is: net/balancer_state.h.
+  /// Receives the state that a balancer's check sends, and the check's query (net/balancer_state.h).
   std::function<void(const std::string& state, const std::string& query)> balancer_says = {};
 };
 
 inline constexpr std::string_view kCheckpointPath = "/store/checkpoint";
 
-/// All but a checkpoint.
+/// Answers every page except a checkpoint.
 [[nodiscard]] http::Response answer_operator(const http::Request& request, const OperatorAnswers& answers);
 
 }  // namespace talus::server

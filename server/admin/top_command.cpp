@@ -26,7 +26,7 @@ tl::unexpected<Exit> top_refused(const std::string& text, int status) {
 
 constexpr std::size_t kMaxAnswerBytes = std::size_t{1} << 20;
 
-/// Of an answer's head; none where it has none that is a number.
+/// Reads Content-Length from an answer's head; nullopt if it is missing or malformed.
 std::optional<std::size_t> content_length(std::string_view head) {
   constexpr std::string_view kName{"\r\nContent-Length: "};
   const std::size_t at = head.find(kName);
@@ -38,7 +38,7 @@ std::optional<std::size_t> content_length(std::string_view head) {
   return length;
 }
 
-/// Whoever answered: nothing commands the terminal.
+/// Escapes control characters, so that an untrusted server cannot command the terminal.
 std::string printable_lines(std::string_view page) {
   std::string lines;
   while (!page.empty()) {
@@ -52,8 +52,7 @@ std::string printable_lines(std::string_view page) {
   return lines;
 }
 
-/// Names of hosts are looked up by a call that nothing ends: on a thread that is left to itself where it
-/// takes too long.
+/// Resolving a name cannot be cancelled, so it runs on a thread that is abandoned at the deadline.
 std::vector<asio::ip::tcp::endpoint> resolve_until(std::chrono::steady_clock::time_point deadline,
                                                    const protocol::Endpoint& host, Resolve resolve,
                                                    std::error_code& failed) {

@@ -1,4 +1,4 @@
-// "talusd top": shows which flows use most of a running server, by asking its operators' port.
+// "talusd top": shows the flows that use most of a running server, read from its operators' port.
 #pragma once
 
 #include <chrono>
@@ -20,38 +20,38 @@ namespace talus::server {
 
 struct TopCommand {
   protocol::Endpoint admin;
-  std::chrono::seconds interval{2};  // between looks, on a terminal
+  std::chrono::seconds interval{2};  // between refreshes, on a terminal
 };
 
-/// Where the flags name no address it is that of the file, or of the environment.
+/// If the flags do not name an address, uses the one of the configuration file or the environment.
 [[nodiscard]] tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* argv,
                                                               const Environment& environment);
 
-/// The addresses of a host, and what was wrong where it has none. Called on a thread of its own, which may
-/// outlive the caller.
+/// Resolves a host to its addresses; sets `failed` if that fails. Called on a thread that may outlive the
+/// caller.
 using Resolve =
     std::function<std::vector<asio::ip::tcp::endpoint>(const protocol::Endpoint&, std::error_code&)>;
 [[nodiscard]] std::vector<asio::ip::tcp::endpoint> resolve_by_system(const protocol::Endpoint& host,
                                                                      std::error_code& failed);
 
-/// What a server answers to a request for one of its operators' pages.
+/// A server's answer to a request for an operators' page.
 struct Page {
   int status = 0;
   std::string text;  // printable
 };
-/// Whatever the status. Waits for `patience` at most, also for names, and takes at most 1 MiB. An error is
-/// one line: nothing, or no page of a talusd's, came.
+/// Returns a page of any status. Waits at most `patience`, including name resolution, and reads at most 1
+/// MiB. An error is one line: no answer, or not from a talusd.
 [[nodiscard]] tl::expected<Page, std::string> fetch_any_page(
     const protocol::Endpoint& admin, std::string_view path,
     std::chrono::milliseconds patience = std::chrono::seconds{5}, Resolve resolve = resolve_by_system);
 
-/// A page of the server there, such as "/metrics", of printable text whoever answers. Waits for `patience` at
-/// most, also for names, and takes at most 1 MiB. An error is one line.
+/// Fetches a page such as "/metrics" as printable text. Waits at most `patience`, including name resolution,
+/// and reads at most 1 MiB. An error is one line.
 [[nodiscard]] tl::expected<std::string, std::string> fetch_page(
     const protocol::Endpoint& admin, std::string_view path,
     std::chrono::milliseconds patience = std::chrono::seconds{5}, Resolve resolve = resolve_by_system);
 
-/// The page /flows.
+/// Fetches the page /flows.
 [[nodiscard]] inline tl::expected<std::string, std::string> fetch_flows(
     const protocol::Endpoint& admin, std::chrono::milliseconds patience = std::chrono::seconds{5},
     Resolve resolve = resolve_by_system) {

@@ -19,7 +19,7 @@ constexpr std::size_t kMostPlaceables = 65'000;
 constexpr std::chrono::milliseconds kRetryToBind{200};
 constexpr std::chrono::seconds kSayThatItWaits{10};
 
-/// Voxels of each material that overrides have.
+/// Counts overrides by material.
 tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const store::EditDatabase& database,
                                                                           const EditState& state) {
   std::set<ChunkKey> chunks;

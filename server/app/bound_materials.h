@@ -1,4 +1,4 @@
-// Ids for the materials that a world lets people place: those that the store has, and new ones by the log.
+// Ids for the placeable materials of a world: ids that the store has, and new ones bound by the log.
 #pragma once
 
 #include <chrono>
@@ -18,15 +18,14 @@
 
 namespace talus::server {
 
-/// Names of `world` that the store gives no ids yet, in the world's order. Tells the store what the world
-/// calls what it generates. An error is one line: a name would be two things, or one is missing of which the
-/// store has voxels. Before any thread changes database and state.
+/// Updates the store's names of the materials that `world` generates, and returns the names of `world`
+/// without ids, in the world's order. An error is one line: a name is ambiguous, or a material with stored
+/// voxels is missing. Call it before any thread changes `database` and `state`.
 [[nodiscard]] tl::expected<std::vector<std::string>, std::string> names_without_ids(
     const terrain::World& world, store::EditDatabase& database, const EditState& state);
 
-/// What the log answers to them, which may take as long as it cannot be reached: then `log` says so now and
-/// then. Once `waits` is false, which is asked a few times a second, those are left out that it has not
-/// answered.
+/// Binds the names by the log and returns its answers. Waits while the log is unreachable, and logs that now
+/// and then. Once `waits` returns false (polled a few times a second), names without an answer are left out.
 [[nodiscard]] tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> names,
                                                                      EditLog& edits, const Logger& log,
                                                                      const std::function<bool()>& waits);

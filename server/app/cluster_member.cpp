@@ -15,7 +15,7 @@ namespace {
 
 constexpr KeyBounds kPeersTokenBounds{1, 4096};
 
-/// Makes the stream where there is none.
+/// Creates the stream if it is missing.
 tl::expected<void, std::string> ensure_stream(const Cluster& settings, const ClusterKeys& keys,
                                               ContentHash store_id) {
   const auto connection =

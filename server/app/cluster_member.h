@@ -1,4 +1,4 @@
-// What makes a talusd a server of a cluster: how it reaches the log that all share, and its peers.
+// Connects a talusd to its cluster: the log that all servers share, and the peers.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@
 
 namespace talus::server {
 
-/// What the files of [cluster] hold. They are read before root's rights are dropped.
+/// Contents of the files of [cluster], read before root privileges are dropped.
 struct ClusterKeys {
   std::shared_ptr<const jetstream::Credentials> nats;
   std::optional<Secret> peers_token;
@@ -31,17 +31,17 @@ struct ClusterKeys {
 /// An error is one line that begins with a key.
 [[nodiscard]] tl::expected<ClusterKeys, std::string> load_cluster_keys(const Cluster& settings);
 
-/// The log of a store. Whether a NATS server can be reached turns out later.
+/// Opens the log of a store without testing whether NATS can be reached.
 [[nodiscard]] tl::expected<std::unique_ptr<LogStream>, std::string> open_shared_log(const Cluster& settings,
                                                                                     const ClusterKeys& keys,
                                                                                     ContentHash store_id,
                                                                                     Logger log);
 
-/// What "talusd store" needs of it.
+/// The cluster functions that "talusd store" uses.
 [[nodiscard]] ClusterTools cluster_tools();
 
-/// Makes the store in `directory` ready, as cluster/join/prepare_store.h says, and returns its log. Waits as
-/// long as neither log nor peers can be reached. An error is one line.
+/// Prepares the store in `directory` (cluster/join/prepare_store.h) and returns its log. Waits as long as
+/// neither the log nor a peer can be reached. An error is one line.
 [[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, store::DataDirectory& directory,
     ContentHash fingerprint, const OnJoining& on_joining,

@@ -1,5 +1,5 @@
-// What the operators' port says while the server has no store yet, but takes one from a peer or waits for the
-// cluster: that may take minutes, in which nobody should take it for dead, and none be sent here.
+// Operators' pages of a server that downloads its store from a peer or waits for the cluster. That may take
+// minutes, during which it must report itself alive but not ready.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,9 @@ namespace talus::server {
 
 struct JoinProgress {
   std::atomic<std::uint64_t> done{0};   // bytes of the peer's checkpoint
-  std::atomic<std::uint64_t> total{0};  // 0: none comes yet
+  std::atomic<std::uint64_t> total{0};  // 0: not started
 
-  /// The server has a store that it must not use. Any thread.
+  /// Sets the store that the server must not use. Callable from any thread.
   void put_aside(const std::optional<AsideStore>& store);
   [[nodiscard]] std::optional<AsideStore> aside() const;
 

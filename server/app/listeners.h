@@ -1,4 +1,4 @@
-// The listening sockets, opened while the process may still have the rights of root. No thread runs yet.
+// Opens the listening sockets while the process may still be root. No thread runs yet.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,13 @@ struct Listeners {
   std::unique_ptr<IoPool> io;
   std::unique_ptr<Acceptor> players;  // on io->control()
   std::string players_address;        // with the real port
-  std::unique_ptr<Acceptor> web;      // on io->control(); null: the configuration has none
+  std::unique_ptr<Acceptor> web;      // on io->control(); null: not configured
   std::string web_address;
-  std::unique_ptr<AdminServer> operators;  // null: the configuration has none
+  std::unique_ptr<AdminServer> operators;  // null: not configured
   std::string operators_address;
 };
 
-/// An error is one line. `clock` outlives them.
+/// `clock` must outlive the listeners. An error is one line.
 [[nodiscard]] tl::expected<Listeners, std::string> open_listeners(const Config& config, const Clock& clock,
                                                                   const Logger& log);
 

@@ -1,6 +1,6 @@
-// A store that is lost to the cluster while the server runs: it ends, and takes another server's store when
-// it is started again. To change the store under players, with all that caches and sessions have of it, would
-// be to start again, but less surely.
+// Handles a store that is lost to the cluster while the server runs: the server ends, and takes another
+// server's store at its next start. Replacing the store under players, with all caches and sessions, would
+// amount to a restart, but a less reliable one.
 #pragma once
 
 #include <atomic>
@@ -12,20 +12,20 @@
 
 namespace talus::server {
 
-/// Exit status of a server that is to be started again (EX_TEMPFAIL).
+/// Exit status that asks to be started again (EX_TEMPFAIL).
 inline constexpr int kStartAgain = 75;
 
 class LostStore {
  public:
-  /// Of the store in `directory`. Without peers it stays: there is nobody whose store could take its place.
+  /// Without peers the store stays, because there is not another server's store to replace it.
   LostStore(std::filesystem::path directory, bool has_peers, Logger log)
       : directory_{std::move(directory)}, has_peers_{has_peers}, log_{std::move(log)} {}
 
-  /// Any thread, once. Where the server does not serve yet it ends the process.
+  /// Callable from any thread, once. If the server is not serving yet, ends the process.
   void lose(cluster::Lost how, const std::string& reason);
-  /// The store is good for a start alone. Any thread, any number of times.
+  /// Ends the server so that it is started again with its store. Callable from any thread, repeatedly.
   void start_again(const std::string& reason);
-  /// From now on somebody asks wants_end().
+  /// From now on wants_end() is polled.
   void serving() { serving_ = true; }
   [[nodiscard]] bool wants_end() const { return wants_end_; }
 

@@ -39,7 +39,7 @@ using Ended = tl::expected<PregenProgress, std::string>;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-/// The first SIGINT or SIGTERM ends the work in order, the second the process.
+/// The first SIGINT or SIGTERM ends the work cleanly, the second ends the process.
 void end_in_order_on_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
@@ -59,7 +59,7 @@ class Report {
   ProgressBar bar_{"pregen", "columns"};
 };
 
-/// The land is the running server's, whatever world is named here.
+/// The land is the running server's, so a configured world must be the same.
 tl::expected<void, std::string> check_world(const Config& config) {
   if (config.world.empty()) return {};
   const auto file = config.data / "store.toml";
@@ -120,7 +120,7 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
   return ended;
 }
 
-/// X,Z in voxels.
+/// Parses X,Z in voxels.
 bool parse_center(std::string_view text, PregenPlan& plan) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return false;

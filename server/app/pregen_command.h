@@ -1,12 +1,12 @@
-// "talusd pregen": fills the cache on disk with land around a place, by the server that uses the data
-// directory, or by itself where none does.
+// "talusd pregen": fills the disk cache with land around a place, using the server that uses the data
+// directory, or by itself if no server does.
 #pragma once
 
 #include "config/load.h"
 
 namespace talus::server {
 
-/// Does what the flags say, and prints; `argv[0]` is "pregen". Returns the exit status.
+/// Runs the command and prints its output; `argv[0]` is "pregen". Returns the exit status.
 [[nodiscard]] int pregen_command(int argc, const char* const* argv, const Environment& environment);
 
 }  // namespace talus::server

@@ -1,13 +1,13 @@
-// What signals do while no server handles them.
+// Signal handling while no server handles signals.
 #pragma once
 
 namespace talus::server {
 
-/// SIGTERM and SIGINT end the process at once, as done: nobody is served yet, or any more. SIGHUP does
-/// nothing: there is nothing to read again. Any thread, any time.
+/// SIGTERM and SIGINT end the process at once with success, because no client is served. SIGHUP is ignored,
+/// because there is nothing to reload. Callable from any thread at any time.
 void end_at_once_on_signals();
 
-/// SIGTERM and SIGINT end the process as they end any other: for commands that serve nobody.
+/// Restores the default action of SIGTERM and SIGINT, for commands that do not serve clients.
 void end_by_default_on_signals();
 
 }  // namespace talus::server

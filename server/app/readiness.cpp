@@ -7,13 +7,13 @@ namespace talus::server {
 Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log, const MemoryBudget& memory) {
   if (draining) return {false, "draining"};
   if (log != nullptr && !log->ready) return {false, log->not_ready};
-  // Whoever came would be refused. The gate opens well below where it closed, so this does not flap.
+  // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
     return {false, fmt::format("new connections are refused: this server's memory is all in use, {} bytes "
                                "with its caches, and limits.memory_bytes is {}",
                                memory.used(), memory.limit_bytes())};
   }
-  // Chunks are served without the log, and a balancer that asks this would drop all servers at once.
+  // Still ready: chunks are served without the log, and otherwise a balancer would drop all servers at once.
   if (log != nullptr && log->read_only) {
     return {true, fmt::format("ready; no edits are taken: {}", *log->read_only)};
   }

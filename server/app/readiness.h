@@ -1,4 +1,4 @@
-// Whether a balancer is to send players here, and why not.
+// Tells a balancer if it should send players here, and why not.
 #pragma once
 
 #include "admin/operators_page.h"
@@ -7,7 +7,7 @@
 
 namespace talus::server {
 
-/// `log` is that of a log that is shared; null: there is none.
+/// `log` is the status of a shared log; null without one.
 [[nodiscard]] Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log,
                                      const MemoryBudget& memory);
 

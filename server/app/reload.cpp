@@ -9,7 +9,7 @@
 namespace talus::server {
 namespace {
 
-/// A number, or auto in its place, as it is, all else in quotes.
+/// Numbers and "auto" unquoted, other values in quotes.
 std::string value_shown(const Field& field, const Config& config) {
   const std::string text = on_one_line(text_of(field, config));
   return is_number(field) ? text : fmt::format("\"{}\"", text);
@@ -46,7 +46,7 @@ Config changed_while_running(const Config& before, const Config& after) {
   for (const Field& field : fields()) {
     if (counts(field) == Counts::after_restart) continue;
     [[maybe_unused]] const auto set = set_from_text(field, changed, text_of(field, after));
-    assert(set.has_value());  // what was read is written as it is read
+    assert(set.has_value());  // text_of() and set_from_text() are inverses
   }
   return changed;
 }

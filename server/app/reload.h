@@ -1,4 +1,4 @@
-// What SIGHUP changes: settings that the file has now, beside those that the server has.
+// Changes made by SIGHUP: differences between the file's settings and the server's.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct SettingChange {
   Counts counts{};
 };
 
-/// Those that differ, in the order of fields().
+/// Returns the settings that differ, in the order of fields().
 [[nodiscard]] std::vector<SettingChange> changes_between(const Config& before, const Config& after);
 
-/// `before`, with those of `after` that count without a restart.
+/// Returns `before` with the settings of `after` that take effect without a restart.
 [[nodiscard]] Config changed_while_running(const Config& before, const Config& after);
 
 }  // namespace talus::server

@@ -44,7 +44,7 @@ constexpr std::chrono::seconds kLookAtMemory{1};
 constexpr std::chrono::seconds kLookAtFlows{1};
 constexpr std::chrono::seconds kLookAtEdits{1};
 constexpr std::size_t kTopFlows = 10;
-// Without housekeeping for so long the main thread counts as hung.
+// The main thread counts as hung after this long without housekeeping.
 constexpr std::chrono::seconds kMaxSilence{15};
 
 WorldInfo describe_world(const terrain::World& world, ContentHash store_id, const WorldEdits* edits) {
@@ -186,7 +186,7 @@ std::string Server::metrics_text() {
         log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
         history_limit_bytes_,      history.since_ms / 1000};
   }
-  std::vector<std::string_view> error_codes{""};  // "none" is no error
+  std::vector<std::string_view> error_codes{""};  // code 0, "none", is not an error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
@@ -234,7 +234,7 @@ void Server::run() {
     };
     operators_->start(std::move(answers));
   }
-  // Without any of these the server would not be one.
+  // The server cannot run without any of these.
   std::exception_ptr failure;
   const auto end = [&](const std::exception_ptr& thrown) {
     if (!thrown) return;
@@ -259,7 +259,7 @@ void Server::run() {
   housekeeping();
   io_->run();
   stop_handling_signals();
-  if (edits_ != nullptr) edits_->stop();  // while there are generators, and mailboxes to answer
+  if (edits_ != nullptr) edits_->stop();  // while generators and mailboxes still exist
   end_operators();
   handshaker_.refusal_log().flush({});
   web_handshaker_.refusal_log().flush({});
@@ -273,13 +273,14 @@ void Server::end_operators() {
   checkpoints_.reset();
 }
 
-// Caches take their time to go: by default a signal would now kill what ends well.
+// Destroying caches takes time; with default handlers a signal would kill a process that is ending cleanly.
 void Server::stop_handling_signals() {
   sigset_t ours;
   sigset_t before;
   sigemptyset(&ours);
   for (const int signal : {SIGHUP, SIGTERM, SIGINT}) sigaddset(&ours, signal);
-  ::pthread_sigmask(SIG_BLOCK, &ours, &before);  // asio restores the default first; generators take none
+  ::pthread_sigmask(SIG_BLOCK, &ours,
+                    &before);  // asio restores the default handlers first; generators block signals
   std::error_code ignored;
   reload_signals_.clear(ignored);
   shutdown_signals_.clear(ignored);
@@ -337,7 +338,7 @@ asio::awaitable<void> Server::wait_for_reload() {
     co_await reload_signals_.async_wait(asio::use_awaitable);
     try {
       reload();
-    } catch (const std::exception& error) {  // such as no memory: no reason to end
+    } catch (const std::exception& error) {  // such as bad_alloc: not a reason to end
       log_->error("SIGHUP: {}; the old settings stay in use but for those named above; send SIGHUP again",
                   on_one_line(error.what()));
     }
@@ -364,9 +365,9 @@ Access Server::reload_settings() {
   const auto changes = changes_between(config_, *fresh);
   if (changes.empty()) log_->info("SIGHUP: no setting has changed");
   Config changed = changed_while_running(config_, *fresh);
-  Access wanted = std::exchange(changed.access, config_.access);  // until its files are read
+  Access wanted = std::exchange(changed.access, config_.access);  // kept until its files are read
   if (!changes.empty()) change_settings(std::move(changed));
-  // Only now is it true.
+  // Logged only after the change succeeded.
   for (const SettingChange& change : changes) {
     const bool waits = change.counts == Counts::after_restart;
     log_->log(waits ? spdlog::level::warn : spdlog::level::info, "SIGHUP: {}", change.line);
@@ -423,7 +424,7 @@ void Server::housekeeping() {
   watch_edits();
   if (end_wanted_ && !draining_ && end_wanted_()) drain();
   give_memory_back();
-  // Sockets that are ready come before the next slice.
+  // Lets sockets that are ready run before the next slice.
   housekeeping_timer_.expires_after(caches_fit ? kHousekeepingInterval : std::chrono::milliseconds{0});
   housekeeping_timer_.async_wait([this](std::error_code cancelled) {
     if (!cancelled) housekeeping();
@@ -470,7 +471,7 @@ void Server::collect_flows() {
   last_look_at_flows_ = now;
   try {
     flows_.collect(now);
-  } catch (const std::exception& error) {  // the next look collects the rest
+  } catch (const std::exception& error) {  // the next collection does the rest
     log_->warn("cannot collect what flows use: {}", error.what());
   }
 }
@@ -481,10 +482,10 @@ void Server::give_memory_back() {
   last_look_at_memory_ = now;
 #ifdef __GLIBC__
   if (trims_ || !trim_policy_.due(memory_.used())) return;
-  // A thread of its own: this one serves players too, and the system takes its time.
+  // On a separate thread, because this one serves players and the system call is slow.
   trims_ = true;
   try {
-    trimming_ = std::jthread{[this] {  // the thread before it is over, so nothing is waited for
+    trimming_ = std::jthread{[this] {  // the previous thread has ended, so this does not block
       block_signals();
       ::malloc_trim(0);
       log_->debug("free memory was given back to the system, in {} us of processor time",
@@ -548,7 +549,7 @@ void Server::balancer_says(const std::string& state, const std::string& query) {
   BalanceSettings settings = balance_settings(config_);
   const auto asked = read_balancer_query(query);
   if (!asked) {
-    // Checks come each second. Each mistake is told once; a handful is as many as anybody mends.
+    // Checks come every second, so each distinct mistake is logged once, up to a limit.
     constexpr std::size_t kTold = 8;
     if (told_of_queries_.size() < kTold && told_of_queries_.insert(asked.error()).second) {
       log_->warn("balance: nobody is sent elsewhere for a balancer's check: in its query {}",

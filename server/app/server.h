@@ -1,4 +1,4 @@
-// A running talusd: from its first client to its last answer.
+// A running talusd, from its first client to its last answer.
 #pragma once
 
 #include <atomic>
@@ -48,73 +48,73 @@
 
 namespace talus::server {
 
-/// Reads the settings as at the start; an error is one line. None: there is no file that may have changed.
+/// Reads the settings as at the start. An error is one line. Empty if there is not a file to reread.
 using ReadSettings = std::function<tl::expected<Config, std::string>()>;
 
 class Server {
  public:
-  /// `access` and `clock` outlive it. `store_id`: what clients are told; 0 where nothing is kept. `tls`: of
-  /// config.tls; none where connections are plain. `site`: files at / of HTTP; null: none. `edits`: those of
-  /// the store; null: none are kept, and none are taken. `columns`: what was dear to generate; null: it is
-  /// not kept on disk. From here on signals wait for run(). No thread is started before run(), but those of
-  /// `edits`.
+  /// `access` and `clock` must outlive this. `store_id` is sent to clients; 0 if edits are not stored. `tls`:
+  /// identity of config.tls; nullopt for plain connections. `site`: files served at / over HTTP; may be null.
+  /// `edits`: the store's edits; null if edits are neither stored nor accepted. `columns`: disk cache of
+  /// expensive columns; null if disabled. From here on signals wait for run(). Starts no thread before run(),
+  /// except the threads of `edits`.
   Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
          AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
          Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
          std::unique_ptr<WorldEdits> edits = nullptr, std::unique_ptr<ColumnCache> columns = nullptr);
 
-  /// Serves until SIGTERM or SIGINT, and then until every answer is sent or shutdown.drain is over. SIGHUP
-  /// reads settings, certificates, keys and lists again. Once.
+  /// Serves until SIGTERM or SIGINT, then until every answer is sent or shutdown.drain has passed. SIGHUP
+  /// rereads settings, certificates, keys and lists. Call once.
   void run();
-  /// It ends as by SIGTERM once that is true; before run(). Asked often, on the main thread.
+  /// Once `wanted` returns true the server ends as after SIGTERM. Call before run(), which polls it.
   void end_where(std::function<bool()> wanted) { end_wanted_ = std::move(wanted); }
 
  private:
-  /// Empty where nothing is kept on disk.
+  /// Empty without a disk cache.
   [[nodiscard]] RunPregen pregen();
-  /// Empty where nothing is kept on disk.
+  /// Empty without a store.
   [[nodiscard]] decltype(OperatorAnswers::checkpoint) checkpoints();
   [[nodiscard]] std::string metrics_text();
   [[nodiscard]] FlowsReport flows_report();
-  /// Asked on the operators' thread.
+  /// Called on the operators' thread.
   [[nodiscard]] Readiness readiness() const;
   [[nodiscard]] RunnerContextPtr make_context(const Config& config);
   [[nodiscard]] web::WebContextPtr make_web_context(const Config& config, const RunnerContextPtr& runner);
-  /// Warns where the limit of open files is less than the settings need.
+  /// Warns if the limit of open files is below what the settings need.
   void check_descriptors(std::uint64_t allowed);
   void on_connection(AcceptedConnection accepted);
   void on_web_connection(AcceptedConnection accepted);
   [[nodiscard]] asio::awaitable<void> wait_for_shutdown();
   [[nodiscard]] asio::awaitable<void> wait_for_reload();
-  /// Reads everything again. Where it throws, the next one does the rest.
+  /// Rereads everything. If it throws, the next reload does the rest.
   void reload();
-  /// Changes what can be without a restart but for access, which it returns, and says what has changed.
+  /// Changes and logs what can change without a restart, except access, which it returns.
   [[nodiscard]] Access reload_settings();
-  /// `changed` is in use when nothing has failed.
+  /// `changed` takes effect only if nothing fails.
   void change_settings(Config changed);
   /// Takes the lists' paths from `access`.
   void reload_keys(const Access& access);
   void reload_certificate();
-  /// Lets caches give way to everything else, logs refusals, collects what flows have used, and gives free
-  /// memory back, all the time.
+  /// Runs periodically: shrinks caches to fit the budget, logs refusals, collects flow usage, and returns
+  /// free memory to the system.
   void housekeeping();
   void give_memory_back();
   void collect_flows();
-  /// Says when the store cannot be written, and when it can again, and counts its memory.
+  /// Logs when the store becomes unwritable or writable again, and accounts for its memory.
   void watch_edits();
-  /// Whether the cache of edits fits what the budget leaves it.
+  /// True if the edit cache fits what the budget leaves for it.
   [[nodiscard]] bool fit_edit_cache();
-  /// Ready no more; accepts connections for shutdown.lead.
+  /// Reports not ready, and accepts connections for shutdown.lead.
   void drain();
-  /// Accepts none any more, and sends everybody away.
+  /// Stops accepting connections, and ends all sessions.
   void end_sessions();
   void balancer_says(const std::string& state, const std::string& query);
   void stop_handling_signals();
   void end_operators();
 
-  // In the order in which they may be destroyed, last first: generator threads post to the contexts, and
-  // connections in the contexts hold slots and stand in the registry.
-  Config config_;  // in use; of the main thread once it runs
+  // Destroyed in reverse order: generator threads post to the contexts, and connections in the contexts hold
+  // slots and are in the registry.
+  Config config_;  // current; only the main thread while it runs
   const std::uint64_t history_limit_bytes_;
   const ReadSettings read_settings_;
   const Clock& clock_;
@@ -130,11 +130,11 @@ class Server {
   CurrentRates rates_;
   FlowUses flows_;
   Metrics metrics_;
-  MemoryBudget memory_;  // connections give back to it
+  MemoryBudget memory_;  // connections release memory to it
   Admission admission_;
   Registry registry_;
-  std::optional<TlsIdentity> tls_;                      // of the control thread
-  std::atomic<Clock::time_point> last_housekeeping_{};  // of the main thread, for its health
+  std::optional<TlsIdentity> tls_;                      // used by the control thread
+  std::atomic<Clock::time_point> last_housekeeping_{};  // set by the main thread, to check its health
   std::atomic<std::int64_t> certificate_expires_;
   std::atomic<bool> draining_ = false;
   Handshaker handshaker_;
@@ -143,32 +143,32 @@ class Server {
   std::atomic<std::uint64_t> web_fetches_{0};
   web::RecentRevisions recent_revisions_;
   std::unique_ptr<IoPool> io_;
-  const std::unique_ptr<WorldEdits> edits_;  // null: none are kept
-  BaseChunks chunks_;                        // as generated
+  const std::unique_ptr<WorldEdits> edits_;  // null: edits are not stored
+  BaseChunks chunks_;                        // without edits
   ChunkSource& chunks_with_edits_;
   mutable std::mutex context_mutex_;
-  RunnerContextPtr context_;        // of sessions to come; changes under the mutex
-  web::WebContextPtr web_context_;  // the same of HTTP connections
+  RunnerContextPtr context_;        // for new sessions; guarded by context_mutex_
+  web::WebContextPtr web_context_;  // for new HTTP connections; guarded in the same way
 
   std::unique_ptr<Acceptor> acceptor_;
-  std::unique_ptr<Acceptor> web_acceptor_;  // null: no HTTP for players
+  std::unique_ptr<Acceptor> web_acceptor_;  // null: HTTP is disabled
   asio::signal_set shutdown_signals_;
   asio::signal_set reload_signals_;
   asio::steady_timer drain_timer_;
   Departures departures_;
-  std::set<std::string> told_of_queries_;  // of balancers, that are not understood
+  std::set<std::string> told_of_queries_;  // malformed balancer queries already logged
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
   Clock::time_point last_look_at_memory_{};
   Clock::time_point last_look_at_flows_{};
   Clock::time_point last_look_at_edits_{};
-  std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: as it was made
-  std::optional<std::string> edits_read_only_;  // as the log was told
+  std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: not changed yet
+  std::optional<std::string> edits_read_only_;  // as last logged
   std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;
-  std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store to take
+  std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store
   std::unique_ptr<AdminServer> operators_;          // its thread reads everything above
-  std::atomic<bool> trims_ = false;                 // whether trimming_ is at work
+  std::atomic<bool> trims_ = false;                 // true while trimming_ runs
   std::jthread trimming_;
 };
 

@@ -32,7 +32,7 @@ std::size_t generator_threads(const Config& config) {
 
 std::uint64_t height_tiles_per_request(const terrain::World& world, std::chrono::nanoseconds tile_time) {
   constexpr std::chrono::nanoseconds kLongest = std::chrono::seconds{1};
-  // With talus a column takes the ground around it: less than a quarter of a tile with its halo, measured.
+  // With talus a column needs the ground around it: measured as under a quarter of a tile with halo.
   const bool erodes = world.spec().method == terrain::Method::erosion;
   if (!erodes && !world.spec().talus) return protocol::kMaxHeightsPerRequest;
   if (!erodes) tile_time /= 4;
@@ -67,12 +67,12 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
 
 namespace {
 
-/// By the hour. Who sets a rate has it, whatever the budget: many players may stand behind one address.
+/// New editors per hour. A configured rate ignores the budget, because many players may share one address.
 std::uint64_t editors_of_address(const Config& config, std::uint64_t site_bytes, std::uint64_t hours) {
   if (config.rates.address_editors) return *config.rates.address_editors;
   constexpr std::uint64_t kMost = 512;
   constexpr std::uint64_t kShare = 4;
-  constexpr std::uint64_t kFew = 16;  // 0 would be no limit
+  constexpr std::uint64_t kFew = 16;  // 0 would mean unlimited
   const std::uint64_t have_room = std::min<std::uint64_t>(
       edit_state_settings(config, site_bytes).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
   return std::min(kMost, std::max(have_room / kShare / hours, kFew));
@@ -83,24 +83,24 @@ std::uint64_t editors_of_address(const Config& config, std::uint64_t site_bytes,
 RateLimits rate_limits(const Config& all, std::uint64_t site_bytes) {
   const Rates& config = all.rates;
   const auto rate = [&](std::uint64_t per_second) { return Rate::with_burst_of(per_second, config.burst); };
-  // However short the pause, one edit may be as large as any.
+  // However short the burst, one edit of maximum size must fit.
   const auto voxels = [&](std::uint64_t per_second) {
     Rate of_voxels = rate(per_second);
     if (of_voxels.limited()) of_voxels.burst = std::max<std::uint64_t>(of_voxels.burst, edits::kMaxVoxels);
     return of_voxels;
   };
   constexpr std::uint64_t kSavedUp = std::uint64_t{8} * 3'600;
-  // An address that has saved up all fills the index in a day at least, and by default then has a quarter of
-  // the editors, however little those may have.
+  // An address with a full burst needs at least a day to fill the index, and by default then has a quarter of
+  // the editors, however few fit.
   constexpr std::uint64_t kHoursToFill = 32;
   const std::uint64_t editors_an_hour = editors_of_address(all, site_bytes, kHoursToFill);
   const Rate editors{editors_an_hour, editors_an_hour * kSavedUp};
-  constexpr std::uint64_t kFewNewChunks = 16;  // 0 would be no limit
+  constexpr std::uint64_t kFewNewChunks = 16;  // 0 would mean unlimited
   const std::uint64_t fitting =
       edit_state_settings(all, site_bytes).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
   const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));
   Rate new_chunks{an_hour, an_hour * kSavedUp};
-  // However few, one edit may be as large as any, with those beside it into which loose material slides.
+  // One edit of maximum size must fit, with the neighbouring chunks into which loose material slides.
   if (new_chunks.limited()) {
     new_chunks.burst = std::max<std::uint64_t>(new_chunks.burst, 2 * edits::kMaxChunks * kNewChunkTokens);
   }
@@ -168,7 +168,7 @@ namespace {
 
 constexpr std::uint64_t kMostRecentBytes = EditStateSettings{}.recent_bytes;
 
-/// What edits may take for good where there is a budget.
+/// Permanent memory of edits within the budget.
 std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
   const std::uint64_t limit = config.limits.memory_bytes;
   const std::uint64_t others = MemoryBudget::program_bytes(io_threads(config) + generator_threads(config)) +
@@ -176,9 +176,9 @@ std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
   return limit / 2 - std::min(limit / 2, others);
 }
 
-/// Of what the newest changes leave of that room. The index may have three quarters of it.
+/// Divides the room left by recent changes; the index may use three quarters of it.
 store::StoreMemory store_memory_of(std::uint64_t left) {
-  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // of each
+  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // for each
   store::StoreMemory memory;
   memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
   memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
@@ -196,9 +196,9 @@ EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_b
   settings.editor_bytes = std::min<std::size_t>(settings.editor_bytes, limit / 12);
   const std::uint64_t room = room_for_edits(config, site_bytes);
   const std::uint64_t for_index = room - std::min<std::uint64_t>(room, settings.recent_bytes);
-  // Sessions that are there when it is full need some of the rest before others may come.
+  // When the index is full, existing sessions need part of the rest before new ones are accepted.
   settings.index_bytes = std::min<std::size_t>({settings.index_bytes, limit / 4, for_index / 4 * 3});
-  // At four times that edits wait for the disk, and a batch of them comes on top.
+  // At four times this size edits wait for the disk; another batch may come on top.
   constexpr std::uint64_t kTimes = 5;
   const std::uint64_t others = limit / 2 - room + settings.recent_bytes + settings.index_bytes +
                                store_memory_of(for_index).most() + settings.editor_bytes;
@@ -224,7 +224,7 @@ tl::expected<void, std::string> check_index_memory(const Config& config, std::ui
   if (index_bytes + settings.recent_bytes + store_memory(config, site_bytes).most() <
       room_for_edits(config, site_bytes))
     return {};
-  // Three eighths of the budget less the program, of which the index may have three quarters.
+  // The room is three eighths of the budget less the program; the index may use three quarters of it.
   Config enough = config;
   enough.limits.memory_bytes = (limit / kMebibyte + 1) * kMebibyte;
   while (index_bytes + kMostRecentBytes + store_memory(enough, site_bytes).most() >=
@@ -261,12 +261,12 @@ std::size_t ground_bytes(const Config& config, const terrain::World& world) {
 
 GenerationSettings generation_settings(const Config& config, const terrain::World& world,
                                        const PatchSize& patch) {
-  // Maps are asked for over HTTP alone.
+  // Maps are requested only over HTTP.
   constexpr std::uint64_t kMapsShare = 8;
-  // Of chunks with edits, where there may be any.
+  // Share for chunks merged with edits, if edits are stored.
   constexpr std::uint64_t kMergedShare = 8;
   constexpr std::size_t kMapBytesAColumn =
-      160;  // of a map in the making: its stacks, and what light falls on
+      160;  // of a map being painted: its stacks and the surface to be lit
   const bool maps = config.http.listen.has_value();
   const std::size_t map_bytes = maps ? map::TilePainting::kColumnsAtOnce * kMapBytesAColumn : 0;
   return {.threads = generator_threads(config),
@@ -308,8 +308,8 @@ std::string describe(const PatchSize& size) {
 
 std::uint64_t descriptors_wanted(const Config& config) {
   const std::uint64_t of_operators = config.admin ? AdminServer::kMaxConnections : 0;
-  // A connection whose PROXY header has not come, or whose thread has not begun with TLS, is not among
-  // limits.connections, and has a socket.
+  // A connection that waits for its PROXY header or its TLS thread is not counted by limits.connections, but
+  // has a socket.
   const bool waits = !config.proxies.empty() || config.tls.wanted();
   const std::uint64_t of_handshakes = waits ? config.limits.handshakes_in_flight : 0;
   return descriptors_needed(config.limits.connections + of_handshakes + of_operators, io_threads(config) + 1);

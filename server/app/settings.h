@@ -1,4 +1,4 @@
-// What each module needs of the configuration.
+// Derives each module's settings from the configuration.
 #pragma once
 
 #include <cstddef>
@@ -28,78 +28,77 @@
 
 namespace talus::server {
 
-/// Threads that serve sockets, and threads that generate; from the machine where the configuration says 0.
+/// Threads that serve sockets, and threads that generate; chosen for the machine if configured as 0.
 [[nodiscard]] std::size_t io_threads(const Config& config);
 [[nodiscard]] std::size_t generator_threads(const Config& config);
 
-/// Tiles of 32 x 32 columns that one GetHeights may touch. Heights of eroded land cost a tile's terrain with
-/// its halo for each, which was measured to take `tile_time`, and heights with talus a quarter of that: one
-/// request takes a second of a thread, or one tile.
+/// Maximum number of tiles of 32 x 32 columns that one GetHeights may touch, so that it takes at most a
+/// second of a thread, or one tile. On eroded land a tile costs its terrain with halo, measured as
+/// `tile_time`; heights with talus cost a quarter of that.
 [[nodiscard]] std::uint64_t height_tiles_per_request(const terrain::World& world,
                                                      std::chrono::nanoseconds tile_time);
 
 [[nodiscard]] EditRules edit_rules(const Config& config, VoxelPos spawn);
 [[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                                            std::chrono::nanoseconds tile_time);
-/// `site_bytes`, here and below: files that the server keeps in memory to serve them.
+/// `site_bytes`, here and below: size of the files that the server serves from memory.
 [[nodiscard]] RateLimits rate_limits(const Config& config, std::uint64_t site_bytes = 0);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);
-/// The same for the HTTP port.
+/// For the HTTP port.
 [[nodiscard]] HandshakeSettings web_handshake_settings(const Config& config);
 [[nodiscard]] BalanceSettings balance_settings(const Config& config);
 [[nodiscard]] web::WebSettings web_settings(const Config& config);
-/// Times of HTTP connections.
+/// Timeouts of HTTP connections.
 [[nodiscard]] http::Service web_service(const Config& config, const Clock& clock, Logger log);
 [[nodiscard]] Admission::Limits admission_limits(const Config& config, std::uint64_t site_bytes = 0);
-/// The least limits.memory_bytes but 0, with few threads. The program and the largest share of the generators
-/// stay below the half at which connections are taken again: whatever a load took, the server opens again.
+/// Minimum limits.memory_bytes other than 0, with few threads. The program and the generators' largest share
+/// stay below the half at which connections are accepted again, so the server recovers from any load.
 inline constexpr std::uint64_t kMinMemoryBytes = MemoryBudget::kProgramBytes * 3;
 static_assert(MemoryBudget::kProgramBytes + kMinMemoryBytes / GeneratorMemory::kLargestShare <
               kMinMemoryBytes / 2);
-/// With the threads that are configured.
+/// With the configured threads.
 [[nodiscard]] std::uint64_t min_memory_bytes(const Config& config);
-/// An error, one line, where limits.memory_bytes is less.
+/// Fails if limits.memory_bytes is less. An error is one line.
 [[nodiscard]] tl::expected<void, std::string> check_memory(const Config& config,
                                                            std::uint64_t site_bytes = 0);
 
-/// What edits may take of limits.memory_bytes. With the program, the site and the largest share of the
-/// generators they stay below the half at which connections are taken again; but for editors, who come and go
-/// within a day, and what is not flushed, four times `dirty_bytes` and a batch, with which, and with
-/// RocksDB's, they stay below the 5/8 at which a server without sessions takes them.
+/// Memory limits of edits within limits.memory_bytes. With the program, the site and the generators' largest
+/// share they stay below the half at which connections are accepted again, except editors, which change
+/// within a day, and unflushed data (four times `dirty_bytes` and a batch). Including these and RocksDB they
+/// stay below the 5/8 at which a server without sessions accepts connections.
 [[nodiscard]] EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_bytes = 0);
-/// What RocksDB may hold in memory of the store of edits. With what edit_state_settings() gives it stays
-/// below that half, too.
+/// RocksDB's memory for the edit store. With edit_state_settings() it also stays below that half.
 [[nodiscard]] store::StoreMemory store_memory(const Config& config, std::uint64_t site_bytes = 0);
-/// An error, one line, where an index of so many bytes, as a store has it, takes more than that, so that the
-/// server might refuse every client for good. Below that it is served, and refuses to grow.
+/// Fails (one line) if a stored index of `index_bytes` exceeds that half, so that the server might refuse
+/// every client for ever. A smaller index is served, but cannot grow beyond its limit.
 [[nodiscard]] tl::expected<void, std::string> check_index_memory(const Config& config,
                                                                  std::uint64_t index_bytes,
                                                                  std::uint64_t site_bytes = 0);
 
-/// Where and how much is kept of columns that were dear to generate; none where nothing is.
+/// Location and limits of the disk cache of expensive columns; nullopt if disabled.
 [[nodiscard]] std::optional<ColumnCacheSettings> column_cache_settings(const Config& config,
                                                                        ContentHash fingerprint);
 
-/// Where a pregen notes how far it is: beside the columns, and gone with them.
+/// File in which pregen stores its progress; it is deleted together with the columns.
 [[nodiscard]] inline std::filesystem::path pregen_file(const ColumnCacheSettings& columns) {
   return columns.path / "pregen";
 }
 
-/// What generators of the world keep of ground that patches share: nothing where that would not pay.
+/// Memory for ground that patches share; 0 if caching it would not pay.
 [[nodiscard]] std::size_t ground_bytes(const Config& config, const terrain::World& world);
 
-/// `patch_tiles` as configured, or as chosen where the configuration leaves it open.
+/// Uses the configured patch_tiles, or `patch` if it is not configured.
 [[nodiscard]] GenerationSettings generation_settings(const Config& config, const terrain::World& world,
                                                      const PatchSize& patch);
 
 /// Measures what the world's terrain costs on this machine.
 [[nodiscard]] PatchSize measured_patch_size(const Config& config, const terrain::World& world,
                                             const Clock& clock);
-/// For the log: what terrain costs, and what to change where that is much.
+/// Log line on the cost of terrain, with advice if it is high.
 [[nodiscard]] std::string describe(const PatchSize& size);
 
-/// Files and sockets that a server so configured may hold at once.
+/// Number of files and sockets that a server with this configuration may hold at once.
 [[nodiscard]] std::uint64_t descriptors_wanted(const Config& config);
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// By which rules loose material of a world slides where an edit sets it loose.
+// Rules by which a world's loose material slides after an edit.
 #pragma once
 
 #include <talus/edits/settle.h>
@@ -6,7 +6,7 @@
 
 namespace talus::server {
 
-/// Of the world's loose materials, and of what shows in place of them and is loose too.
+/// Includes the world's loose materials, and the loose materials that show in place of them.
 [[nodiscard]] edits::SettleRules settle_rules(const terrain::World& world);
 
 }  // namespace talus::server

@@ -16,15 +16,15 @@
 
 namespace talus::server {
 
-/// The user that the configuration names; none where it names none.
+/// Returns the user named by the configuration; nullopt if it names none.
 [[nodiscard]] tl::expected<std::optional<Account>, std::string> configured_account(const Config& config);
 
-/// Gives up what root may do, and opens the data directory as the user that is left; none where the
-/// configuration has none. Before the first thread.
+/// Drops root privileges, then opens the data directory as the remaining user; nullopt if it is not
+/// configured. Call before the first thread starts.
 [[nodiscard]] tl::expected<std::optional<store::DataDirectory>, std::string> drop_privileges_and_open_data(
     const Config& config, const std::optional<Account>& account, ContentHash fingerprint);
 
-/// Lines for the log: what an operator should know of how the server was started.
+/// Returns warnings for the log about how the server was started.
 [[nodiscard]] std::vector<std::string> startup_warnings(const Command& command,
                                                         const std::vector<std::string>& of_keys,
                                                         const std::optional<TlsIdentity>& tls);

@@ -19,10 +19,10 @@
 namespace talus::server {
 namespace {
 
-/// A start that has a store does not wait longer for a log that cannot be reached.
+/// Maximum wait for an unreachable log at the start of a server that has a store.
 constexpr std::chrono::seconds kLogAway{10};
 
-/// All that the world names, air and water among them.
+/// All materials that the world names, including air and water.
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
                            bool settles) {
   EditIntake::Rules rules{terrain::height_range(world), {}, nullptr};
@@ -77,7 +77,7 @@ store::EditDatabase::Done WorldEdits::name_placeables(const terrain::World& worl
   edits::MaterialIds ids = database_->materials();
   if (shared.stream != nullptr) {
     start_shared_log(std::move(shared), world);
-    // As long as the server would not be ready anyway, and some time for a new leader.
+    // Waits while the server would not be ready anyway, and some time for a new leader.
     std::optional<std::chrono::steady_clock::time_point> away;
     const auto waits = [&] {
       const cluster::ClusterLog::Status status = shared_->status();
@@ -101,7 +101,7 @@ store::EditDatabase::Done WorldEdits::name_placeables(const terrain::World& worl
   }
   for (const terrain::Placeable& placeable : world.placeables()) {
     const auto id = ids.find(placeable.name);
-    if (id == ids.end()) continue;  // the log was away
+    if (id == ids.end()) continue;  // the log was unreachable
     placeables_.push_back({id->second, placeable.name, placeable.colour, placeable.kind});
   }
   return {};
@@ -131,7 +131,7 @@ LocalLog::Status WorldEdits::status() const {
 
 ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
                               bool settles) {
-  const SignalsBlocked blocked;  // for the log's
+  const SignalsBlocked blocked;  // for the log's threads
   chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
   if (shared_ == nullptr) {
     local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{writer_settings_, {}},
@@ -165,7 +165,7 @@ void WorldEdits::start(RunPregen pregen) {
 }
 
 void WorldEdits::stop() {
-  socket_.reset();  // who waits for the log there gets its answer
+  socket_.reset();  // clients waiting there for the log get their answer
   if (intake_ != nullptr) intake_->stop();
   if (local_ != nullptr) local_->stop();
   if (shared_ != nullptr) shared_->stop();

@@ -1,5 +1,5 @@
-// A world's edits in one server, from the directory on disk to the sessions: database, applied state, log,
-// which is this server's own or one that several share, and the intake that prepares edits for it.
+// A world's edits in one server: the database, the applied state, the log (this server's own or a shared
+// one), and the intake that prepares edits for it.
 #pragma once
 
 #include <atomic>
@@ -37,24 +37,24 @@ namespace talus::server {
 
 /// The log that this server shares with others.
 struct SharedLog {
-  std::unique_ptr<LogStream> stream;  // of the store; null: the log is this server's own
-  std::uint64_t joins = 0;            // checkpoints of peers that were taken for the store
-  /// The store is lost to the cluster: cluster_log.h.
+  std::unique_ptr<LogStream> stream;  // null: the log is this server's own
+  std::uint64_t joins = 0;            // checkpoints of peers loaded for the store
+  /// Called if the store is lost to the cluster (cluster_log.h).
   std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
-  /// The disk has lost what the log can give again: edit_database.h.
+  /// Called if the disk lost entries that the log can supply again (edit_database.h).
   std::function<void(const std::string&)> on_lost_end = [](const std::string&) {};
 };
 
 class WorldEdits final : public EditedLand {
  public:
-  /// Opens what is stored in `directory`, which a DataDirectory has locked, and starts a log that is shared:
-  /// where the world has new materials it waits until that gives them ids. An error is one line. `clock`
-  /// outlives this.
+  /// Opens the store in `directory`, which a DataDirectory must have locked, and starts a shared log. If the
+  /// world has new materials, waits until the log gives them ids. `clock` must outlive this. An error is one
+  /// line.
   [[nodiscard]] static tl::expected<std::unique_ptr<WorldEdits>, std::string> open(
       const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
       const Clock& clock, Logger log, const EditStateSettings& state_settings, store::HistoryLimits history,
       store::StoreMemory memory = {}, SharedLog shared = {});
-  /// Another than open() was given where the store had to become another.
+  /// Differs from open()'s argument if the store had to become another.
   [[nodiscard]] ContentHash store_id() const { return store_id_; }
   ~WorldEdits() override { stop(); }
   WorldEdits(const WorldEdits&) = delete;
@@ -62,42 +62,42 @@ class WorldEdits final : public EditedLand {
 
   [[nodiscard]] const EditState& state() const { return *state_; }
   [[nodiscard]] EditState& state() { return *state_; }
-  /// What the world names beyond what it generates, by the ids that the store has given for ever.
+  /// Materials that the world names but does not generate, with the permanent ids that the store gave them.
   [[nodiscard]] const std::vector<terrain::Material>& placeables() const { return placeables_; }
-  /// Through which generators answer.
+  /// Generators answer through it.
   [[nodiscard]] ChunkOverlay& overlay() { return merged_; }
 
-  /// The source of chunks with their edits, over those as generated; once, before all that follows. What is
-  /// given outlives stop(), and what is returned this. `settles`: loose material slides.
+  /// Creates the source of chunks with edits on top of `base`; call once, before everything below. Arguments
+  /// must outlive stop(); the result lives as long as this. `settles`: loose material slides.
   [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
                                   bool settles);
   [[nodiscard]] EditTaker& taker() { return *intake_; }
-  /// Starts the threads; once. `pregen`: by which a command has land made; empty: by none.
+  /// Starts the threads; call once. `pregen` generates land for a command; may be empty.
   void start(RunPregen pregen = {});
-  /// Takes no more edits, and answers those that were taken.
+  /// Stops accepting edits, and answers the accepted ones.
   void stop();
   [[nodiscard]] LocalLog::Status status() const;
-  /// Of a log that is shared; null: it is this server's own.
+  /// The shared log; null if the log is this server's own.
   [[nodiscard]] const cluster::ClusterLog* shared() const { return shared_.get(); }
-  /// As open() was told.
+  /// As passed to open().
   [[nodiscard]] std::uint64_t joins() const { return joins_; }
-  /// Edits that are not in the log yet.
+  /// Number of edits that are not in the log yet.
   [[nodiscard]] std::size_t preparing() const { return intake_->waiting(); }
 
-  /// As of EditIntake.
+  /// See EditIntake.
   void limit_bases(std::size_t bytes) { intake_->limit_bases(bytes); }
   [[nodiscard]] std::size_t base_bytes() const { return intake_->base_bytes(); }
 
-  /// Any thread.
+  /// Callable from any thread.
   [[nodiscard]] store::HistoryKept history() const { return database_->history(); }
-  /// Any thread. EditDatabase::memory_bytes().
+  /// EditDatabase::memory_bytes(). Callable from any thread.
   [[nodiscard]] std::size_t store_bytes() const { return database_->memory_bytes(); }
-  /// Any thread. EditDatabase::checkpoint().
+  /// EditDatabase::checkpoint(). Callable from any thread.
   [[nodiscard]] store::EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
     return database_->checkpoint(path);
   }
 
-  // Once join() was called.
+  // Valid after join().
   [[nodiscard]] std::uint64_t revision() const override { return state_->revision(); }
   [[nodiscard]] bool takes_edits() const override { return !status().read_only; }
   [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const override {
@@ -121,7 +121,7 @@ class WorldEdits final : public EditedLand {
 
   void start_shared_log(SharedLog shared, const terrain::World& world);
   [[nodiscard]] store::EditDatabase::Done name_placeables(const terrain::World& world, SharedLog shared);
-  /// What either log does after a batch.
+  /// Called by either log after a batch.
   [[nodiscard]] StoreWriter::OnChanged tell_feed() {
     return [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); };
   }
@@ -130,7 +130,7 @@ class WorldEdits final : public EditedLand {
   const Clock& clock_;
   std::vector<terrain::Material> placeables_;
   const std::unique_ptr<store::EditDatabase> database_;
-  const ContentHash store_id_;  // a log that is shared changes what else the database says of itself
+  const ContentHash store_id_;  // a copy, because a shared log changes the database's other metadata
   const std::unique_ptr<EditState> state_;
   StoreWriterSettings writer_settings_;
   MergedChunks merged_;
@@ -138,12 +138,12 @@ class WorldEdits final : public EditedLand {
   std::unique_ptr<EditedChunks> chunks_;
   std::unique_ptr<LogStream> stream_;
   std::uint64_t joins_ = 0;
-  std::atomic<EditIntake*> waits_for_log_{nullptr};  // who is told when a shared log takes edits again
-  std::unique_ptr<cluster::ClusterLog> shared_;      // one of the two
+  std::atomic<EditIntake*> waits_for_log_{nullptr};  // notified when a shared log accepts edits again
+  std::unique_ptr<cluster::ClusterLog> shared_;      // exactly one of shared_ and local_ is set
   std::unique_ptr<LocalLog> local_;
   EditLog* log_ = nullptr;
   std::unique_ptr<EditIntake> intake_;
-  std::unique_ptr<StoreSocket> socket_;  // null: it could not be made
+  std::unique_ptr<StoreSocket> socket_;  // null: it could not be created
 };
 
 }  // namespace talus::server

@@ -12,7 +12,7 @@ tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     const std::filesystem::path& file) {
   if (file.empty()) return std::make_shared<const terrain::World>(terrain::default_world());
 
-  // Never waits, as opening a pipe would.
+  // Never blocks, even on a pipe.
   const auto read = files::SecretFile::read(file, kMaxTomlBytes);
   if (!read) {
     return tl::make_unexpected(

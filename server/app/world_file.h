@@ -1,4 +1,4 @@
-// The world that the server serves.
+// Loads the world that the server serves.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace talus::server {
 
-/// Reads a world's spec; an empty path gives the world built into the program. The error is one line.
+/// Reads a world's spec; an empty path means the built-in world. An error is one line.
 [[nodiscard]] tl::expected<std::shared_ptr<const terrain::World>, std::string> load_world(
     const std::filesystem::path& file);
 

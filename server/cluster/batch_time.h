@@ -1,9 +1,9 @@
-// The time of a batch, which every server must take for the same. Its publisher says it, by a clock that may
-// be wrong; the stream has a clock of its own, that of its leader, and keeps by it when it took each message.
-// A batch that says more than a minute over what was last compared with that clock is compared: what it says
-// beyond a minute more than the stream does not count. So a wrong clock, or a lie, moves the world's time by
-// a minute at most, the stream is asked once a minute while edits flow, and all who read the stream come to
-// the same times, whoever reads it and when. Pure.
+// Determines the time of a batch, on which all servers must agree. The publisher states it by a clock that
+// may be wrong; the stream records when its leader took each message. A batch stated more than a minute after
+// the last time compared with the leader's clock is compared with it: anything beyond a minute after the
+// leader's time is ignored. So a wrong clock, or a lie, advances the world's time by at most a minute, the
+// stream is asked once a minute while edits flow, and every reader of the stream computes the same times.
+// Pure.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace talus::server::cluster {
 
-/// Clocks of sound servers differ by less.
+/// Upper bound for the difference between correct clocks.
 inline constexpr std::int64_t kClocksDifferMs = 60'000;
 
-/// Whether the stream must be asked when it took a batch that says `said_ms`; `looked_ms`: the place's.
+/// True if the stream must be asked when it took a batch stated at `said_ms`. `looked_ms` is StreamPlace's.
 [[nodiscard]] constexpr bool must_ask_stream(std::int64_t said_ms, std::int64_t looked_ms) {
   return said_ms > looked_ms && said_ms - looked_ms > kClocksDifferMs;
 }
 
-/// What a batch's time counts as, which the stream took at `stream_ms`.
+/// Effective time of a batch that the stream took at `stream_ms`.
 [[nodiscard]] constexpr std::int64_t bounded_time(std::int64_t said_ms, std::int64_t stream_ms) {
   return std::min(said_ms,
                   std::clamp<std::int64_t>(stream_ms, 0, INT64_MAX - kClocksDifferMs) + kClocksDifferMs);

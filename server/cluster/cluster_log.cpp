@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLastWait{2};
-/// A leader that was deposed may say less than there is, until it knows.
+/// A deposed leader may report fewer messages until it learns of that.
 constexpr std::chrono::seconds kSureOfShorter{15};
 
 }  // namespace
@@ -52,7 +52,7 @@ void ClusterLog::stop() {
   {
     std::unique_lock lock{mutex_};
     if (std::exchange(stopping_, true)) return;
-    // Answers come from the applier.
+    // The applier answers entries.
     const auto until = SteadyClock::now() + kLastWait;
     while (applier_.joinable() && fault_.empty() && publisher_.takes() && publisher_.open() > 0 &&
            SteadyClock::now() < until) {
@@ -77,7 +77,7 @@ bool ClusterLog::pause(milliseconds time) {
   return !changed_.wait_for(lock, time, [&] { return ending_; });
 }
 
-// ---- what is asked from any thread
+// ---- called from any thread
 
 bool ClusterLog::takes_entries() const {
   return !status().read_only;
@@ -125,7 +125,7 @@ ClusterLog::Status ClusterLog::status() const {
   status.gaps = figures.gaps;
   status.false_messages = figures.false_messages;
   const std::lock_guard lock{mutex_};
-  // Then no edits are taken.
+  // In that case edits are rejected.
   const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
   status.connected = figures.connected;
   status.late = std::move(figures.late);
@@ -135,7 +135,7 @@ ClusterLog::Status ClusterLog::status() const {
   status.sequence = sequence_;
   status.skipped = skipped_;
   status.bounded = bounded_;
-  status.stuck = stuck_since_ && !fault_.empty();  // once it says why
+  status.stuck = stuck_since_ && !fault_.empty();  // once fault_ is set
   if (stopping_) {
     status.read_only = "this server is about to end";
   } else if (!fault_.empty()) {
@@ -186,7 +186,7 @@ void ClusterLog::watch() {
   do {
     const auto began = SteadyClock::now();
     look_at_end();
-    // Who waited for an answer in vain has waited.
+    // A failed request has already waited.
     left = std::chrono::ceil<milliseconds>(settings_.look_interval - (SteadyClock::now() - began));
   } while (pause(std::max(left, milliseconds{0})));
 }
@@ -195,7 +195,7 @@ void ClusterLog::look_at_end() {
   const TimePoint asked = SteadyClock::now();
   std::uint64_t sequence = 0;
   std::int64_t created_ns = 0;
-  bool known = false;  // that what comes next is to be had there
+  bool known = false;  // the next message is available there
   {
     const std::lock_guard lock{mutex_};
     sequence = sequence_;
@@ -210,7 +210,7 @@ void ClusterLog::look_at_end() {
     if (!stream) {
       end_.unanswered(asked);
       began_silent_ = began_silent_ || !heard_;
-      shorter_since_.reset();  // it may be another leader that speaks next
+      shorter_since_.reset();  // the next answer may come from another leader
       if (!known || trouble_.empty() || trouble_is_silence_) {
         trouble_ = stream.error().reason;
         trouble_is_silence_ = true;
@@ -249,7 +249,7 @@ void ClusterLog::look_at_end() {
 
 void ClusterLog::tell_whether_it_takes() {
   {
-    // What was seen is kept before another thread looks: the last to look keeps the newest.
+    // The value is stored before another thread can check, so that the last check wins.
     const std::lock_guard lock{telling_};
     const bool takes = takes_entries();
     if (std::exchange(was_taking_, takes) == takes) return;

@@ -1,9 +1,9 @@
-// The log of a world that several servers share: what it takes it publishes to a stream, and what comes from
-// the stream, of whichever server, it applies in the stream's order. An entry is answered where it was taken,
+// The log of a world shared by several servers. Accepted entries are published to a stream; messages of the
+// stream, from any server, are applied in its order. An entry is answered on the server that accepted it,
 // once it is applied there.
 //
-// Four threads: one publishes, one applies and writes the store, one syncs that, one asks the stream's leader
-// where its end is.
+// Four threads: one publishes, one applies and writes the store, one syncs it, and one asks the stream's
+// leader for the stream's end.
 #pragma once
 
 #include <atomic>
@@ -28,11 +28,11 @@
 
 namespace talus::server::cluster {
 
-/// Why this server's store cannot go on with the stream. Another server's store can take its place.
+/// Reason why this server's store cannot continue with the stream. Another server's store can replace it.
 enum class Lost : std::uint8_t {
-  too_old,      // the stream does not keep what comes next any more
-  no_start,     // the store is empty, and the stream begins with a state that is not
-  other,        // the stream was made anew, or is that of another state than the store's
+  too_old,      // the stream no longer keeps the next message
+  no_start,     // the store is empty, but the stream begins with a non-empty state
+  other,        // the stream was recreated, or belongs to a different state
   wrong_state,  // most other servers have another state, or this one cannot read its own
 };
 
@@ -43,15 +43,15 @@ class ClusterLog final : public EditLog {
 
   struct Settings {
     StoreWriterSettings store{};
-    edits::SettleRulesPtr settles{};  // by which this world's loose material slides; null: none does
-    std::chrono::milliseconds look_interval{500};  // at the stream's end
-    /// Who is stuck publishes nothing any more; what was on its way to the stream is there after that.
+    edits::SettleRulesPtr settles{};  // the world's rules for sliding material; null: nothing slides
+    std::chrono::milliseconds look_interval{500};  // between requests for the stream's end
+    /// Stuck servers stop publishing; after this time everything in flight is in the stream.
     std::chrono::milliseconds sure_of_stuck{10'000};
-    /// So long every answer says that the stream has another message where this server's last one was.
+    /// Time during which every answer must report another message in place of this server's last one.
     std::chrono::milliseconds sure_of_other{15'000};
   };
-  /// All outlive this; `database` and `state` are changed by nobody else from here on. The database has its
-  /// log elsewhere.
+  /// The referenced objects must outlive this; from here on only this changes `database` and `state`. The
+  /// database must have log_elsewhere set.
   struct Parts {
     LogStream& stream;
     store::EditDatabase& database;
@@ -59,10 +59,10 @@ class ClusterLog final : public EditLog {
     const Clock& clock;
     Logger log;
     OnChanged on_changed;
-    /// takes_entries() has changed. Any thread; must not wait, nor call the log.
+    /// Called when takes_entries() changes, on any thread. Must not wait or call the log.
     std::function<void()> on_takes = [] {};
-    /// The store is lost to the cluster, in one line: once, on a thread of the log's, which applies nothing
-    /// any more. Whoever brings another server's store in its place does so after stop(), or in another
+    /// Called once, with a one-line reason, on a thread of the log, if the store is lost to the cluster;
+    /// nothing is applied any more. Another server's store may replace it only after stop(), or in another
     /// process.
     std::function<void(Lost, const std::string&)> on_lost = [](Lost, const std::string&) {};
   };
@@ -72,27 +72,27 @@ class ClusterLog final : public EditLog {
   ClusterLog(const ClusterLog&) = delete;
   ClusterLog& operator=(const ClusterLog&) = delete;
 
-  /// Starts the threads; once.
+  /// Starts the threads; call once.
   void start();
-  /// Takes nothing any more, waits up to two seconds until what was taken is answered, writes all that is
-  /// dirty, and ends the threads. Stops the stream. Not on a thread of the log's.
+  /// Rejects new entries, waits up to two seconds for accepted ones to be answered, flushes, stops the
+  /// stream, and ends the threads. Must not be called on a thread of the log.
   void stop();
 
   [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
   [[nodiscard]] bool takes_entries() const override;
-  /// Whether one more may come to edit, before there is an entry; append() asks that too. Where this server
-  /// is not at the log's end it does not know all who edit: then the failure is cut_off in place of
-  /// editors_full, and soon over. Any thread.
+  /// Checks for room for one more editor before there is an entry; append() checks that too. A server that is
+  /// not at the log's end does not know all editors; its failure is cut_off instead of editors_full, and
+  /// temporary. Callable from any thread.
   [[nodiscard]] tl::expected<void, LogFailure> room_for_editor() const;
 
   struct Status {
     edits::Head head;
     std::size_t waiting = 0;
-    std::optional<std::string> read_only;  // why no entries are taken, in one line
+    std::optional<std::string> read_only;  // why entries are rejected, in one line
     bool ready = false;                    // players may come here
-    std::string not_ready;                 // why not, in one line
+    std::string not_ready;                 // reason in one line
     bool connected = false;
-    std::string late;     // why others' edits come late, up to a second; empty: they do not
+    std::string late;     // why edits of others are delayed by up to a second; empty if they are not
     bool quorum = false;  // the stream has a leader that answers
     bool differs = false;
     std::uint64_t lag = 0;  // messages
@@ -100,11 +100,11 @@ class ClusterLog final : public EditLog {
     std::uint64_t gaps = 0;
     std::uint64_t republished = 0;
     std::uint64_t skipped = 0;         // messages that no talusd can apply
-    std::uint64_t false_messages = 0;  // came altered, or of somebody else: the leader has others
-    std::uint64_t bounded = 0;         // batches whose time did not count as they said
+    std::uint64_t false_messages = 0;  // altered or forged; the leader has others
+    std::uint64_t bounded = 0;         // batches whose stated time was bounded
     bool stuck = false;                // the next message is for a newer talusd
   };
-  /// Any thread.
+  /// Callable from any thread.
   [[nodiscard]] Status status() const;
   [[nodiscard]] const LatencyHistogram& publish_latency() const { return publisher_.latency(); }
 
@@ -113,62 +113,61 @@ class ClusterLog final : public EditLog {
   static constexpr std::chrono::milliseconds kSoon{20};
   static constexpr std::chrono::milliseconds kRetryOfFault{1'000};
 
-  // The applier's thread (cluster_log_applier.cpp).
+  // Called on the applier's thread (cluster_log_applier.cpp).
   void apply_all();
-  /// Whether the store's place in the stream is known, and what comes next is to be had; looks once
+  /// True if the store's place in the stream is known and the next message is available; checks once
   /// (cluster_log_place.cpp).
   [[nodiscard]] bool find_place();
   [[nodiscard]] bool begin_at_genesis(const StreamState& stream);
-  /// Whether the stream still has, as far as it keeps it, the message that was applied last. One that lost
-  /// its end and went on has another there, however long ago that was.
+  /// True if the stream, as far as it keeps it, still has the last applied message. A stream that lost its
+  /// end and went on has another message there, no matter how long ago.
   [[nodiscard]] bool is_as_applied(const StreamState& stream, const store::StreamPlace& place);
   void next_message();
   void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);
-  /// The time of the batch, and what the store is to remember of it; none: to be asked again.
+  /// The batch's time and the store's new looked_ms; nullopt: try again.
   struct Time {
     std::int64_t ms = 0;
     std::int64_t looked_ms = 0;
   };
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
-  /// Whether the message, which is none, came so by itself: then the leader is asked for it. It is not held
-  /// any more.
+  /// True if the message, which cannot be decoded, was pushed: then it is dropped and requested from the
+  /// leader.
   bool came_damaged(const StreamMessage& message, const std::string& reason);
-  /// The message is one that all servers pass over.
+  /// Skips a message that all servers skip.
   void skip(const StreamMessage& message, const std::string& reason);
-  /// This talusd does not know it: passes over it, unless the stream may have such from there on.
+  /// Handles a message of unknown format: skips it, unless the stream may have newer formats from there on.
   void meet_unknown(const StreamMessage& message, const MessageFault& fault);
-  /// It is one that others may know. `reason`: and what would be right.
+  /// Stops at a message that other servers may know. `reason` includes the remedy.
   void get_stuck(const StreamMessage& message, const std::string& reason);
-  /// `said`: of the batch; null: it was none.
+  /// `said` is the batch's head; null if the message was not a batch.
   void finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said);
-  /// What the message changes is not to be had from the disk.
+  /// Handles a failure to read chunks that the message changes.
   void cannot_read(const std::string& reason);
   void can_read();
   void compare(const BatchHead& head);
   void applied(std::uint64_t sequence);
-  /// False: stop() was called.
+  /// Returns false if stop() was called.
   bool pause(std::chrono::milliseconds time);
 
-  // The watching thread.
+  // Called on the watching thread.
   void watch();
   void look_at_end();
 
-  // Any thread.
-  /// What it is while this server is not at the log's end.
+  // Callable from any thread.
+  /// Replaces `failure` by cut_off while this server is not at the log's end.
   [[nodiscard]] LogFailure unless_behind(LogFailure failure) const;
-  /// Whether nothing had stopped it before.
+  /// Returns true if applying was not stopped before.
   bool stop_applying(std::string reason);
   void lose(Lost how, const std::string& reason);
   void trouble(std::string reason);
   void tell_whether_it_takes();
   [[nodiscard]] bool stopping() const;
-  /// Nobody goes on behind the message where this server is stuck, as far as is known: another would be no
-  /// better, so that players may look on here. Under the mutex.
+  /// True if, as far as is known, no server passes the message at which this one is stuck: other servers are
+  /// no better, so players may stay here. Requires the mutex.
   [[nodiscard]] bool all_are_stuck() const;
-  /// The leader did not answer at the start, and the store has its place: chunks are served as they are on
-  /// the disk, as they would be if the leader had gone later, until it says where the end is. Under the
-  /// mutex.
+  /// True if the leader did not answer at the start, but the store has its place: chunks are served from the
+  /// disk, as if the leader had been lost later, until it reports the end. Requires the mutex.
   [[nodiscard]] bool begins_without_log() const;
 
   const Parts parts_;
@@ -177,43 +176,43 @@ class ClusterLog final : public EditLog {
   StoreWriter writer_;
   Publisher publisher_;
 
-  // The applier's thread alone.
+  // Used only by the applier's thread.
   bool placed_ = false;
-  std::optional<StreamMessage> held_;     // came, and could not be applied
-  int unread_ = 0;                        // how often what it changes could not be read
-  std::optional<TimePoint> other_since_;  // another message has been where the last one was
+  std::optional<StreamMessage> held_;     // received, but could not be applied yet
+  int unread_ = 0;                        // failed attempts to read chunks that it changes
+  std::optional<TimePoint> other_since_;  // another message is in place of the last applied one
   StateComparison comparison_;
-  std::uint64_t none_newer_to_ = 0;  // up to this message the stream has none for a newer talusd
-  TimePoint skip_told_{};            // in the log
+  std::uint64_t none_newer_to_ = 0;  // no message up to this one is for a newer talusd
+  TimePoint skip_told_{};            // last logged
   TimePoint damage_told_{};
   TimePoint clock_told_{};
 
   std::mutex telling_;      // locked before mutex_
-  bool was_taking_ = true;  // as on_takes was told; under that
+  bool was_taking_ = true;  // last value reported by on_takes; guarded by telling_
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   LogEnd end_;
-  std::uint64_t sequence_ = 0;  // of the last message that is applied
+  std::uint64_t sequence_ = 0;  // last applied message
   std::int64_t created_ns_ = 0;
-  bool shorter_ = false;                    // the stream seems to have less than was applied
-  std::optional<TimePoint> shorter_since_;  // since when the leader has said so, without a silence
-  bool heard_ = false;                      // it ever did, of where this server has its place
-  bool began_silent_ = false;               // it did not when it was asked before that
+  bool shorter_ = false;                    // the stream seems shorter than what was applied
+  std::optional<TimePoint> shorter_since_;  // the leader has kept reporting that since then
+  bool heard_ = false;                      // the leader has answered since the place is known
+  bool began_silent_ = false;               // it failed to answer before that
   bool places_known_ = false;
-  std::string fault_;                // why nothing is applied any more
-  std::string trouble_;              // why nothing is applied just now
-  bool trouble_is_silence_ = false;  // of the leader, when it is asked for the end
-  std::string undecided_;            // as many say this as say that
-  std::string unreadable_;           // what the next message changes, and the disk does not give
+  std::string fault_;                // permanent reason for not applying
+  std::string trouble_;              // temporary reason for not applying
+  bool trouble_is_silence_ = false;  // trouble_ is that the leader did not report the end
+  std::string undecided_;            // equal numbers of servers have each state
+  std::string unreadable_;           // chunks of the next message that the disk cannot deliver
   bool differs_ = false;
   std::uint64_t skipped_ = 0;
   std::uint64_t bounded_ = 0;
   std::optional<TimePoint> stuck_since_;       // the next message is for a newer talusd
-  bool was_ready_ = false;                     // then
-  std::optional<std::uint64_t> stuck_at_end_;  // the last message that others had published by then
-  bool others_go_on_ = false;                  // somebody published later
-  bool stopping_ = false;                      // no entries are taken
+  bool was_ready_ = false;                     // at stuck_since_
+  std::optional<std::uint64_t> stuck_at_end_;  // the stream's end once surely stuck
+  bool others_go_on_ = false;                  // another server published later
+  bool stopping_ = false;                      // entries are rejected
   bool ending_ = false;                        // the threads end
 
   std::thread applier_;

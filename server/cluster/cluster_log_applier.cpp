@@ -1,4 +1,4 @@
-// What the log's thread does: it applies the stream's messages and minds the store.
+// The applier's thread: applies the stream's messages and runs the store writer.
 #include <algorithm>
 #include <utility>
 
@@ -16,12 +16,12 @@ namespace {
 using std::chrono::milliseconds;
 using SteadyClock = std::chrono::steady_clock;
 
-/// A chunk that the disk did not give so often it does not have.
+/// After this many failed reads a chunk counts as lost.
 constexpr int kTriesToRead = 10;
 constexpr const char* kNotUnderstood =
     "; and what the stream's description says of log formats it does not understand; upgrade it, or mend the "
     "description (talusd cluster check) and restart it";
-/// Between lines about messages of one kind.
+/// Minimum time between log lines about one kind of message.
 constexpr std::chrono::seconds kBetweenWarnings{1};
 
 }  // namespace
@@ -35,13 +35,13 @@ void ClusterLog::apply_all() {
       faulty = !fault_.empty();
     }
     if (faulty || writer_.has_batch()) {
-      // The store is minded all the same.
+      // The store writer keeps running.
       const auto left = std::chrono::ceil<milliseconds>(writer_.next_look() - SteadyClock::now());
       (void)pause(std::clamp(left, milliseconds{1}, kRetryOfFault));
       continue;
     }
     {
-      // What look() could write at last.
+      // look() may have written a pending batch.
       const store::StreamPlace place = writer_.status().stream;
       if (place.sequence != 0) applied(place.sequence);
     }
@@ -171,7 +171,7 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& 
       return lose(Lost::other, kMadeAnew);
     }
     if (stream->last < message.sequence) {
-      // A leader that was deposed: it may not know either what was enabled.
+      // A deposed leader, which may not know enabled formats either.
       trouble(
           fmt::format("message {} of the log is one that this talusd does not know, and the leader does "
                       "not know the message",
@@ -183,8 +183,8 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& 
     if (stream->enabled.is_newer_at(message.sequence)) {
       return get_stuck(message, fmt::format("{}{}", fault.reason, remedy_of(fault)));
     }
-    // What is enabled later begins behind what there is now. That rests upon this leader's settings being no
-    // older than its messages, for which whoever enables a format waits (FORMAT.md).
+    // Formats enabled later begin after the stream's current end. This requires the leader's settings to be
+    // at least as new as its messages, which the procedure for enabling a format ensures (FORMAT.md).
     none_newer_to_ = std::min(stream->last, stream->enabled.newer_from() - 1);
   }
   skip(message, fault.reason);
@@ -203,7 +203,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
 
 void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said) {
   const bool stored = writer_.store(std::move(done), place);
-  held_.reset();  // else the writer has it
+  held_.reset();  // if not stored, the writer keeps the batch
   if (said != nullptr) compare(*said);
   if (stored) return applied(place.sequence);
   const std::string reason = *writer_.read_only();
@@ -260,7 +260,7 @@ void ClusterLog::cannot_read(const std::string& reason) {
 void ClusterLog::can_read() {
   if (std::exchange(unread_, 0) == 0) return;
   const std::lock_guard lock{mutex_};
-  unreadable_.clear();  // applied() tells
+  unreadable_.clear();  // applied() notifies
 }
 
 void ClusterLog::applied(std::uint64_t sequence) {

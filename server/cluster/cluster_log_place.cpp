@@ -1,4 +1,4 @@
-// Where a store goes on in the stream.
+// Finds the message at which a store continues in the stream.
 #include <fmt/format.h>
 
 #include "cluster/cluster_log.h"
@@ -24,7 +24,7 @@ bool ClusterLog::find_place() {
   if (stream->last == 0) {
     trouble("the stream has no genesis; run talusd cluster init");
     const std::lock_guard lock{mutex_};
-    began_silent_ = false;  // it spoke, and this is no stream to wait for
+    began_silent_ = false;  // it answered, but an empty stream is not worth waiting for
     return false;
   }
   if (place.sequence == 0) {
@@ -59,7 +59,7 @@ bool ClusterLog::find_place() {
 
 bool ClusterLog::is_as_applied(const StreamState& stream, const store::StreamPlace& place) {
   if (stream.last < place.sequence) {
-    trouble(kShorter);  // whether it stays so the watching thread judges
+    trouble(kShorter);  // the watching thread decides if that is permanent
     return false;
   }
   const auto last = compare_last_message(parts_.stream, stream, place);
@@ -73,7 +73,7 @@ bool ClusterLog::is_as_applied(const StreamState& stream, const store::StreamPla
       "lost its end, and went on without it",
       place.sequence);
   trouble(reason);
-  // One replica that went wrong may have answered: the next may be asked by another connection.
+  // A faulty replica may have answered; the next request may reach another.
   const auto now = SteadyClock::now();
   if (!other_since_) other_since_ = now;
   if (now - *other_since_ > settings_.sure_of_other) lose(Lost::other, reason);

@@ -16,8 +16,8 @@ constexpr std::uint8_t kSettles = 1;
 constexpr std::uint8_t kHasPaste = 2;
 constexpr std::uint8_t kWithAir = 4;
 
-/// Voxels one after another, each as its distance from the one before. Arithmetic is modulo 2^64: whether a
-/// voxel is of the world is asked where the edit is evaluated.
+/// Encodes voxels as differences from the previous one, modulo 2^64. Positions are validated when the edit is
+/// evaluated.
 class VoxelWriter {
  public:
   explicit VoxelWriter(store::ByteWriter& out) : out_{out} {}
@@ -57,7 +57,7 @@ MaterialId get_material(store::ByteReader& in) {
   return MaterialId{static_cast<std::uint16_t>(in.varint(UINT16_MAX))};
 }
 
-/// 0: none.
+/// nullopt is encoded as 0.
 void put_optional(std::optional<MaterialId> material, store::ByteWriter& out) {
   out.varint(material ? to_integer(*material) + std::uint64_t{1} : 0);
 }
@@ -66,7 +66,7 @@ std::optional<MaterialId> get_optional(store::ByteReader& in) {
   return value == 0 ? std::nullopt : std::optional{MaterialId{static_cast<std::uint16_t>(value - 1)}};
 }
 
-/// How many things follow, of `bytes` each at least.
+/// Reads a count of items that take at least `bytes` each.
 std::size_t count_of(store::ByteReader& in, std::size_t bytes, std::size_t most) {
   const std::size_t count = in.count();
   if (count > most || count > in.left() / bytes) in.fail();
@@ -188,7 +188,7 @@ void put(const edits::EditEntry& entry, store::ByteWriter& out) {
   }
   put_base(entry.base, out);
 }
-/// `is_newer`: what it pastes is written by a codec that this talusd does not read.
+/// `is_newer` is set if the paste uses an unknown codec.
 edits::EditEntry get_edit(store::ByteReader& in, const edits::SettleRulesPtr& settles, bool& is_newer) {
   edits::EditEntry entry;
   entry.editor = get_editor(in);

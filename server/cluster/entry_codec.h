@@ -1,4 +1,4 @@
-// An entry of the log as bytes: FORMAT.md. Pure; any bytes are safe to decode.
+// Encodes an entry of the log (FORMAT.md). Pure; decodes any bytes safely.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@
 
 namespace talus::server::cluster {
 
-/// Of entries: part of kLogFormat. What is an entry of a format stays so, and what is none: a bound that
-/// changes is a new format.
+/// Format of entries, part of kLogFormat. The set of valid entries of a format never changes: a changed bound
+/// is a new format.
 inline constexpr std::uint8_t kEntryFormat = 1;
 
-/// Voxels as generated that an entry carries: those that an edit names, and those that may slide.
+/// Maximum number of generated voxels in an entry: those that an edit names, and those that may slide.
 inline constexpr std::size_t kMaxBaseVoxels = edits::kMaxVoxels + edits::kSettleVoxels;
-/// Chunks of them.
+/// Maximum number of chunks of these voxels.
 inline constexpr std::size_t kMaxBaseChunks = 128;
-/// Names of one entry.
+/// Maximum number of names in an entry.
 inline constexpr std::size_t kMaxNames = 1'024;
 
 enum class EntryFault : std::uint8_t {
-  newer,    // its format, its kind, or the codec of what it pastes, is one that this talusd does not know
-  damaged,  // no talusd wrote it
+  newer,    // unknown format, kind, or codec of its paste
+  damaged,  // not written by any talusd
 };
 
-/// Appends it. By which rules it settles is the message's, and not written here: only whether it does.
+/// Appends the entry. Only the fact that it settles is encoded; the rules are in the message.
 void encode(const LogEntry& entry, store::Bytes& out);
 
-/// A whole entry; `settles` for one that does. Counts are checked before memory is taken for them.
+/// Decodes a complete entry; `settles` are the rules for one that settles. Checks counts before allocating.
 [[nodiscard]] tl::expected<LogEntry, EntryFault> decode_entry(std::span<const std::byte> bytes,
                                                               const edits::SettleRulesPtr& settles);
 

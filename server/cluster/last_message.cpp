@@ -15,7 +15,7 @@ tl::expected<LastMessage, StreamFailure> compare_last_message(LogStream& stream,
   const auto message =
       stream.next(place.sequence - 1, std::chrono::steady_clock::now() + kLastMessagePatience);
   using Kind = StreamFailure::Kind;
-  // The stream may forget it just now: whoever asks for the state again sees it.
+  // The stream may drop it just now; the next state() shows that.
   if (!message && message.error().kind != Kind::gone) return tl::unexpected{message.error()};
   if (!message || !*message) {
     return tl::unexpected{StreamFailure{

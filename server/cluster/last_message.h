@@ -1,5 +1,5 @@
-// Whether a stream still has the message that a store applied last: one that lost its end and went on has
-// another in its place.
+// Checks that a stream still has the message that a store applied last. A stream that lost its end and went
+// on has another message in its place.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace talus::server::cluster {
 
 enum class LastMessage : std::uint8_t {
   as_applied,
-  other,     // as some replica says: one that went wrong may contradict all others
-  not_kept,  // the stream is longer, and begins behind it: nobody can tell
+  other,     // according to one replica; a faulty one may contradict all others
+  not_kept,  // the stream begins after it, so it cannot be compared
 };
 
-/// REQUIRES: `place` is of this stream, which has as many messages at least. Waits about half a second at
-/// most, as LogStream::next(), which goes on from anywhere after it.
+/// REQUIRES: `place` is of this stream, which has at least as many messages. Waits at most about half a
+/// second, like LogStream::next(), which can continue anywhere afterwards.
 [[nodiscard]] tl::expected<LastMessage, StreamFailure> compare_last_message(LogStream& stream,
                                                                             const StreamState& state,
                                                                             const store::StreamPlace& place);

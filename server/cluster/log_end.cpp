@@ -8,7 +8,7 @@ namespace talus::server::cluster {
 void LogEnd::heard(std::uint64_t last, TimePoint asked) {
   last_ = last;
   heard_ = asked;
-  // Who said more was wrong, as a leader may be that was cut off: it would be waited for without end.
+  // A report of a larger end was wrong, as by a leader that was cut off, and would never be reached.
   while (!ahead_.empty() && ahead_.back().last > last) ahead_.pop_back();
   if (last <= applied_) {
     reached_ = true;
@@ -16,7 +16,7 @@ void LogEnd::heard(std::uint64_t last, TimePoint asked) {
     ahead_.push_back({last, asked});
   }
   if (ahead_.size() > kMostLooks) {
-    // Far behind: every second look tells as much.
+    // Far behind: half of the reports suffice.
     std::deque<Look> thinner;
     for (std::size_t i = 0; i < ahead_.size(); i += 2) thinner.push_back(ahead_[i]);
     ahead_.swap(thinner);

@@ -1,5 +1,5 @@
-// How far this server is behind the end of the log, in time: by what the stream's leader said was the end,
-// and when. No clock of another server counts. Pure; of one thread.
+// Measures in time how far this server lags behind the end of the log, from the ends that the leader reported
+// and when. Uses no other server's clock. Pure; for one thread.
 #pragma once
 
 #include <chrono>
@@ -14,27 +14,27 @@ class LogEnd {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Ready from within that of the end, until so far behind.
+  /// Becomes ready within kNear of the end, and stays ready until kFar behind.
   static constexpr std::chrono::seconds kNear{1};
   static constexpr std::chrono::seconds kFar{10};
-  /// Who says nothing now and then is not silent: that would hide that a server falls behind.
+  /// Occasional missing answers do not count as silence, which would hide that a server falls behind.
   static constexpr std::chrono::seconds kSilent{3};
 
-  /// The leader, asked at `asked`, said that `last` is the last message. What it says last counts.
+  /// The leader, asked at `asked`, reported `last` as the end. Later reports override earlier ones.
   void heard(std::uint64_t last, TimePoint asked);
-  /// It was asked at `asked`, and said nothing.
+  /// The leader, asked at `asked`, did not answer.
   void unanswered(TimePoint asked);
-  /// It said something, where that is the end or not: where it was silent for over kSilent, that is no time
-  /// that this server is behind. Before heard().
+  /// The leader answered, whether or not with the end. A silence longer than kSilent does not count as lag.
+  /// Call before heard().
   void answered(TimePoint asked);
-  /// All up to this message is applied.
+  /// All messages up to this one are applied.
   void applied(std::uint64_t sequence);
 
-  /// While the leader says nothing it stays what it was: a server that is cut off goes on serving.
+  /// Unchanged while the leader is silent: a server that is cut off continues to serve.
   [[nodiscard]] bool is_ready() const { return ready_; }
-  /// As of what the leader said last.
+  /// As of the leader's last report.
   [[nodiscard]] std::chrono::steady_clock::duration behind() const;
-  /// When it was asked first without an answer, where none came since then.
+  /// Time of the first request without an answer since the last answer; nullopt if answered.
   [[nodiscard]] std::optional<TimePoint> silent_since() const { return silent_since_; }
   [[nodiscard]] std::uint64_t lag() const { return last_ > applied_ ? last_ - applied_ : 0; }
 
@@ -46,12 +46,12 @@ class LogEnd {
   };
   void judge();
 
-  std::deque<Look> ahead_;  // whose `last` is not applied, by rising time
+  std::deque<Look> ahead_;  // reports whose `last` is not applied yet, by ascending time
   std::optional<TimePoint> silent_since_;
-  TimePoint heard_{};  // when the leader was asked last
+  TimePoint heard_{};  // when the leader was last asked
   std::uint64_t last_ = 0;
   std::uint64_t applied_ = 0;
-  bool reached_ = false;  // what was the end at some time
+  bool reached_ = false;  // a past end
   bool ready_ = false;
 };
 

@@ -16,21 +16,21 @@ char in_lower_case(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
-/// In any case: a slip of the pen must not enable less than was meant.
+/// Ignores case: a typing error must not enable less than was meant.
 bool speaks_of_formats(std::string_view description) {
   return description.size() >= kBegin.size() &&
          std::equal(kBegin.begin(), kBegin.end(), description.begin(),
                     [](char ours, char theirs) { return ours == in_lower_case(theirs); });
 }
 
-/// Takes `word` off the text's begin, if it stands there.
+/// Removes `word` from the beginning of the text, if present.
 bool take_word(std::string_view& text, std::string_view word) {
   if (!text.starts_with(word)) return false;
   text.remove_prefix(word.size());
   return true;
 }
 
-/// The same of a number, not 0, in its one form.
+/// Removes a number without leading zeros, not 0, from the beginning of the text.
 template <typename Number>
 bool take_number(std::string_view& text, Number& number) {
   if (text.starts_with('0')) return false;

@@ -1,6 +1,6 @@
-// Of which formats the messages of a stream may be. It is for whoever may change the stream to say, and not
-// for those who write messages: else any of them could stop all servers by one of a format to come.
-// FORMAT.md. Pure.
+// Formats that messages of a stream may have. They are enabled in the stream's settings, not by the writers
+// of messages: otherwise any writer could stop all servers with a message of a future format. FORMAT.md.
+// Pure.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,10 @@
 
 namespace talus::server::cluster {
 
-/// Of messages, their kinds, entries, their kinds, and codecs of what they paste, all together: that which
-/// this talusd reads.
+/// Format that this talusd reads. Covers messages, their kinds, entries, their kinds, and codecs of pastes.
 inline constexpr std::uint32_t kLogFormat = 1;
 
-/// Messages from `from` on may be of this format, and of all before it.
+/// Messages from `from` on may have this format or any before it.
 struct EnabledFormat {
   std::uint32_t number = 1;
   std::uint64_t from = 0;
@@ -25,22 +24,22 @@ struct EnabledFormat {
 struct EnabledFormats {
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
 
-  std::vector<EnabledFormat> list;  // beside format 1; number and message rise
-  bool understood = true;           // else it speaks of formats in another way, and any message may be newer
+  std::vector<EnabledFormat> list;  // in addition to format 1; numbers and messages ascend
+  bool understood = true;           // false: the description is unreadable, so any message may be newer
   bool operator==(const EnabledFormats&) const = default;
 
-  /// The first message that may be of a format which this talusd does not read; kNever: none may.
+  /// First message that may have a format unknown to this talusd; kNever if there is not one.
   [[nodiscard]] std::uint64_t newer_from() const;
   [[nodiscard]] bool has_newer() const { return newer_from() != kNever; }
-  /// Whether one that this talusd cannot read may be one for a newer talusd.
+  /// True if an unreadable message may be of a newer format.
   [[nodiscard]] bool is_newer_at(std::uint64_t sequence) const { return sequence >= newer_from(); }
 };
 
-/// What a stream's description says: "log format 2 from message 1000, 3 from message 5000". What begins so
-/// and goes on otherwise is not understood; any other text says format 1.
+/// Parses a stream's description: "log format 2 from message 1000, 3 from message 5000". A malformed text
+/// with that beginning is not understood; any other text means format 1.
 [[nodiscard]] EnabledFormats enabled_formats(std::string_view description);
 
-/// As the description has it; "log format 1" where nothing else is enabled. REQUIRES: it is understood.
+/// Formats the description; "log format 1" if nothing else is enabled. REQUIRES: enabled.understood.
 [[nodiscard]] std::string to_string(const EnabledFormats& enabled);
 
 }  // namespace talus::server::cluster

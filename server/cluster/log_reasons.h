@@ -1,4 +1,4 @@
-// Why a server does not go on with the log, in words that several parts of it have.
+// Reasons for stopping at the log that several components report.
 #pragma once
 
 #include <cstdint>

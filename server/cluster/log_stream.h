@@ -1,5 +1,5 @@
-// The stream that the servers of one world share: messages of opaque bytes, in one order, held by a majority
-// of hosts. A message's sequence is its place: 1 for the first that ever was, then without gaps.
+// The stream that the servers of one world share: opaque messages in one order, stored by a majority of
+// hosts. Sequences begin with 1 and have no gaps.
 #pragma once
 
 #include <chrono>
@@ -19,42 +19,42 @@ namespace talus::server {
 struct StreamMessage {
   std::uint64_t sequence = 0;
   std::vector<std::byte> bytes;
-  /// When the stream took it, as time_of() says, where that came with it.
+  /// Time at which the stream took it, as time_of() returns, if known.
   std::optional<std::int64_t> time_ms{};
-  bool of_leader = true;  // else it came by itself, and ask_again() says what the leader has
+  bool of_leader = true;  // false: it was pushed; ask_again() requests the leader's
 };
 
-/// What the stream's leader says. `enabled` is not older than `last`: whoever enables another format waits
-/// until every replica knows it (FORMAT.md).
+/// State reported by the stream's leader. `enabled` is at least as new as `last`: the procedure for enabling
+/// a format waits until every replica knows it (FORMAT.md).
 struct StreamState {
-  std::uint64_t first = 0;            // sequence of the oldest message that is kept; last + 1 where none is
-  std::uint64_t last = 0;             // 0: there was none yet
-  std::int64_t created_ns = 0;        // since 1970: another number is another stream of the same name
-  std::uint64_t bytes = 0;            // of all messages that are kept, with what the stream adds to each
-  cluster::EnabledFormats enabled{};  // that its messages may have
+  std::uint64_t first = 0;            // sequence of the oldest kept message; last + 1 if none is kept
+  std::uint64_t last = 0;             // 0: the stream is empty
+  std::int64_t created_ns = 0;        // since 1970; identifies the stream among streams of this name
+  std::uint64_t bytes = 0;            // of all kept messages, including the stream's overhead
+  cluster::EnabledFormats enabled{};  // formats that messages may have
 };
 
 struct StreamFailure {
   enum class Kind : std::uint8_t {
-    unavailable,  // no connection, or no quorum: whoever tries again comes through some time
-    refused,      // the credentials do not allow it, or the stream has other settings: a person has to act
-    gone,         // the message is older than all that is kept
-    other,        // the stream was made anew, or has less than it had: it is not the one that was read before
-    false_message,  // one that next() gave is not the stream's: what was applied is not what others have
+    unavailable,    // no connection or quorum; retries succeed eventually
+    refused,        // missing permissions or different settings; an operator must act
+    gone,           // the message is older than all kept ones
+    other,          // the stream was recreated or lost messages; it is not the one that was read before
+    false_message,  // next() returned a message that is not the stream's, so the applied state differs
   };
   Kind kind = Kind::unavailable;
   std::string reason;  // one line
 };
 
-/// Of the stream's life so far.
+/// Statistics since the stream was opened.
 struct StreamFigures {
   bool connected = false;
-  std::uint64_t gaps = 0;            // where messages had to be asked for
-  std::uint64_t false_messages = 0;  // that somebody else sent as if they were the stream's
-  std::string late{};                // why messages do not come by themselves, and are asked for; else empty
+  std::uint64_t gaps = 0;            // messages that had to be requested
+  std::uint64_t false_messages = 0;  // forged messages received
+  std::string late{};                // why messages are requested instead of pushed; may be empty
 };
 
-/// Two threads use it: one calls publish(), the other next(); the others are for any. After `other` or
+/// Used by two threads: one calls publish(), the other next(); other calls are thread-safe. After `other` or
 /// `false_message` nothing is published any more.
 class LogStream {
  public:
@@ -62,33 +62,33 @@ class LogStream {
 
   virtual ~LogStream() = default;
 
-  /// Returns the message's sequence once a majority holds it. After a failure it is open whether the stream
-  /// has the message, or comes to have it. Waits about half a second at most.
+  /// Returns the message's sequence once a majority has stored it. After a failure the message may be or
+  /// become stored. Waits at most about half a second.
   [[nodiscard]] virtual tl::expected<std::uint64_t, StreamFailure> publish(
       std::span<const std::byte> message) = 0;
 
-  /// The message of sequence `after` + 1; nothing where there is none until `until`, or once wake() was
-  /// called. `after` is 0 at first, or what the call before returned.
+  /// Returns message `after` + 1; nullopt if there is none by `until`, or after wake(). `after` is 0 at
+  /// first, then the previous result's sequence.
   [[nodiscard]] virtual tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                        TimePoint until) = 0;
 
-  /// The message that next() gave last cannot be the stream's: where it is not of the leader next() gives
-  /// that place again, as the leader has it. Of the thread that calls next().
+  /// The last message of next() cannot be the stream's: unless the leader returned it, next() returns it
+  /// again as the leader has it. Call on next()'s thread.
   virtual void ask_again() {}
 
-  /// Asks the leader. `unavailable` also where its messages cannot be read. Waits some two seconds at most.
+  /// Asks the leader. Also `unavailable` if messages cannot be read. Waits at most about two seconds.
   [[nodiscard]] virtual tl::expected<StreamState, StreamFailure> state() = 0;
 
-  /// When the stream took a message, in milliseconds since 1970 by the clock of who led it then: the same
-  /// whoever asks, and whenever. Waits some two seconds at most.
+  /// Time at which the stream took a message, in ms since 1970 by the clock of its leader then; the same for
+  /// every caller at any time. Waits at most about two seconds.
   [[nodiscard]] virtual tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) = 0;
 
   [[nodiscard]] virtual StreamFigures figures() const { return {}; }
 
-  /// next() returns soon, this time or the next.
+  /// Makes the current or next call of next() return soon.
   virtual void wake() = 0;
 
-  /// From now on all calls fail at once, those that wait too.
+  /// From now on all calls fail at once, including waiting ones.
   virtual void stop() = 0;
 };
 

@@ -17,9 +17,9 @@ namespace {
 
 enum class MessageKind : std::uint8_t { genesis, batch };
 
-// A fingerprint, an id, publisher, number, time, revision and S, with what is around them.
+// Fingerprint, id, publisher, number, time, revision and state hash, with overhead.
 constexpr std::size_t kBatchFixedBytes = 128;
-// A number of one, and what is before an entry.
+// Longest varint, also used before an entry.
 constexpr std::size_t kLongestNumber = 10;
 // Format, kind, store, fingerprint and checksum.
 constexpr std::size_t kFrameBytes = 2 + 32 + kSealBytes;
@@ -83,8 +83,8 @@ tl::unexpected<MessageFault> damaged(std::string_view what) {
   return message_fault(MessageFault::Kind::damaged, std::string{what});
 }
 
-/// A message up to its checksum. What is checked here all formats have alike, so that a message which no
-/// talusd wrote is told from one of a newer talusd.
+/// Returns a message without its checksum. Checks only what all formats share, to distinguish foreign
+/// messages from a newer talusd's.
 tl::expected<std::span<const std::byte>, MessageFault> open_frame(std::span<const std::byte> bytes) {
   if (bytes.empty()) return damaged("it is empty");
   if (bytes.size() > kMaxMessageBytes) {
@@ -117,7 +117,7 @@ tl::expected<void, MessageFault> check_identity(const store::StoreIdentity& held
   return {};
 }
 
-/// What follows format and kind, up to the checksum. `identity`: of the store and world that it must be of.
+/// Returns the part between kind and checksum. `identity` is the required store and world.
 tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<const std::byte> bytes,
                                                                     MessageKind kind,
                                                                     const store::StoreIdentity* identity) {

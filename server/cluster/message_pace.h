@@ -1,7 +1,7 @@
-// How often a server publishes. A message costs NATS and all servers more than an edit does: under load,
-// messages that follow each other at once take the processors that their acknowledgements wait for. So the
-// next message waits for some times as long as an acknowledgement takes of late: where processors are idle
-// acknowledgements are quick, and edits wait little; where they are not, messages become fewer. Pure.
+// Paces a server's messages. A message costs NATS and all servers more than an edit does: under load,
+// messages sent back to back take the processor time that their acknowledgements need. So the next message
+// waits for a multiple of the recent acknowledgement time: on idle processors acknowledgements are fast and
+// edits wait briefly; on busy ones messages become rarer. Pure.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ class MessagePace {
   using TimePoint = std::chrono::steady_clock::time_point;
   using Duration = std::chrono::steady_clock::duration;
 
-  /// Between the beginnings of two messages with more than kFewEntries together, at most.
+  /// Maximum interval between two messages with more than kFewEntries together.
   static constexpr Duration kLongest = std::chrono::milliseconds{3};
-  /// So many times as long as an acknowledgement takes lies between them, where that is less.
+  /// The interval is this multiple of the acknowledgement time, if that is less.
   static constexpr int kAcknowledgements = 4;
   static constexpr std::size_t kFewEntries = 4;
 
@@ -25,12 +25,12 @@ class MessagePace {
     sent_at_ = at;
     entries_ = entries;
   }
-  /// The message sent last was acknowledged after so long. A time is smoothed as TCP smooths that of its
-  /// round trips, and one that was stuck counts as no more than it takes to reach kLongest.
+  /// The last message was acknowledged after `took`. Smoothed like TCP's round-trip times; an outlier counts
+  /// as no more than the time that leads to kLongest.
   void acknowledged(Duration took) { took_ += (std::min(took, kLongest / kAcknowledgements) - took_) / 8; }
 
   [[nodiscard]] Duration now() const { return kAcknowledgements * took_; }
-  /// When the next message, for which so many entries wait, is sent at the soonest.
+  /// Earliest time for the next message, with `waiting` queued entries.
   [[nodiscard]] TimePoint next_at(std::size_t waiting) const {
     return entries_ + waiting > kFewEntries ? sent_at_ + now() : sent_at_;
   }

@@ -11,7 +11,7 @@
 namespace talus::server::cluster {
 namespace {
 
-// Before each entry of a batch.
+// Size of the length before each entry of a batch.
 constexpr std::size_t kLengthBytes = 3;
 
 std::span<const std::byte> seal_of(std::span<const std::byte> message) {
@@ -67,12 +67,12 @@ tl::expected<void, LogFailure> Publisher::append(LogEntry entry, EditLog::Done d
                                "has room for {}; divide it",
                                encoded.bytes.size(), kMaxMessageBytes - batch_overhead(parts_.settles))}};
   }
-  // What nobody can read would stop all servers.
+  // An undecodable entry would stop all servers.
   if (!decode_entry(encoded.bytes, parts_.settles)) {
     return tl::unexpected{
         LogFailure{LogFailure::Kind::too_large, "the edit breaks a bound of the log's entries; divide it"}};
   }
-  // What decoding takes is bounded as what is sent is.
+  // Bounds the memory for decoding as well as the encoded size.
   const std::size_t bytes = std::max(size, bytes_of(entry));
   return queue_.put({std::move(encoded), std::move(done), bytes});
 }
@@ -137,7 +137,7 @@ std::int64_t Publisher::time_ms() const {
 void Publisher::run() {
   constexpr std::chrono::hours kLong{1};
   for (;;) {
-    // So short that nobody who calls meanwhile need be heard.
+    // The sleep is short, so calls meanwhile can wait.
     std::this_thread::sleep_until(pace_.next_at(queue_.size()));
     const std::size_t room = kBatchBytes - batch_overhead(parts_.settles);
     auto taken = queue_.take(kMaxEntries, room, std::chrono::steady_clock::now() + kLong);
@@ -148,7 +148,7 @@ void Publisher::run() {
       if (stopping_) return;
       gave_up = gave_up_;
       stand = std::exchange(to_say_, std::nullopt);
-      // Those that were seen and answered.
+      // Removes messages that were seen and answered.
       std::erase_if(open_, [](const auto& each) { return each.second.seen && each.second.done.empty(); });
     }
     if (gave_up) {
@@ -231,7 +231,7 @@ void Publisher::set_takes(bool takes) {
 
 void Publisher::refuse(const std::vector<Queue::Waiting>& waiting) const {
   if (waiting.empty()) return;
-  // They are in no message: nobody need wonder what became of them.
+  // They are in no message, so their outcome is known.
   const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{cut_off()};
   for (const Queue::Waiting& each : waiting) each.done(failure);
 }

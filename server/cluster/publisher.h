@@ -1,6 +1,6 @@
-// One server's writing end of the shared log: a thread with one message in flight. All that comes meanwhile
-// waits for the next, which is sent when its pace allows (message_pace.h). A message is published again, with
-// the same bytes, until the stream acknowledges it or it is seen in the stream: applying takes it once.
+// A server's writing end of the shared log: a thread with one message in flight. Entries that arrive
+// meanwhile wait for the next message, sent when the pace allows (message_pace.h). A message is republished
+// with the same bytes until the stream acknowledges it or it appears there; it is applied only once.
 #pragma once
 
 #include <atomic>
@@ -29,26 +29,26 @@ namespace talus::server::cluster {
 
 class Publisher {
  public:
-  /// After it without an acknowledgement no further entries are taken.
+  /// After this time without an acknowledgement entries are rejected.
   static constexpr std::chrono::milliseconds kPatience{2'000};
   static constexpr std::chrono::milliseconds kRetry{20};
-  /// Of memory that the entries of one message take, but for one alone.
+  /// Memory limit for the entries of one message, except a single entry.
   static constexpr std::size_t kBatchBytes = kMaxMessageBytes;
 
-  /// Where a server stands.
+  /// A server's state.
   struct Stand {
     std::uint64_t revision = 0;
     edits::StateHash hash;
   };
-  /// All outlive this.
+  /// The referenced objects must outlive this.
   struct Parts {
     LogStream& stream;
     const Clock& clock;
     store::StoreIdentity identity;
     std::uint32_t server_number = 0;
-    edits::SettleRulesPtr settles;    // of all entries that settle; null: none does
-    std::function<Stand()> stand;     // now; any thread
-    std::function<void()> on_change;  // takes() has changed; any thread. Must not wait
+    edits::SettleRulesPtr settles;    // for entries that settle; null: none does
+    std::function<Stand()> stand;     // current state; called on any thread
+    std::function<void()> on_change;  // takes() has changed; on any thread. Must not wait
   };
 
   explicit Publisher(Parts parts);
@@ -57,36 +57,36 @@ class Publisher {
   Publisher& operator=(const Publisher&) = delete;
 
   void start();
-  /// Ends the thread. What is queued or in flight is not answered. The stream must have been stopped.
+  /// Ends the thread without answering queued or pending entries. The stream must have been stopped.
   void stop();
-  /// Publishes nothing any more, for good. What is in no message is refused as cut_off; of what is in one it
-  /// is open whether the stream has it, and it is answered as unwritable. Any thread.
+  /// Stops publishing for good. Entries not in a message yet are rejected as cut_off; entries in a message,
+  /// whose outcome is unknown, are answered as unwritable. Callable from any thread.
   void give_up(const std::string& why);
 
   [[nodiscard]] std::uint64_t id() const { return id_; }
 
-  /// Any thread. Refused as cut_off while the stream does not take anything; as too_large where no message
-  /// has room for it.
+  /// Fails with cut_off while the stream accepts nothing, and with too_large if the entry does not fit into a
+  /// message. Callable from any thread.
   [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, EditLog::Done done);
-  /// The next message says that this server stood there. Any thread.
+  /// The next message will report the state `stand`. Callable from any thread.
   void say(const Stand& stand);
 
-  /// Whether append() takes entries, as far as the stream goes. Any thread.
+  /// True if the stream lets append() accept entries. Callable from any thread.
   [[nodiscard]] bool takes() const { return takes_.load(std::memory_order_acquire); }
-  /// Why the stream took nothing last; empty: it takes what comes. Any thread.
+  /// Why the stream last rejected messages; empty if it accepts them. Callable from any thread.
   [[nodiscard]] std::string trouble() const;
 
-  /// A batch is in the stream: whom to answer, one for each of its entries, the first time; else nobody. Any
-  /// thread.
+  /// Called for a batch seen in the stream. Returns the callbacks of its entries if it is this server's and
+  /// seen first; otherwise empty. Callable from any thread.
   [[nodiscard]] std::vector<EditLog::Done> seen(const BatchHead& head, std::span<const std::byte> message);
 
-  /// Whether it is a batch of this server's that was not seen before. Any thread.
+  /// True if it is this server's batch and was not seen before. Callable from any thread.
   [[nodiscard]] bool is_open(const BatchHead& head, std::span<const std::byte> message) const;
-  /// This machine's clock is wrong, and `time_ms` is the right time: batches are dated from there on, by the
-  /// time that passes. Any thread.
+  /// This machine's clock is wrong, and `time_ms` is the current time: batches are dated from it, by elapsed
+  /// time. Callable from any thread.
   void go_by(std::int64_t time_ms);
 
-  /// Entries that are not answered.
+  /// Number of unanswered entries.
   [[nodiscard]] std::size_t open() const;
   [[nodiscard]] const LatencyHistogram& latency() const { return latency_; }
   [[nodiscard]] std::uint64_t republished() const { return republished_.total(); }
@@ -96,17 +96,17 @@ class Publisher {
     store::Bytes bytes;
   };
   using Queue = EntryQueue<Encoded>;
-  /// A message that was not seen in the stream yet.
+  /// A message not seen in the stream yet.
   struct Open {
     std::vector<EditLog::Done> done;
-    std::vector<std::byte> seal;  // its last bytes
+    std::vector<std::byte> seal;  // the message's checksum
     bool seen = false;
   };
 
   void run();
   [[nodiscard]] std::int64_t time_ms() const;
   void publish(std::uint64_t number, std::span<const std::byte> message);
-  /// Whether the message need not be published any more.
+  /// True if the message need not be published again.
   [[nodiscard]] bool wait_for_retry(std::uint64_t number);
   void set_takes(bool takes);
   void refuse(const std::vector<Queue::Waiting>& waiting) const;
@@ -123,7 +123,7 @@ class Publisher {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::uint64_t, Open> open_;  // by number
+  std::map<std::uint64_t, Open> open_;  // by batch number
   std::optional<Stand> to_say_;
   std::string trouble_;
   struct RightTime {
@@ -134,8 +134,8 @@ class Publisher {
   bool stopping_ = false;
   bool gave_up_ = false;
 
-  // Of the thread.
-  std::uint64_t number_ = 0;  // of the last batch
+  // Used by the publishing thread.
+  std::uint64_t number_ = 0;  // last batch
   MessagePace pace_;
   std::thread thread_;
 };

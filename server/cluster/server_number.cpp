@@ -21,7 +21,7 @@ std::uint32_t server_number(const std::filesystem::path& directory) {
     if (error == std::errc{} && std::string{stop, end} == "\n") return number;
   }
   const std::uint32_t drawn = std::random_device{}();
-  // Where it cannot be written this start counts as another server's.
+  // If it cannot be written, this start counts as another server.
   (void)files::write_file(file, fmt::format("{:08x}\n", drawn));
   return drawn;
 }

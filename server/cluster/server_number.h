@@ -1,4 +1,4 @@
-// Which server of a world's this is, whenever it is started: by it servers are counted where states differ.
+// Identifies a world's server across restarts, for counting servers if states differ.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace talus::server::cluster {
 
-/// What the file `server_number` of a data directory says. Where there is none, or it is not as this wrote
-/// it, another number is drawn, and written. It is no part of the store: neither checkpoints nor backups have
-/// it, and it stays when another server's store takes the place of this one's.
+/// Reads the file `server_number` of a data directory. If it is missing or malformed, draws a new number and
+/// writes it. The file is not part of the store: checkpoints and backups omit it, and it stays when the store
+/// is replaced by another server's.
 [[nodiscard]] std::uint32_t server_number(const std::filesystem::path& directory);
 
 }  // namespace talus::server::cluster

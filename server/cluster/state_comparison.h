@@ -1,18 +1,17 @@
-// Whether the servers of a world have the same state. Each batch says at which revision its server stood, and
-// with which S. Who hears another S for a revision at which it stood itself has found a fault: one of the two
-// has a wrong state.
+// Detects that servers of a world have different states. Each batch reports a revision of its server and the
+// state hash S at that revision. A server that reads a different S for a revision that it had itself has
+// found a fault: one of the two states is wrong.
 //
-// Neither can know which. So each says in the log what it had at that revision, and after kVoting most of
-// them count: who has another S than the largest group takes itself out. Where two groups are the same size
-// nobody knows, and all of both take no edits until somebody else says what it had, or a person acts: what
-// one of them would answer is wrong.
+// Neither can know which. So each server reports its S for that revision in the log, and after kVoting the
+// largest group counts: servers with another S take themselves out. If two groups are equally large, the
+// right state is unknown, and both reject edits until another server reports or an operator acts.
 //
-// S is a sum, so a wrong state stays wrong by the same difference while edits elsewhere go on: what counts is
-// a server's difference from this one, at whichever revision it spoke last. All stand at the ends of the same
-// messages, so who stood at a revision between those of this server has another state too, of a difference
-// that nobody knows. Servers count, however often they are started.
+// S is a sum, so a wrong state keeps the same difference while edits elsewhere go on: servers are grouped by
+// their difference from this one at the last revision that they reported. All servers pass through the same
+// revisions, so one that reports a revision between those of this server has another state too, with an
+// unknown difference. Servers are counted once, regardless of restarts.
 //
-// Pure; of one thread.
+// Pure; for one thread.
 #pragma once
 
 #include <chrono>
@@ -33,7 +32,7 @@ class StateComparison {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   static constexpr std::chrono::seconds kVoting{2};
-  /// States that are remembered: what others say of older ones cannot be compared.
+  /// Number of states remembered; reports about older ones cannot be compared.
   static constexpr std::size_t kRemembered = 65'536;
   static constexpr std::size_t kMostVoters = 256;
 
@@ -43,28 +42,28 @@ class StateComparison {
     edits::StateHash hash;
   };
   enum class Verdict : std::uint8_t {
-    same,       // nobody has another state; or who had is known to be wrong
-    voting,     // somebody has, and it is not known yet who is right
-    undecided,  // as many say this as say that
-    wrong,      // most have another state than this server. It stays so
+    same,       // no other state, or only servers known to be wrong
+    voting,     // another state exists, and the vote is not over
+    undecided,  // equal votes for two states
+    wrong,      // most servers have another state; permanent
   };
 
   explicit StateComparison(std::uint64_t self) : self_{self} {}
 
-  /// Where this server stands, at the end of a message.
+  /// This server has this state after a message.
   void stands(std::uint64_t revision, edits::StateHash hash);
 
-  /// In the log is what another server says, or this one. Returns what this server is to say in the log now,
-  /// if anything.
+  /// A report of another server, or of this one, is in the log. Returns the report that this server must
+  /// publish now, if any.
   [[nodiscard]] std::optional<Claim> heard(const Claim& claim, TimePoint now);
 
   [[nodiscard]] Verdict judge(TimePoint now);
-  /// One line, of the last fault that was found; empty: none was.
+  /// One line on the last fault found; may be empty.
   [[nodiscard]] const std::string& what() const { return what_; }
 
  private:
   struct Vote {
-    /// From this server's; none: it stood where this server never did.
+    /// From this server's state; nullopt if this server never had that revision.
     std::optional<edits::StateHash> difference;
     std::uint64_t publisher = 0;
     std::uint64_t revision = 0;
@@ -82,9 +81,9 @@ class StateComparison {
     std::uint64_t revision = 0;
     edits::StateHash hash;
   };
-  std::deque<State> states_;  // by rising revision
+  std::deque<State> states_;  // by ascending revision
   std::optional<Dispute> dispute_;
-  std::set<std::uint64_t> wrong_;  // publishers: a server that starts again may have taken another's store
+  std::set<std::uint64_t> wrong_;  // publishers, because a restarted server may have taken another's store
   bool is_wrong_ = false;
   std::string what_;
 };

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kHttp = "http://";
 constexpr std::string_view kHttps = "https://";
 
-/// Scheme, host and perhaps a port, as browsers write them.
+/// True for a scheme, host and optional port, as browsers send them.
 bool is_origin(std::string_view text) {
   const std::string_view scheme = text.starts_with(kHttps) ? kHttps : kHttp;
   if (!text.starts_with(scheme) || text.size() == scheme.size()) return false;

@@ -16,7 +16,7 @@
 namespace talus::server {
 namespace {
 
-// Of the world's voxels along each axis.
+// Range of the world's voxels along each axis.
 constexpr std::int64_t kLowest = -(std::int64_t{1} << 36);
 constexpr std::int64_t kHighest = (std::int64_t{1} << 36) - 1;
 
@@ -24,7 +24,7 @@ constexpr std::string_view kForm =
     "write boxes as X,Z:X,Z or X,Y,Z:X,Y,Z, two corners each, separated by semicolons, as in "
     "-16,-16:16,16; 40,60,0:71,90,31";
 
-/// "X,Z" or "X,Y,Z". None where it is neither.
+/// Parses "X,Z" or "X,Y,Z"; nullopt if malformed.
 std::optional<std::vector<std::int64_t>> parse_corner(std::string_view text) {
   std::vector<std::int64_t> numbers;
   for (std::size_t from = 0; from <= text.size();) {

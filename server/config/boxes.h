@@ -1,4 +1,4 @@
-// A list of boxes of base voxels: where edits may happen, or may not.
+// Lists of boxes of base voxels, in which edits are allowed or forbidden.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace talus::server {
 
-/// Both corners included; `first` is the lowest.
+/// Both corners are inclusive; `first` is the lowest.
 struct Box {
   VoxelPos first;
   VoxelPos last;
 
-  /// All rows of columns (first_x, first_z) to (last_x, last_z).
+  /// Box of all rows of columns (first_x, first_z) to (last_x, last_z).
   [[nodiscard]] static Box of_columns(std::int64_t first_x, std::int64_t first_z, std::int64_t last_x,
                                       std::int64_t last_z);
 
@@ -27,19 +27,18 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// As Boxes::parse() takes it.
+/// Inverse of Boxes::parse().
 [[nodiscard]] std::string to_string(const Box& box);
 
 class Boxes {
  public:
-  /// What each edit is held against, so that checking one takes no longer than sending it.
+  /// Every edit is checked against all boxes; the bound keeps that cheaper than sending the edit.
   static constexpr std::size_t kMax = 64;
 
-  /// No boxes.
   Boxes() = default;
 
-  /// "X,Z:X,Z" for all rows between two columns, "X,Y,Z:X,Y,Z" for those between two voxels, both included
-  /// and in any order, several separated by ";"; "" for none. An error is one line that names the wrong part.
+  /// Parses "X,Z:X,Z" (all rows between two columns) or "X,Y,Z:X,Y,Z" (between two voxels), inclusive, in any
+  /// order, several separated by ";"; "" for an empty list. An error is one line that names the wrong part.
   [[nodiscard]] static tl::expected<Boxes, std::string> parse(std::string_view text);
 
   void add(const Box& box) { boxes_.push_back(box); }
@@ -48,7 +47,7 @@ class Boxes {
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
   [[nodiscard]] auto begin() const { return boxes_.begin(); }
   [[nodiscard]] auto end() const { return boxes_.end(); }
-  /// As parse() takes it.
+  /// Inverse of parse().
   [[nodiscard]] std::string text() const;
 
   bool operator==(const Boxes&) const = default;

@@ -1,4 +1,4 @@
-// Whether the settings of [cluster] fit each other. Pure.
+// Checks that the settings of [cluster] fit each other. Pure.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace talus::server {
 
-/// An error is one line that begins with a key. Says nothing of what files hold.
+/// Does not read files. An error is one line that begins with a key.
 [[nodiscard]] tl::expected<void, std::string> check_cluster(const Cluster& cluster);
 
-/// The same, and what a server of the cluster needs beside them.
+/// Also checks other settings that a cluster's server needs.
 [[nodiscard]] tl::expected<void, std::string> check_member(const Config& config);
 
 }  // namespace talus::server

@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-/// A flag for a setting.
+/// Command-line flag of a setting.
 struct Flag {
   std::string_view name;
   std::string_view key;
@@ -29,7 +29,7 @@ Exit one_line(std::string text, int status) {
   return {fmt::format("talusd: {}\n", on_one_line(text)), status};
 }
 
-/// Of a first word that main() has not taken: flags alone may follow the name of the program.
+/// Error text for an unknown first word: only flags may follow the program's name.
 std::string no_such_command(std::string_view word) {
   constexpr std::array<std::string_view, 5> kCommands{"token", "top", "store", "cluster", "pregen"};
   const std::string_view near = meant(word, kCommands);

@@ -10,10 +10,10 @@
 
 namespace talus::server {
 
-/// The settings, and what to do with them.
+/// The settings and the requested action.
 struct Command : Settings {
   bool check_only = false;
-  bool has_file = false;  // which may be read again
+  bool has_file = false;  // may be reread
 };
 
 /// Reads flags, environment and file; `version` is what --version prints. The exit status is kWrongUse for

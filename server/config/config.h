@@ -1,5 +1,5 @@
-// The settings of talusd and their defaults. fields.h has the key, range, unit and meaning of each;
-// talusd.toml lists every key with its default. Plain values: copy them freely.
+// The settings of talusd with their defaults. fields.h has the key, range, unit and meaning of each;
+// talusd.toml lists every key with its default. Copyable values.
 #pragma once
 
 #include <chrono>
@@ -23,8 +23,8 @@ using std::chrono::milliseconds;
 inline constexpr std::uint16_t kDefaultPort = 4780;
 
 struct Threads {
-  std::uint64_t io = 0;         // 0: one for each core
-  std::uint64_t generator = 0;  // 0: one for each core
+  std::uint64_t io = 0;         // 0: one per core
+  std::uint64_t generator = 0;  // 0: one per core
   bool operator==(const Threads&) const = default;
 };
 
@@ -45,12 +45,12 @@ struct Limits {
   std::uint64_t view_horizontal_radius = 48;
   std::uint64_t view_vertical_radius = 16;
   std::uint64_t view_chunks = 65'536;
-  std::uint64_t memory_bytes = 2U << 30;  // 0: no limit
+  std::uint64_t memory_bytes = 2U << 30;  // 0: unlimited
   bool operator==(const Limits&) const = default;
 };
 
-/// Per second; 0: no limit. The session_ rates count one session, the address_ rates all sessions of one
-/// address.
+/// Per second; 0: unlimited. The session_ rates apply to one session, the address_ rates to all sessions of
+/// one address.
 struct Rates {
   std::uint64_t session_chunks = 1024;
   std::uint64_t session_bytes = 2U << 20;
@@ -60,25 +60,25 @@ struct Rates {
   std::uint64_t address_requests = 16'384;
   std::uint64_t session_voxels = 65'536;
   std::uint64_t address_voxels = 524'288;
-  std::optional<std::uint64_t> address_editors{};  // an hour; none: what the memory budget has room for
-  std::uint64_t address_new_chunks = 7'200;        // an hour
-  std::uint64_t gateway_requests = 65'536;  // of one session with the right "gateway", in place of the above
+  std::optional<std::uint64_t> address_editors{};  // per hour; nullopt: limited only by the memory budget
+  std::uint64_t address_new_chunks = 7'200;        // per hour
+  std::uint64_t gateway_requests = 65'536;  // per session with the right "gateway", replacing the above
   std::uint64_t gateway_voxels = 4'194'304;
-  std::uint64_t checkpoint_bytes = 64U << 20;  // to all servers that take the store
+  std::uint64_t checkpoint_bytes = 64U << 20;  // to all servers that download the store
   milliseconds burst{32'000};
   bool operator==(const Rates&) const = default;
 };
 
-/// Who may join: config/access/access_control.h.
+/// Access settings; see config/access/access_control.h.
 struct Access {
   std::filesystem::path secret_file;  // empty: no shared secret
   std::string secret_rights = "read";
   std::filesystem::path signing_key_file;  // empty: no signed tokens
   std::string without_token = "auto";
   std::filesystem::path previous_signing_key_file{};  // empty: only signing_key_file
-  std::filesystem::path revoked_file{};               // empty: no signed token is revoked
-  std::filesystem::path blocked_file{};               // empty: nobody is blocked
-  /// Whether there are files to read.
+  std::filesystem::path revoked_file{};               // empty: no revoked tokens
+  std::filesystem::path blocked_file{};               // empty: no blocks
+  /// True if there are files to read.
   [[nodiscard]] bool wanted() const {
     return !secret_file.empty() || !signing_key_file.empty() || !previous_signing_key_file.empty() ||
            !revoked_file.empty() || !blocked_file.empty();
@@ -86,18 +86,18 @@ struct Access {
   bool operator==(const Access&) const = default;
 };
 
-/// Who may change the world, beyond the rights of tokens.
+/// Restrictions on edits in addition to tokens' rights.
 struct Edits {
-  Boxes protected_boxes;             // which only who has the right "admin" may edit
-  std::uint64_t protect_spawn = 0;   // columns around the spawn, likewise; 0: none
-  std::string gateway = "optional";  // "required": edits of players are refused
+  Boxes protected_boxes;             // editable only with the right "admin"
+  std::uint64_t protect_spawn = 0;   // columns around the spawn protected in the same way
+  std::string gateway = "optional";  // "required": players' own edits are rejected
   bool settle = false;               // loose material slides after an edit
   std::uint64_t history_bytes = std::uint64_t{1} << 30U;
   std::uint64_t history_days = 30;
   bool operator==(const Edits&) const = default;
 };
 
-/// Both are set, or neither; without them connections are plain TCP.
+/// Both or neither are set; without them connections are plain TCP.
 struct Tls {
   std::filesystem::path certificate;
   std::filesystem::path key;
@@ -105,20 +105,20 @@ struct Tls {
   bool operator==(const Tls&) const = default;
 };
 
-/// The log that the servers of one world share (cluster_check.h).
+/// The log shared by the servers of one world (cluster_check.h).
 struct Cluster {
-  ServerUrls nats;    // empty: this server is alone
+  ServerUrls nats;    // empty: not in a cluster
   std::string store;  // 32 hexadecimal digits; empty: the id of the data directory's store
   std::string user;   // empty: no user and password
-  std::filesystem::path password_file{};     // of the user
+  std::filesystem::path password_file{};     // the user's
   std::filesystem::path token_file{};        // empty: no token
   std::filesystem::path nkey_file{};         // empty: no NKey
-  std::filesystem::path ca{};                // PEM: who vouches for NATS servers and peers
-  std::filesystem::path certificate{};       // PEM: this server's, as a client of NATS; empty: none
+  std::filesystem::path ca{};                // PEM: certificate authorities of NATS servers and peers
+  std::filesystem::path certificate{};       // PEM: this server's client certificate for NATS; may be empty
   std::filesystem::path key{};               // the certificate's
-  ServerUrls peers;                          // operators' ports of which a checkpoint may be taken
-  std::filesystem::path peers_token_file{};  // the token that peers take
-  std::uint64_t replicas = 3;                // of the stream that "talusd cluster init" makes
+  ServerUrls peers;                          // operators' ports to download a checkpoint from
+  std::filesystem::path peers_token_file{};  // the token that peers accept
+  std::uint64_t replicas = 3;                // for the stream that "talusd cluster init" creates
   [[nodiscard]] bool wanted() const { return !nats.empty(); }
   bool operator==(const Cluster&) const = default;
 };
@@ -126,7 +126,7 @@ struct Cluster {
 struct Cache {
   std::uint64_t chunk_bytes = 256U << 20;
   std::uint64_t patch_bytes = 256U << 20;
-  std::uint64_t disk_bytes = 1U << 30;  // in the data directory; 0: none
+  std::uint64_t disk_bytes = 1U << 30;  // in the data directory; 0: no disk cache
   bool operator==(const Cache&) const = default;
 };
 
@@ -137,16 +137,16 @@ struct Generation {
 };
 
 struct Shutdown {
-  milliseconds lead{0};  // from the signal until no connection is accepted; 0: there is no other server
+  milliseconds lead{0};  // from the signal until connections are refused; 0: there are no other servers
   milliseconds drain{5'000};
   bool operator==(const Shutdown&) const = default;
 };
 
-/// Among the servers behind a balancer that says how many players each has.
+/// For servers behind a balancer that reports each server's number of players.
 struct Balance {
-  std::uint64_t per_second = 10;     // sessions that are sent elsewhere; 0: none
-  std::uint64_t above_percent = 10;  // of its share, by which this server may have more
-  milliseconds session{60'000};      // that is younger stays
+  std::uint64_t per_second = 10;     // sessions redirected; 0: off
+  std::uint64_t above_percent = 10;  // tolerated excess over this server's share
+  milliseconds session{60'000};      // younger sessions are not redirected
   bool operator==(const Balance&) const = default;
 };
 
@@ -160,22 +160,22 @@ struct Log {
 struct Http {
   std::optional<protocol::Endpoint> listen;
   std::filesystem::path web;       // files served at /; empty: none
-  bool tls = true;                 // where there is a certificate
-  bool public_chunks = false;      // chunks need no token, and every cache may keep them
-  AllowedOrigins origins;          // of pages that may read and stream
-  std::uint64_t log_every = 1000;  // answers, of which one is logged; 0: none
+  bool tls = true;                 // if there is a certificate
+  bool public_chunks = false;      // chunks need no token, and any cache may keep them
+  AllowedOrigins origins;          // whose pages may read and stream
+  std::uint64_t log_every = 1000;  // one of this many answers is logged; 0: off
   bool operator==(const Http&) const = default;
 };
 
 struct Config {
   protocol::Endpoint listen{"0.0.0.0", kDefaultPort};
   std::optional<protocol::Endpoint> admin;
-  std::filesystem::path data;   // empty: talusd keeps nothing on disk
-  std::filesystem::path world;  // empty: the world built into the program
+  std::filesystem::path data;   // empty: nothing is stored on disk
+  std::filesystem::path world;  // empty: the built-in world
   std::string user;             // empty: do not switch user
   Access access;
   Edits edits;
-  Networks proxies;  // proxies that must send a PROXY header
+  Networks proxies;  // must send a PROXY header
   Tls tls;
   Http http;
   Cluster cluster;

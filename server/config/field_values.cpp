@@ -1,4 +1,4 @@
-// Settings as texts and numbers: how each is read, shown, and described.
+// Conversion of settings from and to text and numbers, and their descriptions.
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -108,7 +108,7 @@ struct AssignText {
     return {};
   }
   tl::expected<void, std::string> operator()(const PathTarget& target) const {
-    // The system would cut the path there.
+    // The operating system would truncate the path at a zero byte.
     if (text.find('\0') != std::string_view::npos)
       return refused(field, fmt::format("\"{}\"", escaped(text)));
     target.at(config) = std::filesystem::path{text};
@@ -156,7 +156,7 @@ struct AssignText {
   }
 };
 
-/// Says what a target has.
+/// Formats the value of a target.
 struct ShowText {
   Config& config;
 
@@ -184,7 +184,7 @@ struct ShowText {
   std::string operator()(const TextTarget& target) const { return target.at(config); }
 };
 
-/// Says what a target accepts.
+/// Describes the values that a target accepts.
 struct Describe {
   std::string_view unit;
 

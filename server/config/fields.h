@@ -1,5 +1,5 @@
 // The table of settings: key, unit, help text, range, and member of Config. The file, the environment and the
-// flags are all read through it.
+// flags are all read with it.
 #pragma once
 
 #include <chrono>
@@ -23,13 +23,13 @@ struct NumberTarget {
   std::uint64_t min;
   std::uint64_t max;
 };
-/// As NumberTarget; none, which is "auto", means that the server chooses.
+/// Like NumberTarget; nullopt, written "auto", lets the server choose.
 struct OptionalNumberTarget {
   std::optional<std::uint64_t>& (*at)(Config&);
   std::uint64_t min;
   std::uint64_t max;
 };
-/// 0, or a power of two up to `max`, which is one.
+/// 0, or a power of two up to `max`, itself a power of two.
 struct PowerOfTwoTarget {
   std::uint64_t& (*at)(Config&);
   std::uint64_t max;
@@ -43,18 +43,18 @@ struct DurationTarget {
 struct EndpointTarget {
   protocol::Endpoint& (*at)(Config&);
 };
-/// An empty string means none.
+/// Empty string: unset.
 struct OptionalEndpointTarget {
   std::optional<protocol::Endpoint>& (*at)(Config&);
 };
 struct PathTarget {
   std::filesystem::path& (*at)(Config&);
 };
-/// An empty string means none.
+/// Empty string: no networks.
 struct NetworksTarget {
   Networks& (*at)(Config&);
 };
-/// An empty string means none.
+/// Empty string: no boxes.
 struct BoxesTarget {
   Boxes& (*at)(Config&);
 };
@@ -62,11 +62,11 @@ struct BoxesTarget {
 struct SwitchTarget {
   bool& (*at)(Config&);
 };
-/// An empty string means the page's own host.
+/// Empty string: the page's own host.
 struct OriginsTarget {
   AllowedOrigins& (*at)(Config&);
 };
-/// A list. An empty one means none.
+/// A list, which may be empty.
 struct UrlsTarget {
   ServerUrls& (*at)(Config&);
   std::span<const std::string_view> schemes;
@@ -77,17 +77,17 @@ struct WordTarget {
   std::span<const std::string_view> words;
 };
 
-/// A text that another module checks.
+/// A text validated by another module.
 struct TextTarget {
   std::string& (*at)(Config&);
 };
 
-/// When a setting counts that has changed in the file, after SIGHUP.
+/// When a change of the file takes effect after SIGHUP.
 enum class Counts : std::uint8_t { after_restart, for_new_sessions, at_once };
 
 struct Field {
   std::string_view key;   // "limits.connections"
-  std::string_view unit;  // "" where the value has none
+  std::string_view unit;  // empty if the value has no unit
   std::string_view help;
   std::variant<NumberTarget, OptionalNumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget,
                OptionalEndpointTarget, PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget,
@@ -96,32 +96,32 @@ struct Field {
 };
 
 [[nodiscard]] std::span<const Field> fields();
-/// Null where no setting has this key.
+/// Returns null if no setting has this key.
 [[nodiscard]] const Field* find_field(std::string_view key);
 
 [[nodiscard]] Counts counts(const Field& field);
 
-/// Whether it is a number, or auto in its place: set_from_number() sets it, and a file has it without quotes.
+/// True for a number or "auto": set_from_number() accepts it, and files write it without quotes.
 [[nodiscard]] bool is_number(const Field& field);
 
 /// "TALUS_LIMITS_CONNECTIONS" for "limits.connections".
 [[nodiscard]] std::string variable_name(std::string_view key);
 
-/// Sets the field from a text, as the environment and flags have it. The error says what is wrong and what is
-/// expected; the caller puts the origin of the value before it.
+/// Sets the field from text of the environment or a flag. The error describes what is wrong and what is
+/// expected; the caller prefixes the value's origin.
 [[nodiscard]] tl::expected<void, std::string> set_from_text(const Field& field, Config& config,
                                                             std::string_view text);
-/// Of a field that is_number(); an error for others.
+/// Requires is_number(field); otherwise returns an error.
 [[nodiscard]] tl::expected<void, std::string> set_from_number(const Field& field, Config& config,
                                                               std::int64_t number);
 
-/// The text of an OptionalNumberTarget that has none.
+/// Text of an unset OptionalNumberTarget.
 inline constexpr std::string_view kAuto = "auto";
 
-/// The field's value as a text that set_from_text() would take.
+/// The field's value as text that set_from_text() accepts.
 [[nodiscard]] std::string text_of(const Field& field, const Config& config);
 
-/// What the field accepts, for error messages: "a whole number from 1 to 65536 (connections)".
+/// Describes accepted values for error messages: "a whole number from 1 to 65536 (connections)".
 [[nodiscard]] std::string expectation(const Field& field);
 
 }  // namespace talus::server

@@ -36,7 +36,7 @@ bool is_table(std::string_view path) {
                      [&](const Field& field) { return stands_there(field.key); });
 }
 
-/// A list's texts, separated by commas; none where it holds something else.
+/// Joins a list of strings with commas; nullopt if it has other values.
 std::optional<std::string> list_text(const toml::array& list) {
   std::string text;
   for (const toml::node& each : list) {
@@ -66,7 +66,7 @@ Done set_from_node(const Field& field, Config& config, const toml::node& node) {
   return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));
 }
 
-/// One file, applied to the settings.
+/// Applies one file to the settings.
 class TomlFile {
  public:
   TomlFile(Settings& settings, std::string_view name, const toml::table& root)
@@ -113,7 +113,7 @@ class TomlFile {
   const toml::table& root_;
 };
 
-/// What the parser says. It has escaped what it quotes: its backslashes stay.
+/// Text of the parser's error. The parser has escaped what it quotes, so backslashes stay.
 std::string words_of(const std::string& description) {
   std::string_view rest = description;
   std::string words;
@@ -136,7 +136,7 @@ std::string parse_error_line(std::string_view toml, std::string_view file, const
                      field == nullptr ? "" : fmt::format("; give {}", expectation(*field)));
 }
 
-/// A warning for each variable that names no setting.
+/// Warns of each variable that names no setting.
 void warn_of_unknown(Settings& settings, const Environment& environment) {
   std::vector<std::string> names;
   for (const Field& field : fields()) names.push_back(variable_name(field.key));
@@ -145,7 +145,7 @@ void warn_of_unknown(Settings& settings, const Environment& environment) {
   for (const auto& [name, value] : environment) {
     if (name == kInstructionSetVariable) continue;  // read by core/vectors
     if (name == "TALUS_TOKEN" || name == "TALUS_TOKEN_FILE")
-      continue;  // read by clients, as health checks are
+      continue;  // read by clients such as health checks
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     settings.warnings.push_back(
         fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));
@@ -188,7 +188,7 @@ Done apply_toml(Settings& settings, std::string_view toml, std::string_view file
 }
 
 Done apply_file(Settings& settings, const std::filesystem::path& file) {
-  // Never waits, as opening a pipe would.
+  // Never blocks, even on a pipe.
   const auto read = files::SecretFile::read(file, kMaxTomlBytes);
   if (!read) {
     return tl::make_unexpected(fmt::format("{}: {}; give --config a TOML file that talusd may read",

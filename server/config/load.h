@@ -1,4 +1,4 @@
-// Reads settings: defaults, then the file, then the environment, then flags. Each overrides the one before.
+// Reads settings: defaults, then the file, the environment, and flags. Each overrides the previous.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 
 namespace talus::server {
 
-/// What has been read so far.
+/// Settings read so far.
 struct Settings {
   Config config{};
   Origins origins{};
@@ -27,8 +27,8 @@ using Environment = std::map<std::string, std::string, std::less<>>;
 /// The TALUS_* variables of this process.
 [[nodiscard]] Environment process_environment();
 
-/// Sets what `toml` says; `file` names the source in errors and warnings. An error is one line:
-/// "FILE:LINE: KEY: what is wrong; what is expected". After an error the settings are partly set.
+/// Applies `toml`; `file` names the source in errors and warnings. An error is one line: "FILE:LINE: KEY:
+/// what is wrong; what is expected". After an error the settings are partly applied.
 [[nodiscard]] tl::expected<void, std::string> apply_toml(Settings& settings, std::string_view toml,
                                                          std::string_view file);
 
@@ -36,7 +36,7 @@ using Environment = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] tl::expected<void, std::string> apply_file(Settings& settings,
                                                          const std::filesystem::path& file);
 
-/// Sets what TALUS_* variables say. A variable that names no setting is a warning that suggests one.
+/// Applies TALUS_* variables. An unknown variable causes a warning with a suggestion.
 [[nodiscard]] tl::expected<void, std::string> apply_environment(Settings& settings,
                                                                 const Environment& environment);
 

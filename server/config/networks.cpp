@@ -32,7 +32,7 @@ tl::expected<ip::network_v6, std::string> parse_network(std::string_view text) {
   const ip::address address = ip::make_address(text.substr(0, slash), error);
   if (error || (address.is_v6() && address.to_v6().scope_id() != 0)) return wrong("is not an address");
   const int longest = address.is_v4() ? 32 : 128;
-  constexpr std::size_t kMaxDigits = 3;  // Asio reads the length by atoi, which more digits overflow
+  constexpr std::size_t kMaxDigits = 3;  // Asio parses the length by atoi, which overflows on more digits
   int length = longest;
   if (slash != std::string_view::npos && text.size() - slash - 1 <= kMaxDigits) {
     length = address.is_v4() ? ip::make_network_v4(text, error).prefix_length()

@@ -12,27 +12,26 @@
 
 namespace talus::server {
 
-/// An address, or a network in CIDR notation; IPv4 mapped into IPv6. An address without a length is a network
-/// of itself; the bits after the length must be zero. An error is one line that quotes the text.
+/// Parses an address or a network in CIDR notation, mapping IPv4 into IPv6. An address alone is a network of
+/// itself; bits after the prefix must be zero. An error is one line that quotes the text.
 [[nodiscard]] tl::expected<asio::ip::network_v6, std::string> parse_network(std::string_view text);
 
-/// An IPv4 address mapped into IPv6; any other without its scope, which networks do not have.
+/// Maps an IPv4 address into IPv6; removes the scope of others, which networks lack.
 [[nodiscard]] asio::ip::address_v6 mapped(const asio::ip::address& address);
 
 class Networks {
  public:
   static constexpr std::size_t kMax = 256;
 
-  /// No networks.
   Networks() = default;
 
-  /// "10.0.0.0/8, 192.0.2.7, 2001:db8::/32", or "" for none. An error is one line that names the wrong part.
+  /// Parses "10.0.0.0/8, 192.0.2.7, 2001:db8::/32" or "". An error is one line that names the wrong part.
   [[nodiscard]] static tl::expected<Networks, std::string> parse(std::string_view text);
 
-  /// An IPv4 address and the same address mapped into IPv6 are equal.
+  /// An IPv4 address equals the same address mapped into IPv6.
   [[nodiscard]] bool contain(const asio::ip::address& address) const;
   [[nodiscard]] bool empty() const { return networks_.empty(); }
-  /// As parse() takes it.
+  /// Inverse of parse().
   [[nodiscard]] std::string text() const;
 
   bool operator==(const Networks&) const = default;

@@ -1,4 +1,4 @@
-// Where a setting was set: for errors that show only when the setting is used.
+// Records where settings were set, for errors that appear only when a setting is used.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@ class Origins {
  public:
   /// `origin`: "talusd.toml:12" or "TALUS_USER". A later origin replaces an earlier one.
   void set(std::string_view key, std::string origin);
-  /// A flag overrides the setting: errors name it as the flag does.
+  /// Called if a flag overrides the setting: such errors name the flag.
   void forget(std::string_view key);
 
-  /// `line` with the origin of its setting before it, where the line begins with the key of a setting that
-  /// has an origin: "user: no such user" becomes "talusd.toml:12: user: no such user". Other lines stay as
-  /// they are.
+  /// Prefixes `line` with the origin of its setting if the line begins with the key of a setting that has an
+  /// origin: "user: no such user" becomes "talusd.toml:12: user: no such user". Returns other lines
+  /// unchanged.
   [[nodiscard]] std::string locate(std::string_view line) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace talus::server {
 namespace {
 
-/// As the person typed it: with the subcommand, where one was given, whose --help has its flags.
+/// Command with its subcommand, if given, whose --help lists its flags.
 std::string command_name(const CLI::App& app) {
   const auto given = app.get_subcommands();
   return given.empty() ? app.get_name() : fmt::format("{} {}", app.get_name(), given.back()->get_name());

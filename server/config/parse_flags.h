@@ -1,4 +1,4 @@
-// Reading flags, for all commands of talusd.
+// Flag parsing for all commands of talusd.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ class App;
 
 namespace talus::server {
 
-/// Text to print and the exit status: for help, version, or an error.
+/// Text to print and exit status: for help, version, or an error.
 struct Exit {
   std::string text;
   int status = 0;
@@ -19,8 +19,8 @@ struct Exit {
 inline constexpr int kFailed = 1;
 inline constexpr int kWrongUse = 2;
 
-/// Reads the flags into the variables that `app` knows; else what to print. A wrong flag is one line that
-/// begins with the name of `app` and that of its command, where one was given, and exits with kWrongUse.
+/// Parses the flags into the variables bound to `app`; returns what to print if parsing stops. An error is
+/// one line that begins with the name of `app` and its subcommand, if given, and exits with kWrongUse.
 [[nodiscard]] std::optional<Exit> parse_flags(CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace talus::server

@@ -19,7 +19,7 @@ std::string_view scheme_of(std::string_view url) {
   return url.substr(0, std::min(url.find(kAfterScheme), url.size()));
 }
 
-/// The address as it is kept; an error is what is wrong with it.
+/// Normalizes an address; the error describes what is wrong with it.
 tl::expected<std::string, std::string> checked_url(std::string_view url,
                                                    std::span<const std::string_view> schemes) {
   const std::string_view scheme = scheme_of(url);
@@ -47,7 +47,7 @@ tl::expected<ServerUrls, std::string> ServerUrls::parse(std::string_view text,
     const std::size_t comma = std::min(text.find(',', from), text.size());
     const std::string_view each = trimmed(text.substr(from, comma - from));
     auto url = checked_url(each, schemes);
-    // Without what stands before an @, which may be secret.
+    // Hides the part before an @, which may be secret.
     const std::size_t at = each.rfind('@');
     const std::string shown = escaped(each.substr(at == std::string_view::npos ? 0 : at));
     if (!url) return tl::unexpected{fmt::format("\"{}\" {}", shown, url.error())};

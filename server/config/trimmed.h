@@ -1,4 +1,4 @@
-// Text without the blanks around it.
+// Removes surrounding blanks.
 #pragma once
 
 #include <string_view>

@@ -9,7 +9,7 @@ Clock::time_point SystemClock::now() const {
 }
 
 std::chrono::sys_seconds SystemClock::wall() const {
-  // A few ms late at most, at a quarter of the price: every HTTP answer has the date.
+  // The coarse clock lags by a few ms at most and costs a quarter: every HTTP answer carries the date.
   timespec now{};
   ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
   return std::chrono::sys_seconds{std::chrono::seconds{now.tv_sec}};

@@ -1,11 +1,11 @@
-// The time, as every module of the server asks for it. Tests pass a ManualClock.
+// The time source of every module of the server. Tests pass a ManualClock.
 #pragma once
 
 #include <chrono>
 
 namespace talus::server {
 
-/// Callable from any thread. Never copied: pass a reference; it outlives who holds it.
+/// Callable from any thread. Never copied: pass a reference to a clock that outlives its users.
 class Clock {
  public:
   using duration = std::chrono::steady_clock::duration;
@@ -15,13 +15,13 @@ class Clock {
 
   /// Monotonic: for deadlines, rates and latencies.
   [[nodiscard]] virtual time_point now() const = 0;
-  /// The calendar's time, UTC: for tokens and certificates alone.
+  /// Calendar time in UTC, used only for tokens and certificates.
   [[nodiscard]] virtual std::chrono::sys_seconds wall() const = 0;
-  /// Processor time that the calling thread has used: for the cost of work.
+  /// Processor time used by the calling thread, for measuring the cost of work.
   [[nodiscard]] virtual std::chrono::nanoseconds thread_cpu() const = 0;
 };
 
-/// The machine's own.
+/// The system's clocks.
 class SystemClock final : public Clock {
  public:
   [[nodiscard]] time_point now() const override;

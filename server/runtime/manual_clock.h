@@ -15,17 +15,17 @@ class ManualClock final : public Clock {
   [[nodiscard]] std::chrono::sys_seconds wall() const override {
     return wall_begin_ + std::chrono::floor<std::chrono::seconds>(elapsed_.load());
   }
-  /// The same for every thread.
+  /// The same value for every thread.
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return cpu_.load(); }
 
-  /// Any thread. Timers of the operating system do not notice.
+  /// Callable from any thread. Does not fire operating-system timers.
   void advance(duration by) { elapsed_ = elapsed_.load() + by; }
-  /// As if work had taken so much processor time.
+  /// Adds `time` to the processor time used.
   void spend_cpu(std::chrono::nanoseconds time) { cpu_ = cpu_.load() + time; }
 
  private:
   const std::chrono::sys_seconds wall_begin_;
-  // Not at 0: a time_point of 0 is what members start with.
+  // Not 0, because members initialise time_points to 0.
   std::atomic<duration> elapsed_{std::chrono::hours{1}};
   std::atomic<std::chrono::nanoseconds> cpu_{};
 };

@@ -1,11 +1,11 @@
-// Numbers that nobody guesses.
+// Unpredictable random numbers.
 #pragma once
 
 #include <cstdint>
 
 namespace talus::server {
 
-/// By the system's source of randomness.
+/// Uses the system's source of randomness.
 [[nodiscard]] std::uint64_t random_number();
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// Signals are the main thread's, which knows what they mean: all others leave them to it.
+// Only the main thread handles signals; all other threads block them.
 #pragma once
 
 #include <csignal>
@@ -7,10 +7,11 @@
 
 namespace talus::server {
 
-/// The calling thread gets no signal any more, nor do those that it starts.
+/// Blocks all signals in the calling thread and in the threads that it starts.
 void block_signals();
 
-/// While it lives the calling thread gets no signal. So threads that a library starts meanwhile never do.
+/// Blocks signals in the calling thread during its lifetime, and so for ever in threads that a library starts
+/// meanwhile.
 class SignalsBlocked {
  public:
   SignalsBlocked();
@@ -22,8 +23,8 @@ class SignalsBlocked {
   sigset_t before_{};
 };
 
-/// Does `work` on a thread of its own, which gets no signal, nor do those that it starts, and returns what
-/// that returns: a signal that comes meanwhile is the calling thread's, which only waits.
+/// Runs `work` on a new thread that blocks signals, as do the threads that it starts, and returns its result.
+/// A signal that arrives meanwhile goes to the calling thread, which only waits.
 template <typename Work>
 auto without_signals(Work&& work) {
   return std::async(std::launch::async,

@@ -17,7 +17,7 @@ rocksdb::Slice slice_of_bytes(const Bytes& bytes) {
 
 rocksdb::Status make_whole(rocksdb::Env& env, const std::string& path, const Bytes& bytes) {
   const std::string temporary = path + ".new";
-  env.DeleteFile(temporary).PermitUncheckedError();  // where it is a pipe, writing to it would wait
+  env.DeleteFile(temporary).PermitUncheckedError();  // writing to an existing pipe would block
   rocksdb::Status status = rocksdb::WriteStringToFile(&env, slice_of_bytes(bytes), temporary, true);
   if (status.ok()) status = env.RenameFile(temporary, path);
   std::unique_ptr<rocksdb::Directory> directory;
@@ -32,7 +32,7 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
                                                                               const std::string& path) {
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected{std::move(regular.error())};
   if (env.FileExists(path).IsNotFound()) return std::nullopt;
-  constexpr std::size_t kMostBytes = 4096;  // many times what it ever has
+  constexpr std::size_t kMostBytes = 4096;  // many times its real size
   std::string text(kMostBytes, 0);
   std::unique_ptr<rocksdb::SequentialFile> file;
   rocksdb::Slice slice;

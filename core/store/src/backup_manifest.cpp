@@ -20,7 +20,7 @@ ContentHash hash_of_text(std::string_view text) {
   return {hash.low64, hash.high64};
 }
 
-/// The next line of `text`, which is taken off; nothing at its end, or where it is cut.
+/// Removes and returns the next line of `text`; nullopt if no complete line is left.
 std::optional<std::string_view> manifest_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<std::string_view> manifest_line(std::string_view& text) {
   return line;
 }
 
-/// What follows "NAME " in the next line.
+/// Returns the rest of the next line after "NAME ".
 std::optional<std::string_view> manifest_field(std::string_view& text, std::string_view name) {
   const auto line = manifest_line(text);
   if (!line || !line->starts_with(name) || line->size() <= name.size() || (*line)[name.size()] != ' ') {
@@ -51,7 +51,7 @@ bool manifest_hash(std::optional<std::string_view> text, ContentHash& hash) {
   return read.has_value();
 }
 
-/// "HASH BYTES NAME".
+/// Parses "HASH BYTES NAME".
 std::optional<BackupManifest::File> read_file_line(std::string_view text) {
   BackupManifest::File file;
   const std::size_t first = text.find(' ');
@@ -123,7 +123,7 @@ tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text)
     if (!file) return damaged();
     manifest.files.push_back(*file);
   }
-  // There is one way to write each.
+  // Every manifest has exactly one encoding.
   if (encode(manifest) != whole) return damaged();
   std::set<std::string_view> names;
   for (const BackupManifest::File& file : manifest.files) {

@@ -24,13 +24,13 @@ tl::unexpected<std::string> system_failure(const fs::path& path, std::string_vie
                                          path.string(), what, std::generic_category().message(error)));
 }
 
-/// Whether something has the name, if it is a dangling link: a file that cannot be read may be a store.
+/// True for a dangling link too: an unreadable file may be a store.
 bool has_name(const fs::path& file) {
   std::error_code error;
   return fs::symlink_status(file, error).type() != fs::file_type::not_found;
 }
 
-/// Whose file, where there is none, may not be what it is a name of.
+/// Rejects a lock file that is not a regular file; does not follow links.
 tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
   const fs::path file = path / "lock";
   if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
@@ -73,7 +73,7 @@ tl::expected<void, std::string> DataDirectory::make_for(const fs::path& path, ui
   constexpr mode_t kOwnerAndGroup = 0750;
   if (::mkdir(leaf.c_str(), kOwnerAndGroup) != 0)
     return system_failure(path, "cannot create the directory", errno);
-  // Changed through a descriptor, so that nobody can put another directory in its place meanwhile.
+  // Through a descriptor, so that the directory cannot be replaced before its owner is changed.
   const int made = ::open(leaf.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   const int failed = made >= 0 && ::fchown(made, user, group) == 0 ? 0 : errno;
   if (made >= 0) ::close(made);
@@ -155,7 +155,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path&
 
 tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::path& path) {
   if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
-  // Nothing is made in a directory that is none of talusd's.
+  // Creates nothing in a directory that is not talusd's.
   if (!has_name(path / "store.toml") && !has_name(path / "talus-next")) return no_store(path);
   auto directory = lock(path);
   if (!directory) return directory;
@@ -166,9 +166,9 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_store(const fs::pat
 
 tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::path& path) {
   if (const auto there = check_directory(path); !there) return tl::unexpected{there.error()};
-  if (has_name(path / "talus-next")) return open_store(path);  // a swap that was interrupted ends first
+  if (has_name(path / "talus-next")) return open_store(path);  // completes an interrupted swap first
   if (!has_name(path / "store.toml")) return no_store(path);
-  // Where there is no lock no talusd ever was, nor can come unseen but in this moment.
+  // Without a lock file no talusd ever used the directory; one could start unnoticed only in this moment.
   DataDirectory directory{-1, path};
   if (has_name(path / "lock")) {
     const auto lock = open_lock(path, O_RDONLY);
@@ -187,7 +187,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::p
 tl::expected<void, std::string> DataDirectory::lock_to_write() {
   const auto lock = open_lock(path_, O_RDWR | O_CREAT);
   if (!lock) return tl::unexpected{lock.error()};
-  // In place of the one before, which is let go of: between them somebody may come.
+  // Releases the shared lock before taking the new one; another process may take it in between.
   if (lock_ >= 0) ::close(lock_);
   lock_ = *lock;
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};

@@ -21,14 +21,14 @@
 namespace talus::store {
 namespace {
 
-/// Segments of history: as large as that, or as old.
+/// A history segment ends at this size or this age.
 constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
 
-/// Of what a batch has beside its entries: where the store stands, keys.
+/// Overhead of a batch besides its entries: the store's meta value, keys.
 constexpr std::size_t kBatchBytesAtLeast = 256;
 
-/// Whether files are there that only a database has which was in use.
+/// True if files exist that only a used database has.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
   std::vector<std::string> names;
   if (!env.GetChildren(path, &names).ok()) return false;
@@ -85,7 +85,7 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
 
 EditDatabase::Done EditDatabase::open_database() {
   if (const auto regular = check_regular_files(database_path()); !regular) return failure(regular.error());
-  // RocksDB would make an empty database of one that lost its file CURRENT.
+  // RocksDB would create an empty database if the file CURRENT was lost.
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
   rocksdb::DB* db = nullptr;
@@ -133,7 +133,7 @@ EditDatabase::Done EditDatabase::check_meta() const {
                     "--data another directory, or --world the edits' world",
                     to_string(meta_.fingerprint), to_string(settings_.fingerprint)));
   }
-  // Where the file is gone the store gets a new id below, of which store.toml may have one already.
+  // If the file is missing, the store gets a new id below; store.toml may have it already.
   if (meta_.store_id != settings_.store_id && has_acknowledged()) {
     return failure(ids_differ(meta_.store_id, settings_.store_id));
   }
@@ -150,12 +150,11 @@ EditDatabase::Done EditDatabase::check_acknowledged() {
   return store::check_acknowledged(env(), settings_.path, meta_);
 }
 
-// Without the file entries may be lost, and their revisions given once more: who knows the store by its id
-// must not take what they have of it for what it is now. The file comes last, so that who is interrupted does
-// all of this again.
+// Without the file entries may be lost and their revisions reused, so clients that know the store by its id
+// must discard their copies. The file is written last, so that an interrupted call is repeated entirely.
 EditDatabase::Done EditDatabase::become_another() {
   if (!was_there_ || has_acknowledged()) return {};
-  if (settings_.log_elsewhere) return {};  // what is lost is read there again, and the same
+  if (settings_.log_elsewhere) return {};  // lost entries are read again from the shared log, unchanged
   meta_.store_id = random_store_id();
   const std::string text = store_text({meta_.store_id, meta_.fingerprint});
   if (const auto written = files::write_file(settings_.path / "store.toml", text); !written) {
@@ -236,7 +235,7 @@ EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) c
   rocksdb::Checkpoint* made = nullptr;
   rocksdb::Status status = rocksdb::Checkpoint::Create(db_.get(), &made);
   const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
-  // The log is copied, and not written out as tables first: nobody who edits waits for that.
+  // Copies the log instead of flushing it, so that edits are not delayed.
   if (status.ok()) status = checkpoint->CreateCheckpoint(path.string(), UINT64_MAX);
   if (!status.ok()) return failure(fmt::format("checkpoint {}: {}", path.string(), status.ToString()));
   return {};
@@ -248,7 +247,7 @@ std::unique_ptr<EditDatabase::HeldFiles> EditDatabase::hold_files() const {
 
 EditDatabase::HeldFiles::HeldFiles(const EditDatabase& database)
     : database_{database}, stays_open_{database.copying_} {
-  // Where it is closed nobody removes anything.
+  // A closed database removes no files.
   held_ = database_.db_ && database_.db_->DisableFileDeletions().ok();
 }
 
@@ -416,9 +415,9 @@ EditDatabase::Done EditDatabase::recover() {
   std::string value;
   const auto status = db_->Get({}, meta_key(), &value);
   const auto meta = decode_meta(std::as_bytes(std::span{value}));
-  // The batch whose write failed may be there, or not.
+  // The batch whose write failed may be on the disk or not.
   if (status.ok() && meta && meta->head.position >= meta_.head.position) {
-    unsynced_ = settings_.log_elsewhere;  // what a sync that failed was to bring there
+    unsynced_ = settings_.log_elsewhere;  // the failed sync must be repeated
     return {};
   }
   db_.reset();
@@ -437,13 +436,13 @@ bool EditDatabase::has_acknowledged() const {
 
 std::uint64_t EditDatabase::free_bytes() const {
   std::uint64_t free = 0;
-  // Where the file system does not say, nobody stops for it.
+  // An unknown amount of free space does not block writing.
   return env().GetFreeSpace(settings_.path.string(), &free).ok() ? free : UINT64_MAX;
 }
 
 std::size_t EditDatabase::memory_bytes() const {
   const std::shared_lock lock{handle_, std::try_to_lock};
-  // While it is opened again it soon has as much as before.
+  // A reopened database soon uses as much as before.
   if (lock) memory_ = db_ ? rocks_memory(*db_) : 0;
   return memory_;
 }

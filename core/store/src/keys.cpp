@@ -5,7 +5,7 @@
 namespace talus::store {
 namespace {
 
-/// Big endian, so that keys are in the numbers' order.
+/// Big endian, so that keys sort by number.
 void put_ordered(std::uint64_t value, int bytes, std::string& key) {
   std::array<char, 8> all;
   for (int i = 0; i < bytes; ++i)
@@ -26,7 +26,7 @@ bool is_key(std::string_view key, KeyKind kind, std::size_t bytes) {
   return key.size() == 1 + bytes && key.front() == static_cast<char>(kind);
 }
 
-/// Coordinates in order: the sign's bit is flipped.
+/// Flips the sign bit, so that coordinates sort.
 constexpr std::uint32_t kSign = 0x8000'0000;
 std::uint32_t ordered(std::int32_t at) {
   return static_cast<std::uint32_t>(at) ^ kSign;

@@ -23,10 +23,10 @@ std::vector<Override> get_runs(ByteReader& in) {
   return in.ok() ? std::move(*voxels) : std::vector<Override>{};
 }
 
-/// What changed, as three sets of the same voxels: before, after, and as generated.
+/// Encodes three values per voxel: before, after, and as generated.
 void put_changes(const edits::ChunkChanges& changes, ByteWriter& out) {
   for (const std::int32_t at : {changes.chunk.x, changes.chunk.y, changes.chunk.z}) out.zigzag(at);
-  std::array<Override, 8> few;  // mostly
+  std::array<Override, 8> few;  // enough for most edits
   std::vector<Override> many;
   std::span<Override> voxels{few};
   if (changes.voxels.size() > few.size()) {
@@ -95,8 +95,8 @@ edits::NamedIds get_named_ids(ByteReader& in) {
   return materials;
 }
 
-/// Of an Applied or of a LogRecord. What is the same in a whole batch, or follows from those before, is not
-/// in it.
+/// Encodes an Applied or a LogRecord. Omits fields that are equal in a whole batch or follow from the entries
+/// before.
 template <typename Record>
 void put_record(const Record& record, ByteWriter& out) {
   using Kind = edits::Applied::Kind;

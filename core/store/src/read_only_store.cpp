@@ -116,7 +116,7 @@ StoreReader::Result<std::size_t> ReadOnlyStore::count_editors() const {
   const StoreReader reader = this->reader();
   ReplayedEditors editors;
   const auto read = reader.for_each_editor([&](edits::EditorId id, StoredEditor&& stored) {
-    stored.editor.results = {};  // the most of what it takes, and nobody counts them
+    stored.editor.results = {};  // large, and not counted here
     editors.start(id, std::move(stored));
   });
   if (!read) return tl::unexpected{read.error()};

@@ -84,7 +84,7 @@ tl::expected<void, std::string> check_regular_file(const fs::path& path) {
 
 namespace {
 
-/// RocksDB writes less than a hundred bytes into each, and reads them whole, whatever they have.
+/// RocksDB writes less than 100 bytes into each, but reads them whole.
 tl::expected<void, std::string> check_small_file(const fs::path& path) {
   constexpr std::uintmax_t kMostBytes = 4096;
   if (path.filename() != "CURRENT" && path.filename() != "IDENTITY") return {};

@@ -15,7 +15,7 @@ tl::expected<void, std::string> ReplayedChunks::apply(const LogRecord& record) {
       if (!stored) return tl::unexpected{std::move(stored.error())};
       if (*stored) chunk = {(*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)}};
     }
-    if (chunk.revision >= record.revision) continue;  // it was written after this record
+    if (chunk.revision >= record.revision) continue;  // the stored chunk includes this record
     chunk.overrides.apply(writes.writes);
     chunk.revision = record.revision;
   }

@@ -20,7 +20,7 @@ void ReplayedEditors::apply(const LogRecord& record) {
     }
   }
   if (record.forgotten) {
-    // One of that id which the database has of later never was this one.
+    // A later editor of that id in the database is not the forgotten one.
     const auto has = positions_.find(*record.forgotten);
     if (has == positions_.end() || has->second < record.position) {
       editors_.erase(*record.forgotten);
@@ -33,7 +33,7 @@ void ReplayedEditors::apply(const LogRecord& record) {
     return;
   }
   const edits::Editor* const before = editors_.find(record.editor);
-  // One that the database has forgotten already, by a record that follows.
+  // A later record forgets the editor, and the database already lacks it.
   if (before == nullptr && record.kind != Kind::attached) return;
   edits::Editor editor = before == nullptr ? edits::Editor{} : *before;
   editor.used_ms = record.time_ms;

@@ -12,9 +12,9 @@
 namespace talus::store {
 namespace {
 
-/// Keys of chunks come in slices that are in order, so that where the last one went is near where the next
-/// one goes. RocksDB 7.8 remembers one place for keys and for the beginnings of ranges that are deleted,
-/// which lie in different lists: so none of those, which are of the log, may be in the domain.
+/// Chunk keys arrive in sorted slices, so each is inserted near the previous one. RocksDB 7.8 shares one
+/// insertion hint between keys and the starts of range deletions, which live in different lists. So the
+/// domain excludes log keys, the only ones deleted by range.
 class ChunksInOrder final : public rocksdb::SliceTransform {
  public:
   [[nodiscard]] const char* Name() const override { return "talus.chunks_in_order"; }

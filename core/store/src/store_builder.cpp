@@ -12,7 +12,7 @@
 namespace talus::store {
 namespace {
 
-/// Of coarse levels that are held before they are written.
+/// Voxels of coarse levels held before they are written.
 constexpr std::size_t kCoarseVoxels = std::size_t{1} << 20U;
 constexpr std::size_t kWriteBytes = std::size_t{1} << 20U;
 
@@ -69,7 +69,7 @@ StoreBuilder::Done StoreBuilder::put(const std::string& key) {
 
 StoreBuilder::Done StoreBuilder::write() {
   rocksdb::WriteOptions options;
-  options.disableWAL = true;  // who is interrupted begins anew
+  options.disableWAL = true;  // an interrupted build starts over
   const auto status = db_->Write(options, batch_.get());
   batch_->Clear();
   if (!status.ok()) return builder_failure(directory_, status);
@@ -99,13 +99,13 @@ StoreBuilder::Done StoreBuilder::add(ChunkCoord chunk, std::uint64_t revision,
 }
 
 StoreBuilder::Done StoreBuilder::write_coarse() {
-  if (auto written = write(); !written) return written;  // what is read below
+  if (auto written = write(); !written) return written;  // the reads below need it
   for (auto& [key, coarse] : coarse_) {
     const std::string name = chunk_key(key);
     std::string before;
     const auto status = db_->Get({}, name, &before);
     if (status.ok()) {
-      // Chunks of level 0 share no voxel of a coarse one.
+      // Chunks of level 0 share no voxel of a coarse chunk.
       auto stored = decode_chunk_value(name, std::as_bytes(std::span{before}));
       if (!stored) return tl::unexpected{fmt::format("{}: what was written is not what is read", name)};
       coarse.voxels.insert(coarse.voxels.end(), stored->voxels.begin(), stored->voxels.end());

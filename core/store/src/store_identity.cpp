@@ -57,7 +57,7 @@ tl::expected<StoreIdentity, std::string> read_store_identity(const std::filesyst
     id = hash("store_id");
     world = hash("fingerprint");
   } catch (const toml::parse_error&) {
-    // Reported below, as missing keys are: only a file that talusd wrote is right.
+    // Reported below as missing keys: only a file written by talusd is valid.
   }
   if (id && world) return StoreIdentity{*id, *world};
   return tl::make_unexpected(fmt::format(

@@ -27,7 +27,7 @@ StoreReader::Result<std::optional<StoreMeta>> StoreReader::meta() const {
   const auto bytes = std::as_bytes(std::span{value});
   const auto meta = decode_meta(bytes);
   if (meta) return meta;
-  // A backup would be of that format too, as likely as not.
+  // A backup probably has the same format.
   if (is_other_meta(bytes)) {
     return failure(fmt::format(
         "another version of talusd wrote the store: its record of the store's state is whole, with format "
@@ -164,7 +164,7 @@ StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint6
   bool goes_on = true;
   std::uint64_t link = 0;
   const auto batch_of = [&](std::span<const std::byte> value) {
-    // The link before the first batch of a scan is not at hand, but for that of entry 1.
+    // Only for entry 1 is the link before the first batch of a scan known.
     auto records = any ? decode_records(value, link) : decode_records_alone(value, link);
     if (any || !records || records->front().position != 1) return records;
     link = 0;
@@ -173,7 +173,7 @@ StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint6
   const auto status = scan(db_, log_key(position + 1), [&](const auto& key, const auto& value) {
     if (position == meta.head.position) return false;
     const auto last = position_of_key(text_of(key));
-    if (!any && last && *last > meta.head.position) return false;  // none is kept
+    if (!any && last && *last > meta.head.position) return false;  // all older records were dropped
     auto records = batch_of(bytes_of(value));
     sound =
         records && records->back().position == last && (!any || records->front().position == position + 1);

@@ -18,7 +18,7 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::array<std::string_view, 3> kParts{"acknowledged", "db", "store.toml"};
 constexpr std::string_view kCheckpoint = "talus-checkpoint-";
-/// An empty file beside the new store's parts: the old one goes, also where another process ends the swap.
+/// Empty file in the new store's directory: any process that completes the swap deletes the old store.
 constexpr std::string_view kOldGoes = "old-goes";
 
 fs::path staging_of(const fs::path& directory) {
@@ -32,7 +32,7 @@ tl::unexpected<std::string> swap_failure(const fs::path& path, const std::error_
   return tl::unexpected{fmt::format("{}: {}", path.string(), code.message())};
 }
 
-/// In one step, and on the disk when it returns.
+/// Renames atomically and syncs.
 Done rename_now(const fs::path& from, const fs::path& to) {
   std::error_code code;
   fs::rename(from, to, code);
@@ -41,7 +41,7 @@ Done rename_now(const fs::path& from, const fs::path& to) {
   return sync_directory(from.parent_path());
 }
 
-/// A name that is free.
+/// Returns an unused name.
 fs::path place_for_old(const fs::path& directory) {
   for (int number = 1;; ++number) {
     fs::path path = directory / fmt::format("replaced-{}", number);
@@ -50,7 +50,7 @@ fs::path place_for_old(const fs::path& directory) {
   }
 }
 
-/// Each step is one rename, so that it can be taken up after any.
+/// Each step is one rename, so that an interrupted swap can be resumed after any step.
 tl::expected<fs::path, std::string> finish(const fs::path& directory) {
   const fs::path next = next_of(directory);
   const fs::path old = next / "old";
@@ -75,14 +75,14 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
   if (code) return swap_failure(old, code);
   const bool goes = fs::exists(next / kOldGoes, code);
   if (code) return swap_failure(next / kOldGoes, code);
-  if (has_old && goes) {  // before what says so
+  if (has_old && goes) {  // before the mark is deleted
     fs::remove_all(old, code);
     if (code) return swap_failure(old, code);
   } else if (has_old) {
     kept = place_for_old(directory);
     if (auto moved = rename_now(old, kept); !moved) return tl::unexpected{moved.error()};
   }
-  // What was found out of the store before says nothing of this one.
+  // The reason was about the previous store.
   fs::remove(directory / kRejoinName, code);
   if (code) return swap_failure(directory / kRejoinName, code);
   fs::remove_all(next, code);
@@ -107,7 +107,7 @@ Done check_space(const fs::path& directory, std::uint64_t bytes) {
   constexpr std::uint64_t kMore = std::uint64_t{64} << 20U;
   std::error_code code;
   const auto space = fs::space(directory, code);
-  // Where the file system does not say, nobody stops for it.
+  // An unknown amount of free space is not an error.
   const std::uint64_t needed = bytes <= UINT64_MAX - kMore ? bytes + kMore : UINT64_MAX;
   if (code || space.available >= needed) return {};
   return tl::unexpected{fmt::format("{}: the disk has {} bytes free; {} are needed", directory.string(),

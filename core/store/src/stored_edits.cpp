@@ -24,7 +24,7 @@ ChunkKey column_of(ChunkKey key) {
   return {{key.coord.x, 0, key.coord.z}, key.lod};
 }
 
-/// What is wrong with the store's identity, where it is not that of this world.
+/// Returns an error text if the store's identity is not of this world.
 std::optional<std::string> check_identity(const fs::path& directory, ContentHash fingerprint) {
   std::error_code error;
   if (!fs::exists(directory / "store.toml", error)) {

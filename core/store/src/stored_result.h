@@ -1,4 +1,4 @@
-// The result of an edit, as records of the log and editors have it.
+// The result of an edit, as encoded in log records and editors.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 namespace talus::store {
 namespace {
 
-/// On a disk with place for so many further bytes: on a full one RocksDB may abort the process.
+/// Requires `bytes` of free space: on a full disk RocksDB may abort the process.
 tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path,
                                                                       std::uint64_t bytes) {
   if (const auto regular = check_regular_files(path / "db"); !regular) {
@@ -34,7 +34,7 @@ tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, con
   return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
 }
 
-/// Changes where the store stands, and nothing else; on the disk when it returns.
+/// Changes only the store's meta, and syncs.
 template <typename Change>
 tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
   const auto db = open_to_write(path, 0);
@@ -77,7 +77,7 @@ tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesyste
 tl::expected<void, std::string> give_identity(const std::filesystem::path& path, ContentHash store_id) {
   const auto meta = change_meta(path, [&](StoreMeta& changed) {
     changed.store_id = store_id;
-    changed.stream = {};  // a store of its own
+    changed.stream = {};  // the store leaves its stream
   });
   if (!meta) return tl::unexpected{meta.error()};
   if (auto written = write_store_files(path, *meta); !written) return written;
@@ -91,9 +91,9 @@ tl::expected<void, std::string> enter_stream(const std::filesystem::path& path, 
 
 tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   const auto db =
-      open_to_write(path, bytes_of_files(path / "db"));  // the old files go when the new are there
+      open_to_write(path, bytes_of_files(path / "db"));  // old files are deleted after the new ones exist
   if (!db) return tl::unexpected{db.error()};
-  // What is lost would not be found out any more: the end of the log goes with its records.
+  // Compaction drops the end of the log with its records, which would hide a loss: check first.
   const StoreReader reader{**db, path};
   const auto meta = reader.meta();
   if (!meta) return tl::unexpected{meta.error()};

@@ -9,7 +9,7 @@
 namespace talus::server {
 namespace {
 
-/// Takes a number and the space behind it from the begin of `text`.
+/// Removes a number and the space after it from the beginning of `text`.
 template <typename Number>
 bool take_number(std::string_view& text, Number& number, int base) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);

@@ -14,7 +14,7 @@
 namespace talus::server {
 namespace {
 
-/// More is not taken off the socket until it is read.
+/// Maximum read ahead from the socket.
 constexpr std::size_t kHeldBytes = std::size_t{1} << 20U;
 constexpr std::size_t kReasonBytes = 300;
 constexpr long kConnectMs = 5'000;
@@ -24,7 +24,7 @@ constexpr long kOk = 200;
 
 }  // namespace
 
-/// libcurl pushes; this lets itself be asked.
+/// Adapts libcurl's push interface to pull.
 class CheckpointDownload::Transfer {
  public:
   explicit Transfer(const std::string& peer)
@@ -40,7 +40,7 @@ class CheckpointDownload::Transfer {
 
   [[nodiscard]] tl::expected<void, PeerRefusal> begin(const PeerAccess& access) {
     const auto set = [this](CURLoption option, auto value) {
-      // Nothing may fall back to what curl does by itself.
+      // A failed option must not fall back to curl's default.
       if (::curl_easy_setopt(easy_.get(), option, value) != CURLE_OK) sound_ = false;
     };
     set(CURLOPT_URL, (peer_ + "/store/checkpoint").c_str());
@@ -107,12 +107,12 @@ class CheckpointDownload::Transfer {
     try {
       transfer.held_.append(bytes, one * size);
     } catch (const std::bad_alloc&) {
-      return 0;  // nothing may be thrown through libcurl, which fails by this
+      return 0;  // exceptions must not pass through libcurl, which fails on this value
     }
     return one * size;
   }
 
-  /// Until bytes are held, or all have come.
+  /// Waits until bytes are held or all have arrived.
   [[nodiscard]] tl::expected<void, std::string> wait() {
     while (held_.empty() && !ended_) {
       if (std::exchange(paused_, false)) ::curl_easy_pause(easy_.get(), CURLPAUSE_CONT);

@@ -1,4 +1,4 @@
-// A checkpoint as a peer's operators' port sends it, over http:// or https://.
+// Downloads a checkpoint from a peer's operators' port by http:// or https://.
 #pragma once
 
 #include <chrono>
@@ -13,27 +13,27 @@
 
 namespace talus::server {
 
-/// What a peer is shown, and by what it is known.
+/// Credentials for a peer, and the means to verify it.
 struct PeerAccess {
-  std::string token;        // with the right admin; empty: none
-  std::string ca;           // PEM: who vouches for peers; empty: the system's authorities
-  std::string certificate;  // PEM: this server's; empty: none
-  std::string key;          // PEM: the certificate's
-  /// A peer that sends less than 16 KiB a second for so long is given up.
+  std::string token;        // with the right admin; may be empty
+  std::string ca;           // PEM: authorities of peers; empty: the system's
+  std::string certificate;  // PEM: this server's; may be empty
+  std::string key;          // PEM: key of the certificate
+  /// A peer that sends less than 16 KiB per second for this time is abandoned.
   std::chrono::seconds patience{30};
 };
 
-/// Why a peer sends none.
+/// Reason why a peer does not send a checkpoint.
 struct PeerRefusal {
   std::string reason;  // one line
   bool answers = true;
-  std::optional<AsideStore> aside{};  // it has a store, which it must not use
+  std::optional<AsideStore> aside{};  // its store, if it must not use it
 };
 
 class CheckpointDownload final : public TarSource {
  public:
-  /// Asks `peer`, "http://HOST:PORT" or "https://HOST:PORT", and waits for the head of its answer. A peer
-  /// that is silent is given up as one that sends too little.
+  /// Sends the request to `peer`, "http://HOST:PORT" or "https://HOST:PORT", and waits for the head of the
+  /// answer. A silent peer is abandoned like a slow one.
   [[nodiscard]] static tl::expected<std::unique_ptr<CheckpointDownload>, PeerRefusal> open(
       const std::string& peer, const PeerAccess& access);
   ~CheckpointDownload() override;

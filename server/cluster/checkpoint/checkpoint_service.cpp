@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Who takes less than this a second in all is cut off.
+/// Downloads with a lower overall rate are cut off.
 constexpr std::uint64_t kLeastRate = std::uint64_t{1} << 20U;
 constexpr std::chrono::seconds kGrace{60};
 constexpr std::chrono::seconds kBetweenComplaints{1};
@@ -37,7 +37,7 @@ http::Response refusal(int status, std::string text, std::vector<http::Field> fi
 
 }  // namespace
 
-/// A checkpoint on its way. It is one of those at once as long as it lives.
+/// A checkpoint being sent. It counts against kMaxAtOnce during its lifetime.
 class CheckpointService::Body final : public http::BodySource {
  public:
   Body(CheckpointService& service, std::string who)

@@ -1,8 +1,8 @@
-// GET /store/checkpoint of the operators' port: the store as of now, for a server that joins. Only for who
-// has a token with the right admin; a few at once; at a rate of its own.
+// GET /store/checkpoint of the operators' port: sends the current store to a joining server. Requires a token
+// with the right admin; limited in number and rate.
 //
-// The disk is read on threads of its own, a bounded piece at a time, so neither the operators' port nor
-// players wait for it. Who takes too long is cut off: no checkpoint is kept for ever.
+// Reads the disk on its own threads in bounded pieces, so that neither the operators' port nor players wait
+// for it. Slow downloads are cut off, so that checkpoints do not stay on the disk for ever.
 #pragma once
 
 #include <atomic>
@@ -31,38 +31,38 @@ class CheckpointService {
  public:
   static constexpr int kMaxAtOnce = 2;
 
-  /// All outlive this.
+  /// The referenced objects must outlive this.
   struct Parts {
     const AccessControl& access;
     Metrics& metrics;
     const Clock& clock;
-    std::filesystem::path directory;  // of the store
-    /// Makes the database's checkpoint at a path. On any thread.
+    std::filesystem::path directory;  // the store's
+    /// Writes the database's checkpoint to a path. Called on any thread.
     std::function<tl::expected<void, std::string>(const std::filesystem::path&)> make;
   };
 
   CheckpointService(Parts parts, std::uint64_t bytes_per_second, Logger log);
   ~CheckpointService();
 
-  /// On one thread, that of the connections, from which `address` is.
+  /// Call on the connections' thread. `address` is the client's.
   [[nodiscard]] asio::awaitable<http::Response> respond(const http::Request& request,
                                                         const std::string& address);
-  /// Of all that are sent together; 0: no limit. Any thread.
+  /// Limits all downloads together; 0: unlimited. Callable from any thread.
   void set_rate(std::uint64_t bytes_per_second) { wanted_rate_ = bytes_per_second; }
 
-  /// Waits until no thread of it works. Once, when the connections' thread has ended, before they are
-  /// destroyed.
+  /// Waits until its threads are idle. Call once, after the connections' thread has ended and before the
+  /// connections are destroyed.
   void stop();
 
  private:
   class Body;
 
-  /// Who asks, or the refusal.
+  /// Returns the name of the authorized client, or the refusal.
   [[nodiscard]] tl::expected<std::string, http::Response> admit(const http::Request& request,
                                                                 const std::string& address);
   /// May wait for the disk.
   [[nodiscard]] tl::expected<std::unique_ptr<CheckpointTar>, std::string> make(std::uint64_t number) const;
-  /// When the next piece may go.
+  /// Delay before the next piece may be sent.
   [[nodiscard]] std::chrono::nanoseconds wait();
   void spend(std::uint64_t bytes);
   void follow_rate();
@@ -70,7 +70,7 @@ class CheckpointService {
   const Parts parts_;
   const Logger log_;
   std::atomic<std::uint64_t> wanted_rate_;
-  // Of the connections' thread.
+  // Used by the connections' thread.
   Rate rate_;
   TokenBucket bucket_;
   int at_once_ = 0;

@@ -27,7 +27,7 @@ using Done = tl::expected<void, std::string>;
 
 constexpr std::size_t kTarPieceBytes = std::size_t{256} << 10U;
 constexpr std::uint64_t kTarBlock = 512;
-/// Eleven octal digits: some day in 2242.
+/// Maximum of eleven octal digits, in the year 2242.
 constexpr std::int64_t kLatestTarTime = (std::int64_t{1} << 33U) - 1;
 
 tl::unexpected<std::string> tar_failure(const fs::path& file, int error) {
@@ -46,7 +46,7 @@ std::uint64_t tar_bytes(const store::BackupManifest& manifest) {
   return bytes;
 }
 
-/// libarchive, whose output goes into a string.
+/// Makes libarchive write into a string.
 class CheckpointTar::Writer {
  public:
   Writer(std::string& out, std::int64_t time_s)
@@ -88,7 +88,7 @@ class CheckpointTar::Writer {
   std::int64_t time_s_;
 };
 
-/// A regular file of the checkpoint, hashed as it is read.
+/// A regular file of the checkpoint, hashed while it is read.
 class CheckpointTar::InputFile {
  public:
   InputFile(const fs::path& path, store::BackupManifest::File& about)
@@ -109,7 +109,7 @@ class CheckpointTar::InputFile {
 
   [[nodiscard]] std::uint64_t left() const { return left_; }
   [[nodiscard]] int error() const { return error_; }
-  /// How many bytes were read, as many as `into` has or all that is left; 0: error() says why.
+  /// Reads up to the size of `into` or the bytes left. Returns the number read; 0 on failure, see error().
   [[nodiscard]] std::size_t read(std::vector<char>& into) {
     const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left_, into.size()));
     ssize_t got = 0;
@@ -117,7 +117,7 @@ class CheckpointTar::InputFile {
       got = ::read(file_, into.data(), wanted);
     } while (got < 0 && errno == EINTR);
     if (got <= 0) {
-      error_ = got < 0 ? errno : EIO;  // it is shorter than it was
+      error_ = got < 0 ? errno : EIO;  // it has shrunk
       return 0;
     }
     XXH3_128bits_update(hash_.get(), into.data(), static_cast<std::size_t>(got));
@@ -146,7 +146,7 @@ CheckpointTar::~CheckpointTar() {
 void CheckpointTar::remove_directory() {
   file_.reset();
   if (directory_.empty()) return;
-  std::error_code ignored;  // who opens the data directory next tries again
+  std::error_code ignored;  // the next process that opens the data directory retries
   fs::remove_all(directory_, ignored);
   directory_.clear();
 }
@@ -208,7 +208,7 @@ tl::expected<std::string_view, std::string> CheckpointTar::next() {
       ended_ = true;
     }
   }
-  if (piece_.empty()) remove_directory();  // here, where the disk may be waited for
+  if (piece_.empty()) remove_directory();  // here, where waiting for the disk is allowed
   return std::string_view{piece_};
 }
 

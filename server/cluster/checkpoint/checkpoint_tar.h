@@ -1,8 +1,8 @@
-// A store's files as a tar, piece by piece: what another server takes over the network. Unpacked it is a
-// backup as `talusd store backup` writes it.
+// Streams a store's files as a tar to another server. Unpacked it is a backup like those of `talusd store
+// backup`.
 //
-// store.toml comes first, so that who takes it sees early whose it is; the manifest with the checksums last,
-// so that each file is read once.
+// store.toml comes first, so that the receiver can check the store's identity early; the manifest with the
+// checksums comes last, so that each file is read once.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +20,20 @@ namespace talus::server {
 
 class CheckpointTar {
  public:
-  /// Takes the directory over, and removes it when it is sent, or given up. It has db, of which nobody
-  /// changes a file. An error is one line.
+  /// Takes ownership of the directory, and deletes it when it is sent or abandoned. It contains db, whose
+  /// files must not change. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<CheckpointTar>, std::string> open(
       std::filesystem::path directory);
   ~CheckpointTar();
   CheckpointTar(const CheckpointTar&) = delete;
   CheckpointTar& operator=(const CheckpointTar&) = delete;
 
-  /// Of the tar.
+  /// Size of the tar.
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// Where the store stands that is sent.
+  /// Head of the store that is sent.
   [[nodiscard]] const edits::Head& head() const { return manifest_.head; }
 
-  /// Reads from the disk, and returns some 256 KiB, valid until the next call; empty at the end. An error is
-  /// one line.
+  /// Reads about 256 KiB from the disk, valid until the next call; empty at the end. An error is one line.
   [[nodiscard]] tl::expected<std::string_view, std::string> next();
 
  private:
@@ -48,16 +47,16 @@ class CheckpointTar {
   void remove_directory();
 
   std::filesystem::path directory_;
-  store::BackupManifest manifest_;  // hashes only of what was read
+  store::BackupManifest manifest_;  // hashes only of files already read
   std::uint64_t size_ = 0;
-  std::size_t next_file_ = 0;  // of manifest_.files
+  std::size_t next_file_ = 0;  // index in manifest_.files
   bool ended_ = false;
-  std::unique_ptr<InputFile> file_;  // null: between two
+  std::unique_ptr<InputFile> file_;  // null between files
   std::string piece_;
-  std::unique_ptr<Writer> writer_;  // into piece_, also when it is destroyed
+  std::unique_ptr<Writer> writer_;  // writes to piece_, even when destroyed
 };
 
-/// How long a tar of such files is.
+/// Size of a tar of these files.
 [[nodiscard]] std::uint64_t tar_bytes(const store::BackupManifest& manifest);
 
 }  // namespace talus::server

@@ -1,5 +1,5 @@
-// A store taken from whichever peer has it: the peers in random order, again and again, until one's
-// checkpoint is whole. A store is never begun empty because no peer answers.
+// Downloads a store from any peer that has it: tries the peers in random order, repeatedly, until one
+// checkpoint is complete. Unreachable peers never cause a new empty store.
 #pragma once
 
 #include <chrono>
@@ -22,15 +22,15 @@ struct Peers {
   PeerAccess access;
 };
 
-/// How far it is, for who asks meanwhile. Any thread calls it.
+/// Reports progress. Called on any thread.
 using OnJoining = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// What it waits with between two rounds, and what peers answered in the one before; false: it is given up.
+/// Waits between two rounds, given the peers' answers of the previous one. Returns false to give up.
 using AfterRound = std::function<bool(std::chrono::milliseconds, const Round&)>;
 
-/// Into the staging directory of `directory`, which is locked: swap_in() makes it the directory's store. An
-/// error is one line: there are no peers, nothing can be written here, or `after_round` gave up. What goes
-/// wrong with a peer is logged.
+/// Downloads into the staging directory of `directory`, which must be locked; swap_in() makes it the
+/// directory's store. An error is one line: there are no peers, the disk cannot be written, or `after_round`
+/// gave up. Failures of single peers are logged.
 [[nodiscard]] tl::expected<store::StoreMeta, std::string> take_from_peers(
     const Peers& peers, const std::filesystem::path& directory, const WantedStore& wanted, const Logger& log,
     const OnJoining& on_joining, const AfterRound& after_round);

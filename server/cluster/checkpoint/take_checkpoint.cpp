@@ -31,18 +31,18 @@ namespace {
 namespace fs = std::filesystem;
 using Done = tl::expected<void, std::string>;
 
-/// RocksDB's tables have 64 MiB, few of them a part of that; its newest ones and its log are some dozens of
-/// files. A store of 10 GiB has less than 3,000 by this, and each costs the disk two syncs.
+/// RocksDB's tables have 64 MiB, a few of them less; the newest tables and the log are some dozens of files.
+/// A store of 10 GiB may have fewer than 3,000 files by this bound, each costing two syncs.
 constexpr std::size_t kFilesOfAny = 300;
 constexpr std::uint64_t kBytesPerFile = std::uint64_t{4} << 20U;
-constexpr std::uint64_t kMostSmallFileBytes = 4'096;  // of store.toml and acknowledged
+constexpr std::uint64_t kMostSmallFileBytes = 4'096;  // store.toml and acknowledged
 constexpr std::string_view kIdentityName = "store.toml";
 
 bool has_digits_alone(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The files that RocksDB has in a checkpoint.
+/// True for names of files that RocksDB has in a checkpoint.
 bool is_database_file(std::string_view name) {
   if (name == "CURRENT" || name == "IDENTITY") return true;
   for (const std::string_view first : {"MANIFEST-", "OPTIONS-"}) {
@@ -54,7 +54,7 @@ bool is_database_file(std::string_view name) {
   return false;
 }
 
-/// With its directory.
+/// `name` includes the directory.
 bool is_checkpoint_file(std::string_view name) {
   constexpr std::string_view kDatabase = "db/";
   if (name.starts_with(kDatabase)) return is_database_file(name.substr(kDatabase.size()));
@@ -65,7 +65,7 @@ tl::unexpected<std::string> no_checkpoint(std::string_view why) {
   return tl::unexpected{fmt::format("what it sends is no checkpoint: {}", why)};
 }
 
-/// libarchive over a TarSource. It reads tar alone, uncompressed.
+/// Makes libarchive read from a TarSource; accepts only uncompressed tar.
 class TarReader {
  public:
   TarReader(TarSource& source, const OnTaken& on_taken)
@@ -75,7 +75,7 @@ class TarReader {
     opened_ = ::archive_read_open(archive_.get(), this, nullptr, &TarReader::give, nullptr) == ARCHIVE_OK;
   }
 
-  /// The next file's name and size; nothing at the end. Refuses all but regular files.
+  /// Name and size of the next file; nullopt at the end. Rejects everything but regular files.
   struct Entry {
     std::string name;
     std::uint64_t bytes = 0;
@@ -97,7 +97,7 @@ class TarReader {
     }
     return Entry{name, static_cast<std::uint64_t>(::archive_entry_size(entry))};
   }
-  /// The next bytes of the file; empty at its end.
+  /// Next bytes of the file; empty at its end.
   [[nodiscard]] tl::expected<std::span<const std::byte>, std::string> read(std::uint64_t at) {
     const void* bytes = nullptr;
     std::size_t size = 0;
@@ -225,7 +225,7 @@ class Taking {
     return {};
   }
 
-  /// Before the rest is taken.
+  /// Checked before the rest is downloaded.
   [[nodiscard]] Done check_identity() {
     const auto read = store::read_store_identity(staging_ / kIdentityName);
     if (!read) return no_checkpoint("its store.toml was not written by talusd");
@@ -297,7 +297,7 @@ class Taking {
   }
 
   TarReader tar_;
-  std::uint64_t left_;  // of what was announced
+  std::uint64_t left_;  // announced bytes not received yet
   const std::size_t most_files_;
   const fs::path& staging_;
   const WantedStore& wanted_;

@@ -1,6 +1,6 @@
-// A checkpoint's tar, made a store where nobody looks yet. What comes is bounded by what its sender announced
-// and the disk has, and verified whole before it is a store: names, sizes, checksums, whose it is, and that
-// its edits are those that its state's hash says.
+// Unpacks a checkpoint's tar into a store in a staging directory. The input is bounded by its announced size
+// and the free space, and verified completely before it counts as a store: names, sizes, checksums, the
+// identity, and that its edits match its state hash.
 #pragma once
 
 #include <cstdint>
@@ -18,23 +18,23 @@
 
 namespace talus::server {
 
-/// In the stream that the store is to go on with.
+/// Required relation of the store to the stream.
 struct WantedPlace {
-  std::int64_t created_ns = 0;  // of the stream; 0: of any
-  std::uint64_t first = 0;      // message that it keeps
+  std::int64_t created_ns = 0;  // of the stream; 0: any
+  std::uint64_t first = 0;      // oldest message that the stream keeps
 };
 
 struct WantedStore {
-  ContentHash fingerprint;  // of the world
+  ContentHash fingerprint;  // the world's
   std::optional<ContentHash> store_id;
   std::optional<WantedPlace> place{};
 };
 
-/// Bytes that have come.
+/// Reports the number of bytes received.
 using OnTaken = std::function<void(std::uint64_t done)>;
 
-/// Into `staging`, an empty directory. Its files are on the disk when it returns. An error is one line; what
-/// is in `staging` is of no use then.
+/// Unpacks into `staging`, an empty directory, and syncs. An error is one line; then the content of `staging`
+/// is useless.
 [[nodiscard]] tl::expected<store::StoreMeta, std::string> take_checkpoint(
     TarSource& source, const std::filesystem::path& staging, const WantedStore& wanted,
     const OnTaken& on_taken);

@@ -1,4 +1,4 @@
-// Where the bytes of a checkpoint's tar come from, as they are wanted.
+// Pull interface for the bytes of a checkpoint's tar.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class TarSource {
  public:
   virtual ~TarSource() = default;
 
-  /// As its sender says, before anything is read.
+  /// Size announced by the sender; known before reading.
   [[nodiscard]] virtual std::uint64_t size() const = 0;
   /// Waits for the next bytes, valid until the next call; empty after size() bytes. An error is one line.
   [[nodiscard]] virtual tl::expected<std::string_view, std::string> read() = 0;

@@ -24,7 +24,7 @@ constexpr int kMaxPingsOut = 2;
 
 using Clock = std::chrono::steady_clock;
 
-/// The first error of several calls that set options.
+/// Keeps the first error of several calls that set options.
 class Setting {
  public:
   void operator()(natsStatus status) {
@@ -51,14 +51,14 @@ bool is_refusal(natsStatus status) {
          status == NATS_SECURE_CONNECTION_WANTED;
 }
 
-/// Of NATS and libnats, in one line for people: quotes stay readable.
+/// Text of NATS or libnats on one line, with readable quotes.
 std::string words_of(std::string_view text) {
   std::string plain{text.substr(0, 300)};
   std::ranges::replace(plain, '"', '\'');
   return escaped(plain, 300);
 }
 
-/// What libnats said last on this thread, or what the status means.
+/// libnats' last error on this thread, or the meaning of the status.
 std::string last_words(natsStatus status) {
   const char* const said = nats_GetLastError(nullptr);
   return words_of(said == nullptr || *said == '\0' ? natsStatus_GetText(status) : said);
@@ -76,12 +76,12 @@ std::string_view Arrived::text() const {
 }
 
 std::string_view Arrived::header(const char* name) const {
-  // NATS' own stands behind those of the same name that a publisher has set.
+  // NATS' own header follows headers of the same name set by a publisher.
   const char** values = nullptr;
   int count = 0;
   if (natsMsgHeader_Values(message_, name, &values, &count) != NATS_OK || count < 1) return {};
   const std::string_view last = values[count - 1];
-  std::free(static_cast<void*>(values));  // the array; its texts are the message's
+  std::free(static_cast<void*>(values));  // frees the array; the message owns the texts
   return last;
 }
 
@@ -93,7 +93,7 @@ std::uint64_t Arrived::sequence() const {
 }
 
 int Arrived::status() const {
-  // A message of a stream is no answer of NATS, whatever its publisher says.
+  // A message of a stream is not an answer of NATS, whatever its publisher set.
   if (!header("Nats-Stream").empty()) return 0;
   const std::string_view text = header("Status");
   int status = 0;
@@ -101,9 +101,9 @@ int Arrived::status() const {
   return status;
 }
 
-/// Called by libnats, which is in C: what they throw for want of memory stays here.
+/// Callbacks for libnats, a C library: exceptions such as bad_alloc must not leave them.
 struct Connection::Callbacks {
-  /// Of a subscription, on its thread.
+  /// A subscription's handler, on its thread.
   struct Handled {
     Handler handler;
     DiscardedMessages discarded;
@@ -111,7 +111,7 @@ struct Connection::Callbacks {
 
   static Link& link(void* closure) { return **static_cast<std::shared_ptr<Link>*>(closure); }
 
-  /// Whether it threw nothing.
+  /// Returns true if `what` did not throw.
   template <typename Do>
   static bool guard(Do what) noexcept {
     try {
@@ -133,11 +133,11 @@ struct Connection::Callbacks {
   static void disconnected(natsConnection* /*connection*/, void* closure) {
     guard([&] { set_connected(link(closure), false); });
   }
-  /// The last call of a connection.
+  /// The last callback of a connection.
   static void closed(natsConnection* connection, void* closure) {
     const std::unique_ptr<std::shared_ptr<Link>> owned{static_cast<std::shared_ptr<Link>*>(closure)};
     if (guard([&] { tell_closed(**owned, connection); })) return;
-    // Else nobody would make it anew. So short a text needs no memory.
+    // Otherwise the connection would never be recreated. The text is short enough to need no memory.
     guard([&] { (*owned)->events->closed(unavailable("NATS: closed")); });
   }
   static void tell_closed(Link& link, natsConnection* connection) {
@@ -146,8 +146,8 @@ struct Connection::Callbacks {
     link.connected.store(false, std::memory_order_relaxed);
     if (!link.events) return;
     link.events->connected(false);
-    // It tries for ever, but for servers that refuse it twice, and for a first one that takes the connection
-    // and then says nothing; then it has forgotten why.
+    // libnats retries for ever, except with servers that reject it twice, and with a first server that
+    // accepts the connection and then stays silent; in that case it has lost the reason.
     const bool forgotten = status == NATS_NO_SERVER;
     const bool was_there = link.was_connected.load(std::memory_order_relaxed);
     if (is_refusal(status) || (forgotten && (was_there || is_refusal(link.at_first)))) {
@@ -168,8 +168,8 @@ struct Connection::Callbacks {
     if (status == NATS_NOT_PERMITTED) guard([&] { tell_denied(link(closure)); });
   }
   static void tell_denied(Link& of) {
-    // libnats has set this thread's last error to what it calls for. The connection's is the newest one: of
-    // several that come at once.
+    // libnats has set this thread's last error to the denial. The connection's last error may be a newer one,
+    // if several arrive at once.
     const std::string what = last_words(NATS_NOT_PERMITTED);
     {
       const std::lock_guard lock{of.mutex};
@@ -189,7 +189,7 @@ struct Connection::Callbacks {
     });
     return status;
   }
-  /// A message that there is no memory for counts as one that did not come.
+  /// If memory runs out, the message counts as lost.
   static void message(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsMsg* message,
                       void* closure) {
     NatsMessage owned{message};
@@ -205,7 +205,7 @@ struct Connection::Callbacks {
 tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
     const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
     std::shared_ptr<ConnectionEvents> events, Retry retry, const ServerUrls& first) {
-  // Threads that libnats starts leave signals to the main thread.
+  // Threads started by libnats leave signals to the main thread.
   const SignalsBlocked blocked;
   auto link = std::make_shared<Link>();
   link->credentials = std::move(credentials);
@@ -224,7 +224,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   }
   if (!servers.empty()) set(natsOptions_SetServers(made, servers.data(), static_cast<int>(servers.size())));
   if (!first.empty()) set(natsOptions_SetURL(made, first.begin()->c_str()));
-  // The servers that the settings name, and no others that may be behind something.
+  // Uses only the configured servers, not discovered ones.
   set(natsOptions_SetIgnoreDiscoveredServers(made, true));
   set(natsOptions_SetName(made, "talusd"));
   set(natsOptions_SetTimeout(made, kConnectTimeoutMs));
@@ -232,7 +232,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   set(natsOptions_SetPingInterval(made, kPingIntervalMs));
   set(natsOptions_SetMaxPingsOut(made, kMaxPingsOut));
   set(natsOptions_SetSendAsap(made, true));
-  // Nothing is kept for later while there is no connection: whoever sends learns of it.
+  // Disables buffering while disconnected, so that senders see the failure.
   set(natsOptions_SetReconnectBufSize(made, 1));
   set(natsOptions_SetReconnectWait(made, kReconnectWaitMs));
   set(natsOptions_SetReconnectJitter(made, kReconnectJitterMs, kReconnectJitterMs));
@@ -268,7 +268,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
   natsConnection* opened = nullptr;
   natsStatus status = natsConnection_Connect(&opened, made);
   if (status != NATS_OK && retry == Retry::forever) {
-    link->at_first = status;  // which nobody learns from libnats once it tries by itself
+    link->at_first = status;  // libnats does not report it once it retries by itself
     natsOptions_SetRetryOnFailedConnect(made, true, &Callbacks::connected, closure.get());
     status = natsConnection_Connect(&opened, made);
   }
@@ -278,7 +278,7 @@ tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
         StreamFailure{is_refusal(status) ? StreamFailure::Kind::refused : StreamFailure::Kind::unavailable,
                       fmt::format("{}: {}", urls.text(), last_words(status))}};
   }
-  // From now on the callback of the end owns it.
+  // From here on the close callback owns it.
   (void)closure.release();
   if (status == NATS_OK) Callbacks::set_connected(*link, true);
   jsCtx* context = nullptr;
@@ -302,11 +302,11 @@ tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subje
   natsSubscription* made = nullptr;
   const natsStatus status =
       natsConnection_Subscribe(&made, connection_.get(), subject.c_str(), &Callbacks::message, owned.get());
-  if (status == NATS_CONNECTION_CLOSED) return {};  // refused meanwhile, which its events say
+  if (status == NATS_CONNECTION_CLOSED) return {};  // rejected meanwhile; the events report it
   if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
   NatsSubscription subscription{made};
-  // Where the connection has closed meanwhile nobody says when the last message is handled: then its handler
-  // is left where it is.
+  // If the connection was closed meanwhile, nothing signals the end of the last handler; the handler is then
+  // leaked.
   (void)natsSubscription_SetOnCompleteCB(made, &Callbacks::subscription_ended, owned.get());
   (void)owned.release();
   natsSubscription_SetPendingLimits(made, pending_messages, pending_bytes);
@@ -320,7 +320,7 @@ tl::expected<std::shared_ptr<Connection::Source>, StreamFailure> Connection::ope
   natsSubscription* made = nullptr;
   const natsStatus status = natsConnection_SubscribeSync(&made, connection_.get(), subject.c_str());
   NatsSubscription subscription{made};
-  if (status == NATS_CONNECTION_CLOSED) return nullptr;  // refused meanwhile, which its events say
+  if (status == NATS_CONNECTION_CLOSED) return nullptr;  // rejected meanwhile; the events report it
   if (status != NATS_OK) return tl::unexpected{unavailable(fmt::format("NATS: {}", last_words(status)))};
   natsSubscription_SetPendingLimits(made, pending_messages, pending_bytes);
   return std::make_shared<Source>(std::move(subscription));
@@ -336,7 +336,7 @@ Connection::Source::Taken Connection::Source::take(std::chrono::milliseconds pat
     discarded_.add(std::move(owned));
     return Taken::message;
   }
-  // A reader that was slow has lost some, and goes on with those that it has.
+  // A slow reader has lost messages, and continues with the rest.
   return status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER ? Taken::none : Taken::closed;
 }
 
@@ -425,7 +425,7 @@ tl::expected<void, StreamFailure> Connection::try_publish(const std::string& sub
   jsPubOptions options{};
   jsPubOptions_Init(&options);
   options.MaxWait = patience.count();
-  options.ExpectStream = "none";  // of that name: a leader refuses the message before its replicas hear of it
+  options.ExpectStream = "none";  // a wrong stream name: the leader rejects the message before replicating it
   jsErrCode code{};
   const natsStatus status = js_Publish(nullptr, context_.get(), subject.c_str(), nullptr, 0, &options, &code);
   if (status == NATS_ERR && code == JSStreamNotMatchErr) return {};

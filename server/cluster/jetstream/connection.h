@@ -1,4 +1,4 @@
-// A connection to the NATS servers, which libnats makes anew, to any of them, whenever it breaks.
+// A connection to the NATS servers. libnats reconnects to any of them whenever it breaks.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@
 
 namespace talus::server::jetstream {
 
-/// A message that came; it is there while a handler is called.
+/// A received message, valid during the handler's call.
 class Arrived {
  public:
   explicit Arrived(natsMsg* message) : message_{message} {}
@@ -33,39 +33,39 @@ class Arrived {
   [[nodiscard]] std::string_view subject() const { return natsMsg_GetSubject(message_); }
   [[nodiscard]] std::span<const std::byte> bytes() const;
   [[nodiscard]] std::string_view text() const;
-  /// Empty where it has none of the name.
+  /// Empty if the header is missing.
   [[nodiscard]] std::string_view header(const char* name) const;
-  /// Of the header "Nats-Sequence"; 0 where there is none.
+  /// Value of the header "Nats-Sequence"; 0 if missing.
   [[nodiscard]] std::uint64_t sequence() const;
-  /// Of an answer that says no: 404, or 503 where nobody listens; 0 for others.
+  /// Status of a negative answer: 404, or 503 if there is not a responder; otherwise 0.
   [[nodiscard]] int status() const;
 
  private:
   natsMsg* message_;
 };
 
-/// What happens to a connection. Calls come from threads of libnats, must not wait, and may still come while
-/// the connection is closed.
+/// Events of a connection. Called on libnats' threads, possibly even while the connection is being closed;
+/// must not wait.
 class ConnectionEvents {
  public:
   virtual ~ConnectionEvents() = default;
   virtual void connected(bool now) = 0;
-  /// For good: libnats gives up once a server has refused the credentials twice.
+  /// Permanent: libnats gives up after a server has rejected the credentials twice.
   virtual void closed(const StreamFailure& why) = 0;
-  /// NATS did not allow something, such as: Permissions Violation for Publish to "x".
+  /// NATS denied something, such as: Permissions Violation for Publish to "x".
   virtual void denied(std::string_view what) = 0;
 };
 
 enum class Retry : std::uint8_t {
-  forever,  // open() succeeds whether or not a server answers
-  never,    // open() says why none does; broken connections stay so
+  forever,  // open() succeeds even if no server answers
+  never,    // open() fails if no server answers; broken connections stay broken
 };
 
-/// All calls may come from any thread.
+/// All calls are thread-safe.
 class Connection {
  public:
-  /// Tries `first` first, where that names a server, and `urls` in any order. Waits half a second a server at
-  /// most, and twice that where none answers and it is to be tried again.
+  /// Tries the server `first`, if any, then `urls` in any order. Waits at most half a second per server, or
+  /// twice that if none answers and retries follow.
   [[nodiscard]] static tl::expected<std::shared_ptr<Connection>, StreamFailure> open(
       const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
       std::shared_ptr<ConnectionEvents> events, Retry retry, const ServerUrls& first = {});
@@ -73,43 +73,42 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Whether a server is connected, without waiting for libnats.
+  /// True if a server is connected. Does not wait for libnats.
   [[nodiscard]] bool connected() const { return link_->connected.load(std::memory_order_relaxed); }
-  /// Waiting calls return, later ones fail.
+  /// Pending calls return, later ones fail.
   void close();
 
   using Handler = std::function<void(const Arrived&)>;
-  /// `handler` is called on a thread of its own. What it leaves behind beyond so many messages and bytes is
-  /// dropped. Holds over broken connections. On one that NATS has refused nothing comes: its events say why.
+  /// Calls `handler` on a separate thread. Messages beyond the pending limits are dropped. Survives
+  /// reconnects. If NATS rejects the subscription, nothing arrives, and the connection's events report why.
   [[nodiscard]] tl::expected<void, StreamFailure> subscribe(const std::string& subject, Handler handler,
                                                             int pending_messages, int pending_bytes);
-  /// A subscription whose messages its reader takes himself, on one thread at a time. They wait in between.
-  /// It may outlive the connection, and then has none.
+  /// A subscription polled by its reader, on one thread at a time; messages queue meanwhile. May outlive the
+  /// connection, and is empty then.
   class Source {
    public:
     enum class Taken : std::uint8_t { message, none, closed };
 
     explicit Source(NatsSubscription subscription) : subscription_{std::move(subscription)} {}
-    /// Calls `handler` with the next message, which is waited for so long.
+    /// Waits up to `patience` for a message and calls `handler` with it.
     [[nodiscard]] Taken take(std::chrono::milliseconds patience, const Handler& handler);
 
    private:
     NatsSubscription subscription_;
     DiscardedMessages discarded_;
   };
-  /// As subscribe().
+  /// Like subscribe().
   [[nodiscard]] tl::expected<std::shared_ptr<Source>, StreamFailure> open_source(const std::string& subject,
                                                                                  int pending_messages,
                                                                                  int pending_bytes);
-  /// Sends, and forgets it: the answer comes to `reply`, if it comes.
+  /// Sends without waiting; an answer, if any, arrives at `reply`.
   [[nodiscard]] tl::expected<void, StreamFailure> send(const std::string& subject, const std::string& reply,
                                                        std::string_view text);
   /// Sends, and waits for the answer.
   [[nodiscard]] tl::expected<NatsMessage, StreamFailure> request(const std::string& subject,
                                                                  std::string_view text,
                                                                  std::chrono::milliseconds patience);
-  /// Publishes to a stream, and waits for its acknowledgement: what it says. One after another, whoever
-  /// calls.
+  /// Publishes to a stream and waits for the acknowledgement, which is returned. Calls are serialized.
   struct Ack {
     std::string stream;
     std::uint64_t sequence = 0;
@@ -117,27 +116,27 @@ class Connection {
   [[nodiscard]] tl::expected<Ack, StreamFailure> publish(const std::string& subject,
                                                          std::span<const std::byte> bytes,
                                                          std::chrono::milliseconds patience);
-  /// Whether publish() to the subject would come through; the stream stays as it is, and its Raft log too. A
-  /// message that all replicas have to refuse, as one of another sequence than it expects, is in that log: in
-  /// nats-server 2.9.10 a replica that is killed and starts again then takes one message twice.
+  /// Tests if publish() to the subject would be allowed, without changing the stream or its Raft log. A
+  /// message that all replicas must reject, such as one with a wrong expected sequence, would enter that log:
+  /// in nats-server 2.9.10 a replica that is killed and restarted then takes one message twice.
   [[nodiscard]] tl::expected<void, StreamFailure> try_publish(const std::string& subject,
                                                               std::chrono::milliseconds patience);
-  /// Returns when the server has done all that was sent before.
+  /// Waits until the server has processed everything sent before.
   [[nodiscard]] tl::expected<void, StreamFailure> flush(std::chrono::milliseconds patience);
-  /// Of the connected server.
+  /// Limit of the connected server.
   [[nodiscard]] std::int64_t max_payload() const;
-  /// The last permission that was missing, where that was after `since`; else empty.
+  /// The last denied permission if it was denied after `since`; otherwise empty.
   [[nodiscard]] std::string denied_since(std::chrono::steady_clock::time_point since) const;
-  /// The same; waits for it so long, as refusals come late.
+  /// Like denied_since(), but waits up to `patience`, because denials arrive late.
   [[nodiscard]] std::string await_denial(std::chrono::steady_clock::time_point since,
                                          std::chrono::milliseconds patience) const;
 
  private:
-  /// What libnats' threads know of it. It lives until they are done with it.
+  /// State shared with libnats' threads; lives until they are done with it.
   struct Link {
     std::shared_ptr<const Credentials> credentials;
     std::shared_ptr<ConnectionEvents> events;
-    natsStatus at_first = NATS_OK;  // what became of the first attempt; before there are callbacks
+    natsStatus at_first = NATS_OK;  // result of the first attempt, before there are callbacks
     std::atomic<bool> connected{false};
     std::atomic<bool> was_connected{false};  // ever
     mutable std::mutex mutex;
@@ -151,7 +150,7 @@ class Connection {
   };
 
   explicit Connection(std::shared_ptr<Link> link) : link_{std::move(link)} {}
-  /// Where acknowledgements come to publish().
+  /// Subscribes to the acknowledgements for publish().
   [[nodiscard]] natsStatus await_acks();
   [[nodiscard]] static tl::expected<Ack, StreamFailure> ack_of(const Arrived& answer);
   [[nodiscard]] StreamFailure failure_of(natsStatus status, std::chrono::steady_clock::time_point since,
@@ -162,12 +161,12 @@ class Connection {
   JetStreamContext context_;
   std::mutex mutex_;
   std::vector<NatsSubscription> subscriptions_;
-  // Of publish(). Who reads the socket wakes who waits there: libnats' own requests go by a thread in
-  // between.
+  // Used by publish(). The thread that reads the socket wakes the waiting caller directly; libnats' own
+  // requests go through another thread.
   std::mutex publishing_;
   NatsSubscription acks_;
   DiscardedMessages discarded_;
-  std::string acks_to_;  // subject, without the number
+  std::string acks_to_;  // subject prefix, without the number
   std::uint64_t published_ = 0;
 };
 

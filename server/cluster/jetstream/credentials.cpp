@@ -15,9 +15,9 @@ namespace {
 constexpr KeyBounds kPasswordBounds{1, 1024, "the NATS servers have it"};
 constexpr KeyBounds kSeedBounds{1, 128, "\"nk -gen user\" prints"};
 constexpr KeyBounds kPemBounds{1, 8192, "a private key's PEM file has"};
-constexpr std::size_t kMaxCertificateBytes = 1U << 20;  // a whole system's certificates are a fifth of it
+constexpr std::size_t kMaxCertificateBytes = 1U << 20;  // five times all certificates of a system
 
-/// Nothing where no file is named.
+/// Returns nullopt if no file is configured.
 tl::expected<std::optional<Secret>, std::string> load_secret(std::string_view key,
                                                              const std::filesystem::path& file,
                                                              KeyBounds bounds,
@@ -29,7 +29,7 @@ tl::expected<std::optional<Secret>, std::string> load_secret(std::string_view ke
   return std::move(read->secret);
 }
 
-/// Empty where no file is named.
+/// Returns an empty string if no file is configured.
 tl::expected<std::string, std::string> load_pem(std::string_view key, const std::filesystem::path& file) {
   if (file.empty()) return std::string{};
   auto read = files::read_regular_file(file, kMaxCertificateBytes);
@@ -64,7 +64,7 @@ tl::expected<Credentials, std::string> load_credentials(const Cluster& cluster) 
     if (!loaded) return tl::unexpected{loaded.error()};
     if (*loaded) wanted.secret.emplace(**std::move(loaded));
   }
-  // OpenSSL would ask for the passphrase at the terminal.
+  // OpenSSL would prompt for the passphrase on the terminal.
   if (credentials.key && credentials.key->bytes().find("ENCRYPTED") != std::string_view::npos) {
     return tl::unexpected{fmt::format("cluster.key: {}: is encrypted; give a key without a passphrase",
                                       escaped(cluster.key.string(), 500))};

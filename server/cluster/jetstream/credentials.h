@@ -1,4 +1,4 @@
-// Who this server is to NATS, read from the files that [cluster] names.
+// This server's credentials for NATS, read from the files that [cluster] names.
 #pragma once
 
 #include <optional>
@@ -17,19 +17,19 @@ struct Credentials {
   std::string user;
   std::optional<Secret> password{};
   std::optional<Secret> token{};
-  std::optional<Secret> seed{};  // of an NKey
-  std::string public_key{};      // of the seed
+  std::optional<Secret> seed{};  // an NKey's
+  std::string public_key{};      // derived from the seed
   bool tls = false;
   std::string ca{};                     // PEM
-  std::string certificate{};            // PEM; empty: none
+  std::string certificate{};            // PEM; may be empty
   std::optional<Secret> key{};          // PEM
-  std::vector<std::string> warnings{};  // one line each, for the log
+  std::vector<std::string> warnings{};  // for the log, one line each
 
-  /// Whether memory has secrets.
+  /// True if secrets are in memory.
   [[nodiscard]] bool any() const { return password || token || seed || key; }
 };
 
-/// `cluster` has passed check_cluster(). An error is one line that begins with a key.
+/// `cluster` must have passed check_cluster(). An error is one line that begins with a key.
 [[nodiscard]] tl::expected<Credentials, std::string> load_credentials(const Cluster& cluster);
 
 }  // namespace talus::server::jetstream

@@ -1,5 +1,5 @@
-// Messages of libnats that are done with. It frees each on a thread of its own, which sleeps in between: many
-// at once wake it once.
+// Batches used libnats messages for disposal. libnats frees each on a thread that sleeps in between; a batch
+// wakes it only once.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace talus::server::jetstream {
 
-/// One thread at a time.
+/// Used by one thread at a time.
 class DiscardedMessages {
  public:
   static constexpr std::size_t kMost = 64;
-  static constexpr std::size_t kMostBytes = std::size_t{256} << 10U;  // of their data
+  static constexpr std::size_t kMostBytes = std::size_t{256} << 10U;  // of message data
 
   void add(NatsMessage message) {
     bytes_ += static_cast<std::size_t>(natsMsg_GetDataLength(message.get()));

@@ -18,17 +18,17 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Kind = StreamFailure::Kind;
 
-constexpr auto kBetweenQuestions = 1s;  // to the leader
-constexpr auto kBetweenUrgent = 100ms;  // where something does not fit
-constexpr auto kSureOfLess = 15s;       // a leader that was deposed may say so until it knows
-constexpr auto kDenied = 3s;            // until replicas are asked again: NATS does not say that they may be
-constexpr auto kBetweenDenials = 60s;   // of one kind, in the log
-/// Who waits for one of the tail and of the other threads sees so late what comes by the others.
+constexpr auto kBetweenQuestions = 1s;  // requests to the leader
+constexpr auto kBetweenUrgent = 100ms;  // if something is inconsistent
+constexpr auto kSureOfLess = 15s;       // a deposed leader may report fewer messages for a while
+constexpr auto kDenied = 3s;  // until replicas are asked again: NATS does not report restored permissions
+constexpr auto kBetweenDenials = 60s;  // of one kind, in the log
+/// Maximum delay until a reader that waits for the tail notices input of other threads.
 constexpr auto kBetweenLooks = 20ms;
 constexpr std::int64_t kNsInMs = 1'000'000;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
-/// Answers have messages as base64 in JSON.
+/// Answers contain messages as base64 in JSON.
 constexpr int kPendingAnswerBytes =
     static_cast<int>(Reading::kMostRequests * (kStreamMessageBytes / 3 * 4 + 4096));
 
@@ -39,7 +39,7 @@ std::string new_reply_subject() {
   return inbox.get();
 }
 
-/// The number at the end of a subject; 0 where there is none.
+/// The number at the end of a subject; 0 if missing.
 std::uint64_t number_at_end(std::string_view subject) {
   const std::size_t dot = subject.rfind('.');
   const std::string_view digits = subject.substr(dot == std::string_view::npos ? subject.size() : dot + 1);
@@ -120,7 +120,7 @@ void Inbox::connected(bool now) {
     refused_tail_.disconnected();
     refused_answers_.disconnected();
     replicas_denied_at_.reset();
-    question_due_ = Clock::now();  // unanswered_since_ stays: another server may forbid it as well
+    question_due_ = Clock::now();  // unanswered_since_ stays: another server may deny it too
   }
   changed_.notify_all();
   if (now) {
@@ -159,7 +159,7 @@ void Inbox::denied(std::string_view what) {
     if (auto* const subscription = subscription_of(what)) {
       is_news = subscription->refused(std::move(reason), now);
     } else {
-      // Which is a help, and no more.
+      // Direct Get is optional.
       const bool of_replicas = what.find(names_.direct_get()) != std::string_view::npos;
       if (of_replicas) replicas_denied_at_ = now;
       is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
@@ -171,13 +171,14 @@ void Inbox::denied(std::string_view what) {
     }
   }
   changed_.notify_all();
-  // Questions for messages are asked again many times a second.
+  // Requests for messages are repeated many times per second.
   if (is_news)
-    log_->error("NATS: {}; see \"Credentials and permissions\" in CLUSTER.md for what talusd must be allowed", what);
+    log_->error("NATS: {}; see \"Credentials and permissions\" in CLUSTER.md for what talusd must be allowed",
+                what);
 }
 
 void Inbox::tail(const Arrived& arrived) {
-  if (arrived.bytes().empty()) return;  // of "talusd cluster check"
+  if (arrived.bytes().empty()) return;  // from "talusd cluster check"
   if (arrived.header("Nats-Stream") != names_.stream) return count_false();
   if (arrived.bytes().size() > kStreamMessageBytes) return count_false();
   {
@@ -188,7 +189,7 @@ void Inbox::tail(const Arrived& arrived) {
 
 void Inbox::message(const Arrived& arrived) {
   const std::uint64_t sequence = number_at_end(arrived.subject());
-  // More than a message has nobody need keep: cut it is no message either.
+  // Keeps one byte more than the largest message, so that the truncated bytes are invalid too.
   constexpr std::size_t kMost = kStreamMessageBytes + 1;
   const bool too_long = arrived.bytes().size() > kMostAnswerBytes;
   auto stored = too_long
@@ -217,7 +218,7 @@ void Inbox::message_of_replica(const Arrived& arrived) {
   {
     const std::lock_guard lock{mutex_};
     if (led_) return;
-    // No talusd has published more; and it could not be confirmed.
+    // No talusd publishes longer messages, and it could not be confirmed.
     if (is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
       reading_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
     } else {
@@ -232,7 +233,7 @@ void Inbox::leader_answers(bool does) {
     const std::lock_guard lock{mutex_};
     if (led_ == does) return;
     led_ = does;
-    if (!does) lacks_since_.reset();  // it may be another leader that speaks next
+    if (!does) lacks_since_.reset();  // the next answer may come from another leader
     reading_.leader_answers(does);
   }
   changed_.notify_all();
@@ -258,7 +259,7 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
         fmt::format("messages up to {} are replicas', and the log's leader has not confirmed all",
                     *sequence)};
   }
-  // Then the stream has lost its end, which whoever applies it finds out in time.
+  // Here the stream has lost its end; the applier detects that in time.
   if (!reading_.is_unconfirmed_after(last)) return std::nullopt;
   if (!lacks_since_) lacks_since_ = now;
   if (now - *lacks_since_ < kSureOfLess) {
@@ -350,7 +351,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
       }
       continue;
     }
-    if (connected_ && ask(connect, lock, now)) continue;  // something may have come meanwhile
+    if (connected_ && ask(connect, lock, now)) continue;  // something may have arrived meanwhile
     TimePoint wake = until;
     if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
     wait(lock, wake);
@@ -445,7 +446,7 @@ tl::expected<void, StreamFailure> Inbox::judge(const StreamState& state, std::ui
   }
   first_ = state.first;
   reading_.starts_at(state.first);
-  // Who says less was deposed; or the stream has lost its end, which whoever applies it finds out in time.
+  // A deposed leader, or the stream lost its end; the applier detects that in time.
   if (state.last < after) return {};
   (void)reading_.learned(state.last, Clock::now());
   if (after > 0) reading_.ends_at(state.last);

@@ -18,12 +18,11 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Kind = StreamFailure::Kind;
 
-constexpr auto kBetweenConnections = 1s;  // after NATS refused the credentials
-// A server that is connected, and by which no leader answers, may be cut off from those that have one, or
-// have come back and not know it yet (nats-server 2.9: for some 10 s); or the connection has lost what
-// answers come by.
+constexpr auto kBetweenConnections = 1s;  // after NATS rejected the credentials
+// A connected server on which no leader answers may be cut off from the majority, or have come back without
+// knowing it yet (nats-server 2.9: for some 10 s); or the connection has lost the subscription for answers.
 constexpr auto kNoLeader = 1s;
-constexpr auto kScouting = 500ms;  // so long a look is waited for
+constexpr auto kScouting = 500ms;  // maximum wait for a probe
 
 }  // namespace
 
@@ -153,7 +152,7 @@ void JetStreamLog::look_for_leader() {
   std::shared_ptr<Connection> silent;
   {
     const std::lock_guard lock{connection_mutex_};
-    // What is not connected is tried at all servers by libnats.
+    // libnats itself tries all servers while disconnected.
     if (!connection_ || !connection_->connected()) {
       silent_since_.reset();
       return;
@@ -167,14 +166,14 @@ void JetStreamLog::look_for_leader() {
   const std::unique_lock scouting{scouting_, std::try_to_lock};
   if (!scouting) return;
   const auto found = scout_.look(kScouting, inbox_->wanted_stream());
-  // By this connection it may answer again as well.
+  // It may answer on this connection again.
   if (!found || ask_leader()) return;
   const std::lock_guard lock{connection_mutex_};
   if (inbox_->stopped() || connection_ != silent) return;
   silent_since_.reset();
   first_ = *found;
   inbox_->leaves(fmt::format("no leader of the log answers by this connection; goes to {}", found->text()));
-  connection_->close();  // connection() makes another
+  connection_->close();  // connection() creates another
 }
 
 tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
@@ -212,7 +211,7 @@ tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t se
   const auto message = ask_for(sequence);
   if (!message) return tl::unexpected{message.error()};
   if (*message) return (*message)->time_ns / 1'000'000;
-  // An old leader has answered, unless nobody has it any more.
+  // Either a deposed leader answered, or the message is gone everywhere.
   const auto state = this->state();
   if (!state) return tl::unexpected{state.error()};
   if (state->first <= sequence) {

@@ -1,4 +1,4 @@
-// The log of a cluster as a stream of NATS JetStream.
+// A cluster's log as a NATS JetStream stream.
 #pragma once
 
 #include <atomic>
@@ -23,39 +23,38 @@
 
 namespace talus::server::jetstream {
 
-/// Reads without a consumer: what NATS republishes to the tail subject, and single messages by number where
-/// the tail has a gap or is silent. Those are asked of the leader, not of any replica (Direct Get): one that
-/// lags has not all of them, and of nats-server 2.9.10 some were seen to hold others. What the stream has in
-/// all the leader says, too, which is asked each second. Where no leader answers for a second, as while one
-/// is elected, any replica is asked; state() fails then until the leader has confirmed what it gave.
+/// Reads without a consumer: messages that NATS republishes to the tail subject, and single messages by
+/// number if the tail has a gap or is silent. The latter are requested from the leader, not from any replica
+/// (Direct Get): a lagging replica lacks some, and with nats-server 2.9.10 some were seen to hold others. The
+/// leader also reports the stream's extent, every second. If no leader answers for a second, as during an
+/// election, any replica is asked; state() then fails until the leader has confirmed what it returned.
 ///
-/// Whoever may publish to the tail subject can make a server apply what is no message of the log; NATS'
-/// subject permissions have to forbid it to all. Where it happens nevertheless, the true message follows with
-/// the same number: next() then fails with `false_message`. What can be no message, as it is damaged, does no
-/// harm: ask_again() reads it from the leader.
+/// A client that may publish to the tail subject can make a server apply forged messages; NATS' permissions
+/// must forbid that to all. If it happens, the true message follows with the same number, and next() fails
+/// with `false_message`. Damaged bytes are harmless: ask_again() reads the message from the leader.
 class JetStreamLog final : public LogStream {
  public:
   struct Settings {
     ServerUrls urls;
     StreamNames names;
-    /// That the stream is to have. state() then fails with `refused` where it has other settings when it is
-    /// seen first: a person may change them later. 0: whatever it has is right.
+    /// Expected replicas. state() fails with `refused` if the stream has other settings when first seen;
+    /// operators may change them later. 0: accepts any settings.
     std::uint64_t replicas = 0;
   };
 
-  /// Succeeds whether or not a NATS server answers; an error is wrong credentials on this side.
+  /// Succeeds even if no NATS server answers; an error is wrong credentials on this side.
   [[nodiscard]] static tl::expected<std::unique_ptr<JetStreamLog>, StreamFailure> open(
       Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
   ~JetStreamLog() override;
 
   [[nodiscard]] tl::expected<std::uint64_t, StreamFailure> publish(
       std::span<const std::byte> message) override;
-  /// Without a connection it fails with `unavailable` at `until`.
+  /// Without a connection fails with `unavailable` at `until`.
   [[nodiscard]] tl::expected<std::optional<StreamMessage>, StreamFailure> next(std::uint64_t after,
                                                                                TimePoint until) override;
   void ask_again() override { inbox_->ask_again(); }
-  /// Fails too where the leader says nothing of messages that were asked for, as without the permission for
-  /// that: the tail alone is no promise; and until the leader has confirmed what replicas gave.
+  /// Also fails if the leader does not answer requests for messages, such as without permission, because the
+  /// tail alone guarantees nothing; and until the leader has confirmed what replicas returned.
   [[nodiscard]] tl::expected<StreamState, StreamFailure> state() override;
   [[nodiscard]] tl::expected<std::int64_t, StreamFailure> time_of(std::uint64_t sequence) override;
   [[nodiscard]] StreamFigures figures() const override;
@@ -65,29 +64,29 @@ class JetStreamLog final : public LogStream {
  private:
   JetStreamLog(Settings settings, std::shared_ptr<const Credentials> credentials, Logger log);
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connect();
-  /// The connection there is, with the subscriptions that NATS had refused and allows again. One that was
-  /// closed for good is made anew, each second at most.
+  /// Returns the connection, with rejected subscriptions restored once NATS allows them. Recreates a
+  /// permanently closed one, at most once per second.
   [[nodiscard]] tl::expected<std::shared_ptr<Connection>, StreamFailure> connection();
   [[nodiscard]] tl::expected<StreamState, StreamFailure> ask_leader();
-  /// With why there are no answers, where it is that.
+  /// Adds the reason for missing answers, if known.
   [[nodiscard]] StreamFailure explained(StreamFailure failure) const;
-  /// Asks the leader for a message; nothing where it has none of the number.
+  /// Requests a message from the leader; nullopt if the leader lacks it.
   [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_for(std::uint64_t sequence);
 
-  /// It does not answer. Where that stays so, though a NATS server is connected, another server is looked
-  /// for by which it does, or the same by another connection; and replicas are read.
+  /// Handles a leader that does not answer: if that persists although a NATS server is connected, looks for
+  /// another server or connection on which it does, and reads from replicas.
   void look_for_leader();
 
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;
   Logger log_;
   std::shared_ptr<Inbox> inbox_;
-  std::atomic<bool> has_settings_{false};  // as it should
+  std::atomic<bool> has_settings_{false};  // the stream has the expected settings
   std::mutex connection_mutex_;
   std::shared_ptr<Connection> connection_;
-  TimePoint connected_at_{};  // when it was made
+  TimePoint connected_at_{};  // when it was created
   std::optional<TimePoint> silent_since_{};
-  ServerUrls first_;  // to be connected
+  ServerUrls first_;  // server to try first
   std::mutex scouting_;
   LeaderScout scout_;
 };

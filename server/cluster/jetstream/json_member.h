@@ -1,4 +1,4 @@
-// Members of JSON that NATS sent: whatever is missing or of another type is as if it were not there.
+// Lenient access to JSON from NATS: a member that is missing or has another type is treated as absent.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace talus::server::jetstream {
 
-/// The member of that name, or a value of the type where it is missing or another type.
+/// Returns the member, or a default value if it is missing or has another type.
 template <typename Value>
 [[nodiscard]] Value json_member(const nlohmann::json& object, const char* name) {
   const auto found = object.find(name);

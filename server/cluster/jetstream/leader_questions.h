@@ -1,4 +1,4 @@
-// What is asked of a stream's leader, and waited for.
+// Synchronous requests to a stream's leader.
 #pragma once
 
 #include <chrono>
@@ -14,10 +14,10 @@
 
 namespace talus::server::jetstream {
 
-/// So long an answer of NATS is waited for.
+/// Maximum wait for an answer of NATS.
 inline constexpr std::chrono::milliseconds kAnswerPatience{500};
 
-/// Whether it is what a leader says of a message, though it may have none of the number.
+/// True if it is a leader's answer about a message, even if it lacks the message.
 [[nodiscard]] inline bool is_of_messages(const tl::expected<StoredMessage, ApiError>& answer) {
   return answer || answer.error().code == kMessageNotFound;
 }
@@ -25,7 +25,7 @@ inline constexpr std::chrono::milliseconds kAnswerPatience{500};
 [[nodiscard]] tl::expected<StreamInfo, StreamFailure> ask_info(Connection& connection,
                                                                const StreamNames& names);
 
-/// Nothing where the leader has none of the number.
+/// nullopt if the leader lacks the message.
 [[nodiscard]] tl::expected<std::optional<StoredMessage>, StreamFailure> ask_message(Connection& connection,
                                                                                     const StreamNames& names,
                                                                                     std::uint64_t sequence);

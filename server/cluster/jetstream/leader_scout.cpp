@@ -18,12 +18,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What was found before says nothing of now.
+/// Older results are outdated.
 constexpr std::chrono::seconds kIsNews{5};
 constexpr std::chrono::seconds kBetweenScouts{1};
 constexpr std::chrono::seconds kBetweenManyScouts{5};
 constexpr std::size_t kManyLooks = 120;
-/// libnats is not to be used while the program ends. A look takes less, but for a server that says nothing.
+/// libnats must not be used while the program exits. A probe takes less, unless a server is silent.
 constexpr std::chrono::seconds kLastWait{2};
 
 bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
@@ -38,7 +38,7 @@ bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Cre
 
 }  // namespace
 
-/// It lives until the thread that looks has ended, whatever becomes of the scout.
+/// Lives until the probing thread has ended, even without the scout.
 struct LeaderScout::Look {
   ServerUrls urls;
   std::size_t first = 0;
@@ -57,7 +57,7 @@ struct LeaderScout::Look {
       ServerUrls next = urls.just((first + i) % urls.size());
       try {
         if (leader_answers_by(next, credentials, names, wanted)) server = std::move(next);
-      } catch (const std::exception&) {  // no memory: another time
+      } catch (const std::exception&) {  // bad_alloc: try again later
       }
     }
     {
@@ -73,7 +73,7 @@ LeaderScout::LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> cre
     : urls_{std::move(urls)},
       credentials_{std::move(credentials)},
       names_{std::move(names)},
-      next_{static_cast<std::size_t>(random_number() % urls_.size())} {}  // not all go to one
+      next_{static_cast<std::size_t>(random_number() % urls_.size())} {}  // spreads servers
 
 LeaderScout::~LeaderScout() {
   const auto look = look_;
@@ -98,7 +98,7 @@ std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience, 
     try {
       std::thread{[look] { look->run(); }}.detach();
     } catch (const std::system_error&) {
-      return std::nullopt;  // there is no thread to be had; another time
+      return std::nullopt;  // no thread available: try again later
     }
     look_ = std::move(look);
   }

@@ -1,4 +1,4 @@
-// By which NATS server a stream's leader answers.
+// Finds a NATS server on which the stream's leader answers.
 #pragma once
 
 #include <chrono>
@@ -13,33 +13,33 @@
 
 namespace talus::server::jetstream {
 
-/// Asks by connections of its own, which are closed again: a connection that stands is not given up before
-/// another is known to be better. Of one thread at a time.
+/// Probes on separate, short-lived connections: an existing connection is kept until a better one is known.
+/// Used by one thread at a time.
 ///
-/// A look goes on by a thread that nobody waits for without end: a server that is reached and never ends its
-/// TLS handshake holds libnats up for as long. Then there are no more looks.
+/// The probe runs on a detached thread, because a server that never ends its TLS handshake blocks libnats for
+/// as long. Until such a probe ends there is not another one.
 class LeaderScout {
  public:
-  /// A leader of another stream of the name, or of an older copy, is none.
+  /// A leader of another stream of the name, or of an older copy, is rejected.
   struct Wanted {
-    std::int64_t created_ns = 0;  // 0: not known
-    std::uint64_t last = 0;       // its last message, at least
+    std::int64_t created_ns = 0;  // 0: unknown
+    std::uint64_t last = 0;       // minimum last message
   };
 
   LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> credentials, StreamNames names);
-  /// Waits two seconds at most for a look that is on.
+  /// Waits at most two seconds for a running probe.
   ~LeaderScout();
   LeaderScout(const LeaderScout&) = delete;
   LeaderScout& operator=(const LeaderScout&) = delete;
 
-  /// The first server by which the leader gives what it has and one of its messages, and hears a majority.
-  /// Begins a look at all servers, one a second and after two minutes of them one each five, or waits for the
-  /// one that is on; none where that takes longer than `patience`, which is for the next call to see, or none
-  /// was found.
+  /// Returns the first server on which the leader returns its state and one of its messages, and is in
+  /// contact with a majority. Joins or starts a probe of all servers (at most one per second; one per five
+  /// seconds after two minutes). nullopt if none was found within `patience`; the probe continues for the
+  /// next call.
   [[nodiscard]] std::optional<ServerUrls> look(std::chrono::milliseconds patience, Wanted wanted);
-  /// There is a leader: looks are frequent again.
+  /// There is a leader: probes may be frequent again.
   void rest() { looks_ = 0; }
-  /// Whether a look is on, or has an end that look() has not told yet.
+  /// True if a probe runs, or its result was not returned yet.
   [[nodiscard]] bool is_looking() const { return look_ != nullptr; }
 
  private:
@@ -49,9 +49,9 @@ class LeaderScout {
   std::shared_ptr<const Credentials> credentials_;
   StreamNames names_;
   std::size_t next_;
-  std::size_t looks_ = 0;  // since there was a leader
+  std::size_t looks_ = 0;  // since a leader was known
   std::chrono::steady_clock::time_point looked_at_{};
-  std::shared_ptr<Look> look_;  // that is on, or was not seen to end
+  std::shared_ptr<Look> look_;  // running, or result not returned yet
 };
 
 }  // namespace talus::server::jetstream

@@ -1,4 +1,4 @@
-// Objects of libnats that free themselves.
+// RAII handles for libnats objects.
 #pragma once
 
 #include <memory>

@@ -6,7 +6,7 @@ namespace talus::server::jetstream {
 
 NatsThreads::~NatsThreads() {
   constexpr int kPatienceMs = 2000;
-  // Where no connection was ever made, or a thread hangs in the network, there is nothing to be done.
+  // Ignores errors: no connection was ever opened, or a thread hangs in the network.
   (void)nats_CloseAndWait(kPatienceMs);
 }
 

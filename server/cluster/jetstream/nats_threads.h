@@ -1,11 +1,11 @@
-// The end of libnats' own threads, before the process's.
+// Waits for libnats' threads before the process exits.
 #pragma once
 
 namespace talus::server::jetstream {
 
-/// Lives in main(), beyond all connections. They have threads that go on for a moment after they are
-/// destroyed, and call OpenSSL, which frees what it has when the process exits: who ends by TLS then crashed
-/// once in a hundred times. So its end waits for theirs, at most two seconds; at once where there were none.
+/// Lives in main(), longer than all connections. Their threads run on for a moment after their destruction
+/// and use OpenSSL, whose state is freed at exit: with TLS one exit in a hundred crashed. The destructor
+/// waits for them, at most two seconds; not at all if there were none.
 class NatsThreads {
  public:
   NatsThreads() = default;

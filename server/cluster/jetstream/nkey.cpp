@@ -72,7 +72,7 @@ std::string encode_base32(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-/// The public key of Ed25519.
+/// Derives the Ed25519 public key.
 std::optional<std::array<std::uint8_t, kKeyBytes>> public_key(std::span<const std::uint8_t> secret) {
   const std::unique_ptr<EVP_PKEY, decltype(&EVP_PKEY_free)> key{
       EVP_PKEY_new_raw_private_key(EVP_PKEY_ED25519, nullptr, secret.data(), secret.size()), EVP_PKEY_free};
@@ -100,7 +100,7 @@ tl::expected<std::string, std::string> public_nkey(std::string_view seed) {
   if (all[summed.size()] != (sum & 0xFFU) || all[summed.size() + 1] != (sum >> 8U)) {
     return wrong("is no NKey seed: its checksum is wrong, so that some of it is missing or mistyped");
   }
-  // Five bits of what it is, eight bits of whose it is.
+  // Five bits of kind, eight bits of owner.
   const auto kind = static_cast<std::uint8_t>(all[0] & 0xF8U);
   const auto owner = static_cast<std::uint8_t>(((all[0] & 7U) << 5U) | (all[1] >> 3U));
   if (kind != kSeed || owner != kUser)

@@ -1,4 +1,4 @@
-// NKeys: Ed25519 keys as NATS writes them (https://github.com/nats-io/nkeys). Pure.
+// NKeys: Ed25519 keys in NATS' encoding (https://github.com/nats-io/nkeys). Pure.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace talus::server::jetstream {
 
-/// The public key, "U...", of a user's seed, "SU...". An error says what is wrong with the seed and repeats
-/// nothing of it.
+/// Derives the public key, "U...", of a user's seed, "SU...". An error describes what is wrong with the seed
+/// without revealing any of it.
 [[nodiscard]] tl::expected<std::string, std::string> public_nkey(std::string_view seed);
 
 }  // namespace talus::server::jetstream

@@ -32,7 +32,7 @@ void Reading::claim_held() {
 
 void Reading::doubt(std::uint64_t sequence) {
   doubted_.insert(sequence);
-  // Those that matter first stay, whatever numbers somebody makes up.
+  // Keeps the lowest numbers, which matter first, however many are forged.
   if (doubted_.size() > kMostDoubts) doubted_.erase(std::prev(doubted_.end()));
 }
 
@@ -43,7 +43,7 @@ void Reading::disputed() {
 void Reading::move_to(std::uint64_t after, TimePoint now) {
   if (after == after_) return;
   if (after < after_) {
-    // What was given out is to be read again.
+    // Messages already returned are read again.
     held_.clear();
     held_bytes_ = 0;
     given_.clear();
@@ -69,7 +69,7 @@ void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, Fro
                    std::optional<std::int64_t> time_ms) {
   if (sequence <= after_ || sequence - after_ > kWindow) return;
   if (const auto found = held_.find(sequence); found != held_.end()) drop(found);
-  // The next message has room whatever others came before it.
+  // The next message always has room.
   while (sequence == after_ + 1 && !held_.empty() && held_bytes_ + bytes.size() > kWindowBytes) {
     drop(std::prev(held_.end()));
   }
@@ -156,7 +156,7 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
 
 void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
                                   std::optional<std::int64_t> time_ms) {
-  // That is for the leader.
+  // Only the leader can decide disputes.
   if (doubted_.contains(sequence) || (altered_ && altered_->sequence == sequence)) {
     return not_found(sequence, now);
   }
@@ -166,7 +166,7 @@ void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::b
     (void)differs_from_leaders(sequence, bytes);
     return;
   }
-  // There may be more.
+  // More messages may follow.
   claim_held();
   claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
   claimed_ = std::max(claimed_, sequence + claim_requests_);
@@ -179,7 +179,7 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   const TimePoint asked_at = asked == asked_.end() ? now : asked->second - kAnswerIn;
   asked_.erase(sequence);
   if (sequence > known_ && !doubted_.contains(sequence)) {
-    news_ = now;  // nothing new is an answer too
+    news_ = now;  // a negative answer is news too
     claim_requests_ = 1;
     if (claimed_ > after_) {
       claim_retry_ = now + claim_pause_;
@@ -187,7 +187,7 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
     }
     return;
   }
-  // What was asked for together makes one pause.
+  // Misses of simultaneous requests cause one pause.
   if (asked_at <= paused_) return;
   paused_ = now;
   retry_ = now + pause_;
@@ -203,7 +203,7 @@ bool Reading::learned(std::uint64_t sequence, TimePoint now) {
 }
 
 void Reading::ends_at(std::uint64_t last) {
-  // What came after the leader was asked is more than it said; that is there when it is asked for.
+  // Messages that arrived after the request may exceed `last`; if they exist a request will return them.
   const std::uint64_t end = std::max(last, after_);
   if (claimed_ > end && claim_pause_ >= kSureOfNone) claimed_ = end;
   if (pause_ < kSureOfNone) return;
@@ -227,7 +227,7 @@ void Reading::leader_answers(bool does) {
     if (at->second.from == From::replica) drop(at);
     at = next;
   }
-  asked_.clear();  // of replicas
+  asked_.clear();  // requests to replicas
 }
 
 std::optional<std::uint64_t> Reading::unconfirmed() const {
@@ -284,7 +284,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   }
   if (unconfirmed_.size() >= kMostUnconfirmed) return wanted;
   for (const std::uint64_t sequence : doubted_) {
-    if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // they are for the leader
+    if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // only the leader can decide these
     if (!asked_.contains(sequence)) ask(sequence);
   }
   if (known_ > after_) {

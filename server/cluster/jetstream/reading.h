@@ -1,5 +1,4 @@
-// Which messages of a stream have come, and which are to be asked for. Pure: bytes and times in, requests
-// out.
+// Tracks received and missing messages of a stream. Pure: takes bytes and times, returns requests.
 #pragma once
 
 #include <algorithm>
@@ -17,93 +16,92 @@
 
 namespace talus::server::jetstream {
 
-/// Messages come by themselves (the tail), in order but with gaps, and as answers to requests, of the
-/// stream's leader. Answers are the stream's own; of the tail it is only believed that others may not publish
-/// to it, so a message of it that does not fit another is held against an answer. How far the stream goes the
-/// leader says: a number ahead of the next one that the tail brings is a claim, for which the next message is
-/// asked for, ever more seldom while there is none, and twice as many as were there while they are: a leader
-/// that was just elected may give messages before it says how many it has.
+/// Messages are pushed (the tail), in order but with gaps, and returned by the leader on request. Answers are
+/// authoritative. The tail relies on NATS' permissions to keep others from publishing to it, so a pushed
+/// message that contradicts another is compared with an answer. Only the leader knows the stream's end: a
+/// number pushed ahead of the next message is a claim, for which the next message is requested, ever more
+/// rarely while it is missing, and twice as many at once while they exist, because a newly elected leader may
+/// return messages before it reports their number.
 ///
-/// Where no leader answers any replica is asked. A sound one has nothing that is not the stream's, though it
-/// may lack some; of nats-server 2.9.10 some were seen to hold others. So they are believed until a leader
-/// answers: nothing more is given out then before it has given each of those messages, too.
+/// If no leader answers, any replica is asked. A sound replica has only messages of the stream, though it may
+/// lack some; with nats-server 2.9.10 some were seen to hold others. So they are believed until a leader
+/// answers: then take() returns nothing until the leader has confirmed each of those messages.
 class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
 
   static constexpr std::size_t kMostRequests = 64;
-  static constexpr std::uint64_t kWindow = 1024;                  // messages ahead that are kept
-  static constexpr std::size_t kWindowBytes = 16U << 20;          // of them all
-  static constexpr std::chrono::milliseconds kSilence{1000};      // after it the next message is asked for
+  static constexpr std::uint64_t kWindow = 1024;                  // messages kept ahead
+  static constexpr std::size_t kWindowBytes = 16U << 20;          // total size of kept messages
+  static constexpr std::chrono::milliseconds kSilence{1000};      // then the next message is requested
   static constexpr std::chrono::milliseconds kSilenceUnled{250};  // the same without a leader
   static constexpr std::size_t kMostUnconfirmed = 65'536;         // messages: 4 MiB
-  static constexpr std::chrono::milliseconds kAnswerIn{500};      // after it a request is made again
-  static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may bring it
-  static constexpr std::chrono::milliseconds kFirstRetry{5};      // it may be an old leader that answers
+  static constexpr std::chrono::milliseconds kAnswerIn{500};      // then a request is repeated
+  static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may still bring it
+  static constexpr std::chrono::milliseconds kFirstRetry{5};      // a deposed leader may have answered
   static constexpr std::chrono::milliseconds kLastRetry{250};
   static constexpr std::chrono::milliseconds kSureOfNone{
-      40};  // so long a retry, after some that found nothing
-  /// So long after a question that found nothing another is asked, where the tail has another message for the
-  /// number in dispute: the stream may have it now.
+      40};  // a retry pause this long implies several misses
+  /// Pause after a request that found nothing, if the tail has a different message for the disputed number:
+  /// the stream may have it by now.
   static constexpr std::chrono::milliseconds kDisputed{20};
 
-  /// `seed`: unknown to others, who could else make two messages of one digest.
+  /// `seed` must be secret, so that others cannot construct two messages with equal digests.
   Reading(TimePoint now, std::uint64_t seed) : news_{now}, seed_{seed} {}
 
-  /// The next message is that after `after`.
+  /// Makes the message after `after` the next one.
   void move_to(std::uint64_t after, TimePoint now);
   [[nodiscard]] std::uint64_t after() const { return after_; }
 
-  /// From the tail. What does not fit into the window is dropped, and asked for later.
+  /// Adds a pushed message. Drops what exceeds the window; it is requested later.
   void heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now);
-  /// To a request; `time_ms` is that of the message.
+  /// Adds the leader's answer; `time_ms` is the message's time.
   void answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
                 std::optional<std::int64_t> time_ms = {});
-  /// To a request, while no leader answers.
+  /// Adds a replica's answer, while no leader answers.
   void answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
                            std::optional<std::int64_t> time_ms = {});
-  /// The leader has it not, or not yet: one that was deposed says so too.
+  /// The leader lacks the message, perhaps temporarily: a deposed leader reports that too.
   void not_found(std::uint64_t sequence, TimePoint now);
-  /// The leader says that the stream has all up to `sequence`. Whether that is news.
+  /// The leader reports that the stream reaches `sequence`. True if that is news.
   bool learned(std::uint64_t sequence, TimePoint now);
-  /// The leader says that it has none above `last`: of one that was asked for in vain then nobody knows.
+  /// The leader reports that `last` is the end; requested messages above it remain unverifiable.
   void ends_at(std::uint64_t last);
-  /// It says that it keeps none before `first`: nobody can tell any more which of two of those is the
-  /// stream's.
+  /// The leader reports that it keeps no message before `first`: disputes about older ones can no longer be
+  /// resolved.
   void starts_at(std::uint64_t first);
 
-  /// The next message, if it came.
+  /// Returns the next message if it has arrived.
   [[nodiscard]] std::optional<StreamMessage> take();
 
-  /// What take() gave out last is no message: what comes by the tail for that place is not believed, and
-  /// take() gives it again once the leader has answered. Nothing where the leader gave it.
+  /// The last message from take() cannot be decoded: ignores the tail for its number, and take() returns it
+  /// again once the leader has answered. Has no effect if the leader returned it.
   void ask_again(TimePoint now);
 
-  /// Sequences to ask for now; they count as asked for.
+  /// Sequences to request now; they count as requested.
   [[nodiscard]] std::vector<std::uint64_t> wanted(TimePoint now);
-  /// Whether an answer is on its way, as far as is known.
+  /// True if an answer is expected.
   [[nodiscard]] bool asks() const {
     return asked_.upper_bound(after_) != asked_.end() || (led_ && !unconfirmed_.empty() && !asked_.empty());
   }
-  /// Whether the tail claims that there is more than the leader has said: it is to be asked how far the
-  /// stream goes.
+  /// True if the tail claims more than the leader has reported: the leader must be asked for the end.
   [[nodiscard]] bool claims_more() const { return claimed_ > std::max(known_, after_); }
-  /// When wanted() may have more.
+  /// Next time at which wanted() may return more.
   [[nodiscard]] TimePoint next_look() const;
 
-  /// Whether a leader answers. Without one nobody says how far the stream goes, and it is asked for more
-  /// often; with one what replicas gave and take() did not is not wanted any more.
+  /// Sets whether a leader answers. Without one the end is unknown, and messages are requested more often;
+  /// with one, messages from replicas that take() did not return are dropped.
   void leader_answers(bool does);
-  /// The last message that a replica gave and take() gave out, of those that the leader has not confirmed.
+  /// The last unconfirmed message of a replica that take() returned.
   [[nodiscard]] std::optional<std::uint64_t> unconfirmed() const;
-  /// Whether all that was given out after that one is such.
+  /// True if everything returned after `last` is unconfirmed.
   [[nodiscard]] bool is_unconfirmed_after(std::uint64_t last) const;
 
-  /// Whether a message that take() gave out is not the stream's.
+  /// A message returned by take() that is not the stream's.
   [[nodiscard]] std::optional<std::uint64_t> forged() const { return forged_; }
-  /// Messages of the tail that were not the stream's, and did no harm.
+  /// Number of pushed messages that were not the stream's and did no harm.
   [[nodiscard]] std::uint64_t false_messages() const { return false_messages_; }
-  /// How often the tail lacked messages that it had been heard to come after.
+  /// Number of gaps in the tail.
   [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
 
  private:
@@ -129,8 +127,8 @@ class Reading {
   [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
   void hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
             std::optional<std::int64_t> time_ms = {});
-  /// Of a message that is held: whether the leader gave another. Where who gave another is not to be believed
-  /// either, neither is kept.
+  /// True if the leader returned a different message than `bytes`, which is then false. If the held message
+  /// is not the leader's either, neither is kept.
   bool differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes);
   [[nodiscard]] std::chrono::milliseconds silence() const { return led_ ? kSilence : kSilenceUnled; }
   void drop(std::map<std::uint64_t, Held>::iterator at);
@@ -144,31 +142,31 @@ class Reading {
   [[nodiscard]] const Given* remembered(std::uint64_t sequence) const;
 
   std::uint64_t after_ = 0;
-  std::uint64_t known_ = 0;    // the stream has this one, by its leader or as it was given out
-  std::uint64_t claimed_ = 0;  // and this one, by the tail
+  std::uint64_t known_ = 0;    // in the stream, as the leader reported or as take() returned
+  std::uint64_t claimed_ = 0;  // in the stream, as the tail claims
   std::map<std::uint64_t, Held> held_;
   std::size_t held_bytes_ = 0;
-  std::map<std::uint64_t, TimePoint> asked_;  // when the answer should be there
-  std::set<std::uint64_t> doubted_;           // of which the tail had two
+  std::map<std::uint64_t, TimePoint> asked_;  // with the due times of the answers
+  std::set<std::uint64_t> doubted_;           // the tail had two of them
   TimePoint news_;
   TimePoint looked_{};
   TimePoint retry_{};
-  TimePoint paused_{};  // when retry_ was set last
+  TimePoint paused_{};  // when retry_ was last set
   std::chrono::milliseconds pause_ = kFirstRetry;
-  // The same for what is only claimed. Progress by the tail says nothing of it.
+  // The same for claimed messages; progress of the tail does not affect it.
   TimePoint claim_retry_{};
   std::chrono::milliseconds claim_pause_ = kFirstRetry;
-  std::size_t claim_requests_ = 1;  // of what is only claimed, at once
-  TimePoint ask_from_{};            // what is known to be there and was not heard
-  /// What take() gave out last, by sequence.
+  std::size_t claim_requests_ = 1;  // number of claimed messages to request at once
+  TimePoint ask_from_{};            // for messages known to exist that were not pushed
+  /// The last messages returned by take(), by sequence.
   std::deque<Given> given_;
-  std::optional<Given> altered_;  // not of the leader, and no message
+  std::optional<Given> altered_;  // undecodable and not from the leader
   struct Unconfirmed {
     Digest digest;
     std::optional<std::int64_t> time_ms;
     bool operator==(const Unconfirmed&) const = default;
   };
-  std::map<std::uint64_t, Unconfirmed> unconfirmed_;  // of replicas
+  std::map<std::uint64_t, Unconfirmed> unconfirmed_;  // from replicas
   bool led_ = true;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;

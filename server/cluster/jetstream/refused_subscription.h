@@ -1,5 +1,5 @@
-// A subscription that NATS does not allow, or does not any more: NATS says so once, and says nothing when it
-// is allowed again. Pure.
+// A subscription that NATS rejects or has revoked: NATS reports that once, and does not report when it is
+// allowed again. Pure.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace talus::server::jetstream {
 
-/// One thread at a time.
+/// Used by one thread at a time.
 class RefusedSubscription {
  public:
   using TimePoint = LogStream::TimePoint;
@@ -20,7 +20,7 @@ class RefusedSubscription {
   static constexpr std::chrono::seconds kBetweenTries{3};
   enum class Due : std::uint8_t { nothing, try_again, restored };
 
-  /// NATS refused it, and said why. Whether that is news.
+  /// NATS rejected the subscription with the reason `why`. True if that is news.
   bool refused(std::string why, TimePoint now) {
     refused_at_ = now;
     if (!why_.empty()) return false;
@@ -29,8 +29,8 @@ class RefusedSubscription {
     next_ = now + kBetweenTries;
     return true;
   }
-  /// Who is told to try subscribes again. A try that was not refused until the next one is due has restored
-  /// it.
+  /// On try_again the caller must subscribe again. A try that is not rejected before the next one is due has
+  /// restored the subscription.
   [[nodiscard]] Due due(TimePoint now) {
     if (why_.empty() || now < next_) return Due::nothing;
     next_ = now + kBetweenTries;
@@ -41,10 +41,10 @@ class RefusedSubscription {
     tried_at_ = now;
     return Due::try_again;
   }
-  /// What was tried may not have been sent.
+  /// A try may not have been sent.
   void disconnected() { tried_at_.reset(); }
 
-  /// Empty: it is allowed, as far as is known.
+  /// Empty if the subscription is allowed, as far as is known.
   [[nodiscard]] const std::string& why() const { return why_; }
 
  private:

@@ -1,4 +1,4 @@
-// What the leader of a stream says of one message ($JS.API.STREAM.MSG.GET). Pure.
+// A stream leader's answer to a request for one message ($JS.API.STREAM.MSG.GET). Pure.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct StoredMessage {
   std::int64_t time_ns = 0;  // since 1970, when the leader took it
 };
 
-/// Where the stream has no such message the error is kMessageNotFound.
+/// The error is kMessageNotFound if the stream lacks the message.
 [[nodiscard]] tl::expected<StoredMessage, ApiError> parse_stored_message(std::string_view text);
 
 }  // namespace talus::server::jetstream

@@ -11,11 +11,11 @@ namespace talus::server::jetstream {
 namespace {
 
 constexpr std::chrono::milliseconds kAnswerIn{500};
-// JetStream places replicas and waits for their vote.
+// JetStream places replicas and waits for their votes.
 constexpr std::chrono::milliseconds kMadeIn{10'000};
 constexpr std::chrono::seconds kPresentIn{15};
 constexpr std::chrono::milliseconds kBetweenTries{100};
-constexpr int kNoPlaceForReplicas = 10005;  // too few NATS servers are known yet, or there are too few
+constexpr int kNoPlaceForReplicas = 10005;  // too few NATS servers exist or are known yet
 constexpr int kNoStorage = 10047;
 constexpr int kNoStorageInCluster = 10023;
 
@@ -72,7 +72,7 @@ tl::expected<PresentStream, std::string> ensure_stream(Connection& connection, c
         return tl::unexpected{*std::move(other)};
       return PresentStream{*std::move(found), makes};
     }
-    // A cluster that has just started answers some time.
+    // A cluster that has just started answers after a while.
     const bool for_a_person = failure_of(found.error(), names).kind == StreamFailure::Kind::refused;
     if (for_a_person || std::chrono::steady_clock::now() > until) {
       return tl::unexpected{reason_of(found.error(), names, replicas)};

@@ -1,4 +1,4 @@
-// Making the stream of a store, and asking what it is like.
+// Creates and queries the stream of a store.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@
 
 namespace talus::server::jetstream {
 
-/// Why there is no answer: the way there, or what JetStream says.
+/// A failed connection, or JetStream's error.
 using StreamError = std::variant<StreamFailure, ApiError>;
 
 [[nodiscard]] StreamFailure failure_of(const StreamError& error, const StreamNames& names);
 
-/// What the stream's leader says. Waits half a second at most.
+/// Asks the stream's leader. Waits at most half a second.
 [[nodiscard]] tl::expected<StreamInfo, StreamError> ask_stream_info(Connection& connection,
                                                                     const StreamNames& names);
 
-/// Makes a stream that is not there yet, as stream_settings.h has it; waits until it has a leader.
+/// Creates a missing stream with the settings of stream_settings.h; waits until it has a leader.
 [[nodiscard]] tl::expected<StreamInfo, StreamError> make_stream(Connection& connection,
                                                                 const StreamNames& names,
                                                                 std::uint64_t replicas);
 
 struct PresentStream {
   StreamInfo info;
-  bool made = false;  // now
+  bool made = false;  // created by this call
 };
-/// Makes the stream where there is none; one that is there must have the settings. Waits up to 15 s for
-/// servers that have just started. An error is one line.
+/// Creates the stream if it is missing; an existing one must have the settings. Waits up to 15 s for servers
+/// that have just started. An error is one line.
 [[nodiscard]] tl::expected<PresentStream, std::string> ensure_stream(Connection& connection,
                                                                      const StreamNames& names,
                                                                      std::uint64_t replicas);

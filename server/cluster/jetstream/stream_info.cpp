@@ -31,7 +31,7 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
                   &time.tm_hour, &time.tm_min, &time.tm_sec, &read) != 6) {
     return std::nullopt;
   }
-  if (time.tm_year < 1970 || time.tm_year > 2261) return std::nullopt;  // what 64 bits hold
+  if (time.tm_year < 1970 || time.tm_year > 2261) return std::nullopt;  // range of 64 bits
   time.tm_year -= 1900;
   time.tm_mon -= 1;
   std::int64_t fraction = 0;

@@ -1,4 +1,4 @@
-// What the leader of a stream says of it ($JS.API.STREAM.INFO). Pure.
+// A stream leader's answer to a request for the stream's state ($JS.API.STREAM.INFO). Pure.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace talus::server::jetstream {
 
-/// Since 1970, of "2026-11-26T04:18:20.123456789Z", as NATS writes times; nothing where it is none.
+/// Parses "2026-11-26T04:18:20.123456789Z", NATS' time format, since 1970; nullopt if malformed.
 [[nodiscard]] std::optional<std::int64_t> nanoseconds_of(const std::string& text);
 
 struct ReplicaState {
@@ -23,21 +23,21 @@ struct ReplicaState {
   bool current = false;
   bool offline = false;
   std::uint64_t lag = 0;               // messages
-  std::chrono::nanoseconds active{0};  // since it was heard of
+  std::chrono::nanoseconds active{0};  // since its last sign of life
 };
 
 struct StreamInfo {
   StreamState state;
   std::uint64_t messages = 0;
-  std::string first_time;  // of the oldest message, RFC 3339
+  std::string first_time;  // the oldest message's, RFC 3339
   nlohmann::json settings;
-  std::string description;             // of the settings; for people: state.enabled is what it says
-  std::string leader;                  // empty: there is none, or there is one server
-  std::vector<ReplicaState> replicas;  // without the leader
+  std::string description;             // of the settings; parsed into state.enabled
+  std::string leader;                  // empty: no leader, or a single server
+  std::vector<ReplicaState> replicas;  // except the leader
 };
 
-/// Whether the leader has heard of a majority, itself among it, in the last seconds: one that has lost the
-/// others answers on for a while, and takes nothing.
+/// True if the leader was in contact with a majority, including itself, in the last seconds: a leader cut off
+/// from the others answers for a while, but accepts nothing.
 [[nodiscard]] bool has_majority(const StreamInfo& info);
 
 /// JetStream's error codes (server/errors.json of nats-server).
@@ -46,21 +46,21 @@ inline constexpr int kStreamNotFound = 10059;
 inline constexpr int kNotEnabledForAccount = 10039;
 inline constexpr int kNotEnabled = 10076;
 
-/// An answer that says no.
+/// A negative answer.
 struct ApiError {
-  int code = 0;  // JetStream's; 0: the answer is not what JetStream answers
+  int code = 0;  // JetStream's; 0: not an answer of JetStream
   std::string what;
 };
 
-/// JetStream's answers are not longer.
+/// Maximum size of JetStream's answers.
 inline constexpr std::size_t kMostAnswerBytes = 1U << 20;
 
-/// The object of an answer of JetStream, or the error in it.
+/// Returns the object of a JetStream answer, or the error in it.
 [[nodiscard]] tl::expected<nlohmann::json, ApiError> parse_answer(std::string_view text);
 
 [[nodiscard]] tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text);
 
-/// Whether a person has to act.
+/// The kind is `refused` if an operator must act.
 [[nodiscard]] StreamFailure failure_of(const ApiError& error, std::string_view stream);
 
 }  // namespace talus::server::jetstream

@@ -1,4 +1,4 @@
-// What a store's stream and its subjects are called.
+// Names of a store's stream and its subjects.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace talus::server::jetstream {
 
 struct StreamNames {
   std::string stream;  // "TALUS_<store id>"
-  std::string log;     // messages are published to it
-  std::string tail;    // NATS publishes them to it, once they are stored; nobody else may
+  std::string log;     // messages are published here
+  std::string tail;    // NATS republishes stored messages here; others must not publish
 
-  /// Where its leader says what it is, and gives a message by its number.
+  /// Subjects on which the leader returns the stream's state, and a message by its number.
   [[nodiscard]] std::string info() const { return "$JS.API.STREAM.INFO." + stream; }
   [[nodiscard]] std::string message_get() const { return "$JS.API.STREAM.MSG.GET." + stream; }
-  /// Where any replica does.
+  /// Subject on which any replica returns a message.
   [[nodiscard]] std::string direct_get() const { return "$JS.API.DIRECT.GET." + stream; }
 
-  /// What is asked there.
+  /// Request texts.
   [[nodiscard]] static std::string by_number(std::uint64_t sequence) {
     return fmt::format("{{\"seq\":{}}}", sequence);
   }

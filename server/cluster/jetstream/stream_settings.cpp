@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kMaxAgeNs = 7LL * 24 * 3600 * 1'000'000'000;
 constexpr std::int64_t kMaxBytes = 16LL << 30;
 
-/// ASCII in one line, whatever NATS was told.
+/// Formats as ASCII on one line, with a length limit.
 std::string shown(const nlohmann::json& value) {
   constexpr std::size_t kMost = 200;
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
@@ -43,12 +43,12 @@ nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas)
 std::vector<SettingDifference> differences(const nlohmann::json& present, const nlohmann::json& wanted) {
   std::vector<SettingDifference> found;
   for (const auto& [name, should] : wanted.items()) {
-    // NATS leaves out what is false.
+    // NATS omits false values.
     const nlohmann::json is =
         present.value(name, should.is_boolean() ? nlohmann::json(false) : nlohmann::json());
     if (is != should) found.push_back({name, shown(is), shown(should)});
   }
-  // What else takes messages away, or makes them others.
+  // Other settings that remove or alter messages.
   for (const char* const name : {"sealed", "allow_rollup_hdrs", "no_ack"}) {
     if (json_member<bool>(present, name)) found.push_back({name, "true", "false"});
   }

@@ -22,7 +22,7 @@ constexpr int kMostTries = 20;
 constexpr std::chrono::milliseconds kBetweenTries{250};
 constexpr std::chrono::seconds kFirstPatience{2};
 
-/// Tries again as long as the stream may come back.
+/// Retries while the stream may come back.
 template <typename Ask>
 auto insist(const Ask& ask) {
   auto answer = ask();
@@ -50,7 +50,7 @@ tl::expected<cluster::Genesis, std::string> genesis_of(const fs::path& directory
   return genesis;
 }
 
-/// Where the stream has a message already it must be this one.
+/// An existing first message must be this one.
 tl::expected<void, std::string> check_first(LogStream& stream, const StreamState& state,
                                             const cluster::Genesis& ours) {
   const auto another = [&](std::string_view what) {
@@ -68,7 +68,7 @@ tl::expected<void, std::string> check_first(LogStream& stream, const StreamState
   const auto genesis = cluster::decode_genesis((*first)->bytes);
   if (!genesis) {
     const cluster::MessageFault& fault = genesis.error();
-    // What a newer talusd began is not to be deleted.
+    // A stream started by a newer talusd must not be deleted.
     if (fault.kind == cluster::MessageFault::Kind::newer) {
       return tl::unexpected{
           fmt::format("the stream's first message: {}{}", fault.reason, cluster::remedy_of(fault))};
@@ -111,7 +111,7 @@ tl::expected<store::StoreMeta, std::string> enter_cluster(const fs::path& direct
   if (!state) return tl::unexpected{state.error().reason};
   for (int tries = 0; state->last == 0; ++tries) {
     const auto published = stream.publish(*bytes);
-    // Without an answer it may be there nevertheless, or come there later: servers pass over a second one.
+    // Without an answer the message may be stored now or later; servers skip a second one.
     state = insist([&] { return stream.state(); });
     if (!state) return tl::unexpected{state.error().reason};
     if (published || state->last > 0) continue;

@@ -1,4 +1,4 @@
-// A store of one machine that becomes the first of a cluster, and the way back. While nobody uses the store.
+// Turns a single server's store into the first of a cluster. The store must be unused.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace talus::server::join {
 
-/// The stream, which is empty, begins with the store in `directory` as it stands, and the store is the first
-/// that has read it. Interrupted, it is simply done again. Returns where the store stands. An error is one
-/// line, and names the stream where that is begun by something else.
+/// Starts the empty stream with the state of the store in `directory`, and enters the store as its first
+/// reader. An interrupted call can be repeated. Returns the store's meta. An error is one line, and names the
+/// stream if it was already started by something else.
 [[nodiscard]] tl::expected<store::StoreMeta, std::string> enter_cluster(
     const std::filesystem::path& directory, const edits::SettleRules& settles, LogStream& stream);
 
-/// Where the store in `directory` stands; it has all that was acknowledged, and its
-/// database and its store.toml are of one store.
+/// Reads the meta of the store in `directory`, verifying that nothing acknowledged is missing and that
+/// database and store.toml belong together.
 [[nodiscard]] tl::expected<store::StoreMeta, std::string> read_place(const std::filesystem::path& directory);
 
 }  // namespace talus::server::join

@@ -30,7 +30,7 @@ constexpr std::size_t kMaxReasonBytes = 1'000;
 constexpr std::chrono::milliseconds kFirstWait{500};
 constexpr std::chrono::milliseconds kLongestWait{5'000};
 constexpr std::chrono::seconds kGenesisPatience{2};
-/// Checkpoints in a row that were too old when they were here.
+/// Maximum number of consecutive checkpoints that were too old on arrival.
 constexpr int kMostJoins = 3;
 
 class Preparation {
@@ -78,7 +78,7 @@ class Preparation {
   }
 
  private:
-  /// A person has to act: what is named there would begin an empty store.
+  /// An operator must act: a new stream would start with an empty store.
   [[nodiscard]] std::string without_stream(std::string reason) const {
     if (local_ && local_->stream.sequence > 0) {
       reason +=
@@ -91,7 +91,7 @@ class Preparation {
     return tl::unexpected{fmt::format("data {}: {}", parts_.directory.path().string(), why)};
   }
 
-  /// Of a store that has entries.
+  /// Reads the local store if it has entries.
   [[nodiscard]] Done read_local() {
     const fs::path& path = parts_.directory.path();
     std::error_code code;
@@ -109,7 +109,7 @@ class Preparation {
     if (!store) return tl::unexpected{store.error()};
     const store::StoreMeta& meta = (*store)->meta();
     if (auto whole = store::check_whole_store(path, meta); !whole) return whole;
-    if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // nothing of value
+    if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // it is empty
     if (parts_.store_id && meta.store_id != *parts_.store_id) {
       return refused(fmt::format("it has store {}, and cluster.store names {}; give --data another directory",
                                  to_string(meta.store_id), to_string(*parts_.store_id)));
@@ -118,7 +118,7 @@ class Preparation {
     return {};
   }
 
-  /// None: the stream cannot be asked, and the store on the disk is served as it is.
+  /// Returns nullopt if the stream cannot be asked and the store on the disk is served as it is.
   [[nodiscard]] tl::expected<std::optional<StartFacts>, std::string> find_facts(LogStream& stream) {
     using Kind = StreamFailure::Kind;
     for (auto wait = kFirstWait;; wait = std::min(2 * wait, kLongestWait)) {
@@ -129,7 +129,7 @@ class Preparation {
         return *std::move(facts);
       }
       if (facts.error().kind != Kind::unavailable) {
-        // Whatever the stream is: it cannot be this store's.
+        // In any case the stream cannot be this store's.
         if (local_ && local_->stream.sequence == 0) return refused(plan_start({local_, {}}).reason);
         return refused(without_stream(facts.error().reason));
       }
@@ -186,10 +186,10 @@ class Preparation {
     return facts;
   }
 
-  /// False: no peer has a store, and this server goes on without.
+  /// Returns false if no peer has a store and this server continues without.
   [[nodiscard]] tl::expected<bool, std::string> take_for(const StartPlan& plan, const StreamState& stream) {
     give_up_ = plan.may_do_without;
-    // Messages that are missing between a store and the stream make it of no use whatever others have.
+    // If messages between store and stream are missing, the store is useless whatever others have.
     if (local_ && !rejoin_.empty() && local_->stream.sequence + 1 >= stream.first) {
       aside_ = AsideStore{local_->stream.sequence, local_->stream.created_ns,
                           cluster::server_number(parts_.directory.path())};
@@ -205,7 +205,7 @@ class Preparation {
     return false;
   }
 
-  /// The store that was put aside is used after all: no peer has another.
+  /// Uses the store that was put aside, because no peer has another.
   [[nodiscard]] Done use_own() {
     parts_.log->error(
         "joining: all servers that answer have put their stores aside, so that voices in the log must have "
@@ -245,7 +245,7 @@ class Preparation {
     return {};
   }
 
-  /// What was there is kept where the new store does not have all of it.
+  /// Keeps the previous store unless the new one has everything in it.
   [[nodiscard]] Done tidy(const fs::path& replaced, const store::StoreMeta& now) {
     const bool of_value = local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty());
     std::error_code code;
@@ -264,7 +264,7 @@ class Preparation {
     return {};
   }
 
-  /// An empty store of the cluster's id; what is there has no entries.
+  /// Creates an empty store with the cluster's id, replacing one without entries.
   [[nodiscard]] Done begin_empty() {
     const fs::path& path = parts_.directory.path();
     std::error_code code;
@@ -279,12 +279,12 @@ class Preparation {
   std::optional<ContentHash> id_;
   std::optional<store::StoreMeta> local_;
   std::string rejoin_;
-  bool give_up_ = false;  // where no peer has a store
+  bool give_up_ = false;  // if no peer has a store
   bool gave_up_ = false;
-  std::optional<AsideStore> aside_;  // the local store, while it must not be used
+  std::optional<AsideStore> aside_;  // the local store while it must not be used
   bool own_goes_on_ = false;         // it is used after all
-  bool is_known_ = false;            // the stream has what the local store applied last
-  bool is_compared_ = true;          // unless the local store came from a peer before there was a stream
+  bool is_known_ = false;            // the stream has the local store's last applied message
+  bool is_compared_ = true;  // false only if the local store came from a peer before there was a stream
   std::uint64_t joins_ = 0;
 };
 

@@ -7,15 +7,14 @@ namespace {
 
 using Kind = StartPlan::Kind;
 
-// As measured on two cores that all servers shared (SPEED.md, "Joining a cluster"): a message that is read
-// and applied, the edits in it by their bytes, and a checkpoint, of which a peer sends two at once at the
-// default of rates.checkpoint_bytes.
+// Measured on two cores that all servers shared: applying a message, the edits in it by size, and downloading
+// a checkpoint while the peer sends two at the default of rates.checkpoint_bytes.
 constexpr double kMessageSeconds = 150e-6;
 constexpr double kAppliedBytesPerSecond = 10 << 20;
 constexpr double kCheckpointSeconds = 1;
 constexpr double kTakenBytesPerSecond = 32 << 20;
 
-/// Of messages that the stream keeps: as many bytes as theirs have in the mean.
+/// Estimated size of messages, from the mean of those that the stream keeps.
 std::uint64_t bytes_of(std::uint64_t messages, const StreamState& stream) {
   const double kept = static_cast<double>(stream.last) - static_cast<double>(stream.first) + 1;
   if (kept < 1) return 0;
@@ -33,7 +32,7 @@ StartPlan plan_without_store(const StartFacts& facts) {
   if (!facts.from_nothing) {
     return {Kind::from_peer, "there is no store here, and the stream does not go back to an empty one"};
   }
-  // A store of them is hardly larger than what they say.
+  // A store made from the messages is hardly larger than they are.
   if (facts.has_peers && checkpoint_is_quicker(stream.last, stream.bytes, stream.bytes)) {
     return {Kind::from_peer,
             fmt::format("there is no store here, and the stream has {} messages", stream.last), true};
@@ -42,7 +41,7 @@ StartPlan plan_without_store(const StartFacts& facts) {
           fmt::format("there is no store here; the stream has all of it, {} messages", stream.last)};
 }
 
-/// Another stream than that of which the store is.
+/// Error text for a stream that is not the store's.
 std::string other_stream(std::string_view what) {
   return fmt::format(
       "{}; where the stream was lost for good, run \"talusd store fork\" on the server that is furthest, and "

@@ -60,7 +60,7 @@ class Checker {
  private:
   void add(Kind kind, std::string text) { findings_.push_back({kind, std::move(text)}); }
 
-  /// A connection, where there is one.
+  /// Returns a connection; null if there is none.
   std::shared_ptr<jetstream::Connection> check_server(const std::string& url) {
     const auto greeting = greeting_of(url, kPatience * 2);
     if (!greeting) {
@@ -203,7 +203,7 @@ class Checker {
     } else {
       add(Kind::ok, fmt::format("may subscribe to {}", target_.names.tail));
     }
-    // Without a text, which servers pass over.
+    // An empty message, which servers ignore.
     const auto tried = std::chrono::steady_clock::now();
     (void)connection_->send(target_.names.tail, target_.names.tail + ".check", "");
     (void)connection_->flush(kPatience * 2);
@@ -289,8 +289,8 @@ class Checker {
   const Target& target_;
   const cluster::Genesis& genesis_;
   const std::uint64_t messages_;
-  std::vector<std::shared_ptr<jetstream::Connection>> connections_;  // to each server that lets this one in
-  std::shared_ptr<jetstream::Connection> connection_;                // the first of them
+  std::vector<std::shared_ptr<jetstream::Connection>> connections_;  // to each server that accepted this one
+  std::shared_ptr<jetstream::Connection> connection_;                // the first of connections_
   std::vector<Finding> findings_;
 };
 

@@ -1,4 +1,4 @@
-// All that would keep a server from its log, and what a person should know of it.
+// Checks everything that would keep a server from its log, and reports what an operator should know.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct Finding {
   std::string text;  // one line
 };
 
-/// So many messages are read where nobody says how many.
+/// Default number of messages read.
 inline constexpr std::uint64_t kCheckedMessages = 1'000;
 
-/// Stores nothing in the stream. Reads its newest messages, `messages` of them.
+/// Reads the newest `messages` messages of the stream. Stores nothing in it.
 [[nodiscard]] std::vector<Finding> check(const Target& target, const cluster::Genesis& genesis,
                                          std::uint64_t messages = kCheckedMessages);
 

@@ -27,7 +27,7 @@ struct Flags {
   bool all = false;
 };
 
-/// What a command prints, and whether all is well.
+/// Output of a command, and true if all is well.
 struct Said {
   std::string text;
   bool well = true;

@@ -1,5 +1,5 @@
-// "talusd cluster": makes the stream that the servers of one world share, says what keeps them from it, and
-// how it is.
+// "talusd cluster": creates the stream that the servers of one world share, diagnoses what keeps them from
+// it, and shows its state.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@
 
 namespace talus::server {
 
-/// The first message of a stream of that world and store, at revision 0. The path of a world's file; empty:
-/// the built-in one. An error is one line.
+/// Makes the first message (revision 0) of a stream for that world and store. The path names a world's file;
+/// empty: the built-in world. An error is one line.
 using MakeGenesis = std::function<tl::expected<cluster::Genesis, std::string>(const std::filesystem::path&,
                                                                               const ContentHash& store_id)>;
 
-/// Runs the command; the exit status.
+/// Runs the command and returns the exit status.
 [[nodiscard]] int cluster_command(int argc, const char* const* argv, const Environment& environment,
                                   const MakeGenesis& make_genesis);
 

@@ -5,7 +5,7 @@
 namespace talus::server::cluster_tool {
 namespace {
 
-/// Empty: the reason says it.
+/// Empty if the reason is clear by itself.
 std::string_view advice_of(std::string_view reason, const Greeting& greeting,
                            const jetstream::Credentials& who) {
   const auto says = [&](std::string_view words) { return reason.find(words) != std::string_view::npos; };
@@ -30,7 +30,7 @@ std::string_view advice_of(std::string_view reason, const Greeting& greeting,
     return "cluster.ca: did not sign this server's certificate; give the PEM file of the authority that did";
   }
   if (!greeting.tls_verify || says("uthorization")) return "";
-  // TLS 1.3: a server that refuses a client's certificate just ends the connection.
+  // In TLS 1.3 a server that rejects a client's certificate only closes the connection.
   if (who.certificate.empty()) {
     return "cluster.certificate, cluster.key: are not set, and this server wants a certificate; give one "
            "that "

@@ -1,5 +1,4 @@
-// Why a NATS server did not let this one in, in a person's words: which key is concerned, and what would be
-// right. Pure.
+// Explains why a NATS server rejected a connection: the setting concerned and its remedy. Pure.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace talus::server::cluster_tool {
 
-/// `reason`: as libnats gives it.
+/// `reason` is libnats' error text.
 [[nodiscard]] std::string connection_words(std::string_view url, std::string_view reason,
                                            const Greeting& greeting, const jetstream::Credentials& who);
 

@@ -1,4 +1,4 @@
-// What a stream says of the formats of its messages, for people.
+// Describes the message formats of a stream.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace talus::server::cluster_tool {
 
-/// In one line, without a break; and what this talusd reads, where there may be more. Where the description
-/// is not understood, it stands there as it is.
+/// One line without its newline; includes what this talusd reads if the stream may have more. A description
+/// that cannot be parsed is quoted as it is.
 [[nodiscard]] std::string formats_line(const jetstream::StreamInfo& info);
 
 }  // namespace talus::server::cluster_tool

@@ -26,10 +26,10 @@ tl::expected<Made, std::string> init(const Target& target, const cluster::Genesi
     const auto bytes = encode(genesis);
     if (!bytes) return tl::unexpected{bytes.error()};
     const auto ack = (*connection)->publish(target.names.log, std::as_bytes(std::span{*bytes}), kAckPatience);
-    // Where somebody else was faster servers pass over this one.
+    // If another server was faster, servers ignore this message.
     made.genesis = ack.has_value() && ack->sequence == 1;
     if (!ack) {
-      // It may be there nevertheless.
+      // The message may have been stored nevertheless.
       const auto now = ask_stream_info(**connection, target.names);
       if (!now || now->state.last == 0) return tl::unexpected{ack.error().reason};
     }

@@ -1,4 +1,4 @@
-// Makes a world's stream, with its first message. What is there and right stays.
+// Creates a world's stream and its first message. Leaves correct existing parts unchanged.
 #pragma once
 
 #include <string>
@@ -15,8 +15,7 @@ struct Made {
   bool genesis = false;
 };
 
-/// What was made, and was not there before. An error, in one line: NATS does not let it, or what is there is
-/// another.
+/// Returns what was newly created. An error is one line: NATS forbids it, or a different stream exists.
 [[nodiscard]] tl::expected<Made, std::string> init(const Target& target, const cluster::Genesis& genesis);
 
 [[nodiscard]] std::string made_lines(const Target& target, const cluster::Genesis& genesis, const Made& made);

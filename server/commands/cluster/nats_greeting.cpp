@@ -21,7 +21,7 @@ std::string greeting_text(const nlohmann::json& greeting, const char* name) {
   return escaped(jetstream::json_member<std::string>(greeting, name), 100);
 }
 
-/// What comes there by itself, or to a question. Empty: nothing does.
+/// Returns the first line sent unprompted or in reply to `question`; empty if nothing is sent.
 tl::expected<std::string, std::string> first_line_of(const protocol::Endpoint& endpoint,
                                                      std::string_view question,
                                                      std::chrono::milliseconds patience) {
@@ -48,7 +48,7 @@ tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
   if (!line.starts_with(kInfo)) return no_server("");
   const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
   if (!info.is_object()) return no_server(", which is no JSON object behind INFO");
-  // Without these all else would be called wrong, and not what is.
+  // Without this check the errors below would blame the wrong thing.
   for (const auto& [name, is] : {std::pair{"version", &nlohmann::json::is_string},
                                  std::pair{"max_payload", &nlohmann::json::is_number_integer}}) {
     const auto member = info.find(name);
@@ -69,7 +69,7 @@ tl::expected<Greeting, std::string> greeting_of(std::string_view url, std::chron
   if (!endpoint) return tl::unexpected{endpoint.error()};
   auto line = first_line_of(*endpoint, "", patience);
   if (!line) return tl::unexpected{line.error()};
-  // NATS speaks first. Many others wait to be asked, and then say what they are.
+  // NATS speaks first. Many other servers wait for a request, and then identify themselves.
   if (line->empty()) line = first_line_of(*endpoint, "GET / HTTP/1.0\r\n\r\n", patience);
   if (!line || line->empty()) {
     return tl::unexpected{std::string{

@@ -13,9 +13,9 @@ namespace {
 using jetstream::StreamInfo;
 using jetstream::StreamNames;
 
-// One replica of three is missed once in 17,000 times, and the next question asks it again.
+// One replica of three is missed once in 17,000 times, and the next request reaches it again.
 constexpr int kTimesAsked = 24;
-constexpr int kMostSilent = 3;  // questions without an answer, one after another
+constexpr int kMostSilent = 3;  // consecutive requests without an answer
 constexpr int kMostPauses = 20;
 constexpr std::array<std::uint64_t, 5> kMessagesBack{0, 1, 16, 256, 4096};
 
@@ -45,11 +45,11 @@ class ReplicaComparison {
   }
 
  private:
-  /// What the answers to a question are.
+  /// Distinct answers to a request.
   struct Answers {
     std::set<std::string> texts;
     std::uint64_t newest = 0;
-    bool missing = false;  // for one at least
+    bool missing = false;  // in at least one replica
   };
 
   Answers ask(const std::string& question) {
@@ -79,7 +79,7 @@ class ReplicaComparison {
       if (answers.texts.size() > 1) return fmt::format("message {} is not the same at all of them", sequence);
       if (!answers.missing) return std::nullopt;
       const auto info = leader_info();
-      if (!info || info->state.first > sequence) return std::nullopt;  // it is kept no more
+      if (!info || info->state.first > sequence) return std::nullopt;  // the stream dropped it
       if (pauses == kMostPauses) {
         if (!lags(*info)) return fmt::format("not all of them have message {}", sequence);
         failure_ = "one lags behind; ask again when all are current";
@@ -101,7 +101,7 @@ class ReplicaComparison {
     return std::nullopt;
   }
 
-  /// Without a leader nobody knows what the stream has.
+  /// Fails without a leader, because the stream's extent is unknown then.
   std::optional<StreamInfo> leader_info() {
     auto info = questions_.info();
     if (info && !info->leader.empty()) return info;

@@ -1,5 +1,5 @@
-// Whether the replicas of a stream hold the same messages. NATS calls replicas current that are as far as
-// their leader, whatever they hold: a nats-server that took a message twice, or lost one, stays "current".
+// Compares the messages held by the replicas of a stream. NATS calls a replica "current" by position only: a
+// nats-server that took a message twice, or lost one, stays "current".
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,25 @@
 
 namespace talus::server::cluster_tool {
 
-/// What some replica says to a Direct Get: which one does is NATS' choice, and it does not say.
+/// Reply of some replica to a Direct Get; NATS chooses the replica and does not name it.
 struct ReplicaAnswer {
-  std::uint64_t sequence = 0;  // 0: it has no such message
+  std::uint64_t sequence = 0;  // 0: the replica lacks the message
   std::string text;
 };
 
-/// Whom compare_replicas() asks.
+/// Queries used by compare_replicas().
 struct ReplicaQuestions {
-  /// An error, in one line: no answer came.
+  /// An error is one line: there was no answer.
   std::function<tl::expected<ReplicaAnswer, std::string>(const std::string& question)> ask;
-  /// What the leader says now; nothing where it says nothing.
+  /// Current information from the leader; nullopt if it does not answer.
   std::function<std::optional<jetstream::StreamInfo>()> info;
-  /// Waits a little, for a replica that lags behind.
+  /// Waits briefly for a lagging replica.
   std::function<void()> pause;
 };
 
-/// Asks for the stream's end and for some messages before it, so often that each replica answers. A message
-/// too many or too few shifts all later ones, so these few say it. A line for each difference; an error is
-/// why they were not compared. About 150 questions, and 20 pauses for a question at most.
+/// Requests the stream's end and a few earlier messages, often enough that each replica answers. An extra or
+/// a lost message shifts all later ones, so these few suffice. Returns a line per difference; an error is why
+/// replicas could not be compared. Sends about 150 requests, with at most 20 pauses per request.
 [[nodiscard]] tl::expected<std::vector<std::string>, std::string> compare_replicas(
     const ReplicaQuestions& questions, const jetstream::StreamNames& names);
 

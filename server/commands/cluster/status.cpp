@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLeaderPatience = 5s;  // while one is being chosen
+constexpr auto kLeaderPatience = 5s;  // while a leader is being elected
 constexpr auto kPagePatience = 2000ms;
 constexpr std::string_view kPrefix = "talus_cluster_";
 
@@ -43,7 +43,7 @@ std::map<std::string, double> cluster_metrics(std::string_view page) {
     page.remove_prefix(std::min(line.size() + 1, page.size()));
     const std::size_t space = line.find(' ');
     if (!line.starts_with(kPrefix) || space == std::string_view::npos) continue;
-    if (line.find('{') != std::string_view::npos) continue;  // of a histogram
+    if (line.find('{') != std::string_view::npos) continue;  // belongs to a histogram
     found.emplace(line.substr(kPrefix.size(), space - kPrefix.size()),
                   std::strtod(std::string{line.substr(space + 1)}.c_str(), nullptr));
   }

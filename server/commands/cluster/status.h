@@ -1,4 +1,4 @@
-// How the stream is, and how far this server has read it.
+// State of the stream, and of this server's progress in it.
 #pragma once
 
 #include <map>
@@ -16,17 +16,17 @@ struct ClusterStatus {
   std::string stream;
   std::string store;
   jetstream::StreamInfo info;
-  /// This server's metrics talus_cluster_*, without that part of their names; none where it does not run.
+  /// This server's metrics talus_cluster_*, without that prefix; nullopt if it does not run.
   std::optional<std::map<std::string, double>> here;
-  std::string not_here;  // why there are none
-  std::string state{};   // what it says of itself at /-/ready
+  std::string not_here;  // why `here` is empty
+  std::string state{};   // its answer to /-/ready
   bool ready = false;
 };
 
 /// An error is one line.
 [[nodiscard]] tl::expected<ClusterStatus, std::string> read_status(const Target& target);
 
-/// Those of a page /metrics.
+/// Extracts the cluster metrics of a page /metrics.
 [[nodiscard]] std::map<std::string, double> cluster_metrics(std::string_view page);
 
 [[nodiscard]] std::string status_lines(const ClusterStatus& status);

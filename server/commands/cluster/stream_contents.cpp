@@ -16,10 +16,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kMessagePatience = 500ms;
-constexpr int kMostAsked = 20;  // while a leader is being chosen
+constexpr int kMostAsked = 20;  // while a leader is being elected
 constexpr std::size_t kMostNamed = 10;
 
-/// The message; nothing where the stream does not keep it any more.
+/// Returns the message; nullopt if the stream no longer keeps it.
 tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
     jetstream::Connection& connection, const Target& target, std::uint64_t sequence) {
   std::string why;

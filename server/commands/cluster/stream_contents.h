@@ -1,4 +1,4 @@
-// Whether the messages of a stream can be read, one after another.
+// Checks that the messages of a stream can be read.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 namespace talus::server::cluster_tool {
 
 struct Contents {
-  std::uint64_t first = 0;  // that was read
+  std::uint64_t first = 0;  // first message read
   std::uint64_t last = 0;
   cluster::EnabledFormats enabled;
   struct Unread {
     std::uint64_t sequence = 0;
     cluster::MessageFault fault;
   };
-  std::vector<Unread> unread;  // the first that are
+  std::vector<Unread> unread;  // only the first few
   std::uint64_t unread_count = 0;
 };
 
-/// Reads the newest `most` messages of those that the stream keeps, one at a time. `on_read` is called after
-/// each. An error, in one line: one does not come.
+/// Reads the newest `most` messages that the stream keeps, one at a time, and calls `on_read` after each. An
+/// error is one line: a message could not be fetched.
 [[nodiscard]] tl::expected<Contents, std::string> read_contents(
     jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
     std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read);

@@ -1,4 +1,4 @@
-// Of which world a stream is.
+// Checks the world of a stream.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace talus::server::cluster_tool {
 
-/// Reads the oldest message that is kept. An error, in one line: it is of another world or store, or the
-/// first and cannot be read. A stream without messages fits.
+/// Reads the oldest kept message. An error is one line: the message is of another world or store, or is the
+/// stream's first and unreadable. An empty stream fits.
 [[nodiscard]] tl::expected<void, std::string> check_world(jetstream::Connection& connection,
                                                           const Target& target,
                                                           const cluster::Genesis& genesis);

@@ -11,7 +11,7 @@
 namespace talus::server::cluster_tool {
 namespace {
 
-/// Of the data directory; none where it has no store.
+/// Reads the data directory's store id; nullopt if it has no store.
 tl::expected<std::optional<ContentHash>, std::string> store_of(const std::filesystem::path& data) {
   if (data.empty()) return std::nullopt;
   const std::filesystem::path file = data / "store.toml";

@@ -1,4 +1,4 @@
-// Which stream, at which NATS servers, and who asks.
+// The stream that a command addresses, its NATS servers, and the credentials.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@
 
 namespace talus::server::cluster_tool {
 
-/// Between questions to servers that may still be starting.
+/// Pause between requests to servers that may still be starting.
 inline constexpr std::chrono::milliseconds kBetweenTries{100};
 
 /// An error is one line that begins with a key.
@@ -31,14 +31,14 @@ struct Target {
   ContentHash store_id;
   jetstream::StreamNames names;
   std::uint64_t replicas = 3;
-  std::optional<protocol::Endpoint> admin;  // this server's, if it has one
+  std::optional<protocol::Endpoint> admin;  // this server's operators' port, if any
 
-  /// The store that the settings name, or that of the data directory. An error is one line.
+  /// For the store that the settings or the data directory name. An error is one line.
   [[nodiscard]] static tl::expected<Target, std::string> of(const Config& config);
-  /// The same; a new store where there is none.
+  /// Like of(), but picks a new store id if neither names a store.
   [[nodiscard]] static tl::expected<Target, std::string> for_init(const Config& config);
 
-  /// To any of the servers.
+  /// Connects to any of the servers.
   [[nodiscard]] tl::expected<std::shared_ptr<jetstream::Connection>, StreamFailure> connect() const;
 };
 

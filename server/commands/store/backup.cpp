@@ -25,18 +25,18 @@ tl::unexpected<std::string> no_backup(const fs::path& path, std::string_view why
   return tl::unexpected{fmt::format("backup {}: {}", path.string(), why)};
 }
 
-/// Files of a database that say which others it has.
+/// True for database files that list other files.
 bool lists_files(std::string_view name) {
   return name == "db/CURRENT" || name.starts_with("db/MANIFEST-");
 }
 
-/// Those of the store in `path`, the newest of its log last. No hashes yet.
+/// Lists the store's database files, the newest log last; hashes are not set yet.
 tl::expected<std::vector<store::BackupManifest::File>, std::string> database_files(const fs::path& path) {
   std::vector<store::BackupManifest::File> files;
   std::error_code code;
   for (fs::directory_iterator at{path / "db", code}, end; !code && at != end; at.increment(code)) {
     const std::string name = "db/" + at->path().filename().string();
-    // Others come and go.
+    // These are temporary.
     if (at->path().filename() == "LOCK" || name.ends_with(".dbtmp") || !store::is_store_file(name)) continue;
     files.push_back({name, at->file_size(code), {}});
   }
@@ -47,13 +47,13 @@ tl::expected<std::vector<store::BackupManifest::File>, std::string> database_fil
   return files;
 }
 
-/// Copies the database of `path` into `target`; its files with their checksums. Nothing where a file went
-/// between being listed and being copied.
+/// Copies the database of `path` into `target`, and returns its files with checksums; nullopt if a file
+/// vanished after it was listed.
 tl::expected<std::optional<std::vector<store::BackupManifest::File>>, std::string> copy_database(
     const fs::path& path, const fs::path& target, ProgressBar& progress) {
   std::vector<store::BackupManifest::File> all;
-  // A server may write meanwhile: what says which files there are comes first, so that they are among those
-  // that are copied then.
+  // A server may write meanwhile, so the files that list others are copied first: the files that they list
+  // exist when the rest is listed.
   for (const bool lists : {true, false}) {
     auto found = database_files(path);
     if (!found) return tl::unexpected{found.error()};
@@ -73,18 +73,18 @@ tl::expected<std::optional<std::vector<store::BackupManifest::File>>, std::strin
   return all;
 }
 
-/// Directories above `path`, and itself, that are not there: the deepest first.
+/// Returns the missing directories of `path`, itself included, deepest first.
 std::vector<fs::path> missing_directories(fs::path path) {
   std::vector<fs::path> missing;
   std::error_code code;
   for (; !path.empty() && !fs::exists(path, code); path = path.parent_path()) {
-    if (path.has_filename()) missing.push_back(path);  // else it ends in a slash
+    if (path.has_filename()) missing.push_back(path);  // skips a trailing slash
   }
   return missing;
 }
 
-/// Removes what a backup has that came to no end, of a directory that was empty, and those directories of
-/// `made` that are empty then. Where something stays it says so, as the end of a line.
+/// Deletes an unfinished backup from a directory that was empty, then the empty directories of `made`.
+/// Returns the end of an error line if something is left.
 std::string remove_unfinished(const fs::path& target, std::span<const fs::path> made) {
   std::error_code code;
   for (const std::string_view name : {store::kManifestName, std::string_view{"store.toml"},
@@ -96,7 +96,7 @@ std::string remove_unfinished(const fs::path& target, std::span<const fs::path> 
   return stays ? fmt::format("; what is left in {} is no backup, and may be removed", target.string()) : "";
 }
 
-/// Into a directory that is there and empty.
+/// `target` must exist and be empty.
 tl::expected<store::BackupManifest, std::string> fill_backup(const fs::path& path, const fs::path& target) {
   std::error_code code;
   fs::create_directory(target / "db", code);
@@ -109,7 +109,7 @@ tl::expected<store::BackupManifest, std::string> fill_backup(const fs::path& pat
   ProgressBar progress{"backup", "bytes"};
   progress.expect(bytes);
   store::BackupManifest manifest;
-  // A file that the server had given up before its files were held may still go.
+  // A file that the server had dropped before its files were held may still vanish.
   constexpr int kTries = 10;
   for (int tries = 1;; ++tries) {
     auto copied = copy_database(path, target, progress);
@@ -141,7 +141,7 @@ tl::expected<store::BackupManifest, std::string> fill_backup(const fs::path& pat
   }
   if (const auto synced = store::sync_directory(target / "db"); !synced)
     return tl::unexpected{synced.error()};
-  // From here on it is a backup.
+  // The manifest makes it a backup.
   if (const auto written =
           files::write_file(target / store::kManifestName, std::string_view{encode(manifest)});
       !written) {

@@ -1,5 +1,5 @@
-// Backups of a store: its files as of one position, with a manifest of their checksums, which is written
-// last. A directory without one is no backup.
+// Backups of a store: its files as of one position, and a manifest of checksums that is written last. A
+// directory without a manifest is not a backup.
 #pragma once
 
 #include <filesystem>
@@ -14,23 +14,23 @@
 
 namespace talus::server {
 
-/// Of the store whose files are in `path`, of one moment, into `target`, which is new or empty. While a
-/// server writes them none may be removed: EditDatabase::hold_files(). After an error nothing is left that
-/// was not there before, or the error says where.
+/// Copies the store in `path`, as of one moment, into `target`, which must be new or empty. If a server
+/// writes the store, it must keep its files: EditDatabase::hold_files(). On error removes everything that it
+/// created, or the error names what is left.
 [[nodiscard]] tl::expected<store::BackupManifest, std::string> write_backup(
     const std::filesystem::path& path, const std::filesystem::path& target);
 
-/// That of a backup; says so where `backup` is none, or was not finished.
+/// Reads a backup's manifest. The error says if `backup` is not a backup or is unfinished.
 [[nodiscard]] tl::expected<store::BackupManifest, std::string> read_manifest(
     const std::filesystem::path& backup);
 
 struct Restored {
   store::BackupManifest manifest;
   ContentHash store_id;
-  std::filesystem::path replaced;  // where the store is that was there; empty: there was none
+  std::filesystem::path replaced;  // where the previous store is kept; empty: there was none
 };
-/// Puts the backup into `directory`, as a store of a new id, when every byte of it was verified. A store that
-/// is there is refused, or with `replace` moved aside.
+/// Verifies every byte of the backup, then puts it into `directory` as a store with a new id. An existing
+/// store is an error, or, with `replace`, moved aside.
 [[nodiscard]] tl::expected<Restored, std::string> restore_backup(const std::filesystem::path& backup,
                                                                  const store::DataDirectory& directory,
                                                                  bool replace);

@@ -21,7 +21,7 @@ tl::expected<void, std::string> check_nats(const Cluster& settings) {
       "cluster.nats: no NATS server is named; give --config the file that the cluster's servers have"}};
 }
 
-/// How far a store is behind its stream, as far as that can be said.
+/// A store's distance from the end of its stream, if known.
 struct Behind {
   bool known = false;
   std::uint64_t messages = 0;
@@ -83,7 +83,7 @@ std::string of_beginning(const fs::path& path, const store::StoreMeta& entered) 
       path.string(), id, place_of(entered), id);
 }
 
-/// The store under another id: made beside it, so that a kill leaves the one or the other, whole.
+/// Builds the copy with the new id in staging, so that a crash leaves either store whole.
 tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentHash id) {
   const auto staging = store::stage_copy(path);
   if (!staging) return staging;
@@ -91,7 +91,7 @@ tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentH
   return *staging;
 }
 
-/// What is in staging is the directory's store, which had the same edits. `if_not` is said where it is not.
+/// Makes the staged store, which has the same edits, the directory's. `if_not` ends the error if that fails.
 tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_view if_not) {
   const auto swapped = store::swap_in(path, store::Replaced::goes);
   if (swapped) return {};
@@ -114,7 +114,7 @@ Text join_cluster(const store::DataDirectory& directory, const Cluster& settings
         fmt::format("cluster.store: it names store {}, and {} has store {}; name that, or \"\"",
                     settings.store, directory.path().string(), id)};
   }
-  // Before a stream is made, or named as one to be deleted.
+  // Fails before a stream is created, or reported as one to delete.
   if (const auto place = join::read_place(directory.path()); !place) return tl::unexpected{place.error()};
   const auto stream = tools.open(settings, directory.store_id(), true);
   if (!stream) return tl::unexpected{stream.error()};
@@ -170,7 +170,7 @@ Text fork_cluster(const store::DataDirectory& directory, const Cluster& settings
                     place_of(*meta), behind.text)};
   }
   const ContentHash id = store::random_store_id();
-  // What may fail for a while comes first: the store is what it was until there is something else.
+  // Steps that may fail temporarily come first, while the store is unchanged.
   const auto stream = tools.open(settings, id, true);
   if (!stream) {
     return tl::unexpected{

@@ -1,4 +1,4 @@
-// A store that moves from one machine into a cluster, back, or into another one where the cluster's stream is
+// Moves a store from a single server into a cluster, back, or into a new stream if the cluster's stream is
 // lost.
 #pragma once
 
@@ -18,33 +18,33 @@
 
 namespace talus::server {
 
-/// What the commands need of the cluster's log.
+/// Access to the cluster's log for commands.
 struct ClusterTools {
-  /// The stream of a store, as [cluster] reaches it; with `make` it is made where it is missing. An error is
-  /// one line.
+  /// Opens the stream of a store as configured in [cluster]; with `make` creates it if it is missing. An
+  /// error is one line.
   std::function<tl::expected<std::unique_ptr<LogStream>, std::string>(const Cluster&, ContentHash store_id,
                                                                       bool make)>
       open;
-  /// By which loose material slides in a world.
+  /// Rules by which loose material slides in a world.
   std::function<edits::SettleRules(const terrain::World&)> settle_rules;
 };
 
-// Each returns what to print; an error is one line. The directory is locked by the caller, and nobody uses
-// its store.
+// Each returns text to print; an error is one line. The caller must have locked the directory, so that the
+// store is unused.
 
-/// The store of one machine begins a new stream, under its own id.
+/// Starts a new stream from a single server's store, which keeps its id.
 [[nodiscard]] tl::expected<std::string, std::string> join_cluster(const store::DataDirectory& directory,
                                                                   const Cluster& settings,
                                                                   const terrain::World& world,
                                                                   const ClusterTools& tools);
 
-/// The store is one machine's again, at the place that it has reached; under a new id, unless `keeps_id`.
+/// Takes the store out of the cluster at its current place, with a new id unless `keeps_id`.
 [[nodiscard]] tl::expected<std::string, std::string> leave_cluster(const store::DataDirectory& directory,
                                                                    const Cluster& settings,
                                                                    const ClusterTools& tools, bool keeps_id,
                                                                    bool confirmed);
 
-/// The store begins a new stream, under a new id: what the old stream has beyond it is lost for it.
+/// Starts a new stream from the store with a new id. The store loses what the old stream has beyond it.
 [[nodiscard]] tl::expected<std::string, std::string> fork_cluster(const store::DataDirectory& directory,
                                                                   const Cluster& settings,
                                                                   const terrain::World& world,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 
-/// `piece` is called with each piece and its offset.
+/// Calls `piece` with each piece and its offset.
 template <typename Piece>
 tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& path, std::uint64_t most,
                                                   ProgressBar& progress, const Piece& piece) {
@@ -27,7 +27,7 @@ tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& p
   XXH3_128bits_reset(state.get());
   std::vector<std::byte> bytes(kPieceBytes);
   CopiedFile copied;
-  // What is written to it meanwhile is not copied.
+  // Ignores bytes appended meanwhile.
   const std::uint64_t wanted = std::min(most, file->bytes());
   copied.all = wanted == file->bytes();
   while (copied.bytes < wanted) {

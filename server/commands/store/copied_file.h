@@ -1,4 +1,4 @@
-// Files that are copied and hashed on the way.
+// Copies files, hashing them on the way.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace talus::server {
 
 struct CopiedFile {
   std::uint64_t bytes = 0;
-  ContentHash hash;  // XXH3-128 of them
-  bool all = false;  // whether the file had no more
+  ContentHash hash;  // XXH3-128 of the bytes
+  bool all = false;  // the end of the file was reached
 };
 
-/// The first `most` bytes of a regular file, as far as it has them: no more is ever read. On the disk when it
-/// returns; `to` is whole or not there. Advances `progress` by bytes. An error is one line.
+/// Copies at most the first `most` bytes of a regular file, and never reads more. Syncs; `to` is complete or
+/// absent. Advances `progress` by bytes. An error is one line.
 [[nodiscard]] tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
                                                               const std::filesystem::path& to,
                                                               std::uint64_t most, ProgressBar& progress);

@@ -22,7 +22,7 @@ SubjectEdit edit_of(const store::LogRecord& record) {
   return all;
 }
 
-/// Who edited, as far as they are told apart.
+/// Counts edits by subject, for up to kMostOthers subjects.
 class Others {
  public:
   void count(const std::string& subject) {

@@ -16,10 +16,10 @@ namespace {
 
 using HistoryJson = nlohmann::ordered_json;
 
-/// Others that are named where the one who was asked for is not among them.
+/// Maximum number of other subjects listed if the requested one is not found.
 constexpr std::size_t kNamedOthers = 20;
 
-/// Text that is printed a page at a time, each where no progress bar stands.
+/// Prints text in pages, hiding the progress bar meanwhile.
 class Pages {
  public:
   Pages(const Print& print, ProgressBar& progress) : print_{print}, progress_{progress} {}
@@ -41,7 +41,7 @@ class Pages {
   std::string text_;
 };
 
-/// A JSON object with one list in it, whose items are written as they come.
+/// A JSON object with one list, whose items are written as they arrive.
 class JsonPages {
  public:
   explicit JsonPages(Pages& pages) : pages_{pages} {}
@@ -69,7 +69,7 @@ class JsonPages {
   bool first_ = true;
 };
 
-/// An editor's id is a secret; a part of it tells editors apart.
+/// An editor's id is a secret; this part distinguishes editors.
 std::string short_id(edits::EditorId id) {
   return fmt::format("{:08x}", id.high >> 32U);
 }

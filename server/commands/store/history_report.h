@@ -1,4 +1,4 @@
-// What `talusd store history` prints.
+// Output of `talusd store history`.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,11 @@
 
 namespace talus::server {
 
-/// Some lines, or a part of a JSON document. What is printed at once is no more than kPageBytes and a line.
+/// Prints lines or a part of a JSON document, at most kPageBytes and one line per call.
 using Print = std::function<void(std::string_view)>;
 inline constexpr std::size_t kPageBytes = std::size_t{64} << 10U;
 
-// Each reads the records as it prints. An error is one line: what was printed until then is no whole
-// document.
+// Each prints while it reads the records. An error is one line; a JSON document is then incomplete.
 
 [[nodiscard]] tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store, VoxelPos voxel,
                                                             bool json, const Print& print);

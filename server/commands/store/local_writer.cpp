@@ -16,7 +16,7 @@ tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
   settings.path = directory;
   settings.fingerprint = identity.fingerprint;
   settings.store_id = identity.store_id;
-  // How much of it is kept is talusd's to say.
+  // Keeps all history; only talusd trims it.
   settings.history = {std::numeric_limits<std::uint64_t>::max(), std::chrono::milliseconds::max()};
   auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};

@@ -1,4 +1,4 @@
-// A store's log without a server: for edits of commands.
+// Writes to a store's log without a server, for commands that edit.
 #pragma once
 
 #include <memory>
@@ -19,10 +19,10 @@ namespace talus::server {
 
 class LocalWriter {
  public:
-  /// `directory` is locked, and nobody has its database open. An error is one line.
+  /// `directory` must be locked and its database closed. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<LocalWriter>, std::string> open(
       const std::filesystem::path& directory, const store::StoreIdentity& identity);
-  /// Writes all that is dirty.
+  /// Flushes everything.
   ~LocalWriter() {
     if (log_ != nullptr) log_->stop();
   }

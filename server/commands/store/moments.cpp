@@ -14,7 +14,7 @@
 namespace talus::server {
 namespace {
 
-/// Milliseconds of "2h".
+/// Parses a duration such as "2h" into milliseconds.
 std::optional<std::int64_t> parse_duration(std::string_view text) {
   constexpr std::int64_t kSecond = 1'000;
   constexpr std::int64_t kOneDay = 86'400 * kSecond;
@@ -40,7 +40,7 @@ std::optional<std::int64_t> parse_utc(const std::string& text) {
     if (stop == nullptr || *stop != '\0') continue;
     const int day = broken_down.tm_mday;
     const std::int64_t since_1970 = ::timegm(&broken_down);
-    if (broken_down.tm_mday != day) return std::nullopt;  // the 31st of a month of 30
+    if (broken_down.tm_mday != day) return std::nullopt;  // e.g. the 31st of a 30-day month
     return since_1970 * 1'000;
   }
   return std::nullopt;

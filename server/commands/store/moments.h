@@ -1,4 +1,4 @@
-// Times in commands, as people write and read them.
+// Times in commands, in readable form.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace talus::server {
 
-/// "90s", "30m", "2h", "7d": so long before `now_ms`. Or a time in UTC: "2026-11-25", "2026-11-25T08:30:00Z".
-/// Milliseconds since 1970. The error says what is expected.
+/// Parses "90s", "30m", "2h" or "7d" as that time before `now_ms`, or a UTC time such as "2026-11-25" or
+/// "2026-11-25T08:30:00Z". Returns milliseconds since 1970. The error states what is expected.
 [[nodiscard]] tl::expected<std::int64_t, std::string> parse_moment(std::string_view text,
                                                                    std::int64_t now_ms);
 
-/// "2026-11-25T08:30:00Z".
+/// Formats as "2026-11-25T08:30:00Z".
 [[nodiscard]] std::string moment(std::int64_t time_ms);
 
 }  // namespace talus::server

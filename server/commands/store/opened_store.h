@@ -1,5 +1,5 @@
-// A data directory's store as a command of `talusd store` reads it: a checkpoint of the server that uses it,
-// or the directory itself, locked, where none does.
+// A data directory's store, opened for a command of `talusd store`: a checkpoint made by the server that uses
+// it, or the locked directory itself if no server does.
 #pragma once
 
 #include <filesystem>
@@ -19,23 +19,23 @@ namespace talus::server {
 
 class OpenedStore {
  public:
-  /// Refuses a store that lost what was acknowledged, or whose store.toml is another store's.
+  /// Rejects a store that lost acknowledged edits or whose store.toml belongs to another store.
   [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
 
   [[nodiscard]] const store::ReadOnlyStore& store() const { return *store_; }
-  /// Of the files: db is in it.
+  /// Directory that contains db.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Of the server that uses the directory; null where none does.
+  /// Connection to the server that uses the directory; null if no server does.
   [[nodiscard]] StoreConnection* server() { return server_ ? &*server_ : nullptr; }
   [[nodiscard]] const StoreConnection* server() const { return server_ ? &*server_ : nullptr; }
-  /// Why the server takes no edits; empty: it does, or there is none.
+  /// Why the server rejects edits; empty if it accepts them or no server runs.
   [[nodiscard]] const std::string& read_only() const { return read_only_; }
   [[nodiscard]] store::StoreIdentity identity() const {
     return {store_->meta().store_id, store_->meta().fingerprint};
   }
-  /// Where no server uses the directory: as DataDirectory's. The files were let go of.
+  /// For a directory without a server, after close_files(): DataDirectory::lock_to_write().
   [[nodiscard]] tl::expected<void, std::string> lock_to_write() { return directory_->lock_to_write(); }
-  /// Lets go of the files; the lock, or the connection, stays.
+  /// Closes the files; keeps the lock or the connection.
   void close_files() { store_.reset(); }
 
  private:
@@ -48,16 +48,16 @@ class OpenedStore {
   std::unique_ptr<store::ReadOnlyStore> store_;
 };
 
-/// The store in a directory that nobody else uses, with all that was acknowledged.
+/// Opens an exclusively used store, verifying that it has everything acknowledged.
 [[nodiscard]] tl::expected<std::unique_ptr<store::ReadOnlyStore>, std::string> open_whole(
     const store::DataDirectory& directory);
 
-/// For commands that write files of a store: refused where a server uses it, and where they would belong to
-/// another user than the directory does.
+/// For commands that write a store's files: fails if a server uses it, or if the files would belong to a
+/// different user than the directory.
 [[nodiscard]] tl::expected<void, std::string> check_may_write(const std::filesystem::path& data);
 
-/// For commands that make another store in the place of the one that is there: refused where that is one of a
-/// cluster, whose servers all have the same. One that cannot be read is no hindrance. `data` is locked.
+/// For commands that replace the store: fails if it belongs to a cluster, whose servers all share it. An
+/// unreadable store may be replaced. `data` must be locked.
 [[nodiscard]] tl::expected<void, std::string> check_is_alone(const std::filesystem::path& data,
                                                              std::string_view command);
 

@@ -18,7 +18,7 @@ namespace {
 using Done = tl::expected<void, std::string>;
 
 constexpr std::string_view kMagic = "talusedt";
-/// A block is written once it has so many bytes; with the largest chunk it is far below kMaxPortableBlock.
+/// Size at which a block is written; even with the largest chunk it stays far below kMaxPortableBlock.
 constexpr std::size_t kBlockBytes = std::size_t{64} << 10U;
 
 enum class Block : std::uint8_t { header = 1, chunks = 2, end = 3 };

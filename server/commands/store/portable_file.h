@@ -1,6 +1,5 @@
-// All edits of a store in one file that any talusd reads, whatever its database: FORMAT.md of this folder has
-// every byte. Written and read as a stream, in memory that no number of chunks makes larger. Pure; any bytes
-// are safe to read.
+// All edits of a store in one file that any talusd reads, independent of the database; FORMAT.md in this
+// folder specifies every byte. Streams in bounded memory. Pure; reads any bytes safely.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +19,21 @@
 namespace talus::server {
 
 inline constexpr std::uint32_t kPortableVersion = 1;
-/// A block has at most so many bytes.
+/// Maximum size of a block in bytes.
 inline constexpr std::size_t kMaxPortableBlock = std::size_t{1} << 20U;
 inline constexpr std::size_t kMaxMaterialName = 256;
 
 struct PortableHeader {
-  ContentHash fingerprint;  // of the world
-  ContentHash store_id;     // that it came from
-  edits::Head head;         // of that store; its hash is that of all overrides of the file
+  ContentHash fingerprint;  // the world's
+  ContentHash store_id;     // of the exported store
+  edits::Head head;         // of the exported store; its hash covers all overrides of the file
   std::map<std::string, MaterialId> materials;
   bool operator==(const PortableHeader&) const = default;
 };
 
 struct PortableChunk {
   ChunkCoord chunk;
-  std::vector<Override> voxels;  // by rising index, not empty
+  std::vector<Override> voxels;  // by ascending index, not empty
   bool operator==(const PortableChunk&) const = default;
 };
 
@@ -44,11 +43,11 @@ class PortableWriter {
   using Sink = std::function<Done(std::span<const std::byte>)>;
 
   explicit PortableWriter(Sink sink) : sink_{std::move(sink)} {}
-  /// First, once. Refuses names that are more or longer than a reader takes.
+  /// Call first, once. Rejects names that are longer or more than a reader accepts.
   [[nodiscard]] Done begin(const PortableHeader& header);
-  /// Of level 0, by rising x, then z, then y (asserted); without voxels nothing is written.
+  /// Chunks of level 0 by ascending x, then z, then y (asserted). Without voxels writes nothing.
   [[nodiscard]] Done add(ChunkCoord chunk, std::span<const Override> voxels);
-  /// Last, once.
+  /// Call last, once.
   [[nodiscard]] Done end();
 
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }
@@ -59,8 +58,8 @@ class PortableWriter {
 
   Sink sink_;
   store::Bytes block_;
-  std::uint64_t link_ = 0;  // the checksum of the block before
-  std::string last_;        // key of the chunk before
+  std::uint64_t link_ = 0;  // checksum of the previous block
+  std::string last_;        // key of the previous chunk
   std::uint64_t chunks_ = 0;
   std::uint64_t voxels_ = 0;
   edits::StateHash hash_;
@@ -68,14 +67,14 @@ class PortableWriter {
 
 class PortableReader {
  public:
-  /// Fills as much as it can; less only at the end.
+  /// Fills the buffer; returns less only at the end.
   using Source = std::function<tl::expected<std::size_t, std::string>(std::span<std::byte>)>;
 
-  /// Reads the header. An error is one line: what is wrong, and what would be right.
+  /// Reads the header. An error is one line: what is wrong, and the remedy.
   [[nodiscard]] static tl::expected<PortableReader, std::string> open(Source source);
 
   [[nodiscard]] const PortableHeader& header() const { return header_; }
-  /// Nothing at the end, when all of the file was sound.
+  /// Returns nullopt at the end, once the whole file is verified.
   [[nodiscard]] tl::expected<std::optional<PortableChunk>, std::string> next();
 
  private:
@@ -87,7 +86,7 @@ class PortableReader {
   Source source_;
   PortableHeader header_;
   store::Bytes block_;
-  std::size_t at_ = 0;  // in block_
+  std::size_t at_ = 0;  // position in block_
   std::uint64_t link_ = 0;
   std::string last_;
   bool ended_ = false;

@@ -20,7 +20,7 @@ tl::expected<std::uint64_t, std::string> rename_material(const store::DataDirect
   {
     const auto store = open_whole(directory);
     if (!store) return tl::unexpected{store.error()};
-    // Before all is read to count them.
+    // Checked before the slow count.
     const auto id = store::check_rename((*store)->materials(), from, to);
     if (!id) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), id.error())};
     const auto uses = voxels_by_material(**store);
@@ -30,7 +30,7 @@ tl::expected<std::uint64_t, std::string> rename_material(const store::DataDirect
     settings.store_id = (*store)->meta().store_id;
   }
   settings.path = directory.path();
-  // How much of it is kept is talusd's to say.
+  // Keeps all history; only talusd trims it.
   settings.history = {std::numeric_limits<std::uint64_t>::max(), std::chrono::milliseconds::max()};
   const auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{database.error()};

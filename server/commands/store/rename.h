@@ -1,4 +1,4 @@
-// Another name for a material that players have placed.
+// Renames a material that players have placed.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,8 @@
 
 namespace talus::server {
 
-/// The material `from` of the store in `directory`, which nobody else uses, is called `to`: its voxels and
-/// its history are as they were. Returns how many voxels that are. An error is one line, and nothing is
-/// changed.
+/// Renames the material `from` of the store in `directory`, which must be used exclusively. Its voxels and
+/// history stay. Returns the number of its voxels. An error is one line; nothing is changed then.
 [[nodiscard]] tl::expected<std::uint64_t, std::string> rename_material(const store::DataDirectory& directory,
                                                                        const std::string& from,
                                                                        const std::string& to);

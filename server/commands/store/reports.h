@@ -1,4 +1,4 @@
-// What commands print: lines for people, or JSON for programs.
+// Output of commands: lines for people, or JSON for programs.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace talus::server {
 class MaterialNames {
  public:
   explicit MaterialNames(const std::map<std::string, MaterialId>& materials);
-  /// "material 7" where the store has none.
+  /// Returns "material 7" if the store has no name for it.
   [[nodiscard]] std::string of(MaterialId material) const;
 
  private:
@@ -25,7 +25,7 @@ class MaterialNames {
 /// "1 voxel", "2 voxels".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view what);
 
-/// "1,234,567 bytes" would need reading twice: "1.2 MB".
+/// Formats as "1.2 MB".
 [[nodiscard]] std::string readable_bytes(std::uint64_t bytes);
 
 [[nodiscard]] std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures);

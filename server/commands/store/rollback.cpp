@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds kRetry{200};
 constexpr int kMaxTries = 300;
 
-/// Whether `at` of `size` voxels along one axis and the box have any in common.
+/// True if the chunk that begins at `at` overlaps the box along one axis.
 bool meets(std::int64_t at, std::int64_t first, std::int64_t last) {
   return at <= last && at + kChunkSize > first;
 }
@@ -97,7 +97,7 @@ std::vector<Changer> Rollback::others() const {
 
 std::vector<std::vector<edits::ChunkChanges>> Rollback::slices() const {
   std::vector<std::vector<edits::ChunkChanges>> slices;
-  std::size_t room = 0;  // voxels that the last slice still takes
+  std::size_t room = 0;  // room for voxels in the last slice
   for (const auto& [coord, chunk] : chunks_) {
     std::vector<edits::VoxelChange> voxels;
     for (const auto& [index, touched] : chunk) {

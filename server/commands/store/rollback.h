@@ -1,5 +1,5 @@
-// What one subject did within a box since some time, and what is to be put back: each voxel that still is as
-// that subject left it becomes what it was before. Where somebody else has built since, nothing is touched.
+// Undoes the changes of one subject in a box since a time: each voxel still as that subject left it gets its
+// previous material. Voxels changed by others since are left alone.
 #pragma once
 
 #include <cstdint>
@@ -20,52 +20,52 @@
 namespace talus::server {
 
 struct RollbackRequest {
-  std::string subject;        // empty: of no token
-  std::int64_t since_ms = 0;  // 1970; of the log's time
-  VoxelPos first;             // the box's lowest corner
-  VoxelPos last;              // the highest, which is in it
+  std::string subject;        // empty: edits without a token
+  std::int64_t since_ms = 0;  // since 1970, by the log's time
+  VoxelPos first;             // lowest corner of the box
+  VoxelPos last;              // highest corner, inclusive
 };
 
-/// Who changed voxels of the box since the time, and how many; one that changed twice counts twice.
+/// A subject that changed voxels of the box since the time. A voxel changed twice counts twice.
 struct Changer {
-  std::string subject;  // empty: of no token
+  std::string subject;  // empty: without a token
   std::size_t voxels = 0;
 };
 
-/// By the records of the log, one after the other. Pure.
+/// Computes the rollback from consecutive log records. Pure.
 class Rollback {
  public:
-  /// Voxels that one command rolls back: about 600 MB of memory.
+  /// Maximum number of voxels per command: about 600 MB of memory.
   static constexpr std::size_t kMaxVoxels = std::size_t{8} << 20U;
 
-  /// Others than the subject whose names are kept.
+  /// Maximum number of other subjects recorded.
   static constexpr std::size_t kMaxOthers = 1000;
 
   explicit Rollback(RollbackRequest request) : request_{std::move(request)} {}
 
-  /// The next record. False: it touches more than kMaxVoxels.
+  /// Adds the next record. False if more than kMaxVoxels voxels are affected.
   [[nodiscard]] bool add(const store::LogRecord& record);
 
   [[nodiscard]] std::size_t voxels() const;
-  /// Voxels that the subject changed and a rollback has put back since.
+  /// Voxels of the subject that an earlier rollback already restored.
   [[nodiscard]] std::size_t already_back() const { return already_back_; }
-  /// Those that others have changed since; not to be put back.
+  /// Voxels of the subject that others have changed since; not restored.
   [[nodiscard]] std::size_t taken_over() const { return taken_over_; }
-  /// Whether the subject changed any voxel there.
+  /// True if the subject changed any voxel in the box.
   [[nodiscard]] bool met_subject() const { return met_subject_; }
-  /// Those who did so before the subject was met, the busiest first. Complete where it never was, up to
-  /// kMaxOthers.
+  /// Other subjects that changed the box before the first change by the subject, busiest first. Complete, up
+  /// to kMaxOthers, if the subject changed nothing.
   [[nodiscard]] std::vector<Changer> others() const;
-  /// As edits: in each `before` is what the voxel is now, and `after` what it becomes.
+  /// The edits to make; in each change `before` is the current material and `after` the restored one.
   [[nodiscard]] std::vector<std::vector<edits::ChunkChanges>> slices() const;
 
  private:
   struct Touched {
-    MaterialId original{};  // before the subject came
-    MaterialId put{};       // what it is now
+    MaterialId original{};  // before the subject's first change
+    MaterialId put{};       // the subject's last change
     MaterialId base{};
   };
-  using Chunk = std::unordered_map<std::uint16_t, Touched>;  // by index
+  using Chunk = std::unordered_map<std::uint16_t, Touched>;  // by voxel index
 
   [[nodiscard]] bool has(VoxelPos at) const;
   void count_other(const std::string& subject, const edits::ChunkChanges& changes);
@@ -85,8 +85,8 @@ struct RollbackPlan {
   std::size_t already_back = 0;
   std::size_t taken_over = 0;
   bool met_subject = false;
-  std::vector<Changer> others;       // where the subject was not met; the busiest first
-  std::uint64_t first_position = 0;  // how far back the records go
+  std::vector<Changer> others;       // only if met_subject is false; busiest first
+  std::uint64_t first_position = 0;  // oldest record read
   std::int64_t first_time_ms = 0;
 };
 [[nodiscard]] tl::expected<RollbackPlan, std::string> plan_rollback(const store::ReadOnlyStore& store,
@@ -95,8 +95,8 @@ struct RollbackPlan {
 
 using Restore = std::function<tl::expected<Restorer::Restored, Restorer::Failure>(
     const std::vector<edits::ChunkChanges>&)>;
-/// Makes the edits one by one, and each that is refused for now again for a minute. Returns how many voxels
-/// changed. Whoever is interrupted does the whole again: what was put back is not the subject's any more.
+/// Makes the edits one by one, retrying each temporarily rejected one for a minute. Returns the number of
+/// voxels changed. An interrupted rollback can be repeated: restored voxels no longer count as the subject's.
 [[nodiscard]] tl::expected<std::uint64_t, std::string> roll_back(const RollbackPlan& plan,
                                                                  const Restore& restore,
                                                                  ProgressBar& progress);

@@ -20,13 +20,12 @@ using store_commands::Answer;
 using store_commands::Flags;
 using store_commands::Outside;
 
-/// One of the commands.
 struct Subcommand {
   CLI::App* app = nullptr;
   Answer (*run)(const Flags&, const Outside&) = nullptr;
 };
 
-/// What the flags do not say is as talusd has it.
+/// Takes missing flags from talusd's settings.
 tl::expected<void, std::string> complete(Flags& flags, const Environment& environment) {
   Settings settings;
   if (!flags.config.empty()) {

@@ -1,5 +1,5 @@
-// "talusd store": looks at, backs up, restores and mends the store of edits in a data directory, while a
-// server uses it where that is possible.
+// "talusd store": inspects, backs up, restores and repairs the edit store of a data directory, if possible
+// while a server uses it.
 #pragma once
 
 #include <filesystem>
@@ -16,11 +16,11 @@
 
 namespace talus::server {
 
-/// Reads a world's file; an empty path gives the world built into the program.
+/// Reads a world's file; an empty path means the built-in world.
 using LoadWorld = std::function<tl::expected<std::shared_ptr<const terrain::World>, std::string>(
     const std::filesystem::path&)>;
 
-/// Does what the flags say, and prints; `argv[0]` is "store". Returns the exit status.
+/// Runs the command and prints its output; `argv[0]` is "store". Returns the exit status.
 [[nodiscard]] int store_command(int argc, const char* const* argv, const Environment& environment,
                                 const LoadWorld& load_world, const ClusterTools& cluster);
 

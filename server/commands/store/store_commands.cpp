@@ -38,7 +38,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Numbers with commas between them, as many as `into` has.
+/// Parses comma-separated numbers to fill `into`.
 bool parse_numbers(std::string_view text, std::span<std::int64_t> into) {
   for (std::size_t i = 0; i < into.size(); ++i) {
     const std::string_view part = text.substr(0, text.find(','));
@@ -96,7 +96,7 @@ Answer backup(const Flags& flags, const Outside&) {
 
 Answer restore(const Flags& flags, const Outside&) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  // Before a directory is made for it.
+  // Before the directory is created.
   if (const auto manifest = read_manifest(flags.path); !manifest) return tl::unexpected{manifest.error()};
   const auto directory = store::DataDirectory::open_any(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -123,7 +123,7 @@ Answer compact_store(const Flags& flags, const Outside&) {
 
 namespace {
 
-/// say() tells where it could not be written.
+/// Ignores errors; say() reports them.
 void to_standard_output(std::string_view text) {
   (void)std::fwrite(text.data(), 1, text.size(), stdout);
 }
@@ -165,7 +165,7 @@ Answer show_history(const Flags& flags, const Outside&) {
 
 namespace {
 
-/// Six numbers, or a box as tokens have it.
+/// Accepts six numbers, or a box as in tokens.
 tl::expected<Box, std::string> parse_box(const std::string& text) {
   if (text.find(':') != std::string::npos) {
     const auto boxes = Boxes::parse(text);
@@ -197,8 +197,8 @@ tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) 
   return RollbackRequest{*std::move(subject), *since, box->first, box->last};
 }
 
-/// Of a plan that has met nobody of the subject, which then is often misspelt: a line of those whom it has
-/// met.
+/// For a plan that found no change by the subject, whose name may be misspelt: a line with the subjects
+/// found.
 std::string unmet_subject_line(const RollbackRequest& request, const RollbackPlan& plan) {
   constexpr std::size_t kNamed = 5;
   std::string there;
@@ -271,7 +271,7 @@ Answer rollback(const Flags& flags, const Outside&) {
 
 namespace {
 
-/// What import and rebase have made.
+/// Summary of an import or rebase.
 std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
   std::string text = fmt::format("{}: store {} with {} in {}\n", data, to_string(rebuilt.store_id),
                                  counted(rebuilt.voxels, "voxel"), counted(rebuilt.chunks, "chunk"));
@@ -287,7 +287,7 @@ std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
 
 namespace {
 
-/// Of `path`, those that are not there, the deepest first.
+/// Returns the missing directories of `path`, deepest first.
 std::vector<fs::path> missing_directories(const fs::path& path) {
   std::error_code code;
   fs::path at = fs::absolute(path, code).lexically_normal();
@@ -300,8 +300,8 @@ std::vector<fs::path> missing_directories(const fs::path& path) {
   return missing;
 }
 
-/// What a command that was refused has made: `made`, and what no store needs in the first of them, which it
-/// has locked. What others have put there stays.
+/// Removes what a rejected command created: the directories `made`, and the lock file in the first of them.
+/// Files of other origin stay.
 void remove_made(const store::DataDirectory& directory, std::span<const fs::path> made) {
   if (directory.has_store() || store::swap_is_begun(directory.path()) || !store::tidy_up(directory.path()))
     return;
@@ -385,7 +385,7 @@ Answer rename(const Flags& flags, const Outside&) {
 
 namespace {
 
-/// Of a store that nobody uses.
+/// Locks a store that is not in use.
 tl::expected<store::DataDirectory, std::string> lock_store(const Flags& flags) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
   return store::DataDirectory::open_store(flags.data);

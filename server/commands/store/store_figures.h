@@ -1,4 +1,4 @@
-// What a store holds, counted by reading all of it, and whether it agrees with itself.
+// Counts a store's contents by reading all of it, and verifies its consistency.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace talus::server {
 
 struct StoreFigures {
   struct Level {
-    std::uint64_t chunks = 0;  // that have overrides
+    std::uint64_t chunks = 0;  // with overrides
     std::uint64_t voxels = 0;
-    edits::StateHash hash;      // of its overrides
-    edits::StateHash expected;  // of those that level 0 says; of level 0 nothing
+    edits::StateHash hash;      // of the stored overrides
+    edits::StateHash expected;  // of the overrides derived from level 0; unused for level 0
   };
   std::array<Level, Lod::kMax + 1> levels;
-  std::uint64_t emptied_chunks = 0;  // of any level: all their edits were undone
+  std::uint64_t emptied_chunks = 0;  // of any level: all edits were undone
   std::uint64_t editors = 0;
   std::map<MaterialId, std::uint64_t> materials;  // voxels of level 0
 };
@@ -30,12 +30,12 @@ struct StoreFigures {
 [[nodiscard]] tl::expected<StoreFigures, std::string> read_figures(const store::ReadOnlyStore& store,
                                                                    ProgressBar& progress);
 
-/// Voxels of level 0 by material, with a progress bar of its own.
+/// Counts voxels of level 0 by material, showing its own progress bar.
 [[nodiscard]] tl::expected<std::map<MaterialId, std::uint64_t>, std::string> voxels_by_material(
     const store::ReadOnlyStore& store);
 
-/// Whether S and the coarse levels are what level 0 says, and the log is whole as far as it is kept. An error
-/// is one line and names what is not as it must be.
+/// Checks that the state hash and the coarse levels match level 0, and that the kept log is complete. An
+/// error is one line that names the inconsistency.
 [[nodiscard]] tl::expected<void, std::string> verify(const store::ReadOnlyStore& store,
                                                      const StoreFigures& figures);
 

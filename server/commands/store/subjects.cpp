@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view kNoToken = "(no token)";
 
-/// Characters that look like a space, like nothing, or turn the line around: they would make two subjects
-/// look alike, or one look like the rest of the line. Both ends included.
+/// Characters that look like a space, are invisible, or reverse the text direction: they could make two
+/// subjects look alike, or hide where a subject ends. Both bounds are inclusive.
 constexpr std::array<std::pair<char32_t, char32_t>, 14> kUnseen{{{0xA0, 0xA0},
                                                                  {0xAD, 0xAD},
                                                                  {0x34F, 0x34F},
@@ -33,7 +33,7 @@ constexpr std::array<std::pair<char32_t, char32_t>, 14> kUnseen{{{0xA0, 0xA0},
                                                                  {0xFE00, 0xFE0F},
                                                                  {0xFEFF, 0xFEFF}}};
 
-/// Of the character that the text begins with, which is one of UTF-8.
+/// Decodes the UTF-8 character at the beginning of the text.
 char32_t code_point(std::string_view character) {
   const auto first = static_cast<unsigned char>(character.front());
   if (first < 0x80) return first;

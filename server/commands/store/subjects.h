@@ -1,5 +1,5 @@
-// Subjects of tokens as `talusd store` prints and takes them: whoever makes tokens chooses their bytes, and
-// what is printed can be given back.
+// Printed form of token subjects in `talusd store`. Token issuers choose arbitrary bytes; printed text can be
+// used as input.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace talus::server {
 
-/// On one line, each subject in its own way: visible characters of UTF-8 and single spaces between them as
-/// they are, backslashes and all other bytes as \xNN; no subject as "(no token)".
+/// Encodes a subject unambiguously on one line: visible UTF-8 characters and single spaces stay, backslashes
+/// and all other bytes become \xNN; an empty subject becomes "(no token)".
 [[nodiscard]] std::string subject_text(std::string_view subject);
 
-/// The subject whose text that is, or, also with other bytes as \xNN, could be. An error is one line.
+/// Inverse of subject_text(); accepts \xNN for any byte. An error is one line.
 [[nodiscard]] tl::expected<std::string, std::string> parse_subject(std::string_view text);
 
 }  // namespace talus::server

@@ -1,5 +1,5 @@
-// A store's edits to a file and back, and from one world to another. The new store is made beside the one
-// that is there and takes its place at the end.
+// Exports and imports a store's edits, and moves them to another world. The new store is built separately and
+// replaces the old one at the end.
 #pragma once
 
 #include <cstdint>
@@ -25,37 +25,36 @@ struct Exported {
 enum class Winner : std::uint8_t { file, store };
 
 struct Rebuilt {
-  std::uint64_t chunks = 0;  // that the store has now
+  std::uint64_t chunks = 0;  // in the new store
   std::uint64_t voxels = 0;
-  std::uint64_t both = 0;     // import: voxels that both had
-  bool compared = false;      // import: whether it was known what the world generates
-  std::uint64_t as_base = 0;  // rebase: overrides that are as the new world generates
-  std::uint64_t unknown = 0;  // rebase: overrides of materials that the new world has not
+  std::uint64_t both = 0;     // import: voxels in both the file and the store
+  bool compared = false;      // import: the materials that the world generates were known
+  std::uint64_t as_base = 0;  // rebase: overrides equal to the new world's generated voxels
+  std::uint64_t unknown = 0;  // rebase: overrides of materials that the new world lacks
   ContentHash store_id;
-  std::filesystem::path replaced;  // where the store is that was there; empty: there was none
+  std::filesystem::path replaced;  // where the previous store is kept; empty: there was none
 };
 
-/// Adds the file's edits to those of the store in `directory`, or makes one there, of the file's world.
-/// `winner` has the voxels that both have. Materials are those of the same names: a
-/// file with voxels of a placed one whose name is that of a generated one in the store is refused, and so is
-/// one with voxels of what the file's world does not generate, and one with names that no world may give.
-/// What that generates `world` says where it is that one, else the store where it has the names; null: no
-/// world is known. The new store's time is the file's where the store's is
-/// earlier, but at most `now_ms`, since 1970.
+/// Merges the file's edits into the store in `directory`, or creates a store of the file's world there.
+/// `winner` decides voxels that both have. Materials are matched by name. Rejects a file with voxels of a
+/// placed material whose name the store's world generates, voxels of a generated material that the file's
+/// world does not generate, or names that a world may not use. The generated materials come from `world` if
+/// it is the file's world, otherwise from the store if it has their names; `world` may be null. The new
+/// store's time is the later of the store's and the file's, the latter capped at `now_ms`, since 1970.
 [[nodiscard]] tl::expected<Rebuilt, std::string> import_edits(const std::filesystem::path& file,
                                                               const store::DataDirectory& directory,
                                                               Winner winner, std::int64_t now_ms,
                                                               const terrain::World* world = nullptr);
 
-/// The store's edits over another world: overrides that are as that generates go, materials are those of the
-/// same names. Where the world lacks some, nothing happens, unless those voxels may go. A store of that world
-/// has something to lose where the world's file has lost a placeable; else it is refused.
+/// Moves the store's edits to another world: drops overrides equal to the generated voxels, and matches
+/// materials by name. Fails if the world lacks some materials, unless `drop_unknown`. A store already of that
+/// world is rejected, unless the world's file has lost a placeable, so that there are voxels to drop.
 [[nodiscard]] tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& directory,
                                                               const terrain::World& world, bool drop_unknown);
 
-/// The ids that a rebased store gives to the world's materials, by name: those that the world generates have
-/// theirs, what else may be placed keeps the id that it has in the store, where that was one for it. An error
-/// is that no id is left.
+/// Returns the ids of the world's materials in a rebased store, by name: generated materials have the world's
+/// ids; placeable ones keep the id that the store gave them, if it was a placed material's. Fails if ids run
+/// out.
 [[nodiscard]] tl::expected<std::map<std::string, MaterialId>, std::string> rebased_materials(
     const std::map<std::string, MaterialId>& stored, const terrain::World& world);
 

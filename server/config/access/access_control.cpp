@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-/// Length of the shared secret: a shorter one could be guessed, a longer one does not fit into a Hello.
+/// Length of the shared secret: shorter ones can be guessed, longer ones do not fit into a Hello.
 constexpr KeyBounds kSecretBounds{16, 1024};
 
 SecretDigest digest_of(std::string_view text) {
@@ -21,12 +21,12 @@ SecretDigest digest_of(std::string_view text) {
   return digest;
 }
 
-/// Takes a time that does not depend on the digests.
+/// Compares in constant time.
 bool same(const SecretDigest& a, const SecretDigest& b) {
   return ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-/// The configuration has checked the words.
+/// The words were validated with the configuration.
 Rights rights_of(std::string_view words) {
   return Rights::parse(words).value_or(Rights{});
 }
@@ -36,7 +36,7 @@ Rights without_token(const Access& settings, const TokenKeys& keys) {
   return keys.any() ? Rights{} : Rights{Right::read};
 }
 
-/// Reads the key file, if the setting names one, and appends its warning.
+/// Reads the key file if the setting names one, and appends its warning.
 tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
                                                       const std::filesystem::path& file, KeyBounds bounds,
                                                       std::vector<std::string>& warnings) {
@@ -47,7 +47,7 @@ tl::expected<std::optional<Secret>, std::string> load(std::string_view setting,
   return std::optional<Secret>{std::move(read->secret)};
 }
 
-/// Of what is read again and again while others still use what was read before.
+/// A part that is reread while others still use the old value.
 template <class Part>
 using PartOrError = tl::expected<std::shared_ptr<const Part>, std::string>;
 
@@ -85,7 +85,7 @@ PartOrError<BlockedFlows> read_blocked(const Access& settings) {
   return std::make_shared<const BlockedFlows>(*std::move(read));
 }
 
-/// Puts it into its place, or says why what is there stays.
+/// Stores the new part, or appends the reason why the old one stays.
 template <class Part>
 void take_part(PartOrError<Part> read, std::shared_ptr<const Part>& place, std::string_view stays,
                std::vector<std::string>& failures) {
@@ -169,7 +169,7 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
     }
     error = {claims.error().expired ? AuthFailure::expired : AuthFailure::not_accepted,
              std::move(claims.error().reason)};
-    if (claims.error().signed_by_key) break;  // no other key has a better reason
+    if (claims.error().signed_by_key) break;  // no other key can give a better reason
   }
   return tl::make_unexpected(std::move(error));
 }
@@ -199,7 +199,7 @@ tl::expected<std::string, std::string> AccessControl::reload(const Access& setti
 }
 
 std::optional<AuthFailure> AccessControl::withdrawn(const Grant& grant) const {
-  if (!grant.expires) return std::nullopt;  // no signed token
+  if (!grant.expires) return std::nullopt;  // not a signed token
   const std::shared_ptr<const Keys> known = keys();
   if (known->revoked->contains(grant.token_id, grant.subject, grant.issued)) return AuthFailure::revoked;
   if (known->blocked->find_subject(grant.subject) != nullptr) return AuthFailure::blocked;

@@ -1,4 +1,4 @@
-// Who may join, and with which rights.
+// Decides which clients may join, and with which rights.
 #pragma once
 
 #include <array>
@@ -22,87 +22,87 @@
 
 namespace talus::server {
 
-/// SHA-256 of the shared secret. The secret itself is not kept.
+/// SHA-256 of the shared secret; the secret itself is not kept.
 using SecretDigest = std::array<unsigned char, 32>;
 
-/// What tokens are checked by.
+/// Keys that verify tokens.
 struct TokenKeys {
   std::optional<SecretDigest> shared_secret;
   std::vector<Secret> signing_keys;   // the current key first
-  std::vector<std::string> warnings;  // one line each, about the files
+  std::vector<std::string> warnings;  // about the files, one line each
 
   [[nodiscard]] bool any() const { return shared_secret || !signing_keys.empty(); }
 };
 
-/// The contents of the configured files; none of them is null.
+/// Contents of the configured files; the pointers are never null.
 struct Keys {
   std::shared_ptr<const TokenKeys> tokens;
   std::shared_ptr<const RevokedTokens> revoked;
   std::shared_ptr<const BlockedFlows> blocked;
-  std::vector<std::string> warnings{};  // one line each, about the files
+  std::vector<std::string> warnings{};  // about the files, one line each
 
   [[nodiscard]] bool any() const { return tokens->any(); }
 };
 
-/// An error is one line that begins with the setting's key: the file is bad, or the settings let nobody in.
+/// An error is one line that begins with the setting's key: the file is bad, or the settings admit no client.
 [[nodiscard]] tl::expected<Keys, std::string> load_keys(const Access& settings);
 
-/// What a token, or the lack of one, gives a session.
+/// Rights and restrictions that a token, or the lack of one, gives a session.
 struct Grant {
   Rights rights{Right::read};
-  std::string subject;  // of a signed token, as the token has it: escape before logging
+  std::string subject;                              // of a signed token, unescaped: escape it before logging
   std::optional<std::chrono::sys_seconds> expires;  // the session ends between then and kClockSkew later
-  std::string token_id{};                           // its "jti", as the token has it; empty: none
+  std::string token_id{};                           // "jti", unescaped; may be empty
   std::optional<std::chrono::sys_seconds> issued{};
-  std::optional<Boxes> edit_in{};  // where it may edit; none: everywhere
-  Boxes edit_not_in{};             // where not
+  std::optional<Boxes> edit_in{};  // nullopt: everywhere
+  Boxes edit_not_in{};             // never here
 };
 
 struct AuthError {
   AuthFailure failure{};
-  std::string reason;     // for the operator's log; empty where describe() says it all
-  bool repeated = false;  // the log knows already that this one is blocked
+  std::string reason;     // for the operator's log; may be empty
+  bool repeated = false;  // this block was logged before
 };
 
-/// An address that a line of access.blocked_file blocks.
+/// An address blocked by a line of access.blocked_file.
 struct BlockedAddress {
   std::size_t line = 0;
-  bool repeated = false;  // it is not the first whom the line blocks since the file was read
+  bool repeated = false;  // not the first address blocked by this line since the file was read
 };
 
 /// Callable from any thread.
 class AccessControl {
  public:
-  /// `keys` are those that load_keys(settings) returned.
+  /// `keys` must come from load_keys(settings).
   AccessControl(const Access& settings, Keys keys);
 
-  /// Checks the token of a Hello; empty: the client has none. A token is accepted where it is the shared
-  /// secret or signed by one of the keys. Without configured keys a token is ignored.
+  /// Checks the token of a Hello (empty if the client sent none). Accepts the shared secret, and tokens
+  /// signed by one of the keys. If no keys are configured, tokens are ignored.
   [[nodiscard]] tl::expected<Grant, AuthError> admit(std::string_view token,
                                                      std::chrono::sys_seconds now) const;
 
-  /// Whether who has no token may read. Cheap: every answer by HTTP asks.
+  /// True if clients without a token may read. Cheap, because every HTTP answer calls it.
   [[nodiscard]] bool lets_anybody_read() const { return anybody_reads_.load(std::memory_order_relaxed); }
-  /// Whether anybody can have a token that is accepted.
+  /// True if any token can be accepted.
   [[nodiscard]] bool has_keys() const { return keys()->any(); }
 
-  /// Why a session that was admitted may not stay: its token was revoked since, or its subject blocked.
+  /// Reason to end an admitted session (token revoked or subject blocked since); nullopt if it may stay.
   [[nodiscard]] std::optional<AuthFailure> withdrawn(const Grant& grant) const;
 
-  /// For a client who comes: whether its address is blocked.
+  /// Checks a connecting client's address; nullopt if it is not blocked. Marks the line as used.
   [[nodiscard]] std::optional<BlockedAddress> meet(const asio::ip::address& address) const;
   [[nodiscard]] bool blocks(const asio::ip::address& address) const;
 
-  /// Reads the key files and the lists of revoked tokens and of blocked flows again; where the lists are now
-  /// is taken from `settings`. Of keys, revoked tokens and blocked flows what cannot be read stays as it was,
-  /// and the error is one line that says why; the others are as their files say. Else the value is one line
-  /// for the log, warnings about the files included. From one thread.
+  /// Rereads the key files and the lists of revoked tokens and blocked flows, at the paths of `settings` for
+  /// the lists. Keys, revoked tokens and blocked flows are replaced separately: if one cannot be read, its
+  /// old value stays, and the error is one line with the reasons. Otherwise returns one line for the log,
+  /// including warnings about the files. Call from one thread only.
   [[nodiscard]] tl::expected<std::string, std::string> reload(const Access& settings);
 
  private:
   [[nodiscard]] std::shared_ptr<const Keys> keys() const;
 
-  Access settings_;  // but for reload() nobody looks at the lists' paths
+  Access settings_;  // the lists' paths are used only by reload()
   const Rights secret_rights_;
   mutable std::mutex mutex_;
   std::shared_ptr<const Keys> keys_;

@@ -1,4 +1,4 @@
-// Why a client is not authenticated, or not served any more.
+// Reasons for rejecting a client or ending its session.
 #pragma once
 
 #include <array>
@@ -7,12 +7,12 @@
 
 namespace talus::server {
 
-/// A client is told no more than this.
+/// Clients learn no more than this.
 enum class AuthFailure : std::uint8_t { missing, expired, not_accepted, revoked, blocked };
 inline constexpr std::array<std::string_view, 5> kAuthFailureNames{"missing", "expired", "not_accepted",
                                                                    "revoked", "blocked"};
 
-/// The sentence that the client gets.
+/// Sentence sent to the client.
 [[nodiscard]] std::string_view describe(AuthFailure failure);
 
 }  // namespace talus::server

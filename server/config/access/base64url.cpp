@@ -18,7 +18,7 @@ bool is_letter_or_digit(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-/// Of a text in the alphabet with + and /, whose length is a multiple of 4.
+/// Decodes the alphabet with + and /; the length must be a multiple of 4.
 std::optional<std::string> decode_padded(std::string_view text, std::size_t padding) {
   std::string bytes(text.size() / 4 * 3, '\0');
   if (::EVP_DecodeBlock(bytes_of(bytes), bytes_of(text), static_cast<int>(text.size())) < 0) {
@@ -31,7 +31,7 @@ std::optional<std::string> decode_padded(std::string_view text, std::size_t padd
 }  // namespace
 
 std::string base64url_encode(std::string_view bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // OpenSSL ends it with a zero
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // OpenSSL appends a zero byte
   const int size = ::EVP_EncodeBlock(bytes_of(text), bytes_of(bytes), static_cast<int>(bytes.size()));
   text.resize(static_cast<std::size_t>(size));
   while (text.ends_with('=')) text.pop_back();

@@ -1,5 +1,5 @@
-// Base64 (RFC 4648): with the URL alphabet and without padding (section 5; RFC 7515 appendix C), and as JSON
-// of others mostly has it (section 4).
+// Base64 (RFC 4648): URL alphabet without padding (section 5; RFC 7515 appendix C), and the standard alphabet
+// (section 4), common in JSON.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@ namespace talus::server {
 
 [[nodiscard]] std::string base64url_encode(std::string_view bytes);
 
-/// None where the text holds a character outside the alphabet or has a length that no bytes encode to. Unused
-/// bits of the last character are ignored.
+/// Returns nullopt if the text has a character outside the alphabet or an impossible length. Ignores unused
+/// bits of the last character.
 [[nodiscard]] std::optional<std::string> base64url_decode(std::string_view text);
 
-/// The same of the alphabet with + and /, padded by =.
+/// Like base64url_decode() for the alphabet with + and /, padded with =.
 [[nodiscard]] std::optional<std::string> base64_decode(std::string_view text);
 
 }  // namespace talus::server

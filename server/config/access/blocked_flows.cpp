@@ -27,7 +27,7 @@ std::string BlockedFlows::add(std::string_view line, std::size_t number) {
   std::string_view rest = line;
   if (take_word(rest) == "subject") {
     if (rest.empty()) return "no NAME after subject";
-    // As a name is shown that is too long: it would block nobody.
+    // A truncated display name would block no client.
     if (rest.ends_with("...")) {
       return "\"...\" is where the name was cut; take the whole subject from /flows.json, or write the last "
              "dot as \\x2e";

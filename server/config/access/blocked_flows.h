@@ -1,13 +1,12 @@
-// Who is not served: addresses, and subjects of signed tokens. A list that the operator keeps
-// (config/access/list_file.h):
+// The operator's list of blocked addresses and token subjects (config/access/list_file.h):
 //
 //     203.0.113.9          an address
 //     2001:db8:1:2::/64    a network
-//     subject NAME         whose tokens have this subject
+//     subject NAME         tokens with this subject
 //
-// NAME is the subject itself, or what the log and "talusd top" show: with \xNN for what is not printable
-// ASCII. A name that ends in "..." was cut where it was shown, and is an error; of a subject that ends so the
-// last dot is written \x2e.
+// NAME is the subject itself, or the form shown by the log and "talusd top", with \xNN for bytes that are not
+// printable ASCII. A name that ends in "..." was truncated and is an error; if the subject really ends so,
+// write its last dot as \x2e.
 #pragma once
 
 #include <atomic>
@@ -27,7 +26,7 @@ namespace talus::server {
 
 class BlockedFlows {
  public:
-  /// An error is one line that begins with the number of the line that is wrong.
+  /// An error is one line that begins with the number of the wrong line.
   [[nodiscard]] static tl::expected<BlockedFlows, std::string> parse(std::string_view text);
   /// An error is one line that begins with the file.
   [[nodiscard]] static tl::expected<BlockedFlows, std::string> read(const std::filesystem::path& file);
@@ -36,7 +35,7 @@ class BlockedFlows {
    public:
     explicit Line(std::size_t number) : number_{number} {}
     [[nodiscard]] std::size_t number() const { return number_; }
-    /// Whether this is the first call: somebody came whom the line blocks. Any thread.
+    /// True on the first call: the line blocked its first client. Callable from any thread.
     [[nodiscard]] bool meet() const { return !met_.exchange(true); }
 
    private:
@@ -44,18 +43,18 @@ class BlockedFlows {
     mutable std::atomic<bool> met_{false};
   };
 
-  /// Null where no line blocks it. Of several lines the one with the longest prefix. An IPv4 address and the
-  /// same address mapped into IPv6 are equal.
+  /// Returns the matching line with the longest prefix; null if none blocks the address. An IPv4 address
+  /// equals the same address mapped into IPv6.
   [[nodiscard]] const Line* find(const asio::ip::address& address) const;
   [[nodiscard]] const Line* find_subject(const std::string& subject) const;
-  /// Different entries.
+  /// Number of distinct entries.
   [[nodiscard]] std::size_t size() const;
 
  private:
-  /// Why the line is wrong; empty where it is right.
+  /// Returns why the line is wrong; empty if it is right.
   [[nodiscard]] std::string add(std::string_view line, std::size_t number);
 
-  // By length of the prefix, the longest first; IPv4 mapped into IPv6.
+  // By prefix length, longest first; IPv4 is mapped into IPv6.
   std::map<unsigned short, std::map<asio::ip::address_v6, Line>, std::greater<>> networks_;
   std::unordered_map<std::string, Line> subjects_;
 };

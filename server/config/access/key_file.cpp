@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = 8192;  // of any file that is read as a key
+constexpr std::size_t kMaxFileBytes = 8192;  // for every key file
 
 std::string_view without_newline(std::string_view text) {
   if (text.ends_with('\n')) text.remove_suffix(1);
@@ -20,7 +20,7 @@ std::string_view without_newline(std::string_view text) {
   return text;
 }
 
-/// A file that was filled up, or never written, and that anybody guesses. Short passwords are not judged.
+/// Detects files that were zero-filled or never written. Does not judge short passwords.
 bool holds_no_secret(std::string_view bytes) {
   constexpr std::size_t kShort = 16;
   const bool blank = bytes.find_first_not_of(std::string_view{"\0 \t\r\n", 5}) == std::string_view::npos;

@@ -1,4 +1,4 @@
-// Secrets in files, so that they are not in the configuration, the environment or the list of processes.
+// Secrets are read from files, to keep them out of the configuration, the environment and the process list.
 #pragma once
 
 #include <cstddef>
@@ -33,17 +33,17 @@ struct KeyFile {
 struct KeyBounds {
   std::size_t min_bytes;
   std::size_t max_bytes;
-  /// Where one gets such a file, for errors: "it must have ..., as {}".
+  /// How to create such a file, for errors: "it must have ..., as {}".
   std::string_view as = "\"head -c 32 /dev/urandom | base64\" prints";
 };
 
-/// The file's bytes without a single trailing newline. An error is one line that begins with the file: it
-/// cannot be read, is not a regular file, its length is out of bounds, or it is no secret: blank, or a single
-/// character again and again.
+/// Reads the file without one trailing newline. An error is one line that begins with the file: it cannot be
+/// read, is not a regular file, has a length out of bounds, or is not a secret (blank, or one repeated
+/// character).
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 
-/// One line where other users may read or change the file.
+/// Returns a one-line warning if other users may read or change the file; nullopt if not.
 [[nodiscard]] std::optional<std::string> open_to_others(const std::filesystem::path& file);
 
 }  // namespace talus::server

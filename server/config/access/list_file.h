@@ -1,5 +1,5 @@
-// Lists that operators keep: text files with an entry a line. Empty lines, and those that begin with #, are
-// ignored.
+// Lists that operators maintain: text files with one entry per line. Empty lines and lines that begin with #
+// are ignored.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ namespace talus::server {
 
 inline constexpr std::size_t kMaxListFileBytes = std::size_t{16} << 20;
 
-/// Takes a line without the blanks around it, and its number. Returns why it is wrong; empty: it is right.
+/// Takes a trimmed line and its number. Returns why the line is wrong; empty if it is right.
 using AddLine = std::function<std::string(std::string_view line, std::size_t number)>;
 
-/// Hands all lines over, up to the first that is wrong. An error is one line that begins with the number of
-/// that line.
+/// Passes each line to `add`, up to the first wrong one. An error is one line that begins with the number of
+/// the wrong line.
 [[nodiscard]] tl::expected<void, std::string> parse_list(std::string_view text, const AddLine& add);
 /// Reads a regular file of at most kMaxListFileBytes. An error is one line that begins with the file.
 [[nodiscard]] tl::expected<void, std::string> read_list(const std::filesystem::path& file,
                                                         const AddLine& add);
 
-/// The first word of a text, which is cut off it with the blanks after it.
+/// Removes the first word and the blanks after it from `text`, and returns the word.
 [[nodiscard]] std::string_view take_word(std::string_view& text);
 
 }  // namespace talus::server

@@ -12,7 +12,7 @@
 namespace talus::server {
 namespace {
 
-/// A number of exactly so many digits, cut off the text.
+/// Removes a number of exactly `digits` digits from the text, and returns it.
 std::optional<int> take_number(std::string_view& text, std::size_t digits) {
   if (text.size() < digits || text.find_first_not_of("0123456789") < digits) return std::nullopt;
   int number = 0;
@@ -21,7 +21,7 @@ std::optional<int> take_number(std::string_view& text, std::size_t digits) {
   return number;
 }
 
-/// 2026-11-22T18:30:00Z.
+/// Parses 2026-11-22T18:30:00Z.
 std::optional<std::chrono::sys_seconds> parse_time(std::string_view text) {
   constexpr std::size_t kNumbers = 6;
   constexpr std::size_t kDigits[kNumbers] = {4, 2, 2, 2, 2, 2};

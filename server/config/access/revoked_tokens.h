@@ -1,5 +1,4 @@
-// Signed tokens that are accepted no more, though they have not expired: a list that the operator keeps
-// (config/access/list_file.h):
+// The operator's list of signed tokens that are rejected before they expire (config/access/list_file.h):
 //
 //     jti ID              the token with this "jti"
 //     sub TIME SUBJECT    tokens of SUBJECT that were issued before TIME
@@ -22,23 +21,23 @@ namespace talus::server {
 
 class RevokedTokens {
  public:
-  /// An error is one line that begins with the number of the line that is wrong.
+  /// An error is one line that begins with the number of the wrong line.
   [[nodiscard]] static tl::expected<RevokedTokens, std::string> parse(std::string_view text);
   /// An error is one line that begins with the file.
   [[nodiscard]] static tl::expected<RevokedTokens, std::string> read(const std::filesystem::path& file);
 
-  /// `id` and `subject`: empty where the token has none.
+  /// Pass an empty `id` or `subject` if the token lacks it.
   [[nodiscard]] bool contains(const std::string& id, const std::string& subject,
                               std::optional<std::chrono::sys_seconds> issued) const;
-  /// Lines that revoke something.
+  /// Number of revocations.
   [[nodiscard]] std::size_t size() const { return ids_.size() + subjects_.size(); }
 
  private:
-  /// Why the line is wrong; empty where it is right.
+  /// Returns why the line is wrong; empty if it is right.
   [[nodiscard]] std::string add(std::string_view line);
 
   std::unordered_set<std::string> ids_;
-  std::unordered_map<std::string, std::chrono::sys_seconds> subjects_;  // issued before then
+  std::unordered_map<std::string, std::chrono::sys_seconds> subjects_;  // rejected if issued before then
 };
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// What a client may do.
+// Rights of a client.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace talus::server {
 
 enum class Right : std::uint8_t {
-  read,     // to join and to request chunks
-  edit,     // to change voxels
-  admin,    // to change them where the server's settings protect them too
-  gateway,  // to edit for others, and say for whom: a game server's
+  read,     // join and request chunks
+  edit,     // change voxels
+  admin,    // also change voxels that the server's settings protect
+  gateway,  // edit on behalf of named players, for game servers
 };
 
-/// A set of rights. A set that is not empty has `read`.
+/// A set of rights. Every non-empty set has `read`.
 class Rights {
  public:
   constexpr Rights() = default;
@@ -25,8 +25,8 @@ class Rights {
     for (const Right right : rights) bits_ |= bit(right);
   }
 
-  /// "none", or words separated by commas, "read" among them: "read,edit". The error says what is wrong and
-  /// what is expected.
+  /// Parses "none", or words separated by commas that include "read", such as "read,edit". The error names
+  /// what is wrong and what is expected.
   [[nodiscard]] static tl::expected<Rights, std::string> parse(std::string_view text);
 
   [[nodiscard]] constexpr bool has(Right right) const { return (bits_ & bit(right)) != 0; }
@@ -40,7 +40,7 @@ class Rights {
   std::uint8_t bits_ = 0;
 };
 
-/// The form that parse() reads.
+/// Inverse of parse().
 [[nodiscard]] std::string to_string(Rights rights);
 
 }  // namespace talus::server

@@ -24,15 +24,15 @@ using Json = nlohmann::json;
 using std::chrono::seconds;
 using std::chrono::sys_seconds;
 
-/// What an encoded token is made of.
+/// Parts of an encoded token.
 struct Parts {
   std::string_view header;
   std::string_view claims;
   std::string_view signature;
-  std::string_view signed_text;  // header and claims, as the signature covers them
+  std::string_view signed_text;  // header and claims
 };
 
-/// None unless the token has three parts, of which none is empty.
+/// Returns nullopt unless the token has three non-empty parts.
 std::optional<Parts> split(std::string_view token) {
   if (token.size() > protocol::kMaxStringBytes) return std::nullopt;
   const std::size_t first = token.find('.');
@@ -53,14 +53,14 @@ std::string signature_of(const Secret& key, std::string_view text) {
   return base64url_encode({reinterpret_cast<const char*>(digest.data()), size});
 }
 
-/// Compares the texts, so that a signature has one spelling, in a time that does not depend on what differs.
+/// Compares the encoded texts, so that a signature has one spelling, in constant time.
 bool same(std::string_view a, std::string_view b) {
   return a.size() == b.size() && ::CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-/// The JSON object in a part of a token. None where it is something else, or has a text with a zero byte,
-/// where other programs would cut it. Of equal names the last counts (RFC 7519 section 4). The parser does
-/// not recurse, so that the length of a token bounds what nesting costs.
+/// Parses the JSON object in a part of a token. nullopt if it is not an object, or has a string with a zero
+/// byte, which other programs would truncate. If a name is repeated, the last counts (RFC 7519 section 4).
+/// The parser does not recurse, so a token's length bounds the cost of nesting.
 std::optional<Json> parse_object(std::string_view part) {
   const auto text = base64url_decode(part);
   if (!text) return std::nullopt;
@@ -75,14 +75,14 @@ std::optional<Json> parse_object(std::string_view part) {
   return json;
 }
 
-/// The member, or null where it is missing or of another type.
+/// Returns the member; null if it is missing or has another type.
 template <typename Value>
 const Value* member(const Json& object, const char* name) {
   const auto found = object.find(name);
   return found == object.end() ? nullptr : found->get_ptr<const Value*>();
 }
 
-/// None where the claim is missing or not a whole number of 64 bits.
+/// Returns nullopt if the claim is missing or not a 64-bit integer.
 std::optional<sys_seconds> time_of(const Json& claims, const char* name) {
   const auto found = claims.find(name);
   if (found == claims.end() || !found->is_number_integer()) return std::nullopt;
@@ -99,7 +99,7 @@ tl::unexpected<TokenError> refused(std::string why) {
   return tl::make_unexpected(TokenError{true, false, std::move(why)});
 }
 
-/// Boxes in a claim; none where it is missing. The error says what is wrong.
+/// Parses the boxes in a claim; nullopt if it is missing.
 tl::expected<std::optional<Boxes>, std::string> boxes_of(const Json& claims, const char* name) {
   if (!claims.contains(name)) return std::nullopt;
   const auto* const text = member<std::string>(claims, name);
@@ -109,7 +109,7 @@ tl::expected<std::optional<Boxes>, std::string> boxes_of(const Json& claims, con
   return *std::move(boxes);
 }
 
-/// Why the header is refused; empty where it is accepted.
+/// Returns why the header is rejected; empty if it is accepted.
 std::string header_error(std::string_view part) {
   const auto header = parse_object(part);
   if (!header) return "its header is not a JSON object";

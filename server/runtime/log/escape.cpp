@@ -20,7 +20,7 @@ std::size_t printable_bytes(std::string_view text) {
   if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : 0;
   const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4) return 0;
-  // C1, and what has a shorter form, is half of a pair of UTF-16, or lies beyond the last character.
+  // Rejects C1, overlong forms, UTF-16 surrogates, and code points beyond U+10FFFF.
   if ((first == 0xC2 && at(1) < 0xA0) || (first == 0xE0 && at(1) < 0xA0) || (first == 0xED && at(1) > 0x9F) ||
       (first == 0xF0 && at(1) < 0x90) || (first == 0xF4 && at(1) > 0x8F)) {
     return 0;

@@ -1,4 +1,4 @@
-// Untrusted text, made safe for a terminal and a log file.
+// Makes untrusted text safe for a terminal and a log file.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,16 @@
 
 namespace talus::server {
 
-/// The first `max_bytes` bytes of `text`, with "..." after them where more follow. Bytes that are not
+/// Returns the first `max_bytes` bytes of `text`, followed by "..." if `text` is longer. Bytes that are not
 /// printable ASCII, quotes and backslashes become \xNN.
 [[nodiscard]] std::string escaped(std::string_view text, std::size_t max_bytes = 120);
 
-/// Bytes of the printable character at the beginning of the text, in UTF-8; 0 where there is none. What a
-/// terminal takes for a command is none: C0, DEL and C1.
+/// Length in bytes of the printable UTF-8 character at the beginning of the text; 0 if there is not one.
+/// Control characters that a terminal interprets (C0, DEL, C1) are not printable.
 [[nodiscard]] std::size_t printable_bytes(std::string_view text);
 
-/// The text with its control characters (C0, DEL and C1), and what is no UTF-8, as \xNN: for lines of our own
-/// that name paths.
+/// Replaces control characters (C0, DEL, C1) and invalid UTF-8 by \xNN. For the server's own lines that name
+/// paths.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 }  // namespace talus::server

@@ -17,7 +17,7 @@ void JsonLines::format(const spdlog::details::log_msg& line, spdlog::memory_buf_
   const auto seconds = std::chrono::floor<std::chrono::seconds>(since_1970);
   const auto level = spdlog::level::to_string_view(line.level);
   const nlohmann::json text = std::string_view{line.payload.data(), line.payload.size()};
-  // Bytes that are not UTF-8 are replaced, because dump() would throw.
+  // Replaces bytes that are not UTF-8, because dump() would throw.
   fmt::format_to(std::back_inserter(out), R"({{"time":"{}.{:03}Z","level":"{}","text":{})",
                  utc_time(std::chrono::sys_seconds{seconds}, "%Y-%m-%dT%H:%M:%S"),
                  (since_1970 - seconds).count(), std::string_view{level.data(), level.size()},

@@ -1,5 +1,5 @@
-// Log lines as JSON objects, one a line: {"time": RFC 3339 in UTC, "level": ..., "text": ...},
-// and what log_with_fields() adds.
+// JSON log lines, one object per line: {"time": RFC 3339 in UTC, "level": ..., "text": ...} plus the fields
+// of log_with_fields().
 #pragma once
 
 #include <memory>

@@ -2,8 +2,7 @@
 
 namespace talus::server {
 
-// spdlog hands a line's place in the sources to its formatter, on the thread that logs. No other line has
-// one.
+// spdlog passes a line's source location to its formatter, on the logging thread. Only these lines have one.
 void log_with_fields(const Logger& log, std::string_view text, const char* name, const std::string& object) {
   log->log(spdlog::source_loc{name, 1, object.c_str()}, spdlog::level::info, "{}", text);
 }

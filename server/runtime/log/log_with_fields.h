@@ -1,4 +1,4 @@
-// Lines of the log that programs read, not only people.
+// Structured log lines.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace talus::server {
 
-/// An info line that also has fields: where lines are JSON, `object`, a JSON object, is the member `name`
-/// after the text. Text lines have the text alone.
+/// Logs an info line. If the format is JSON, the JSON object `object` follows the text as the member `name`;
+/// text lines omit it.
 void log_with_fields(const Logger& log, std::string_view text, const char* name, const std::string& object);
 
 }  // namespace talus::server

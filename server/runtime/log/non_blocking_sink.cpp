@@ -28,7 +28,7 @@ bool NonBlockingSink::write_line(const spdlog::details::log_msg& message) {
   if (::poll(&writable, 1, 0) != 1 || (writable.revents & POLLOUT) == 0) return false;
   spdlog::memory_buf_t line;
   formatter_->format(message, line);
-  // POSIX: a writable pipe takes PIPE_BUF bytes at once and whole.
+  // POSIX: a writable pipe accepts PIPE_BUF bytes atomically.
   if (line.size() > PIPE_BUF) {
     line.resize(PIPE_BUF);
     line[PIPE_BUF - 1] = '\n';

@@ -1,4 +1,4 @@
-// A log sink that never blocks the server, whoever reads the log and however many lines clients cause.
+// A log sink that never blocks the server, however slow the reader or many the lines.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace talus::server {
 
-/// Writes lines to a descriptor. A line that the descriptor does not take at once is dropped. So is an info
-/// line of the logger kClientLogger beyond kMaxInfoLinesPerSecond, because clients cause those lines. The
-/// next line that is written is preceded by one with the number of dropped lines. Callable from any thread.
+/// Writes lines to a descriptor. A line that the descriptor does not accept at once is dropped, as are info
+/// lines of the logger kClientLogger beyond kMaxInfoLinesPerSecond, because clients cause them. The next line
+/// written is preceded by a line with the number of dropped lines. Callable from any thread.
 class NonBlockingSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
   static constexpr std::uint32_t kMaxInfoLinesPerSecond = 200;
   static constexpr std::string_view kClientLogger = "clients";
 
-  /// `descriptor` stays open as long as the sink lives.
+  /// `descriptor` must stay open during the sink's lifetime.
   explicit NonBlockingSink(int descriptor) : descriptor_{descriptor} {}
 
  private:

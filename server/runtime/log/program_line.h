@@ -1,4 +1,4 @@
-// What talusd says on stderr: why it does not start, before there is a log or without one.
+// Startup errors of talusd on stderr, reported before or without a log.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace talus::server {
 
-/// One line with its end: "talusd: TEXT", "talusd: warning: TEXT", or an object as the log writes them where
-/// `format` is json. Bytes of `text` that are not printable ASCII become \xNN.
+/// One line with its newline: "talusd: TEXT", "talusd: warning: TEXT", or a JSON log object if `format` is
+/// json. Bytes of `text` that are not printable ASCII become \xNN.
 [[nodiscard]] std::string program_line(std::string_view format, spdlog::level::level_enum level,
                                        std::string_view text);
 

@@ -1,4 +1,4 @@
-// Log lines as text: time, level, and what is said. Control characters are escaped here, for all lines.
+// Text log lines: time, level, text. Escapes control characters of all lines.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// A time as text.
+// Formats a time.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace talus::server {
 
-/// The time in UTC, as strftime(3) writes it by `format`, in English; at most 63 bytes.
+/// Formats the time in UTC by strftime(3) with `format`, in English; at most 63 bytes.
 [[nodiscard]] std::string utc_time(std::chrono::sys_seconds time, const char* format);
 
 }  // namespace talus::server

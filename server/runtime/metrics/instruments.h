@@ -1,4 +1,4 @@
-// Counters, gauges and histograms that many threads update and one reads now and then. No locks; no call
+// Counters, gauges and histograms that many threads update and one reads occasionally. Lock-free; no call
 // waits.
 #pragma once
 
@@ -13,15 +13,15 @@
 
 namespace talus::server {
 
-/// Each thread adds to one of kStripes copies, and a read sums them up: a cache line that cores take from
-/// each other costs more than the addition.
+/// Each thread adds to one of kStripes copies, and a read sums them up: a cache line bouncing between cores
+/// costs more than the addition.
 inline constexpr std::size_t kStripes = 4;
 inline constexpr std::size_t kStripeBytes = 64;
-/// Threads get the stripes in turn.
+/// Assigns stripes to threads in turn.
 [[nodiscard]] std::size_t next_stripe();
-/// The stripe of the calling thread. Inline, because every answer counts something.
+/// The stripe of the calling thread. Inline, because every answer updates a counter.
 [[nodiscard]] inline std::size_t stripe() {
-  thread_local constinit std::size_t mine = kStripes;  // none yet
+  thread_local constinit std::size_t mine = kStripes;  // unassigned
   if (mine == kStripes) mine = next_stripe();
   return mine;
 }
@@ -39,8 +39,8 @@ class Counter {
   std::array<Stripe, kStripes> stripes_;
 };
 
-/// A counter for each value of a label. The module that counts numbers the values from 0, by an enum of its
-/// own, and gives their names to the metrics page (MetricLabels).
+/// A counter for each value of a label. The counting module numbers the values from 0 by its own enum and
+/// passes their names to the metrics page (MetricLabels).
 class LabelledCounters {
  public:
   static constexpr std::size_t kMaxValues = 24;
@@ -58,7 +58,7 @@ class LabelledCounters {
   std::array<Counter, kMaxValues> counters_;
 };
 
-/// How many there are now.
+/// Current number of things, such as open connections.
 class Gauge {
  public:
   void rise() { now_.fetch_add(1, std::memory_order_relaxed); }
@@ -69,10 +69,10 @@ class Gauge {
   std::atomic<std::int64_t> now_{0};
 };
 
-/// How often a time fell into each bucket. Three buckets a decade.
+/// Distribution of times, with three buckets per decade.
 class LatencyHistogram {
  public:
-  /// Inclusive upper bounds. The last bucket, without a bound, takes longer times.
+  /// Inclusive upper bounds. The last bucket is unbounded.
   static constexpr std::array<double, 19> kBoundsSeconds{1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3,
                                                          2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1,  0.2,
                                                          0.5,  1.0,  2.0,  5.0,  10.0};
@@ -89,7 +89,7 @@ class LatencyHistogram {
   }
 
   struct Reading {
-    std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // of each bucket, not cumulative
+    std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // per bucket, not cumulative
     double sum_seconds = 0;
   };
   [[nodiscard]] Reading read() const;

@@ -57,7 +57,7 @@ Samples of_edits(const Source& s) {
   return {{static_cast<double>((*s.gauges.edits).*member)}};
 }
 
-/// Of the log that servers share; none where this one is alone.
+/// A metric of the log that servers share; empty if this server is alone.
 template <auto member>
 Samples of_cluster(const Source& s) {
   if (!s.gauges.cluster) return {};
@@ -352,7 +352,7 @@ const std::array kRows{
 };
 // clang-format on
 
-/// The samples of a row.
+/// Reads the samples of a row.
 struct Read {
   const MetricSources& from;
 

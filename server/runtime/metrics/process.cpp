@@ -16,8 +16,8 @@
 namespace talus::server {
 namespace {
 
-/// Fields of /proc/self/stat after the program's name, which may hold blanks and brackets: the first is the
-/// one that proc(5) numbers 3.
+/// Fields of /proc/self/stat after the program's name, which may contain blanks and brackets. The first is
+/// field 3 of proc(5).
 class StatFields {
  public:
   StatFields() {
@@ -44,7 +44,7 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Since 1970. Without /proc/stat, which a hardened unit may hide.
+/// Start time since 1970, computed without /proc/stat, which a hardened unit may hide.
 double start_of(const StatFields& stat) {
   constexpr std::size_t kStartTicks = 22;
   const auto ticks_a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
@@ -57,7 +57,7 @@ std::uint64_t open_descriptors() {
   const std::filesystem::directory_iterator descriptors{"/proc/self/fd", failed};
   if (failed) return 0;
   const auto listed = static_cast<std::uint64_t>(std::distance(begin(descriptors), end(descriptors)));
-  return listed - std::min<std::uint64_t>(listed, 1);  // one is this listing's own
+  return listed - std::min<std::uint64_t>(listed, 1);  // this listing's own descriptor
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ ProcessReading read_process() {
   reading.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 
   const StatFields stat;
-  // Once: it must not seem to change when the clock is set, or by what lies between two readings of it.
+  // Computed once: setting the clock, or the delay between two clock reads, must not change it.
   static const double start = start_of(stat);
   reading.start_seconds = start;
   reading.threads = stat.number(kThreads);

@@ -1,4 +1,4 @@
-// What the operating system reports about this process.
+// Figures that the operating system reports about this process.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct ProcessReading {
   std::uint64_t threads = 0;
 };
 
-/// 0 where /proc does not report the number.
+/// A field is 0 if /proc does not report it.
 [[nodiscard]] ProcessReading read_process();
 
 }  // namespace talus::server

@@ -30,8 +30,7 @@ bool is(const Account& account) {
          real_group == account.gid && effective_group == account.gid && saved_group == account.gid;
 }
 
-/// Drops those that programs started from here would inherit. The kernel drops the others when the user
-/// changes.
+/// Drops inheritable and ambient capabilities. The kernel drops the others when the user changes.
 void drop_capabilities() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
@@ -72,7 +71,7 @@ tl::expected<void, std::string> switch_user(const Account& account) {
         "user: only root can switch to {}; start talusd as root, or as that user with user = \"\"",
         account.name));
   }
-  // Groups first: only root may change them.
+  // Groups first, because only root may change them.
   if (::setgroups(account.groups.size(), account.groups.data()) != 0)
     return failed(account.name, "groups", errno);
   if (::setresgid(account.gid, account.gid, account.gid) != 0) return failed(account.name, "group", errno);
@@ -85,7 +84,7 @@ tl::expected<void, std::string> switch_user(const Account& account) {
         "securebits or in a user namespace?",
         account.name));
   }
-  return hide_memory();  // where fs.suid_dumpable is not 0, switching showed it
+  return hide_memory();  // if fs.suid_dumpable is not 0, switching exposed it
 }
 
 tl::expected<void, std::string> hide_memory() {

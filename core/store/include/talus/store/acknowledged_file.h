@@ -1,7 +1,7 @@
-// How far edits were acknowledged, in a small file beside the database. RocksDB takes a log that lost its end
-// for one that was never written further; by this file the store knows better. It is written after each
-// synced batch, in place and without a sync of its own: a power cut may leave it behind the database, which
-// is sound, but never before it.
+// Records how far edits were acknowledged, in a small file next to the database. RocksDB cannot tell a log
+// that lost its end from one that was never longer; with this file the store can. It is written in place
+// after each synced batch, without a sync of its own: a power cut may leave it behind the database, which is
+// safe, but never ahead of it.
 #pragma once
 
 #include <filesystem>
@@ -22,10 +22,10 @@ namespace talus::store {
 
 class AcknowledgedFile {
  public:
-  /// What the file says; nothing where there is none. An error is one line: it cannot be read, or is damaged.
+  /// Reads the file; nullopt if it does not exist. An error is one line: the file is unreadable or damaged.
   [[nodiscard]] static tl::expected<std::optional<Acknowledged>, std::string> read(rocksdb::Env& env,
                                                                                    const std::string& path);
-  /// Makes it say `now`, on the disk, and keeps it open.
+  /// Writes `now`, syncs, and keeps the file open.
   [[nodiscard]] static tl::expected<AcknowledgedFile, std::string> open(rocksdb::Env& env,
                                                                         const std::string& path,
                                                                         const Acknowledged& now);
@@ -33,7 +33,7 @@ class AcknowledgedFile {
   AcknowledgedFile& operator=(AcknowledgedFile&&) noexcept;
   ~AcknowledgedFile();
 
-  /// A failure has no consequence but that the file stays behind: what it would say is on the disk already.
+  /// Ignores failures: the file stays behind, but the data that it would acknowledge is already on the disk.
   void write(const Acknowledged& now);
   void sync();
 
@@ -44,8 +44,8 @@ class AcknowledgedFile {
   Bytes bytes_;
 };
 
-/// Whether a database that stands where `meta` says has all that the file beside it, in `directory`, says was
-/// acknowledged. An error is one line, and names what is lost.
+/// Checks that a database at `meta` contains everything that the file in `directory` acknowledges. An error
+/// is one line and names the lost entries.
 [[nodiscard]] tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env,
                                                                  const std::filesystem::path& directory,
                                                                  const StoreMeta& meta);

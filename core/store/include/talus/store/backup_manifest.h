@@ -1,4 +1,4 @@
-// What a backup of a store has, as text: its files with their checksums. store_command/FORMAT.md has every
+// Text manifest of a store's backup: its files with their checksums. store_command/FORMAT.md specifies every
 // byte. Pure.
 #pragma once
 
@@ -21,23 +21,23 @@ struct BackupManifest {
   struct File {
     std::string name;  // "db/000012.sst"
     std::uint64_t bytes = 0;
-    ContentHash hash;  // XXH3-128 of its bytes
+    ContentHash hash;  // XXH3-128 of the file's bytes
     bool operator==(const File&) const = default;
   };
   StoreIdentity identity;
   edits::Head head;
   std::vector<File> files;
 
-  /// Where it is more than the type holds: the most that it does.
+  /// Total size of the files. Saturates at the type's maximum.
   [[nodiscard]] std::uint64_t bytes() const;
   bool operator==(const BackupManifest&) const = default;
 };
 
 [[nodiscard]] std::string encode(const BackupManifest& manifest);
-/// An error is one line. Any text is safe; a name that leads out of the backup is an error.
+/// Accepts any text. A name that leads out of the backup is an error. An error is one line.
 [[nodiscard]] tl::expected<BackupManifest, std::string> decode_manifest(std::string_view text);
 
-/// Whether a store has files of this name: two, and those of its database. None leads out of the store.
+/// True for "acknowledged", "store.toml" and files of the database. Rejects names that lead out of the store.
 [[nodiscard]] bool is_store_file(std::string_view name);
 
 }  // namespace talus::store

@@ -1,4 +1,4 @@
-// Bytes of the store's values, written and read from the front. What is read may be anything.
+// Encodes and decodes the store's values, front to back. The input of a reader is untrusted.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace talus::store {
 
 class ByteWriter {
  public:
-  /// Appends to `out`, which outlives this.
+  /// Appends to `out`, which must outlive this.
   explicit ByteWriter(std::vector<std::byte>& out) : out_{out} {}
 
   void byte(std::uint8_t value) { out_.push_back(static_cast<std::byte>(value)); }
@@ -28,22 +28,22 @@ class ByteWriter {
     number[count++] = static_cast<std::byte>(value);
     bytes(std::span{number}.first(count));
   }
-  /// Small numbers of either sign as small ones.
+  /// Encodes small numbers of either sign in few bytes.
   void zigzag(std::int64_t value) {
     varint((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
   }
   void bytes(std::span<const std::byte> all) { out_.insert(out_.end(), all.begin(), all.end()); }
-  /// Their count before them.
+  /// Prefixes the bytes by their count.
   void counted(std::span<const std::byte> all) {
     varint(all.size());
     bytes(all);
   }
   void counted(std::string_view text) { counted(std::as_bytes(std::span{text})); }
-  /// What `write` appends to the vector that it is given.
+  /// Prefixes by its count what `write` appends to the vector passed to it.
   template <typename Write>
   void counted_by(const Write& write) {
     const std::size_t at = out_.size();
-    out_.push_back(std::byte{0});  // as long as a count up to 127
+    out_.push_back(std::byte{0});  // the size of a count up to 127
     write(out_);
     const std::size_t count = out_.size() - at - 1;
     out_[at] = static_cast<std::byte>(count & 127);
@@ -64,8 +64,8 @@ class ByteWriter {
   std::vector<std::byte>& out_;
 };
 
-/// The first fault stays, and all that is taken after it is 0 or empty: ask ok() at the end, and before
-/// memory is taken for a count.
+/// After the first error everything read is 0 or empty: check ok() at the end, and before allocating by a
+/// count.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -76,7 +76,7 @@ class ByteReader {
   }
   std::uint32_t fixed32() { return static_cast<std::uint32_t>(fixed(4)); }
   std::uint64_t fixed64() { return fixed(8); }
-  /// In the fewest bytes, and at most `most`.
+  /// Accepts only the shortest encoding, and values of at most `most`.
   std::uint64_t varint(std::uint64_t most = UINT64_MAX) {
     std::uint64_t value = 0;
     for (int shift = 0; ok_; shift += 7) {
@@ -84,19 +84,19 @@ class ByteReader {
       if (!ok_) break;
       value |= (part & 127) << shift;
       const bool padded = part == 0 && shift > 0;
-      // Nine bytes hold 63 bits; a tenth holds one.
+      // Nine bytes hold 63 bits; the tenth holds one.
       if (padded || (shift == 63 && part > 1)) ok_ = false;
       if (part < 128) break;
     }
     if (value > most) ok_ = false;
     return ok_ ? value : 0;
   }
-  /// `most` is of the number as it is written.
+  /// `most` bounds the encoded number.
   std::int64_t zigzag(std::uint64_t most = UINT64_MAX) {
     const std::uint64_t value = varint(most);
     return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
   }
-  /// The count of things that take at least one byte each: no more than bytes are left.
+  /// Count of items of at least one byte each, so at most the bytes left.
   std::size_t count() { return static_cast<std::size_t>(varint(bytes_.size())); }
   std::span<const std::byte> take(std::size_t size) {
     if (!ok_ || size > bytes_.size()) {
@@ -118,7 +118,7 @@ class ByteReader {
   void fail() { ok_ = false; }
   [[nodiscard]] std::size_t left() const { return bytes_.size(); }
   [[nodiscard]] bool ok() const { return ok_; }
-  /// All was taken, without a fault.
+  /// True if all bytes were read without an error.
   [[nodiscard]] bool ended() const { return ok_ && bytes_.empty(); }
 
  private:

@@ -1,6 +1,6 @@
-// The directory that --data names. It belongs to one world, and one server at a time uses it.
+// The directory that --data names. It belongs to one world and is used by one server at a time.
 //
-// Its store.toml holds the store's id, which Welcome carries, and the fingerprint of its world.
+// Its store.toml holds the fingerprint of its world and the store's id, which Welcome carries.
 #pragma once
 
 #include <sys/types.h>
@@ -19,32 +19,32 @@ namespace talus::store {
 
 class DataDirectory {
  public:
-  /// Creates the directory for another user. A directory that exists is left as it is.
+  /// Creates the directory for another user. Leaves an existing directory unchanged.
   [[nodiscard]] static tl::expected<void, std::string> make_for(const std::filesystem::path& path, uid_t user,
                                                                 gid_t group);
-  /// Creates the directory and its store.toml where they are missing, and locks it. An error is one line: the
+  /// Creates the directory and its store.toml if they are missing, and locks it. An error is one line: the
   /// directory cannot be written, another server uses it, or it belongs to another world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open(
       const std::filesystem::path& path, ContentHash fingerprint,
       files::FileLayer& layer = files::system_files());
 
-  /// Creates the directory where it is missing, and locks it; nothing else is made. A store that is there may
-  /// be damaged, and is not looked at: identity() is none.
+  /// Creates the directory if it is missing, and locks it; creates nothing else. Does not read an existing
+  /// store, which may be damaged: identity() is nullopt.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_any(const std::filesystem::path& path);
-  /// Locks a directory that holds a store, of whichever world.
+  /// Locks a directory that holds a store, of any world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_store(const std::filesystem::path& path);
 
-  /// Of a server of a cluster: creates the directory where it is missing, locks it, and makes no store in it.
-  /// One of another world is refused.
+  /// For a server of a cluster: creates the directory if it is missing and locks it, without creating a
+  /// store. Rejects a store of another world.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_member(const std::filesystem::path& path,
                                                                             ContentHash fingerprint);
-  /// Makes the store.toml of a directory that has none.
+  /// Creates the store.toml of a directory that lacks one.
   [[nodiscard]] tl::expected<void, std::string> begin(const StoreIdentity& identity,
                                                       files::FileLayer& layer = files::system_files());
-  /// After another store was put in the place of the one that was there.
+  /// Rereads the identity after the store was replaced.
   [[nodiscard]] tl::expected<void, std::string> learn_identity() { return read_identity(); }
-  /// The same for who only reads: others may read at the same time, nothing is written, and the disk may be
-  /// full or read-only.
+  /// Like open_store(), but for reading only: several readers may share it, nothing is written, and the disk
+  /// may be full or read-only.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> open_to_read(
       const std::filesystem::path& path);
 
@@ -52,28 +52,28 @@ class DataDirectory {
   DataDirectory& operator=(DataDirectory&&) = delete;
   ~DataDirectory();
 
-  /// Of one that was opened to read: nobody else may read from now on, and the caller may write. An error is
+  /// Upgrades the lock of open_to_read(): excludes all readers and allows the caller to write. An error is
   /// one line: another command reads, or the directory cannot be written.
   [[nodiscard]] tl::expected<void, std::string> lock_to_write();
 
-  /// Whether it holds anything of a store.
+  /// True if any part of a store exists.
   [[nodiscard]] bool has_store() const;
-  /// Or of edits: a store.toml alone is what pregen leaves.
+  /// True if edits exist; pregen leaves only a store.toml.
   [[nodiscard]] bool has_edits() const;
-  /// Of a store that was looked at.
+  /// nullopt unless a store was read.
   [[nodiscard]] const std::optional<StoreIdentity>& identity() const { return identity_; }
   [[nodiscard]] ContentHash store_id() const { return identity_ ? identity_->store_id : ContentHash{}; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
   DataDirectory(int lock, std::filesystem::path path) : lock_{lock}, path_{std::move(path)} {}
-  /// Ends what another process began there, too.
+  /// Locks the directory, then completes or cleans up an interrupted swap.
   [[nodiscard]] static tl::expected<DataDirectory, std::string> lock(const std::filesystem::path& path);
 
-  /// None where there is no store.toml.
+  /// Leaves identity_ empty if store.toml does not exist.
   [[nodiscard]] tl::expected<void, std::string> read_identity();
 
-  int lock_;  // a descriptor; closing it, or the end of the process, releases the lock; -1: none is needed
+  int lock_;  // a descriptor; closing it or ending the process releases the lock; -1: unlocked
   std::filesystem::path path_;
   std::optional<StoreIdentity> identity_;
 };

@@ -1,8 +1,8 @@
-// The edits of one world on disk: the log's records, and by them chunks and editors, which are written later
-// and make the records history. FORMAT.md has every byte.
+// The edits of one world on disk: the log's records, from which chunks and editors are written later; flushed
+// records become history. FORMAT.md specifies every byte.
 //
-// One thread writes. Whatever a power cut leaves, the store opens with all that append() returned for, or
-// says in one line what is lost.
+// One thread writes. After a power cut the store opens with everything that append() returned for, or reports
+// in one line what is lost.
 #pragma once
 
 #include <atomic>
@@ -33,7 +33,7 @@ class WriteBatch;
 
 namespace talus::store {
 
-/// What is flushed stays as history until there is more, or until it is older, by the log's time.
+/// Flushed records are kept as history within both limits; age is measured by the log's time.
 struct HistoryLimits {
   std::uint64_t bytes = std::uint64_t{1} << 30U;
   std::chrono::milliseconds age = std::chrono::days{30};
@@ -41,32 +41,32 @@ struct HistoryLimits {
 
 struct HistoryKept {
   std::uint64_t bytes = 0;
-  std::int64_t since_ms = 0;  // from then on all of it, since 1970 by the log's time; 0: there is none
+  std::int64_t since_ms = 0;  // history is complete since then, in ms since 1970 by the log's time; 0: empty
 };
 
-/// What RocksDB may hold in memory, but for the index and the filter of each open table.
+/// Bounds RocksDB's memory, except the index and filter of each open table.
 struct StoreMemory {
-  std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // of which there are two at most
+  std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // there are at most two
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
   [[nodiscard]] std::size_t most() const { return 2 * write_buffer_bytes + block_cache_bytes; }
 };
 
 struct EditDatabaseSettings {
-  std::filesystem::path path;  // a directory that a DataDirectory has locked
+  std::filesystem::path path;  // a directory locked by a DataDirectory
   ContentHash fingerprint;     // of the world
   ContentHash store_id;
   StoreMemory memory{};
   HistoryLimits history{};
-  /// On a full disk RocksDB may abort the process where it opens.
+  /// Free space required to open: on a full disk RocksDB may abort the process.
   std::uint64_t free_bytes_to_open = std::uint64_t{64} << 20U;
-  rocksdb::Env* env = nullptr;  // for tests; null: the system's. Outlives the database
-  /// Tests alone set it to false: what is acknowledged then may be lost by a power cut.
+  rocksdb::Env* env = nullptr;  // for tests, must outlive the database; null: the system's
+  /// False only in tests: a power cut may then lose acknowledged edits.
   bool sync = true;
-  /// The entries are in a log that others hold too: append() does not sync, sync() does, and what a power cut
-  /// takes of the end is read there again.
+  /// True if other servers hold the entries in a shared log: append() does not sync, sync() does, and entries
+  /// lost by a power cut are read from the shared log again.
   bool log_elsewhere = false;
-  /// The disk has lost such an end while the database was open, in one line: what the process has of it is
-  /// more than the store has, and the next open() reads it again. On recover()'s thread, each time.
+  /// Called on recover()'s thread, with a one-line reason, each time the disk lost the log's end: the process
+  /// has more than the store then, and the next open() reads the lost entries again.
   std::function<void(const std::string&)> on_lost_end{};
 };
 
@@ -74,9 +74,9 @@ class EditDatabase {
  public:
   using Done = tl::expected<void, std::string>;  // an error is one line
 
-  /// Makes the store where there is none. Refuses one of another world or store, of a newer format, a damaged
-  /// one, and one that has less than was acknowledged. One without the file that says what was acknowledged
-  /// is another store from now on: meta() and store.toml have a new id.
+  /// Creates the store if it is missing. Rejects a store of another world or id, of a newer format, damaged,
+  /// or with less than was acknowledged. A store without the file that records acknowledgements becomes
+  /// another store: meta() and store.toml get a new id.
   [[nodiscard]] static tl::expected<std::unique_ptr<EditDatabase>, std::string> open(
       const EditDatabaseSettings& settings);
   ~EditDatabase();
@@ -84,99 +84,96 @@ class EditDatabase {
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
   [[nodiscard]] const std::filesystem::path& path() const { return settings_.path; }
 
-  /// After open(), in this order, before anything is written. Every checksum is verified.
+  /// Call after open(), in this order, before writing. Verifies every checksum.
   [[nodiscard]] Done for_each_chunk(const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
   [[nodiscard]] Done for_each_editor(const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
-  /// The records behind meta().flushed, which neither chunks nor editors need hold: no position is missing,
-  /// and each record's link is right. A false of `visit` is a record that does not fit.
+  /// Replays the records after meta().flushed, some of which chunks and editors may lack. Verifies that
+  /// positions are consecutive and each link is right. `visit` returns false to reject a record.
   [[nodiscard]] Done replay(const std::function<bool(LogRecord&&)>& visit);
 
-  /// Any thread. Nothing where the chunk was never flushed.
+  /// Callable from any thread. nullopt if the chunk was never flushed.
   [[nodiscard]] tl::expected<std::optional<StoredChunk>, std::string> chunk(ChunkKey key) const;
 
-  /// History as far as it is kept, and what is not flushed, from `first` on, until `visit` returns false.
-  /// Links are verified but for that of the first. On the thread that writes.
+  /// Visits the kept history and unflushed records from `first` on, until `visit` returns false. Verifies
+  /// links, except that of the first batch. Only on the writing thread.
   [[nodiscard]] Done for_each_record(std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
 
-  /// Any thread.
+  /// Callable from any thread.
   [[nodiscard]] HistoryKept history() const { return {history_size_, history_since_ms_}; }
 
-  /// Any thread. The database as of some moment during the call, with all that append() returned for before
-  /// it, as a new directory `path`, whose parent exists: files that never change are linked, where it is of
-  /// the same file system. An error leaves nothing.
+  /// Writes a snapshot, taken at some moment during the call and including everything that append() had
+  /// returned for, to the new directory `path`, whose parent must exist. Immutable files are linked if on the
+  /// same file system. On error leaves nothing. Callable from any thread.
   [[nodiscard]] Done checkpoint(const std::filesystem::path& path) const;
 
-  /// While it lives the database's files stay where they are, so that another process may read and copy them
-  /// as they lie there, and nothing is written for it: for where no checkpoint can be made. After an error of
-  /// the disk the database is opened again when it has gone. Any thread, the one on which it ends as well.
+  /// Keeps the database's files in place during its lifetime, so that another process can read and copy them;
+  /// writes nothing. For when a checkpoint is impossible. After a disk error the database is reopened when
+  /// this is destroyed. Created and destroyed on any thread.
   class HeldFiles;
   [[nodiscard]] std::unique_ptr<HeldFiles> hold_files() const;
 
-  /// Writes all that the batch applied, at once and, but for a log elsewhere, synced; with it where the store
-  /// stands in the stream from then on, and the ids that it has given to materials. After an error nobody
-  /// knows whether it is on the disk: nothing but this batch may be appended until it succeeds, which does no
-  /// harm where it was.
+  /// Writes everything that the batch applied, atomically and synced (unless log_elsewhere), with the store's
+  /// place in the stream and the ids given to materials. After an error the outcome is unknown: only this
+  /// batch may be appended until it succeeds; repeating it is harmless.
   [[nodiscard]] Done append(const edits::Batch& batch, const StreamPlace& place);
   [[nodiscard]] Done append(const edits::Batch& batch) { return append(batch, meta_.stream); }
-  /// Of a log elsewhere: all that was appended is on the disk when it returns, and counts as acknowledged.
+  /// For log_elsewhere: syncs everything appended and counts it as acknowledged.
   [[nodiscard]] Done sync();
   [[nodiscard]] bool has_unsynced() const { return unsynced_; }
   [[nodiscard]] bool has_log_elsewhere() const { return settings_.log_elsewhere; }
-  /// The same in three steps, so that another thread waits for the disk: what was written before begin_sync()
-  /// is there once sync_log(), called after it, has returned, and end_sync() then counts it as acknowledged.
+  /// sync() in three steps, so that another thread can wait for the disk: data written before begin_sync() is
+  /// on the disk once sync_log(), called after it, returns; end_sync() then counts it as acknowledged.
   struct Written {
     std::uint64_t position = 0;
     std::uint64_t link = 0;
   };
   [[nodiscard]] Written begin_sync();
-  /// Any thread. recover() fails meanwhile.
+  /// Callable from any thread. recover() fails meanwhile.
   [[nodiscard]] Done sync_log() const;
   void end_sync(const Written& written);
-  /// Nothing is applied, and the store stands there now, synced.
+  /// Records the store's place in the stream, synced, without applying anything.
   [[nodiscard]] Done enter(const StreamPlace& place);
 
-  /// Chunks and editors as they are now, in one write that is not synced: until mark_flushed() the log's
-  /// records have them too.
+  /// Writes current chunks and editors atomically, without a sync: until mark_flushed() the log's records
+  /// contain them too.
   class Slice;
   [[nodiscard]] Done put(const Slice& slice);
-  /// All chunks and editors as of `position`, that of a batch's last record, were put, and synced since:
-  /// RocksDB's log is of several files, of which the newest may outlive a power cut that takes the end of the
-  /// one before, so nothing may say that chunks were put before they are on the disk. What history need not
-  /// keep goes.
+  /// Declares that all chunks and editors as of `position`, a batch's last record, were put and then synced.
+  /// The sync is required because RocksDB's log has several files, and the newest may survive a power cut
+  /// that truncates the one before: a mark must never survive without its chunks. Drops history beyond the
+  /// limits.
   [[nodiscard]] Done mark_flushed(std::uint64_t position);
-  /// Where what was put is not in the log's records any more: on the disk when it returns. Makes the next
-  /// opening cheap.
+  /// Syncs and flushes data that the log's records no longer contain. Makes the next open() cheap.
   [[nodiscard]] Done settle();
 
-  /// After an error of a write: whether writing may be tried again. Waits for no checkpoint and no
-  /// sync_log(): while one is under way that is an error.
+  /// Reopens the database after a write error, so that writing can be retried. Never waits: fails while a
+  /// checkpoint or sync_log() runs.
   [[nodiscard]] Done recover();
 
   [[nodiscard]] std::uint64_t free_bytes() const;
 
-  /// What RocksDB has in memory: what was written and is in no table yet, blocks that were read, and the
-  /// index and the filter of each open table. While the database is opened again, what it was when somebody
-  /// asked last. Any thread; waits for nobody.
+  /// RocksDB's memory: unflushed writes, cached blocks, and the index and filter of each open table. While
+  /// the database is reopened, returns the previous figure. Callable from any thread; never waits.
   [[nodiscard]] std::size_t memory_bytes() const;
 
-  /// Which name has which id. An id is given once, for ever; rename() changes its name, and the old name,
-  /// bound again, has another id. On the thread that writes.
+  /// Material ids by name. An id is given once, for ever; rename() changes its name, and the old name, bound
+  /// again, gets another id. Only on the writing thread.
   [[nodiscard]] const edits::MaterialIds& materials() const { return materials_; }
-  /// Binds names that are not bound yet, synced. Refuses a name that has another id, and an id that has
-  /// another name; then nothing is bound.
+  /// Binds unbound names, synced. Rejects a name with another id, and an id with another name; then nothing
+  /// is bound.
   [[nodiscard]] Done bind(const edits::MaterialIds& materials);
-  /// Another name for a bound id, synced. Refuses what check_rename() does. Not where a cluster's log binds
+  /// Renames a bound id, synced. Rejects what check_rename() rejects. Not allowed if a cluster's log binds
   /// names.
   [[nodiscard]] Done rename(const std::string& from, const std::string& to);
-  /// What the world calls the materials that it generates, in place of what it called them before: their ids,
-  /// below kFirstBound, follow from its fingerprint, their names do not. Refuses a name that is bound.
+  /// Replaces the names of the materials that the world generates: their ids, below kFirstBound, follow from
+  /// its fingerprint, their names do not. Rejects a name that is bound.
   [[nodiscard]] Done name_generated(const edits::MaterialIds& materials);
 
  private:
-  /// Of a batch that is not flushed yet.
+  /// A batch that is not flushed yet.
   struct Unflushed {
-    std::uint64_t position = 0;  // of its last record
+    std::uint64_t position = 0;  // its last record's
     std::uint64_t link = 0;
     std::uint64_t bytes = 0;
     std::int64_t time_ms = 0;
@@ -204,12 +201,12 @@ class EditDatabase {
   void publish_history();
 
   EditDatabaseSettings settings_;
-  // Both unique while the database is opened again: of those that read a chunk, and of those that copy all.
+  // Locked exclusively to reopen the database: `handle_` by readers of a chunk, `copying_` by copies of all.
   mutable std::shared_mutex handle_;
   mutable std::shared_mutex copying_;
   std::unique_ptr<rocksdb::DB> db_;
-  bool was_there_ = false;  // when it was opened
-  bool unsynced_ = false;   // of a log elsewhere: since the last sync() something was appended
+  bool was_there_ = false;  // the database existed when it was opened
+  bool unsynced_ = false;   // for log_elsewhere: something was appended since the last sync()
   std::optional<AcknowledgedFile> acknowledged_;
   StoreMeta meta_;
   std::deque<Unflushed> unflushed_;
@@ -217,10 +214,10 @@ class EditDatabase {
   std::uint64_t history_bytes_ = 0;
   std::atomic<std::uint64_t> history_size_ = 0;  // history_bytes_, for other threads
   std::atomic<std::int64_t> history_since_ms_ = 0;
-  mutable std::atomic<std::size_t> memory_ = 0;  // the last figure of memory_bytes()
+  mutable std::atomic<std::size_t> memory_ = 0;  // the last result of memory_bytes()
   edits::MaterialIds materials_;
-  Bytes value_;    // of the thread that writes
-  Bytes entries_;  // the same
+  Bytes value_;    // used by the writing thread
+  Bytes entries_;  // used by the writing thread
 };
 
 class EditDatabase::HeldFiles {
@@ -236,13 +233,13 @@ class EditDatabase::HeldFiles {
   bool held_ = false;
 };
 
-/// Values to be written at once.
+/// Values that are written atomically.
 class EditDatabase::Slice {
  public:
   Slice();
   ~Slice();
   void put(ChunkKey key, std::uint64_t revision, std::span<const Override> voxels);
-  /// As after the entry `position`.
+  /// The editor's state after the entry `position`.
   void put(edits::EditorId id, std::uint64_t position, const edits::Editor& editor);
   void erase(edits::EditorId id);
   [[nodiscard]] std::size_t bytes() const;

@@ -1,5 +1,5 @@
-// The log as the store keeps it: the entries of a batch in one value, as a database's work goes with the
-// count of its values. FORMAT.md has every byte. Pure; any bytes are safe to decode.
+// The stored log: the entries of a batch form one value, because a database's cost grows with the number of
+// values. FORMAT.md specifies every byte. Pure; decodes any bytes safely.
 #pragma once
 
 #include <cstddef>
@@ -14,37 +14,37 @@
 
 namespace talus::store {
 
-/// An entry of the log and what became of it.
+/// An entry of the log and its outcome.
 struct LogRecord {
   edits::Applied::Kind kind = edits::Applied::Kind::invalid;
   edits::EditorId editor;
   std::uint64_t position = 0;
-  std::uint64_t revision = 0;  // of the state after it
+  std::uint64_t revision = 0;  // after this entry
   std::int64_t time_ms = 0;
-  edits::EditResult result;                  // of done, conflict and repeat
-  std::uint64_t epoch = 0;                   // of attached
-  std::string subject;                       // of attached, and of done: whose edit it is
-  std::optional<edits::EditorId> forgotten;  // of attached: who made place for it
-  std::vector<edits::ChunkChanges> changes;  // of done: level 0, all other levels follow from it
-  edits::NamedIds materials;                 // of bound
+  edits::EditResult result;                  // for done, conflict and repeat
+  std::uint64_t epoch = 0;                   // for attached
+  std::string subject;                       // for attached and done: the editor's owner
+  std::optional<edits::EditorId> forgotten;  // for attached: the editor evicted for it
+  std::vector<edits::ChunkChanges> changes;  // for done: level 0; other levels follow from it
+  edits::NamedIds materials;                 // for bound
   bool operator==(const LogRecord&) const = default;
 };
 
-// Each replaces what `out` held, and returns the link of the batch: a hash of it and of the link of the one
-// before. REQUIRES: there are entries, with positions and revisions that follow each other, of one time.
+// Replaces the contents of `out` and returns the link of the batch: a hash of it and of the link before it.
+// REQUIRES: at least one entry, consecutive positions and revisions, one time.
 std::uint64_t encode(std::span<const edits::Applied> applied, std::int64_t time_ms, std::uint64_t link_before,
                      Bytes& out);
 std::uint64_t encode(std::span<const LogRecord> records, std::uint64_t link_before, Bytes& out);
 
-/// Of a batch whose link is right for `link_before`, which becomes that of this batch. Nothing where the
-/// bytes are damaged, or are not what encode() wrote.
+/// Decodes a batch whose link fits `link_before`, which becomes the link of this batch. nullopt if the bytes
+/// are damaged or encode() cannot have written them.
 [[nodiscard]] std::optional<std::vector<LogRecord>> decode_records(std::span<const std::byte> value,
                                                                    std::uint64_t& link_before);
-/// The same where the link before is not at hand: the checksum is not looked at. `link` becomes the batch's.
+/// For an unknown previous link: ignores the checksum. `link` becomes the batch's link.
 [[nodiscard]] std::optional<std::vector<LogRecord>> decode_records_alone(std::span<const std::byte> value,
                                                                          std::uint64_t& link);
 
-/// What an entry of an edit has of them; no checksum.
+/// The changes part of an edit's entry, without a checksum.
 void encode(std::span<const edits::ChunkChanges> changes, Bytes& out);
 [[nodiscard]] std::optional<std::vector<edits::ChunkChanges>> decode_changes(
     std::span<const std::byte> bytes);

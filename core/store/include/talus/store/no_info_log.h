@@ -1,4 +1,4 @@
-// RocksDB without its own file of lines.
+// Disables RocksDB's info log file.
 #pragma once
 
 #include <cstdarg>
@@ -7,8 +7,8 @@
 
 namespace talus::store {
 
-/// What fails comes back as a Status, and talusd tells it. RocksDB's own file of lines must not be: where a
-/// write to it fails, its next line ends the process.
+/// Errors are returned as a Status, which talusd reports. RocksDB's own log file is unsafe: after a failed
+/// write to it, its next line aborts the process.
 class NoInfoLog final : public rocksdb::Logger {
  public:
   using Logger::Logv;

@@ -1,5 +1,5 @@
-// A store of edits that nobody writes: a checkpoint, a backup, or a data directory that the caller has
-// locked. It is read as it lies there; no file changes.
+// A store of edits without a writer: a checkpoint, a backup, or a data directory that the caller has locked.
+// Changes no file.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class ReadOnlyStore {
  public:
   using Done = tl::expected<void, std::string>;
 
-  /// `path` has the directory db. Verifies the log behind what chunks hold. An error is one line.
+  /// `path` contains the directory db. Verifies the log after meta.flushed. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open(
       const std::filesystem::path& path);
   ~ReadOnlyStore();
@@ -32,29 +32,29 @@ class ReadOnlyStore {
   [[nodiscard]] const std::deque<HistorySegment>& history() const { return history_; }
   [[nodiscard]] StoreReader reader() const;
 
-  /// As of the last entry of the log; nothing where it was never edited. Any thread.
+  /// As of the last entry of the log; nullopt if never edited. Callable from any thread.
   [[nodiscard]] StoreReader::Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
-  /// All chunks as of the last entry of the log, in the order of keys, that of level 0 first: by x, then z,
-  /// then y. Until `visit` returns false.
+  /// Visits all chunks as of the last entry of the log in key order (level 0 first, by x, then z, then y)
+  /// until `visit` returns false.
   [[nodiscard]] Done for_each_chunk(const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const;
-  /// Those of level 0 alone.
+  /// Visits chunks of level 0 only.
   [[nodiscard]] Done for_each_base_chunk(
       const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const;
 
-  /// The first entry of the log that is kept; one more than the last where none is.
+  /// Position of the first kept entry of the log; one past the last if none is kept.
   [[nodiscard]] std::uint64_t first_record() const;
-  /// Of the log's entries that are kept, those that are not flushed yet among them.
+  /// Bytes of the kept log entries, including unflushed ones.
   [[nodiscard]] std::uint64_t record_bytes() const;
-  /// How many there are as of the last entry of the log. Reads all of them.
+  /// Number of editors as of the last entry of the log. Reads all of them.
   [[nodiscard]] StoreReader::Result<std::size_t> count_editors() const;
   /// Reads every block of every file.
   [[nodiscard]] Done verify_files() const;
-  /// Chunks that are stored, roughly, for progress.
+  /// Approximate number of stored chunks, for progress reports.
   [[nodiscard]] std::uint64_t estimated_keys() const;
 
  private:
   explicit ReadOnlyStore(std::filesystem::path path);
-  /// What records behind the flushed ones change, by key.
+  /// Applies the unflushed records to the chunks, by key.
   [[nodiscard]] Done read_unflushed();
 
   std::filesystem::path path_;
@@ -63,7 +63,7 @@ class ReadOnlyStore {
   std::map<std::string, MaterialId> materials_;
   std::deque<HistorySegment> history_;
   std::map<std::string, StoredChunk> unflushed_;
-  std::uint64_t unflushed_bytes_ = 0;  // of their records
+  std::uint64_t unflushed_bytes_ = 0;  // size of the unflushed records
 };
 
 }  // namespace talus::store

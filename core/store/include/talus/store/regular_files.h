@@ -1,5 +1,5 @@
-// Files that others may have put where a store's are. RocksDB opens whatever has a name that it knows: a pipe
-// would hold it for ever, a device feed it for ever, a link lead it elsewhere. So what is there is looked at
+// Guards against foreign files in a store's directory. RocksDB opens any file with a name that it knows: a
+// pipe would block it for ever, a device feed it for ever, a link redirect it. So file types are checked
 // first.
 #pragma once
 
@@ -13,18 +13,18 @@
 
 namespace talus::store {
 
-/// Opened to be read. No link was followed to it, and reading never waits for anybody.
+/// A file opened for reading. Links are not followed, and reading never blocks.
 class RegularFile {
  public:
-  /// An error is one line, and names the file.
+  /// An error is one line and names the file.
   [[nodiscard]] static tl::expected<RegularFile, std::string> open(const std::filesystem::path& path);
   RegularFile(RegularFile&& other) noexcept;
   RegularFile& operator=(RegularFile&&) = delete;
   ~RegularFile();
 
-  /// As it was opened.
+  /// Size when the file was opened.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// 0 at its end.
+  /// Returns 0 at the end.
   [[nodiscard]] tl::expected<std::size_t, std::string> read(std::span<std::byte> into) const;
 
  private:
@@ -35,14 +35,14 @@ class RegularFile {
   std::uint64_t bytes_ = 0;
 };
 
-/// That `path` is a regular file, or that there is nothing. Opens nothing.
+/// Checks that `path` is a regular file or missing. Opens nothing.
 [[nodiscard]] tl::expected<void, std::string> check_regular_file(const std::filesystem::path& path);
 
-/// That `directory` is one, not a link to one, and all that it holds are regular files, of which those that
-/// RocksDB reads whole when it opens a database are small; or that there is nothing.
+/// Checks that `directory` is missing, or a real directory (not a link) of regular files only, in which the
+/// files that RocksDB reads whole when opening a database are small.
 [[nodiscard]] tl::expected<void, std::string> check_regular_files(const std::filesystem::path& directory);
 
-/// Of all files that `directory` holds; those that vanish meanwhile, or are none, count nothing.
+/// Total size of the files in `directory`. Files that vanish meanwhile and non-files count 0.
 [[nodiscard]] std::uint64_t bytes_of_files(const std::filesystem::path& directory);
 
 }  // namespace talus::store

@@ -1,4 +1,4 @@
-// Whether a material of a store may get another name.
+// Checks the renaming of a store's material.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace talus::store {
 
-/// The id of the material `from` of a store with these names, where it may be called `to`. An error is one
-/// line without the store's place, and holds the names as they are.
+/// Returns the id of the material `from` if it may be renamed to `to`. An error is one line without the
+/// store's path, and contains the names unescaped.
 [[nodiscard]] tl::expected<MaterialId, std::string> check_rename(const edits::MaterialIds& materials,
                                                                  const std::string& from,
                                                                  const std::string& to);

@@ -1,5 +1,5 @@
-// What the log's records behind the flushed ones make of chunks, which may hold some of them already: they
-// are written one by one, and a power cut comes at any time.
+// Applies unflushed log records to chunks. A stored chunk may include some of them already, because chunks
+// are written one by one and a power cut may come at any time.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace talus::store {
 
 class ReplayedChunks {
  public:
-  /// A chunk as it is stored; nothing where it was never flushed. An error is one line.
+  /// Loads a stored chunk; nullopt if it was never flushed. An error is one line.
   using Load = std::function<tl::expected<std::optional<StoredChunk>, std::string>(ChunkKey)>;
   struct Chunk {
     std::uint64_t revision = 0;
@@ -26,7 +26,7 @@ class ReplayedChunks {
 
   explicit ReplayedChunks(Load load) : load_{std::move(load)} {}
 
-  /// The next record. An error is that of a chunk that cannot be read.
+  /// Applies the next record. Fails if a chunk cannot be read.
   [[nodiscard]] tl::expected<void, std::string> apply(const LogRecord& record);
   [[nodiscard]] std::unordered_map<ChunkKey, Chunk> take() { return std::move(chunks_); }
 

@@ -1,5 +1,5 @@
-// What the log's records behind the flushed ones make of editors, which may be as of later ones already: they
-// are written one by one, and a power cut comes at any time.
+// Applies unflushed log records to editors. A stored editor may include some of them already, because editors
+// are written one by one and a power cut may come at any time.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,18 @@ namespace talus::store {
 
 class ReplayedEditors {
  public:
-  /// An editor of the database. All of them before the first record.
+  /// Adds an editor of the database. Call it for all of them before the first record.
   void start(edits::EditorId id, StoredEditor&& stored);
-  /// The next record.
+  /// Applies the next record.
   void apply(const LogRecord& record);
 
   [[nodiscard]] edits::Editors take() { return std::move(editors_); }
-  /// Those that the database has otherwise, or has and should not.
+  /// Returns the editors whose database values are outdated or must be deleted.
   [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty() { return std::move(dirty_); }
 
  private:
   edits::Editors editors_;
-  std::unordered_map<edits::EditorId, std::uint64_t>
-      positions_;  // up to which entry the database has an editor
+  std::unordered_map<edits::EditorId, std::uint64_t> positions_;  // last entry included in the stored editor
   std::unordered_set<edits::EditorId> dirty_;
 };
 

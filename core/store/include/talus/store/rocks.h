@@ -1,4 +1,4 @@
-// RocksDB as the store of edits opens and reads it.
+// RocksDB settings and helpers of the edit store.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +19,20 @@ struct RocksSettings {
   rocksdb::Env* env = nullptr;  // null: the system's
   std::size_t write_buffer_bytes = std::size_t{32} << 20U;
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
-  /// Writes are not synced one by one: after a power cut what is before the first that is lost counts.
+  /// Writes are not synced one by one; after a power cut, recovery stops at the first lost write.
   bool point_in_time = false;
 };
 
 [[nodiscard]] rocksdb::Options rocks_options(const RocksSettings& settings, bool create);
 
-/// What a database has in memory: what was written and is in no table yet, blocks that were read, and the
-/// index and the filter of each open table. Any thread.
+/// Memory of a database: unflushed writes, cached blocks, and the index and filter of each open table.
+/// Callable from any thread.
 [[nodiscard]] std::size_t rocks_memory(rocksdb::DB& db);
 
-/// What one may do where a database does not open, or is not read.
+/// Advice to the operator for a database that cannot be opened or read.
 [[nodiscard]] std::string_view remedy_for(const rocksdb::Status& status);
 
-/// Reads in order, which leave the cache to others.
+/// Options for sequential reads, which bypass the cache.
 [[nodiscard]] rocksdb::ReadOptions for_scans();
 
 [[nodiscard]] inline rocksdb::Slice as_slice(const Bytes& bytes) {
@@ -49,7 +49,7 @@ struct RocksSettings {
   return std::string(1, static_cast<char>(kind));
 }
 
-/// Calls visit(key, value) for all keys from `first` on that begin as it does, until it returns false.
+/// Calls visit(key, value) for all keys from `first` on that share its first byte, until it returns false.
 template <typename Visit>
 rocksdb::Status scan(rocksdb::DB& db, const std::string& first, Visit&& visit) {
   const std::unique_ptr<rocksdb::Iterator> at{db.NewIterator(for_scans())};

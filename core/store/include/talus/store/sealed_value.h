@@ -1,4 +1,4 @@
-// What every value of the store begins and ends with: the number of its format, and a checksum.
+// Frame of every value of the store: a format number in front and a checksum at the end.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@ namespace talus::store {
 
 using Bytes = std::vector<std::byte>;
 
-/// The number that every value begins with. What is read has this one; meta alone may have another, which is
-/// then told.
+/// Format number at the beginning of every value. Other numbers are rejected; only for meta is the foreign
+/// number reported.
 inline constexpr std::uint8_t kStoreFormat = 1;
 inline constexpr std::size_t kChecksumBytes = 8;
 
 [[nodiscard]] std::uint64_t hash_of(std::string_view text);
 
-/// A value in place of what `out` held.
+/// Starts a value, replacing the contents of `out`.
 [[nodiscard]] ByteWriter begin_value(Bytes& out);
-/// Ends it by its XXH3-64, which is returned. It is seeded by that of its key, so that no value passes for
-/// another's, or, in a chain, by the one before.
+/// Appends the value's XXH3-64, and returns it. The seed is the hash of its key or, in a chain, of the
+/// previous value, so that a value cannot pass for another's.
 std::uint64_t seal(std::uint64_t seed, Bytes& out);
 
-/// What seal() sealed, of whatever format, or nothing.
+/// Returns what seal() sealed, of any format; nullopt if the checksum is wrong.
 [[nodiscard]] std::optional<std::span<const std::byte>> sealed_bytes(std::uint64_t seed,
                                                                      std::span<const std::byte> value);
-/// The same behind its number of the format, where that is this one.
+/// Like sealed_bytes(), but requires kStoreFormat and strips it.
 [[nodiscard]] std::optional<std::span<const std::byte>> sealed(std::uint64_t seed,
                                                                std::span<const std::byte> value);
 

@@ -1,5 +1,5 @@
-// A new store of edits, written chunk by chunk where nobody looks yet: what restore, import and rebase put in
-// the place of another. Memory is bounded however many chunks there are.
+// Builds a new edit store chunk by chunk in a staging directory, for restore, import and rebase. Memory is
+// bounded regardless of the number of chunks.
 #pragma once
 
 #include <cstdint>
@@ -27,13 +27,13 @@ class StoreBuilder {
  public:
   using Done = tl::expected<void, std::string>;
 
-  /// Makes the database in `directory`, which is empty. The log goes on behind `position` and `link`.
+  /// Creates the database in `directory`, which must be empty. Its log continues after `position` and `link`.
   [[nodiscard]] static tl::expected<std::unique_ptr<StoreBuilder>, std::string> create(
       const std::filesystem::path& directory, const StoreIdentity& identity, std::uint64_t position,
       std::uint64_t link);
   ~StoreBuilder();
 
-  /// A chunk of level 0, each once, in any order; coarse levels follow from it. Without voxels nothing is
+  /// Adds a chunk of level 0, each once, in any order; coarse levels are derived. Without voxels nothing is
   /// written. `revision` is at least 1.
   [[nodiscard]] Done add(ChunkCoord chunk, std::uint64_t revision, std::span<const Override> voxels);
   [[nodiscard]] Done add(std::string_view name, MaterialId material);
@@ -42,8 +42,8 @@ class StoreBuilder {
   [[nodiscard]] std::uint64_t voxels() const { return voxels_; }
   [[nodiscard]] edits::StateHash hash() const { return hash_; }
 
-  /// Writes where the store stands, and the files beside the database; all is on the disk when it returns.
-  /// `revision` is at least that of each chunk.
+  /// Writes the store's meta and the files next to the database, and syncs. `revision` must be at least the
+  /// revision of each chunk.
   [[nodiscard]] Done finish(std::uint64_t revision, std::int64_t time_ms);
 
  private:
@@ -69,7 +69,7 @@ class StoreBuilder {
   Bytes value_;
 };
 
-/// Writes the files beside a database that stands where `meta` says: store.toml and acknowledged.
+/// Writes the files next to a database at `meta`: store.toml and acknowledged.
 [[nodiscard]] tl::expected<void, std::string> write_store_files(const std::filesystem::path& directory,
                                                                 const StoreMeta& meta);
 

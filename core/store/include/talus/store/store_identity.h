@@ -1,4 +1,4 @@
-// The file store.toml of a data directory: which store it is, and of which world.
+// The file store.toml of a data directory: the id of its store and the fingerprint of its world.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace talus::store {
 
 struct StoreIdentity {
   ContentHash store_id;
-  ContentHash fingerprint;  // of the world
+  ContentHash fingerprint;  // the world's
   bool operator==(const StoreIdentity&) const = default;
 };
 
@@ -23,10 +23,10 @@ struct StoreIdentity {
 /// 32 hexadecimal digits, as to_string(ContentHash) prints them.
 [[nodiscard]] std::optional<ContentHash> parse_hash(std::string_view text);
 
-/// What the file holds.
+/// Text of the file.
 [[nodiscard]] std::string store_text(const StoreIdentity& identity);
 
-/// An error is one line: it cannot be read, or talusd did not write it.
+/// An error is one line: unreadable, or not written by talusd.
 [[nodiscard]] tl::expected<StoreIdentity, std::string> read_store_identity(const std::filesystem::path& file);
 
 }  // namespace talus::store

@@ -1,5 +1,5 @@
-// What a database of edits holds, read and verified: every checksum, every key, the order of the log's
-// records. Says in one line what is damaged.
+// Reads a database of edits and verifies every checksum, every key, and the order of the log's records.
+// Damage is reported in one line.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class DB;
 
 namespace talus::store {
 
-/// What one may do where a store is damaged; the end of such lines.
+/// Remedy for a damaged store; ends such error lines.
 inline constexpr std::string_view kStoreLost = "restore a backup, or give --data another directory";
 
 class StoreReader {
@@ -32,28 +32,28 @@ class StoreReader {
   template <typename Value>
   using Result = tl::expected<Value, std::string>;
 
-  /// `db` outlives this. `path` is named in errors.
+  /// `db` must outlive this. `path` appears in errors.
   StoreReader(rocksdb::DB& db, const std::filesystem::path& path) : db_{db}, path_{path} {}
 
-  /// Nothing where there is none.
+  /// nullopt if the value is missing.
   [[nodiscard]] Result<std::optional<StoreMeta>> meta() const;
   [[nodiscard]] Result<std::map<std::string, MaterialId>> materials() const;
-  /// The oldest first; they follow each other, up to `flushed`.
+  /// Oldest first; consecutive up to `flushed`.
   [[nodiscard]] Result<std::deque<HistorySegment>> history(std::uint64_t flushed) const;
 
   [[nodiscard]] Done for_each_chunk(const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
-  /// With their voxels, from the chunk `first` on by the order of keys, until `visit` returns false.
+  /// Visits chunks with their voxels in key order from the chunk `first` on, until `visit` returns false.
   [[nodiscard]] Done for_each_chunk_value(ChunkKey first,
                                           const std::function<bool(ChunkKey, StoredChunk&&)>& visit) const;
   [[nodiscard]] Done for_each_editor(const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
   [[nodiscard]] Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
 
-  /// The records behind meta.flushed up to its position: none is missing, and each link is right. A false of
-  /// `visit` is a record that does not fit. Returns the bytes of their values.
+  /// Replays the records after meta.flushed up to meta's position; verifies that none is missing and each
+  /// link is right. `visit` returns false to reject a record. Returns the bytes of the values.
   [[nodiscard]] Result<std::uint64_t> replay(const StoreMeta& meta,
                                              const std::function<bool(LogRecord&&)>& visit) const;
-  /// From `first` on, or from the first that is kept, to meta's position, until `visit` returns false. From
-  /// there on none is missing. Links are verified but for that of the first batch.
+  /// Visits records from `first`, or from the first kept, to meta's position, until `visit` returns false.
+  /// Verifies that none is missing, and all links except that of the first batch.
   [[nodiscard]] Done for_each_record(const StoreMeta& meta, std::uint64_t first,
                                      const std::function<bool(LogRecord&&)>& visit) const;
 

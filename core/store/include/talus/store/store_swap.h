@@ -1,9 +1,8 @@
-// A store that takes the place of another in a data directory, whole or not at all, whenever the process or
-// the power ends.
+// Replaces the store of a data directory atomically, even if the process or the power fails at any moment.
 //
-// The new one is made in the directory `talus-staging`. Renamed to `talus-next` it is the one that counts,
-// and its parts are moved to where a store's parts are; who opens the directory next ends what was
-// interrupted. All calls are for who has the directory's lock.
+// The new store is built in the directory `talus-staging`. Once renamed to `talus-next` it is the valid one,
+// and its parts are moved into place; the next process to open the directory completes an interrupted swap.
+// All calls require the directory's lock.
 #pragma once
 
 #include <cstdint>
@@ -16,52 +15,50 @@
 
 namespace talus::store {
 
-/// Where the new store is made: an empty directory. What another process left there is gone.
+/// Creates an empty directory for the new store, deleting leftovers of another process.
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> make_staging(
     const std::filesystem::path& directory);
 
-/// The file in a data directory that says why the store there must not be used any more.
+/// File in a data directory with the reason why its store must not be used any more.
 inline constexpr std::string_view kRejoinName = "rejoin";
 
-/// What becomes of a store that is replaced: it goes where it had the same edits.
+/// Fate of the replaced store: deleted if it had the same edits as the new one, otherwise kept.
 enum class Replaced { stays, goes };
 
-/// The store in `staging`, whose files are whole and synced, is the directory's from now on, and what
-/// kRejoinName said of the one before is gone. Returns where that is kept; empty where there was none, or it
-/// went.
+/// Makes the complete and synced store in `staging` the directory's store, and removes kRejoinName, which was
+/// about the previous store. Returns the path where the previous store is kept; empty if it did not exist or
+/// was deleted.
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(const std::filesystem::path& directory,
                                                                        Replaced replaced = Replaced::stays);
 
-/// Whether a swap was interrupted, or failed, when the new store counted already: tidy_up() ends it.
+/// True if a swap was interrupted or failed after the new store became valid: tidy_up() completes it.
 [[nodiscard]] bool swap_is_begun(const std::filesystem::path& directory);
 
-/// `replaced`, which swap_in() returned, was replaced because its server took another's store: a server may
-/// do that again and again, so of such no more than the newest two are kept. Returns where it is then.
+/// Renames `replaced`, which swap_in() returned, as a store replaced by another server's. This may repeat
+/// without end, so only the newest two are kept. Returns the new path.
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> keep_rejoined(
     const std::filesystem::path& directory, const std::filesystem::path& replaced);
 
-/// Ends a swap that was interrupted, and removes what was not finished: staging, and checkpoints.
+/// Completes an interrupted swap, and deletes unfinished work: staging and checkpoints.
 [[nodiscard]] tl::expected<void, std::string> tidy_up(const std::filesystem::path& directory);
 
-/// The name of a checkpoint below a data directory. Whoever made it removes it; tidy_up() does where it was
-/// killed.
+/// Path of a checkpoint in a data directory. Its creator deletes it; after a crash tidy_up() does.
 [[nodiscard]] std::filesystem::path checkpoint_path(const std::filesystem::path& directory,
                                                     std::string_view name);
 
-/// What a checkpoint copies is RocksDB's log, of what is not flushed: four write buffers at most. All else is
-/// linked.
+/// A checkpoint copies only RocksDB's log of unflushed data, at most four write buffers; all else is linked.
 inline constexpr std::uint64_t kCheckpointCopiesBytes = std::uint64_t{128} << 20U;
 
-/// `make`, which is given a path in it, makes the database's checkpoint in the directory `path`, which is
-/// empty then. Where the disk has less than `copied_bytes` free none is made; after an error nothing is left.
+/// Empties the directory `path` and calls `make` with a path in it to write the database's checkpoint. Fails
+/// without calling it if the disk has less than `copied_bytes` free. On error leaves nothing.
 [[nodiscard]] tl::expected<void, std::string> make_checkpoint(
     const std::filesystem::path& path, std::uint64_t copied_bytes,
     const std::function<tl::expected<void, std::string>(const std::filesystem::path&)>& make);
 
-/// Returns when the directory's names are on the disk.
+/// Syncs the directory's entries to the disk.
 [[nodiscard]] tl::expected<void, std::string> sync_directory(const std::filesystem::path& directory);
 
-/// Refuses where the disk has less than `bytes` free, and some more for what else is written there.
+/// Fails if the disk has less than `bytes` plus a reserve for other writes free.
 [[nodiscard]] tl::expected<void, std::string> check_space(const std::filesystem::path& directory,
                                                           std::uint64_t bytes);
 

@@ -1,5 +1,5 @@
-// The edits of a data directory that no server has, or of a backup of one, by place: for programs that show
-// the land. No file changes.
+// The edits of an unused data directory or a backup, by place: for programs that draw the land. Changes no
+// file.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@
 
 namespace talus::store {
 
-/// Any thread may call any of these.
+/// Callable from any thread.
 class StoredEdits {
  public:
   /// Reads every chunk once, and keeps the rows of every edited column in memory. No server may use the
-  /// directory, and none can while this lives. An error is one line, for people who give a program --store:
-  /// there is no store, a talusd uses it, it is of another world, damaged, or of a newer format.
+  /// directory now or during this object's lifetime. An error is one line for users of --store: the store is
+  /// missing, in use by a talusd, of another world, damaged, or of a newer format.
   [[nodiscard]] static tl::expected<std::unique_ptr<StoredEdits>, std::string> open(
       const std::filesystem::path& directory, ContentHash fingerprint);
   ~StoredEdits();
@@ -33,18 +33,18 @@ class StoredEdits {
 
   [[nodiscard]] ContentHash store_id() const { return store_->meta().store_id; }
   [[nodiscard]] std::uint64_t revision() const { return store_->meta().head.revision; }
-  /// What the store has given an id, by name.
+  /// Material ids that the store has assigned, by name.
   [[nodiscard]] const std::map<std::string, MaterialId>& materials() const { return store_->materials(); }
 
-  /// Rows of the chunks of the key's column that were ever edited lie in this span; empty: none was.
+  /// Range of rows with chunks that were ever edited in the key's column; empty if none was.
   [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const;
-  /// Empty where the chunk is as generated. An error is one line.
+  /// Empty if the chunk is as generated. An error is one line.
   [[nodiscard]] tl::expected<edits::ChunkOverrides, std::string> overrides(ChunkKey key) const;
 
  private:
   explicit StoredEdits(int lock) : lock_{lock} {}
 
-  const int lock_;  // a descriptor, which holds the directory's lock; -1: it has none
+  const int lock_;  // a descriptor holding the directory's lock; -1: unlocked
   std::unique_ptr<ReadOnlyStore> store_;
   std::unordered_map<ChunkKey, ChunkRange> rows_;  // by the key of row 0
 };

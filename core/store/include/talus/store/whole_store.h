@@ -1,4 +1,4 @@
-// What is done to a store of edits as a whole, while nobody else uses it.
+// Operations on a whole edit store while it is not used otherwise.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace talus::store {
 
-/// Of the database of the store in `path` into its staging directory, of which swap_in() makes a store when
-/// it has the files that give_identity() writes. Files are linked, not copied. Returns the staging directory.
-/// An error is one line; the store is as it was.
+/// Copies the database of the store in `path` into its staging directory by linking files. After
+/// give_identity() has added the other files, swap_in() makes it the store. Returns the staging directory. An
+/// error is one line and leaves the store unchanged.
 [[nodiscard]] tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesystem::path& path);
 
-/// The store in `path`, which has the directory db, is another from now on: clients drop what they know of
-/// it. Writes the files beside the database too; all is on the disk when it returns. Interrupted it leaves
-/// half of each: only for a store in staging. An error is one line.
+/// Gives the store in `path`, which contains the directory db, a new id, so that clients discard their
+/// copies. Also writes the files next to the database, and syncs. An interrupted call leaves a mixture: use
+/// it only in staging. An error is one line.
 [[nodiscard]] tl::expected<void, std::string> give_identity(const std::filesystem::path& path,
                                                             ContentHash store_id);
 
-/// The store stands there in a stream from now on, or, at 0, in none. Its id stays.
+/// Sets the store's place in a stream; sequence 0 removes it from any. The id stays.
 [[nodiscard]] tl::expected<void, std::string> enter_stream(const std::filesystem::path& path,
                                                            const StreamPlace& place);
 
-/// Writes its files anew, without what was deleted or replaced.
+/// Rewrites the store's files without deleted or replaced values.
 [[nodiscard]] tl::expected<void, std::string> compact(const std::filesystem::path& path);
 
 }  // namespace talus::store
