@@ -1,4 +1,4 @@
-// A connection that came through the acceptor and the handshaker.
+// A connection that has passed the acceptor and the handshaker.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace talus::server {
 
 struct ConnectionInfo {
   ConnectionId id{};
-  std::string address;  // as the log names it; the client's own, where a proxy speaks for it
+  std::string address;  // for the log: the client's own address if a proxy sent it
   Clock::time_point accepted;
-  bool through_proxy = false;                 // a proxy's own: each request says whose it is
+  bool through_proxy = false;                 // the proxy's own connection: each request names its client
   std::optional<std::uint16_t> proxy_port{};  // Peer::proxy_port()
 };
 

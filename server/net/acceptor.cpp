@@ -15,7 +15,7 @@ namespace {
 using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds kPause{100};        // after an accept that failed
-constexpr std::chrono::milliseconds kPauseOfThread{1};  // where there is no memory for a timer
+constexpr std::chrono::milliseconds kPauseOfThread{1};  // if there is no memory for a timer
 constexpr std::chrono::seconds kBetweenLines{5};        // about accepts that fail
 
 tcp::endpoint resolve(const protocol::Endpoint& endpoint, const asio::any_io_executor& executor,
@@ -31,7 +31,7 @@ bool lacks_descriptors(const std::error_code& error) {
   return error.value() == EMFILE || error.value() == ENFILE;
 }
 
-/// Whether nothing is wrong beyond that connection: its peer has gone, or it was none.
+/// Returns true if the error concerns only this connection: its peer has gone, or there was none to accept.
 bool is_of_one_connection(const std::error_code& error) {
   return error == asio::error::would_block || error == asio::error::connection_aborted ||
          error.value() == EPROTO;
@@ -39,7 +39,7 @@ bool is_of_one_connection(const std::error_code& error) {
 
 }  // namespace
 
-/// What follows an asynchronous operation. Has its memory from the acceptor.
+/// Continuation of an asynchronous operation. Its memory belongs to the acceptor.
 struct Acceptor::Step {
   using allocator_type = HandlerAllocator<std::byte>;
 
@@ -61,7 +61,7 @@ tl::expected<std::string, std::string> Acceptor::listen(const protocol::Endpoint
   if (!error) socket_.set_option(tcp::acceptor::reuse_address{true}, error);
   if (!error) socket_.bind(endpoint, error);
   if (!error) socket_.listen(asio::socket_base::max_listen_connections, error);
-  // accept() returns where there is no connection to accept, whatever became of it.
+  // Makes accept() return if the pending connection has gone.
   if (!error) socket_.non_blocking(true, error);
   if (!error) socket_.set_option(asio::socket_base::enable_connection_aborted{true}, error);
   if (error) return tl::make_unexpected(error.message());
@@ -92,7 +92,7 @@ void Acceptor::on_readable(std::error_code failed) {
 bool Acceptor::accept_one(std::error_code failed) noexcept {
   try {
     if (!failed) {
-      // Not async_accept(): without memory that fails where nobody can catch it.
+      // Not async_accept(): without memory it throws where the exception cannot be caught.
       tcp::socket socket = socket_.accept(next_context_(), failed);
       if (!failed) {
         hand_over(std::move(socket));
@@ -121,7 +121,7 @@ void Acceptor::pause() {
     pause_.expires_after(kPause);
     pause_.async_wait(Step{this, &Acceptor::end_pause, memory_});
   } catch (const std::exception&) {
-    // The io_context had no memory for one timer more. What else it has to do goes first.
+    // The io_context has no memory for another timer. Let its other handlers run first.
     std::this_thread::sleep_for(kPauseOfThread);
     asio::post(io_.get_executor(), Step{this, &Acceptor::end_pause, memory_});
   }
@@ -144,7 +144,7 @@ void Acceptor::log_failure(std::string_view why) noexcept {
     last_line_ = now;
     unlogged_ = 0;
   } catch (const std::exception&) {
-    // the next failure tries again
+    // retried at the next failure
   }
 }
 

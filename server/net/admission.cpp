@@ -86,7 +86,7 @@ void Admission::leave(const asio::ip::address& counted) noexcept {
       if (!here.listed) left_.push_back(counted);
       here.listed = true;
     } catch (const std::bad_alloc&) {
-      by_address_.erase(counted);  // at once: its rates begin anew
+      by_address_.erase(counted);  // at once: its rates start full again
     }
   }
   forget();

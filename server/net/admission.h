@@ -1,4 +1,4 @@
-// How many connections there are, in all and from each address. Callable from any thread.
+// Counts connections, in total and per address. Callable from any thread.
 #pragma once
 
 #include <chrono>
@@ -17,28 +17,31 @@
 
 namespace talus::server {
 
-/// Whom an address counts as: an IPv4 address (also one mapped into IPv6) stands for itself, an IPv6
-/// address for its /64 network, which is what one customer commonly has.
+/// The address that limits and rates apply to: an IPv4 address (also one mapped into IPv6) itself; for an
+/// IPv6 address its /64 network, which is commonly one customer's.
 [[nodiscard]] asio::ip::address counted_as(const asio::ip::address& address);
 
-/// The flow of all that counts as one address.
+/// The flow of a counted address.
 [[nodiscard]] FlowUsePtr flow_of(const asio::ip::address& counted, FlowUses& flows);
 
 class Admission {
  public:
-  /// Addresses without a connection whose rates are remembered, so that coming back does not fill them.
+  /// Maximum number of addresses without a connection whose rates are kept, so that reconnecting does not
+  /// refill them.
   static constexpr std::size_t kMaxRemembered = 4096;
 
   struct Limits {
-    std::size_t connections = 0;  // in all
+    std::size_t connections = 0;  // in total
     std::size_t per_address = 0;
-    std::chrono::milliseconds memory{};  // of an address after its last connection: as long as rates fill
-    RateSet rates{};                     // of an address
+    std::chrono::milliseconds memory{};  // how long an address is kept after its last connection; longer if
+                                         // its rates take longer to fill
+    RateSet rates{};                     // per address
   };
   /// `clock` outlives it.
   Admission(const Limits& limits, const Clock& clock);
 
-  /// Who is in stays. Each address gets new buckets with what is left in the old: Slot::rates() has them.
+  /// Existing connections stay. Each address gets new buckets with the levels of the old ones: see
+  /// Slot::rates().
   void change(const Limits& limits);
 
   /// Counts as one connection until it is destroyed. Must not outlive its Admission.
@@ -51,7 +54,7 @@ class Admission {
     ~Slot();
 
     [[nodiscard]] const asio::ip::address& address() const { return address_; }
-    /// Whom its address counts as.
+    /// counted_as() of the address.
     [[nodiscard]] const asio::ip::address& counted() const { return counted_; }
     /// Shared with the address's other connections.
     [[nodiscard]] AddressBucketsPtr rates() const { return admission_->rates_of(counted_); }
@@ -62,24 +65,24 @@ class Admission {
     asio::ip::address counted_;
   };
 
-  /// A slot, or a line that says which limit is reached.
+  /// Returns a slot, or a line that names the limit reached.
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address) {
     return enter(address, /*of_proxy=*/false);
   }
-  /// For a connection on which a proxy speaks for many clients: not one of its address's.
+  /// For a proxy's connection that carries requests of many clients: the limit per address does not apply.
   [[nodiscard]] tl::expected<Slot, std::string> enter_proxy(const asio::ip::address& address) {
     return enter(address, /*of_proxy=*/true);
   }
 
   [[nodiscard]] std::size_t connections() const;
-  /// With a connection, or remembered.
+  /// Number of addresses with a connection or remembered.
   [[nodiscard]] std::size_t addresses() const;
 
  private:
   struct Address {
     AddressBucketsPtr rates;
     std::size_t connections = 0;
-    Clock::time_point forget_at{};  // while without connections
+    Clock::time_point forget_at{};  // if it has no connections
     bool listed = false;            // in left_
   };
 
@@ -93,7 +96,7 @@ class Admission {
   Limits limits_;
   std::size_t connections_ = 0;
   std::map<asio::ip::address, Address> by_address_;
-  std::deque<asio::ip::address> left_;  // without a connection, each once; some are back
+  std::deque<asio::ip::address> left_;  // addresses without a connection, each once; some have reconnected
 };
 
 }  // namespace talus::server

@@ -6,7 +6,7 @@
 namespace talus::server {
 namespace {
 
-// Nobody has more; so that products of two fit.
+// No balancer has more; products of two of them fit.
 constexpr std::uint64_t kMaxOfBalancer = 1U << 24;
 
 struct BalancerShare {
@@ -27,7 +27,7 @@ bool take_balancer_name(std::string_view& text, std::string_view name) {
   return true;
 }
 
-/// "NAME=OWN/ALL" among the parts that "; " separates.
+/// Finds "NAME=OWN/ALL" among the parts separated by "; ".
 std::optional<BalancerShare> read_balancer_share(std::string_view text, std::string_view name) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(';'), text.size());
@@ -62,7 +62,7 @@ std::optional<PortRange> read_balancer_ports(std::string_view text) {
 }  // namespace
 
 std::optional<BalancerState> read_balancer_state(std::string_view text) {
-  // "UP", or "UP 1/2" where a check has failed of late.
+  // "UP", or "UP 1/2" if a check has failed recently.
   if (!text.starts_with("UP")) return std::nullopt;
   const auto weight = read_balancer_share(text, "weight=");
   const auto sessions = read_balancer_share(text, "scur=");

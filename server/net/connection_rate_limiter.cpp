@@ -10,7 +10,7 @@
 namespace talus::server {
 namespace {
 
-/// The finalizer of MurmurHash3, over both halves.
+/// The finalizer of MurmurHash3, applied to both halves.
 std::uint64_t mixed(std::uint64_t value) {
   value = (value ^ value >> 33) * 0xFF51AFD7ED558CCDULL;
   value = (value ^ value >> 33) * 0xC4CEB9FE1A85EC53ULL;

@@ -1,4 +1,4 @@
-// How many connections an address may begin in a time: with TLS each costs the server a signature. Callable
+// Limits the rate at which an address opens connections: with TLS each costs the server a signature. Callable
 // from any thread.
 #pragma once
 
@@ -14,26 +14,26 @@
 
 namespace talus::server {
 
-/// GCRA, the generic cell rate algorithm: a token bucket kept as one number, the theoretical arrival time,
-/// which each connection moves on by one interval and which may lie at most a burst ahead of now.
+/// GCRA, the generic cell rate algorithm: a token bucket kept as one number, the theoretical arrival time.
+/// Each connection advances it by one interval; it may be at most one burst ahead of now.
 ///
-/// One such number for each address, as counted_as() counts it, in a table of fixed size: a set of a few
-/// entries for all addresses that share a hash. One address more replaces the entry whose time is earliest,
-/// and begins with a full bucket. So many addresses can have debts forgotten, and none can have another one
-/// refused.
+/// The numbers are in a table of fixed size, one for each address as counted_as() counts it. Addresses that
+/// share a hash share a set of a few entries. A new address replaces the entry of its set with the earliest
+/// time and starts with a full bucket. So a flood of addresses can erase the debts of others, but cannot get
+/// their connections refused.
 class ConnectionRateLimiter {
  public:
-  /// Both at least 1. `seed` keeps others from choosing addresses that share a hash.
+  /// Both at least 1. `seed` prevents clients from choosing addresses that share a hash.
   ConnectionRateLimiter(std::uint64_t per_second, std::uint64_t burst, std::uint64_t seed);
 
-  /// What addresses owe stays.
+  /// Addresses keep their debts.
   void change(std::uint64_t per_second, std::uint64_t burst);
 
-  /// Counts a connection and returns 0, or returns how long it takes until one is allowed.
+  /// Counts a connection and returns 0, or returns the time until one is allowed.
   [[nodiscard]] Clock::duration admit(const asio::ip::address& address, Clock::time_point now);
 
   static constexpr std::size_t kSets = 4096;
-  static constexpr std::size_t kEntriesPerSet = 4;  // 384 KiB in all
+  static constexpr std::size_t kEntriesPerSet = 4;  // 384 KiB in total
 
  private:
   struct Entry {

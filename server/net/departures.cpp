@@ -9,7 +9,7 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenFarewells{20};
-// Others are there: nobody needs to wait before coming to one of them.
+// Other servers are running: clients need not wait before they reconnect.
 constexpr std::chrono::milliseconds kNoWait{0};
 const std::string kServerEnding = "the server is ending";
 
@@ -28,7 +28,7 @@ void Departures::send_some() {
   const auto now = clock_.now();
   const std::size_t staying = registry_.sessions().staying;
   if (now >= end_ || staying == 0) return registry_.tell_all_to_go(kServerEnding, kNoWait);
-  // One at a time, unless they are too many for that.
+  // One at a time, unless there are too many for that.
   const auto apart = std::max<Clock::duration>((end_ - now) / staying, kBetweenFarewells);
   const auto turns = std::max<std::size_t>(1, static_cast<std::size_t>((end_ - now) / apart));
   (void)registry_.tell_to_go((staying + turns - 1) / turns, {}, Clock::time_point::max(), kServerEnding,
@@ -44,7 +44,7 @@ std::size_t Departures::balancer_says(std::string_view state, const BalanceSetti
   const auto balancer = read_balancer_state(state);
   if (!balancer || settings.per_second == 0) return 0;
   const std::uint64_t too_many = sessions_above_share(*balancer, settings.above_percent);
-  // The balancer counts those that leave until they have left.
+  // The balancer counts leaving sessions until they have left.
   const std::uint64_t leaving = registry_.sessions(ports).leaving;
   const auto now = clock_.now();
   const Rate rate{settings.per_second, settings.per_second};

@@ -1,6 +1,6 @@
-// Sends players to other servers: all of them when this one ends, one after the other, and some while it has
-// more than its share of those that a balancer deals out. Who is told to go comes again somewhere within a
-// second: all at once would be a herd.
+// Sends players to other servers: all of them, one after the other, when this server ends, and some while it
+// has more than its share of a balancer's sessions. A player sent away reconnects within a second, so sending
+// all at once would cause a stampede.
 #pragma once
 
 #include <chrono>
@@ -20,23 +20,24 @@
 namespace talus::server {
 
 struct BalanceSettings {
-  std::uint64_t per_second = 0;             // sessions that are sent elsewhere; 0: none
-  std::uint64_t above_percent = 0;          // of its share, by which a server may have more
-  std::chrono::milliseconds session_age{};  // none that is younger is sent
+  std::uint64_t per_second = 0;             // sessions sent elsewhere; 0: off
+  std::uint64_t above_percent = 0;          // excess over its share that a server may keep
+  std::chrono::milliseconds session_age{};  // younger sessions are not sent away
 };
 
-/// On the thread of `io`.
+/// Call on the thread of `io`.
 class Departures {
  public:
-  /// All of them outlive it.
+  /// The arguments outlive it.
   Departures(asio::io_context& io, Registry& registry, const Clock& clock);
 
-  /// All sessions, evenly within `time`, and then who still comes; HTTP connections at once.
+  /// Sends all sessions away, evenly spread over `time`, then any that still arrive; HTTP connections at
+  /// once.
   void send_all(std::chrono::milliseconds time);
 
-  /// A balancer has said this of the sessions that came by its `ports`, of all where none are given. Returns
-  /// how many of them were sent elsewhere: as many as are too many, the longest connected first, unless that
-  /// would be too fast, or they have not been here for long.
+  /// Handles a balancer's state of the sessions that arrived through its `ports` (all if empty). Sends the
+  /// excess elsewhere, the longest connected first, within settings.per_second and except sessions younger
+  /// than settings.session_age. Returns the number sent.
   std::size_t balancer_says(std::string_view state, const BalanceSettings& settings,
                             std::optional<PortRange> ports = {});
 
@@ -46,7 +47,7 @@ class Departures {
   Registry& registry_;
   const Clock& clock_;
   asio::steady_timer timer_;
-  Clock::time_point end_{};  // of send_all()
+  Clock::time_point end_{};  // end of send_all()
   TokenBucket sent_;
 };
 

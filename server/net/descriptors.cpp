@@ -15,10 +15,10 @@ bool is_spare(int descriptor) {
 }
 
 std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts) {
-  // An io_context's: what it waits on, a timer and an alarm.
+  // For each io_context: its epoll, timer and event descriptors.
   constexpr std::uint64_t kPerContext = 3;
-  // Standard streams, listening sockets, the signals' pipe, the store, key files while they are read, and
-  // what libraries open.
+  // Standard streams, listening sockets, the signal pipe, the store, key files while they are read, and
+  // descriptors opened by libraries.
   constexpr std::uint64_t kOwn = 32;
   return sockets + Refusals::kMax + kPerContext * io_contexts + kOwn + kSpareDescriptors;
 }

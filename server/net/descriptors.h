@@ -1,4 +1,4 @@
-// How many files and sockets the system lets this process hold.
+// Limits of the open files and sockets of this process.
 #pragma once
 
 #include <cstddef>
@@ -6,22 +6,22 @@
 
 namespace talus::server {
 
-/// The highest numbers that the limit allows are no client's to keep: they are for operators, for files that
-/// are read again, and for telling clients that there are no more.
+/// The highest 16 descriptor numbers that the limit allows are reserved and never kept by a client: they
+/// serve operators, files that are read again, and messages that refuse clients for lack of descriptors.
 inline constexpr std::uint64_t kSpareDescriptors = 16;
-/// Whether `descriptor` is one of them now. The system gives the lowest free number, so as long as clients
-/// keep none, whatever they do leaves so many to the others.
+/// Returns true if `descriptor` is reserved under the current limit. The system assigns the lowest free
+/// number, so if clients keep no reserved numbers, 16 remain whatever they do.
 [[nodiscard]] bool is_spare(int descriptor);
 
-/// What a server of so many sockets and io_contexts needs, its listening sockets, files and spare ones
-/// included.
+/// Descriptors needed by a server with `sockets` sockets and `io_contexts` contexts, including listening
+/// sockets, files and the reserved ones.
 [[nodiscard]] std::uint64_t descriptors_needed(std::uint64_t sockets, std::size_t io_contexts);
 
-/// Sets the process's own limit of open files to `wanted`, or to what the system allows it if that is less;
-/// returns what it is now.
+/// Sets the process's soft limit of open files to `wanted`, or to the hard limit if that is less. Returns the
+/// new limit.
 [[nodiscard]] std::uint64_t set_descriptor_limit(std::uint64_t wanted);
-/// The same, but never lowers it: while clients are served they may hold all numbers below a lower limit, and
-/// then nothing could be opened, not for operators either.
+/// As set_descriptor_limit(), but never lowers the limit: clients being served may hold every number below a
+/// lower one, and then nothing could be opened, even for operators.
 [[nodiscard]] std::uint64_t raise_descriptor_limit(std::uint64_t wanted);
 
 }  // namespace talus::server

@@ -1,5 +1,5 @@
-// Memory for one asynchronous operation that is there before the operation begins, so that it can begin
-// where the process has no memory left.
+// Memory for one asynchronous operation, allocated before it begins, so that it can begin when the process is
+// out of memory.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace talus::server {
 
-/// One block, which a second operation does not find free. One thread's.
+/// One block; a second concurrent operation allocates its own memory. For one thread.
 class HandlerMemory {
  public:
   [[nodiscard]] void* take(std::size_t bytes) {
@@ -24,13 +24,13 @@ class HandlerMemory {
   }
 
  private:
-  // Asio's operations for an acceptor's handlers take about a quarter of it.
+  // Asio's operations for an acceptor's handlers use about a quarter of it.
   alignas(std::max_align_t) std::array<std::byte, 1024> block_;
   bool taken_ = false;
 };
 
-/// Asio's allocator for a handler. The operation shares the memory, which lives as long as either of them. An
-/// allocator that was moved from still frees, as Asio wants where an operation cannot begin: so it only
+/// Asio's allocator for a handler. The operation shares the memory, which lives as long as either of them. A
+/// moved-from allocator must still free memory (Asio does this if an operation cannot begin), so moving
 /// copies.
 template <typename Value>
 class HandlerAllocator {

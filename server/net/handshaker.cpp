@@ -33,8 +33,8 @@ std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
 
-/// What came after a handshake that failed is read and dropped: closing over it would reset the connection
-/// and could take the alert with it.
+/// Drops input that arrived after a failed handshake: closing with unread bytes would reset the connection
+/// and could lose the alert.
 void drop_input(tcp::socket& socket) {
   std::array<std::byte, 4096> unread{};
   std::error_code failed;
@@ -61,13 +61,13 @@ struct Handshaker::PendingConnection {
   std::optional<TcpStream> stream;  // until it is secured
   std::optional<TlsStream> secured;
   tcp::endpoint peer;
-  tcp::endpoint client;  // `peer`, or for whom it speaks
+  tcp::endpoint client;  // `peer`, or the client that it proxies
   tls::Context tls;      // null: plain
   Clock::time_point accepted;
   MemoryReservation memory;
   std::optional<Admission::Slot> slot;
-  bool through_proxy = false;               // it sent no PROXY header
-  std::optional<std::uint16_t> proxy_port;  // at a proxy
+  bool through_proxy = false;               // its peer, a proxy, sent no PROXY header
+  std::optional<std::uint16_t> proxy_port;  // the proxy's port
   bool late = false;
   bool done = false;  // accepted or failed
 };
@@ -119,8 +119,8 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
     if (admit(*pending)) accept(*pending);
     return;
   }
-  // Without PROXY header and TLS there is nothing to wait for; with them a coroutine waits, and their number
-  // is bounded.
+  // Without PROXY header and TLS there is nothing to wait for. Otherwise a coroutine waits, and the number of
+  // coroutines is bounded.
   if (metrics_.handshakes.now() >= static_cast<std::int64_t>(max_in_flight_)) {
     refuse(*pending, Refusal::handshakes, "this server has as many handshakes in flight as it takes",
            retry_after::kServerFull);
@@ -154,7 +154,7 @@ void Handshaker::spawn(const PendingPtr& pending, ConnectionId id) {
 }
 
 asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
-  // Also where something is thrown: the deadline's handler may stand in the queue already.
+  // Also on an exception: the deadline's handler may be queued already.
   struct MarkDone {
     PendingConnection& connection;
     ~MarkDone() { connection.done = true; }
@@ -162,16 +162,16 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   asio::steady_timer deadline{pending->socket().get_executor()};
   deadline.expires_after(pending->accepted + timeout_.load() - clock_.now());
   deadline.async_wait([pending](std::error_code cancelled) {
-    if (cancelled || pending->done) return;  // what has expired already can no longer be cancelled
+    if (cancelled || pending->done) return;  // an expired timer cannot be cancelled
     pending->late = true;
     std::error_code ignored;
-    pending->socket().cancel(ignored);  // who waits counts it, and closes
+    pending->socket().cancel(ignored);  // the waiting coroutine counts it and closes
   });
   bool accepted = true;
   {
     const MarkDone mark{*pending};
     if (proxies_.contain(pending->peer.address())) {
-      pending->proxy_port = 0;  // until a header says another
+      pending->proxy_port = 0;  // until a header names another
       pending->through_proxy = header_optional_ && !co_await sends_proxy_header(*pending);
       accepted = pending->through_proxy ? !pending->late : co_await read_proxy_header(*pending);
     }
@@ -182,7 +182,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   if (accepted) accept(*pending);
 }
 
-// Neither HTTP nor TLS begins with a line break.
+// Checks the first byte only: neither HTTP nor TLS begins with a line break.
 asio::awaitable<bool> Handshaker::sends_proxy_header(PendingConnection& pending) {
   std::error_code failed;
   co_await pending.socket().async_wait(tcp::socket::wait_read,
@@ -200,8 +200,7 @@ asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) 
   std::array<std::byte, kProxyPrefixBytes> prefix_bytes{};
   const std::size_t came = co_await asio::async_read(pending.socket(), asio::buffer(prefix_bytes),
                                                      asio::redirect_error(asio::use_awaitable, failed));
-  if (failed && came == 0 && !pending.late)
-    co_return false;  // how some proxies check whether a server is there
+  if (failed && came == 0 && !pending.late) co_return false;  // a health check of some proxies
   tl::expected<ProxyPrefix, std::string_view> prefix = incomplete;
   if (!failed && !pending.late) prefix = read_proxy_prefix(prefix_bytes);
   std::vector<std::byte> body(prefix ? prefix->body_bytes : 0);
@@ -230,7 +229,7 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
   (pending.late ? metrics_.tls_late : metrics_.tls_failed).add();
   log_->info("conn {} {}: TLS handshake failed: {}", pending.id, to_text(pending.client),
              pending.late ? "not done in time" : failed.message());
-  pending.slot.reset();  // before the socket closes: who sees the end finds the slot free
+  pending.slot.reset();  // before the socket closes, so that the client finds the slot free
   pending.secured->shutdown();
   drop_input(pending.socket());
   co_return false;
@@ -265,7 +264,7 @@ bool Handshaker::admit(PendingConnection& pending) {
 }
 
 void Handshaker::accept(PendingConnection& pending) {
-  pending.memory.hold(0);  // from here on it is the session's
+  pending.memory.hold(0);  // charged to the session from here on
   ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy,
                       pending.proxy_port};
   if (pending.secured) {
@@ -297,8 +296,7 @@ void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::
   metrics_.refused_for(why).add();
   const asio::ip::address client = pending.client.address();
   if (!proxies_.contain(client)) flow_of(counted_as(client), flows_)->add(FlowMeasure::refusals, 1);
-  // To say it over TLS would cost the handshake that is refused, and a proxy that keeps no rule is told
-  // nothing.
+  // A message over TLS would need the refused handshake; a proxy that breaks the rules gets none.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
   metrics_.error(code).add();
   refusals_.refuse(std::move(pending.stream->socket()), refusal_message_(code, text, retry_after));

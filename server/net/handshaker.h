@@ -1,4 +1,4 @@
-// What a new connection passes before it has a session: the PROXY header that says whose it is, admission,
+// Takes a new connection to the beginning of its session: the PROXY header that names the client, admission,
 // the rate of its address, and TLS.
 #pragma once
 
@@ -35,15 +35,15 @@ namespace talus::server {
 struct HandshakeSettings {
   std::uint64_t per_address_per_second = 1;
   std::uint64_t per_address_burst = 1;
-  std::uint64_t max_in_flight = 1;  // of those with a PROXY header or TLS
+  std::uint64_t max_in_flight = 1;  // connections with a PROXY header or TLS
   std::chrono::milliseconds timeout{};
-  Networks proxies;  // who must send a PROXY header
-  /// Whether they may leave it out, as their connections carry requests of many clients. The connection is
-  /// the proxy's then: ConnectionInfo::through_proxy.
+  Networks proxies;  // peers that must send a PROXY header
+  /// True if proxies may omit it, as their connections carry requests of many clients. The connection then
+  /// belongs to the proxy: ConnectionInfo::through_proxy.
   bool header_optional = false;
 };
 
-/// What a client is told that is refused, before it is disconnected.
+/// Makes the message sent to a refused client before it is disconnected.
 using RefusalMessage = std::function<std::vector<std::byte>(wire::ErrorCode code, const std::string& text,
                                                             std::chrono::milliseconds retry_after)>;
 /// A frame with an Error.
@@ -52,11 +52,11 @@ using RefusalMessage = std::function<std::vector<std::byte>(wire::ErrorCode code
 
 class Handshaker {
  public:
-  /// On the socket's own thread, or in the caller of begin().
+  /// Runs on the socket's own thread, or in the caller of begin().
   using OnAccepted = std::function<void(AcceptedConnection)>;
 
-  /// What a PROXY header and a TLS handshake take: buffers, coroutines, OpenSSL's state. In the budget of
-  /// sessions while they are in flight.
+  /// Memory of a PROXY header and a TLS handshake: buffers, coroutines, OpenSSL's state. Charged to the
+  /// sessions' budget while they are in flight.
   static constexpr std::size_t kProxyBytes = std::size_t{8} * 1024;
   static constexpr std::size_t kTlsBytes = std::size_t{44} * 1024;
 
@@ -65,14 +65,14 @@ class Handshaker {
              FlowUses& flows, Metrics& metrics, MemoryBudget& memory, const Clock& clock, Logger log,
              OnAccepted on_accepted, RefusalMessage refusal_message = refusal_frame);
 
-  /// Takes a socket and returns at once, whatever the peer does; over TLS where there is a context. Each
-  /// socket is accepted, refused, or closed within the timeout. From one thread at a time.
+  /// Takes a socket and returns at once, whatever the peer does. Uses TLS if `tls` is not null. Each socket
+  /// is accepted, refused, or closed within the timeout. Call from one thread at a time.
   void begin(asio::ip::tcp::socket socket, ConnectionId id, const tls::Context& tls);
 
-  /// Other limits from now on, but for the proxies: they stay. Any thread.
+  /// Changes all limits but the proxies. Callable from any thread.
   void change(const HandshakeSettings& settings);
 
-  /// Any thread.
+  /// Callable from any thread.
   [[nodiscard]] RefusalLog& refusal_log() { return refusal_log_; }
 
  private:
@@ -82,15 +82,15 @@ class Handshaker {
   void spawn(const PendingPtr& pending, ConnectionId id);
   [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);
   [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
-  /// Whether what comes first is a PROXY header. No byte is taken.
+  /// Returns true if the first bytes begin a PROXY header. Consumes no bytes.
   [[nodiscard]] asio::awaitable<bool> sends_proxy_header(PendingConnection& pending);
   [[nodiscard]] asio::awaitable<bool> begin_tls(PendingConnection& pending);
-  /// A slot among the connections, within the rate of its address; else it has been refused.
+  /// Takes an admission slot, within the rate of the address. Returns false if the connection was refused.
   [[nodiscard]] bool admit(PendingConnection& pending);
   void accept(PendingConnection& pending);
   void refuse(PendingConnection& pending, Refusal why, const std::string& text,
               std::chrono::milliseconds retry_after);
-  /// Says so in the log only for the first whom a line of the list blocks.
+  /// Logs only the first connection that each line of the list blocks.
   void refuse_blocked(PendingConnection& pending, const BlockedAddress& blocked);
   void count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code, const std::string& text,
                        std::chrono::milliseconds retry_after);

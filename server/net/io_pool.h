@@ -1,4 +1,5 @@
-// One io_context for each thread that serves sockets. A socket stays on the context that it was accepted for.
+// One io_context for each thread that serves sockets. A socket stays on the context for which it was
+// accepted.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +23,13 @@ class IoPool {
 
   /// The context of the thread that calls run().
   [[nodiscard]] asio::io_context& control() { return *contexts_.front(); }
-  /// The contexts in turn; for one thread to call.
+  /// Returns the contexts in turn. Call from one thread.
   [[nodiscard]] asio::io_context& next();
 
-  /// Runs every context until stop(), the control one in this thread. What a handler throws is logged: it
-  /// must not end the thread, which serves others too.
+  /// Runs every context until stop(), the control one in the calling thread. Exceptions from handlers are
+  /// logged: they must not end the thread, which serves other sockets too.
   void run();
-  /// Ends run() without waiting for work; callable from any thread.
+  /// Ends run() without waiting for pending work. Callable from any thread.
   void stop();
 
  private:

@@ -16,7 +16,7 @@ void MailRounds::enter(std::shared_ptr<Reader> reader, const asio::any_io_execut
     readers_.push_back(std::move(reader));
     if (std::exchange(posted_, true)) return;
   }
-  // Without the lock: the first thing that the thread does that this wakes is to take it.
+  // Without the lock, which the woken thread takes first.
   try {
     asio::post(executor, [this, executor] { go_round(executor); });
   } catch (...) {

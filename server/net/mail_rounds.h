@@ -1,6 +1,6 @@
-// Wakes those of one io_context for whom mail has come. The thread that answers a batch of edits answers many
-// sessions at once: one posted handler looks at all of them, where one each would cost that thread an
-// allocation, a lock that the context's thread wants too, and mostly a system call.
+// Wakes the sessions of one io_context that have mail. The thread that answers a batch of edits answers many
+// sessions at once. One posted handler serves all of them: one for each would cost that thread an allocation,
+// a lock that the context's thread also takes, and usually a system call.
 #pragma once
 
 #include <memory>
@@ -16,33 +16,36 @@ namespace talus::server {
 class MailRounds final : public asio::execution_context::service {
  public:
   static inline asio::execution_context::id id;
-  /// So many are looked at by one handler; then others of the context have their turn.
+  /// Sessions served by one handler before other handlers of the context run.
   static constexpr std::size_t kAtOnce = 32;
 
   class Reader {
    public:
     virtual ~Reader() = default;
-    /// On the context's thread.
+    /// Called on the context's thread.
     virtual void read_mail() = 0;
   };
 
   explicit MailRounds(asio::execution_context& context) : service{context} { now_.reserve(kAtOnce); }
 
-  /// From any thread: `reader` reads its mail soon, on `executor`, which is of the context. Throws where
-  /// there is no memory, and then it does not, and who entered at that very moment does with the next.
+  /// From any thread: has `reader` read its mail soon, on `executor`, which belongs to the context. Throws if
+  /// out of memory; then `reader` is not entered, and one entered by another thread at that moment is served
+  /// with the next.
   void enter(std::shared_ptr<Reader> reader, const asio::any_io_executor& executor);
 
  private:
   void shutdown() noexcept override;
-  /// Reads for all who entered, also since it began, so that these need no handler of their own.
+  /// Serves all entered readers, including readers entered meanwhile, which then need no handler of their
+  /// own.
   void go_round(const asio::any_io_executor& executor);
-  /// At most so many of those who entered first, to now_. False: there are none, and who enters next posts.
+  /// Moves up to `most` of the oldest readers to now_. Returns false if there are none left; the next enter()
+  /// then posts.
   [[nodiscard]] bool take(std::size_t most);
 
   std::mutex mutex_;
   std::vector<std::shared_ptr<Reader>> readers_;
-  bool posted_ = false;                       // a handler that takes them
-  std::vector<std::shared_ptr<Reader>> now_;  // of go_round(); has memory for kAtOnce
+  bool posted_ = false;                       // a handler that serves them
+  std::vector<std::shared_ptr<Reader>> now_;  // of go_round(); has capacity kAtOnce
 };
 
 }  // namespace talus::server

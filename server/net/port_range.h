@@ -1,11 +1,11 @@
-// Ports of a balancer.
+// A range of a balancer's ports.
 #pragma once
 
 #include <cstdint>
 
 namespace talus::server {
 
-/// Both included.
+/// Both ends included.
 struct PortRange {
   std::uint16_t first = 0;
   std::uint16_t last = 0;

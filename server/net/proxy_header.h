@@ -1,5 +1,5 @@
-// The PROXY protocol, version 2: the bytes before a connection's own, in which a proxy says for whom it
-// speaks. Pure functions. Source: The PROXY protocol, versions 1 & 2 (HAProxy, 2020), section 2.2.
+// The PROXY protocol, version 2: bytes before a connection's own, in which a proxy names its client. Pure
+// functions. Source: The PROXY protocol, versions 1 & 2 (HAProxy, 2020), section 2.2.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,14 @@
 namespace talus::server {
 
 inline constexpr std::size_t kProxyPrefixBytes = 16;
-/// Of what follows the prefix: an address, and whatever else proxies add. 520 must be taken (section 2.2).
+/// Limit of the bytes after the prefix: an address and extensions of proxies. At least 520 are required
+/// (section 2.2).
 inline constexpr std::size_t kMaxProxyBodyBytes = 1024;
 
-/// What the first 16 bytes say of the rest.
+/// The first 16 bytes, which describe the rest.
 struct ProxyPrefix {
   enum class Origin : std::uint8_t {
-    peer,  // the proxy speaks for itself, or does not say for whom
+    peer,  // the proxy itself, or unspecified
     tcp4,
     tcp6,
   };
@@ -28,15 +29,15 @@ struct ProxyPrefix {
   std::uint16_t body_bytes = 0;  // at most kMaxProxyBodyBytes
 };
 
-/// The error says what is wrong, as the end of a sentence about the peer.
+/// The error is phrased as the end of a sentence about the peer.
 [[nodiscard]] tl::expected<ProxyPrefix, std::string_view> read_proxy_prefix(
     std::span<const std::byte, kProxyPrefixBytes> bytes);
 
-/// Who is behind the proxy; none where that is the proxy itself. `body` has prefix.body_bytes bytes.
+/// The client behind the proxy; nullopt for the proxy's own connection. `body` has prefix.body_bytes bytes.
 [[nodiscard]] std::optional<asio::ip::tcp::endpoint> proxied_client(const ProxyPrefix& prefix,
                                                                     std::span<const std::byte> body);
 
-/// The port to which that client came at the proxy; 0 where the proxy speaks for itself.
+/// The proxy's port to which the client connected; 0 for the proxy's own connection.
 [[nodiscard]] std::uint16_t proxied_port(const ProxyPrefix& prefix, std::span<const std::byte> body);
 
 }  // namespace talus::server

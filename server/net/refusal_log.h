@@ -1,4 +1,4 @@
-// One line a second about refused connections, however many there are. Callable from any thread.
+// Logs refused connections in at most one line a second. Callable from any thread.
 #pragma once
 
 #include <chrono>
@@ -17,8 +17,8 @@ class RefusalLog {
   RefusalLog(Logger log, const Clock& clock);
 
   void note(const std::string& who, const std::string& why);
-  /// Logs how many were refused and which one last, where that is not logged yet and the line before is at
-  /// least so old.
+  /// Logs the number of refusals and the last of them if there are unlogged ones and the previous line is at
+  /// least `since_last_line` old.
   void flush(Clock::duration since_last_line = std::chrono::seconds{1});
 
  private:
@@ -27,7 +27,7 @@ class RefusalLog {
   std::mutex mutex_;
   Clock::time_point last_line_ = Clock::time_point::min();
   std::uint64_t unlogged_ = 0;
-  std::string last_refused_;  // who, and why
+  std::string last_refused_;  // address and reason
 };
 
 }  // namespace talus::server

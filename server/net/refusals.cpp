@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
-/// One of Refusals::kMax or kMaxSpare.
+/// One of the kMax or kMaxSpare refusals in flight.
 class InFlightSlot {
  public:
-  /// Counted already.
+  /// The caller has incremented `in_flight`.
   explicit InFlightSlot(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
   InFlightSlot(InFlightSlot&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
   InFlightSlot& operator=(InFlightSlot&&) = delete;
@@ -34,7 +34,7 @@ class InFlightSlot {
   std::atomic<std::size_t>* in_flight_;
 };
 
-/// A socket that closes itself when the time is over.
+/// A socket that closes itself at its deadline.
 struct Closing {
   InFlightSlot slot;
   asio::ip::tcp::socket socket;
@@ -44,10 +44,10 @@ struct Closing {
 };
 using ClosingPtr = std::shared_ptr<Closing>;
 
-// No coroutines: where Asio has no memory to begin an operation of one, the process ends. Here whoever begins
-// an operation gets std::bad_alloc.
+// Not coroutines: if Asio has no memory to begin an operation of a coroutine, the process ends. Here the
+// caller gets std::bad_alloc.
 
-// Closing with unread bytes would reset the connection and could take the message with it.
+// Closing with unread bytes would reset the connection and could lose the message.
 void read_to_end(const ClosingPtr& closing) {
   closing->socket.async_read_some(asio::buffer(closing->unread),
                                   [closing](std::error_code ended, std::size_t) {

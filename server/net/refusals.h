@@ -1,4 +1,4 @@
-// Connections that the server does not take: told so, then closed.
+// Refused connections: each gets a message and is then closed.
 #pragma once
 
 #include <atomic>
@@ -11,13 +11,13 @@ namespace talus::server {
 
 class Refusals {
  public:
-  /// Refusals in flight; beyond them a socket is closed without a message.
+  /// Maximum number of refusals in flight; any more are closed without a message.
   static constexpr std::size_t kMax = 64;
-  /// Beside them, on spare descriptors.
+  /// Additional refusals on spare descriptors.
   static constexpr std::size_t kMaxSpare = 4;
 
-  /// Sends `message` and closes once the client has had time to read it. Must outlive
-  /// the socket's io_context.
+  /// Sends `message` and closes after the client has had time to read it. Must outlive the socket's
+  /// io_context.
   void refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message);
 
  private:

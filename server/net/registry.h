@@ -1,4 +1,4 @@
-// Every open connection, so that the server can speak to all of them. Callable from any thread.
+// Every open connection, for messages to all of them. Callable from any thread.
 #pragma once
 
 #include <chrono>
@@ -17,20 +17,21 @@
 
 namespace talus::server {
 
-/// Never used twice in one process: later connections have greater ones.
+/// Unique within a process; later connections have greater ids.
 using ConnectionId = std::uint64_t;
 
-/// What the server says to a connection, whatever its stream and protocol are.
+/// The server's view of a connection, independent of its stream and protocol.
 class Peer {
  public:
   virtual ~Peer() = default;
-  /// Since when a player is on it; none: it has no session.
+  /// Start of its session; nullopt if it has no session.
   [[nodiscard]] virtual std::optional<Clock::time_point> session_since() const = 0;
-  /// To which it came at a proxy; 0: the proxy does not say. None: it came directly.
+  /// Port of the proxy that it arrived through; 0 if the proxy does not report it, nullopt if it came
+  /// directly.
   [[nodiscard]] virtual std::optional<std::uint16_t> proxy_port() const { return std::nullopt; }
-  /// From any thread: says so and closes when what was asked is answered.
+  /// From any thread: sends a farewell and closes once pending requests are answered.
   virtual void go_away(const std::string& reason, std::chrono::milliseconds retry_after) = 0;
-  /// From any thread: the lists of revoked tokens and of blocked flows have changed, and it may be on one.
+  /// From any thread: the lists of revoked tokens and blocked flows have changed; it may be on one of them.
   virtual void access_changed() = 0;
   /// From any thread: the rates of sessions and addresses have changed.
   virtual void rates_changed() = 0;
@@ -38,33 +39,33 @@ class Peer {
 
 class Registry {
  public:
-  /// Once tell_all_to_go() was called the peer is told at once. A peer with the id of another takes its
-  /// place.
+  /// After tell_all_to_go() the new peer is sent away at once. A peer with an existing id replaces the older
+  /// one.
   void add(ConnectionId id, const std::shared_ptr<Peer>& peer);
   void remove(ConnectionId id);
   [[nodiscard]] bool empty() const;
 
-  /// Tells all peers to go away that were not told yet, and those that are added from now on.
+  /// Sends GoAway to all peers not sent one yet, and to any added later.
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
-  /// Tells those without a session.
+  /// Sends GoAway to peers without a session.
   void tell_others_to_go(const std::string& reason);
-  /// Tells at most so many sessions that came by such a port of a proxy (any sessions, where no ports are
-  /// given), began before then and were not told yet, the longest connected first: who came last, perhaps
-  /// sent here by another server, is the last to be sent on. Returns how many.
+  /// Sends GoAway to at most `most` sessions that arrived through `ports` (all if empty) before
+  /// `began_before`, oldest first, so that a session just redirected here is not redirected again. Returns
+  /// their number.
   std::size_t tell_to_go(std::size_t most, std::optional<PortRange> ports, Clock::time_point began_before,
                          const std::string& reason, std::chrono::milliseconds retry_after);
   struct Sessions {
     std::size_t staying = 0;
-    std::size_t leaving = 0;  // told to go, and still here
+    std::size_t leaving = 0;  // sent a GoAway and still connected
   };
-  /// Of those that came by such a port of a proxy; of all, where no ports are given.
+  /// Counts the sessions that arrived through `ports` (all if empty).
   [[nodiscard]] Sessions sessions(std::optional<PortRange> ports = {}) const;
 
-  /// Tells all peers.
+  /// Notifies all peers.
   void access_changed();
   void rates_changed();
 
-  /// Calls `empty` once, in any thread, when no connection is open: at once if there is none now.
+  /// Calls `empty` once, in any thread, as soon as there are no connections (at once if there are none now).
   void when_empty(std::function<void()> empty);
 
  private:
@@ -77,7 +78,7 @@ class Registry {
     std::weak_ptr<Peer> peer;
     std::optional<Clock::time_point> session_since;
     std::optional<std::uint16_t> proxy_port;
-    bool told = false;  // to go
+    bool told = false;  // to go away
 
     [[nodiscard]] bool came_by(const std::optional<PortRange>& ports) const {
       return !ports || (proxy_port && ports->contains(*proxy_port));
@@ -85,7 +86,8 @@ class Registry {
   };
 
   void tell_all(void (Peer::*what)());
-  /// Those that are not told to go yet, and are now: `most` of those whom `which` takes. Under the mutex.
+  /// Marks up to `most` peers accepted by `which` as told, skipping any already told, and returns them. Call
+  /// under the mutex.
   template <typename Which>
   [[nodiscard]] std::vector<std::shared_ptr<Peer>> leave(std::size_t most, Which which);
 

@@ -1,7 +1,7 @@
-// Drives a session over a stream: reads frames into it, writes what it has to say, wakes it for its mail, and
-// watches the clock.
+// Drives a session over a stream: reads frames into it, writes its output, wakes it for its mail, and
+// enforces its time-outs.
 //
-// Three coroutines on the stream's executor share it, so nothing here is locked. They end when the stream is
+// Three coroutines on the stream's executor share it, so there are no locks. They end when the stream is
 // closed; the runner lives as long as the last of them.
 #pragma once
 
@@ -32,14 +32,14 @@
 
 namespace talus::server {
 
-/// What every session of a server is run by.
+/// Limits of every session of a server.
 struct RunnerLimits {
-  std::uint32_t frame_bytes = 0;  // of one frame of the client
-  std::size_t queued_bytes = 0;   // that wait for the client, above which nothing more is read
+  std::uint32_t frame_bytes = 0;  // of one frame from the client
+  std::size_t queued_bytes = 0;   // queued for the client; above this, reading pauses
   SessionTimeouts timeouts;
 };
 
-/// What runners share. What it refers to lives as long as it, or outlives all runners.
+/// Shared by all runners. Objects that it refers to live as long as it does, or outlive all runners.
 struct RunnerContext {
   SessionContext session;
   RunnerLimits limits;
@@ -48,7 +48,7 @@ struct RunnerContext {
 };
 using RunnerContextPtr = std::shared_ptr<const RunnerContext>;
 
-/// So much may wait for each client even where the server has no memory to spare.
+/// Bytes that may be queued for each client even if the server is short of memory.
 inline constexpr std::size_t kQueuedBytesAnyway = std::size_t{16} * 1024;
 
 template <Stream S>
@@ -57,7 +57,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   [[nodiscard]] static std::shared_ptr<SessionRunner> make(S stream, ConnectionInfo connection,
                                                            Admission::Slot slot, RunnerContextPtr context);
 
-  /// Once, from any thread.
+  /// Call once, from any thread.
   void start();
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override {
     return connection_.accepted;
@@ -66,42 +66,41 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void go_away(const std::string& reason, std::chrono::milliseconds retry_after) override;
   void access_changed() override;
   void rates_changed() override;
-  /// Lets every coroutine look at the clock again: for who moves a ManualClock. On the stream's executor.
+  /// Re-evaluates all timers. For tests that advance a ManualClock. On the stream's executor.
   void clock_moved();
 
  private:
-  struct Owner;  // whom the mailbox wakes
+  struct Owner;  // woken by the mailbox
 
  public:
-  /// make() calls it.
+  /// Called by make().
   SessionRunner(S stream, ConnectionInfo connection, Admission::Slot slot, RunnerContextPtr context,
                 const std::shared_ptr<Owner>& owner);
 
  private:
   [[nodiscard]] asio::awaitable<void> read();
   [[nodiscard]] asio::awaitable<void> on_bytes(std::span<const std::byte> bytes);
-  /// When the View that waits is to be applied; max() where none does, or it is not its turn.
+  /// Time to apply the pending View; max() without one, or until its turn comes.
   [[nodiscard]] Clock::time_point view_due();
   void apply_view();
-  /// Now, or, where that is not its turn, by watch() in time.
+  /// Applies it now, or leaves it to watch() if it is not due.
   void apply_view_when_due();
-  /// Reads nothing while too_much() is true.
+  /// Pauses reading while too_much() returns true.
   [[nodiscard]] asio::awaitable<void> pause_reading(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] asio::awaitable<void> write();
-  /// Where write() waits and there are answers and updates alone, few bytes of them: writes them without a
-  /// coroutine's turn. What the stream does not take at once is left to write(). Whether anything was taken,
-  /// so that the session may go on.
+  /// Writes at once, without resuming a coroutine, if write() is idle and the output is a few bytes of
+  /// answers and updates. The part that the stream does not accept is left to write(). Returns true if output
+  /// was taken, so that the session may go on.
   bool write_little();
   [[nodiscard]] asio::awaitable<void> watch();
   void spawn(asio::awaitable<void> (SessionRunner::*loop)());
 
-  /// Lets `event` change the session, in a handler of its own; what that throws ends this connection and no
-  /// other.
+  /// Passes the session to `event` in a handler of its own. An exception ends only this connection.
   template <typename Event>
   void dispatch(Event&& event);
-  /// After anything that happened to the session. Returns as Session::pump().
+  /// Call after every change of the session. Returns the result of Session::pump().
   std::size_t pump();
-  /// The client has shut its side, and may still read.
+  /// The client has closed its side, and may still read.
   void input_ended();
   void output_ended();
   void note_greeting();
@@ -115,7 +114,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
            (queued > kQueuedBytesAnyway && !context_.session.memory.takes_work());
   }
   [[nodiscard]] bool too_many_views() const { return session_.views_pile_up(); }
-  /// Also what was read already waits, which may be dozens of Views of a client that this server kept
+  /// Also stops frames that were already read, which may be dozens of Views from a client that was kept
   /// waiting.
   [[nodiscard]] bool takes_no_frame() const { return too_much_queued() || session_.views_full(); }
   void end(std::string_view reason);
@@ -124,15 +123,15 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   S stream_;
   const ConnectionInfo connection_;
   const RunnerContextPtr kept_context_;
-  const RunnerContext& context_;  // that one
+  const RunnerContext& context_;  // *kept_context_
   const Clock& clock_;
   std::optional<Admission::Slot> slot_;
   protocol::FrameReader frames_;
   Session session_;
 
-  TimedEvent output_waits_;  // for something to write
-  TimedEvent input_waits_;   // for room in the queue, or for the View to be applied
-  TimedEvent watch_waits_;   // for the times of the watchdog and of the next View
+  TimedEvent output_waits_;  // for output
+  TimedEvent input_waits_;   // for room in the queue, or until the View is applied
+  TimedEvent watch_waits_;   // for the next event of the watchdog or the next View
 
   Watchdog watchdog_;
   ViewThrottle view_throttle_;
@@ -140,9 +139,9 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   WriteBatchSize batch_size_;
   struct Unsent {
     Output output;
-    std::size_t from = 0;  // so much of it was written
+    std::size_t from = 0;  // bytes already written
   };
-  std::optional<Unsent> unsent_;  // goes before all that the session has to say
+  std::optional<Unsent> unsent_;  // written before the session's next output
   bool reading_paused_ = false;
   bool input_ended_ = false;
   bool output_ended_ = false;
@@ -152,7 +151,7 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   std::array<std::byte, 8192> input_;
 };
 
-/// Makes the connection's session and starts it.
+/// Creates the connection's session and starts it.
 void start_session(AcceptedConnection accepted, const RunnerContextPtr& context);
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// SessionRunner's functions: for session_runner.cpp, and for tests that run it over a stream of their own.
+// SessionRunner's functions: for session_runner.cpp, and for tests that run it over their own stream.
 #pragma once
 
 #include "net/session_runner.h"
@@ -21,15 +21,15 @@
 
 namespace talus::server {
 
-// What it takes a thread to find a chunk in memory and put it into the outbox: some cache misses.
+// Time to find a chunk in memory and put it into the outbox: a few cache misses.
 inline constexpr std::chrono::nanoseconds kFoundChunk{2000};
 
-// Answers of so many bytes and less are written at once, by who made them.
+// Maximum size of output that is written at once by the code that produced it.
 inline constexpr std::size_t kMostAnswerBytes = 4096;
 
 inline constexpr std::string_view kClosedByClient = "closed by the client";
 
-/// The mailbox is made before the runner, and knows it weakly.
+/// The mailbox is made before the runner and refers to it weakly.
 template <Stream S>
 struct SessionRunner<S>::Owner final : MailRounds::Reader {
   explicit Owner(asio::any_io_executor of)
@@ -84,7 +84,7 @@ SessionRunner<S>::SessionRunner(S stream, ConnectionInfo connection, Admission::
 template <Stream S>
 void SessionRunner<S>::start() {
   asio::post(stream_.get_executor(), [self = this->shared_from_this()] {
-    if (!self->open_) return;  // it was told to go away, and ended, before it began
+    if (!self->open_) return;  // it was sent away and ended before it began
     self->started_ = true;
     self->context_.session.metrics.accepted.add();
     self->context_.session.metrics.open.rise();
@@ -93,7 +93,7 @@ void SessionRunner<S>::start() {
       self->spawn(&SessionRunner::write);
       self->spawn(&SessionRunner::watch);
     });
-    // Either may have changed after it was admitted, and before it was registered.
+    // Either may have changed between its admission and its registration.
     self->look_at_access();
     self->look_at_rates();
   });
@@ -167,7 +167,7 @@ asio::awaitable<void> SessionRunner<S>::read() {
       co_return;
     }
     context_.session.metrics.received_bytes.add(bytes);
-    // What comes after the last frame is read and dropped, so that closing does not reset the connection.
+    // Input after the last frame is read and dropped, so that closing does not reset the connection.
     if (session_.closing()) continue;
     co_await on_bytes(std::span{input_}.first(bytes));
     pump();
@@ -179,7 +179,7 @@ asio::awaitable<void> SessionRunner<S>::read() {
 template <Stream S>
 void SessionRunner<S>::input_ended() {
   input_ended_ = true;
-  watchdog_.reading_pauses();  // silence is what it has promised
+  watchdog_.reading_pauses();  // it has promised to be silent
   if (output_ended_) return end(kClosedByClient);
   session_.input_ended();
   pump();
@@ -233,8 +233,7 @@ void SessionRunner<S>::apply_view() {
   const auto used_before = clock_.thread_cpu();
   const auto dropped = static_cast<std::int64_t>(session_.apply_view());
   const auto found = static_cast<std::int64_t>(pump());
-  // Chunks that it was given from memory are no View's cost but a delivery's, unless the next View drops
-  // them.
+  // Sending chunks found in memory is a delivery's cost and not the View's, unless the next View drops them.
   const auto used = clock_.thread_cpu() - used_before;
   const auto cost = std::max(used - found * kFoundChunk, used / 8) + dropped * kFoundChunk;
   view_throttle_.applied(began, cost);
@@ -247,7 +246,7 @@ void SessionRunner<S>::apply_view_when_due() {
   if (view_due() <= now()) {
     apply_view();
   } else {
-    watch_waits_.notify();  // what else the client says is heard meanwhile
+    watch_waits_.notify();  // other messages of the client are handled meanwhile
   }
 }
 
@@ -276,7 +275,7 @@ asio::awaitable<void> SessionRunner<S>::write() {
     const Unsent unsent = unsent_ ? *std::exchange(unsent_, std::nullopt)
                                   : Unsent{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
     const Output& output = unsent.output;
-    if (output.size() == 0) {  // another session of the address was faster
+    if (output.size() == 0) {  // another session of the address took the credit
       session_.written();
       pump();
       continue;
@@ -321,7 +320,7 @@ asio::awaitable<void> SessionRunner<S>::write() {
 template <Stream S>
 bool SessionRunner<S>::write_little() {
   if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
-    // Nothing is being written, and nothing waits to be.
+    // No write is in flight or pending.
     const bool idle = output_waits_.deadline() != Clock::time_point::min() && !unsent_;
     if (!idle || session_.closing() || !session_.has_little_to_write(kMostAnswerBytes)) return false;
     Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
@@ -385,7 +384,7 @@ std::size_t SessionRunner<S>::pump() {
   std::size_t found = session_.pump();
   if (write_little()) found += session_.pump();
   if (session_.closing() && watchdog_.closes(now())) watch_waits_.notify();
-  // Also for what a rate still holds: write() may wait without a deadline, and must learn of this one.
+  // Also for output held back by a rate: write() may be waiting without a deadline and needs this one.
   if (session_.closing() || unsent_ || session_.sendable_at() < output_waits_.deadline()) {
     output_waits_.notify();
   }
@@ -408,7 +407,7 @@ void SessionRunner<S>::note_greeting() {
   context_.session.metrics.greeted.rise();
   watchdog_.greeted();
   frames_.set_limit(context_.limits.frame_bytes);
-  watch_waits_.notify();  // from here on it is the idle time that counts
+  watch_waits_.notify();  // from here on the idle time-out applies
   const Greeting& greeting = *session_.greeting();
   const Grant& grant = greeting.grant;
   if (grant.expires) watchdog_.token_ends(now() + token_lifetime(*grant.expires, clock_.wall()));
@@ -423,7 +422,7 @@ template <Stream S>
 void SessionRunner<S>::end(std::string_view reason) {
   if (!std::exchange(open_, false)) return;
   view_turns_.leave(watch_waits_);
-  // Before the stream closes: who sees the end finds the slot free.
+  // Before the stream closes, so that a client that sees the end finds the slot free.
   slot_.reset();
   context_.registry.remove(connection_.id);
   if (started_) context_.session.metrics.open.fall();

@@ -1,10 +1,9 @@
-// A connection's bytes, whatever carries them: TcpStream, TlsStream, WebSocketStream over either, and a
-// stream in memory for tests.
+// A connection's bytes, independent of the transport: TcpStream, TlsStream, WebSocketStream over either, and
+// an in-memory stream for tests.
 //
-// A Stream is an AsyncReadStream and AsyncWriteStream of Asio, and says the protocol's end by itself: TLS a
-// close_notify; a WebSocket's messages, pings and closing handshake are its stream's business too. Who uses
-// one sees bytes in, bytes out, and the end. One read and one write may be in flight at a time, on its
-// executor.
+// A Stream is an AsyncReadStream and AsyncWriteStream of Asio, and handles its protocol's end by itself: a
+// TLS close_notify; a WebSocket's messages, pings and closing handshake. Its user sees bytes in, bytes out,
+// and the end. One read and one write may be in flight at a time, on its executor.
 #pragma once
 
 #include <concepts>
@@ -22,21 +21,21 @@ concept Stream = std::movable<S> &&
              void (*done)(std::error_code, std::size_t)) {
   typename S::executor_type;
   { stream.get_executor() } -> std::same_as<typename S::executor_type>;
-  // asio::error::eof where the peer has ended well.
+  // Ends with asio::error::eof if the peer has ended cleanly.
   stream.async_read_some(in, done);
   stream.async_write_some(out, done);
-  // Says that nothing more is to come, where the protocol has a word for it. shutdown() comes then.
+  // Sends the protocol's end of stream, if it has one. Call shutdown() after it.
   { stream.say_end() } -> std::same_as<asio::awaitable<void>>;
-  // Nothing more is written.
+  // Ends writing.
   stream.shutdown();
-  // What is in flight ends with an error.
+  // Operations in flight end with an error.
   stream.close();
-  // How often a write had to wait until the transport took more, since the stream began: where one
+  // Number of times a write had to wait for the transport since the stream began. For streams whose
   // async_write_some takes only a part of the bytes although the transport would take all.
   { seen.write_waits() } -> std::same_as<std::size_t>;
-  // Whether async_write_some takes all that the transport takes.
+  // True if async_write_some takes as much as the transport accepts.
   { S::kWritesWhole } -> std::convertible_to<bool>;
-  // Pieces of so many bytes and more are worth a place of their own in one write, instead of being copied.
+  // Minimum size of a piece that is worth its own buffer in a gathered write instead of a copy.
   { S::kGatherFrom } -> std::convertible_to<std::size_t>;
 };
 

@@ -1,4 +1,4 @@
-// A Stream over TCP: bytes as they are.
+// A Stream over TCP: bytes without framing.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ class TcpStream {
  public:
   using executor_type = asio::ip::tcp::socket::executor_type;
   static constexpr bool kWritesWhole = true;
-  // A piece more for the system costs as much as copying some 2 KiB that lie far away. Below 64 pieces a
-  // write of the largest batch stays one call.
+  // Each additional piece costs the system as much as copying about 2 KiB from distant memory. With fewer
+  // than 64 pieces the largest batch is written in one call.
   static constexpr std::size_t kGatherFrom = 2560;
 
   explicit TcpStream(asio::ip::tcp::socket socket) : socket_{std::move(socket)} {}
@@ -23,8 +23,8 @@ class TcpStream {
   [[nodiscard]] executor_type get_executor() { return socket_.get_executor(); }
   [[nodiscard]] asio::ip::tcp::socket& socket() { return socket_; }
 
-  /// Sends small writes at once, and lets the kernel hold few bytes that it has not sent: they cannot be
-  /// overtaken.
+  /// Sends small writes at once, and lets the kernel hold few unsent bytes: newer output cannot overtake
+  /// them.
   void prefer_latency();
 
   template <typename Buffers, typename Token>
@@ -36,10 +36,11 @@ class TcpStream {
     return socket_.async_write_some(buffers, std::forward<Token>(token));
   }
 
-  /// Without waiting: how many bytes the kernel took, 0 also where it never will, as async_write_some tells.
+  /// Does not wait. Returns the number of bytes the kernel took; also 0 on an error, which async_write_some
+  /// reports.
   [[nodiscard]] std::size_t write_now(asio::const_buffer from);
 
-  /// Whether the peer sends nothing more, also where bytes wait to be read before its end.
+  /// Returns true if the peer will send nothing more, even if unread bytes remain before its end.
   [[nodiscard]] bool peer_hung_up();
 
   [[nodiscard]] asio::awaitable<void> say_end() { co_return; }

@@ -1,4 +1,4 @@
-// What a coroutine waits for: a time of the injected clock, or to be told. One thread's.
+// An event with a deadline of the injected clock, for a coroutine. For one thread.
 #pragma once
 
 #include <utility>
@@ -18,8 +18,8 @@ class TimedEvent {
   /// `clock` outlives it.
   TimedEvent(const asio::any_io_executor& executor, const Clock& clock) : clock_{clock}, timer_{executor} {}
 
-  /// Ends at `deadline`, at notify(), or for no reason: look again at what you wait for. max(): no deadline.
-  /// One coroutine at a time.
+  /// Ends at `deadline`, at notify(), or spuriously: check the condition again. max(): no deadline. One
+  /// coroutine at a time.
   [[nodiscard]] asio::awaitable<void> wait_until(Clock::time_point deadline) {
     deadline_ = deadline;
     if (deadline == Clock::time_point::max()) {
@@ -32,7 +32,7 @@ class TimedEvent {
     deadline_ = Clock::time_point::min();
   }
 
-  /// What a coroutine waits for; min() where none does.
+  /// Deadline of the waiting coroutine; min() if there is none.
   [[nodiscard]] Clock::time_point deadline() const { return deadline_; }
 
   void notify() { timer_.cancel(); }

@@ -51,7 +51,7 @@ tl::unexpected<std::string> wrong(std::string_view setting, const std::filesyste
   return tl::make_unexpected(fmt::format("{} {}: {}", setting, escaped(file.string(), 500), what));
 }
 
-/// Never a question on the terminal: a server has nobody to ask.
+/// Never prompts on the terminal: a server has no user to ask.
 int no_passphrase(char*, int, int, void* asked) {
   *static_cast<bool*>(asked) = true;
   return -1;
@@ -135,15 +135,15 @@ tl::expected<tls::Context, std::string> new_context() {
                     SSL_CTX_set_num_tickets(context.get(), 0) == 1;
   if (!made)
     return tl::make_unexpected(fmt::format("TLS: this OpenSSL cannot do what is needed: {}", reason()));
-  // A client with fast AES takes the first cipher; one that prefers ChaCha20 has none.
+  // A client with fast AES gets the first cipher; one that prefers ChaCha20 gets ChaCha20.
   SSL_CTX_set_options(context.get(), SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION |
                                          SSL_OP_CIPHER_SERVER_PREFERENCE | SSL_OP_PRIORITIZE_CHACHA);
-  // After a record that carries no data, as a change of keys, the others on the thread have their turn.
+  // After a record without data (e.g. a key update) other handlers of the thread run.
   SSL_CTX_clear_mode(context.get(), SSL_MODE_AUTO_RETRY);
   return context;
 }
 
-/// A client that takes what this server offers, whatever the machine's openssl.cnf says of others.
+/// A client that accepts what this server offers, whatever the machine's openssl.cnf prescribes.
 tls::Context new_client_context() {
   tls::Context client = tls::new_context(tls::Role::client);
   const bool made = client != nullptr && SSL_CTX_set_max_proto_version(client.get(), TLS1_3_VERSION) == 1 &&
@@ -154,8 +154,8 @@ tls::Context new_client_context() {
   return client;
 }
 
-/// Whether a client and the server come to terms, in memory. By a key of a kind that TLS 1.3 does not sign
-/// by, or bound to what nobody wants, all would load and every handshake fail.
+/// Returns true if a client and the server complete a handshake in memory. A key of a kind that TLS 1.3
+/// cannot sign with, or restricted to an algorithm that no client offers, loads but fails every handshake.
 bool shakes_hands(SSL_CTX* context) {
   const tls::Context clients = new_client_context();
   const tls::Handle client{clients ? SSL_new(clients.get()) : nullptr};
@@ -167,11 +167,11 @@ bool shakes_hands(SSL_CTX* context) {
   SSL_set_bio(server.get(), to_client, to_client);
   SSL_set_connect_state(client.get());
   SSL_set_accept_state(server.get());
-  // A turn moves what a pair holds, 17 KiB, and a client takes chains of up to 100 KiB.
+  // Each turn moves up to 17 KiB, the capacity of a pair; a client accepts chains of up to 100 KiB.
   for (int turn = 0; turn < 20; ++turn) {
     bool done = true;
     for (const tls::Handle* side : {&client, &server}) {
-      ERR_clear_error();  // SSL_get_error looks at all that is there
+      ERR_clear_error();  // SSL_get_error considers the whole queue
       const int result = SSL_do_handshake(side->get());
       const int error = result == 1 ? SSL_ERROR_NONE : SSL_get_error(side->get(), result);
       if (error != SSL_ERROR_NONE && error != SSL_ERROR_WANT_READ && error != SSL_ERROR_WANT_WRITE)

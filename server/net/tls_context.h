@@ -1,4 +1,4 @@
-// The server's certificate and key, and the rules of TLS, as OpenSSL keeps them.
+// The server's certificate, key and TLS rules, as an OpenSSL context.
 #pragma once
 
 #include <chrono>
@@ -16,13 +16,13 @@ struct TlsIdentity {
   tls::Context context;
   std::string description;   // one line, for the log
   std::int64_t expires = 0;  // seconds since 1970
-  bool valid_now = false;    // when it was loaded, of the certificate's dates alone
+  bool valid_now = false;    // by the certificate's dates alone, when it was loaded
 };
 
-/// Reads a certificate with its chain, and its key, both PEM. TLS 1.3 alone. Without session tickets: a
-/// client that comes back proves itself anew, which costs a signature, and the server keeps no secret that
-/// would open what was said before. The key is tried by a handshake in memory, of a millisecond or two. An
-/// error names the file, what is wrong with it, and what would be right.
+/// Reads a certificate with its chain, and its key, both PEM. TLS 1.3 only. No session tickets: a returning
+/// client makes a full handshake, which costs a signature, and the server keeps no secret that could decrypt
+/// earlier traffic. Tests the key by a handshake in memory, which takes one or two milliseconds. An error
+/// names the file, the fault, and the remedy.
 [[nodiscard]] tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& certificate,
                                                               const std::filesystem::path& key,
                                                               std::chrono::sys_seconds now);

@@ -1,5 +1,5 @@
-// A Stream over TLS on a TCP socket. OpenSSL reads and writes the socket itself: asio::ssl's buffers would
-// cost 34 KiB a connection.
+// A Stream over TLS on a TCP socket. OpenSSL reads and writes the socket directly: asio::ssl's buffers would
+// cost 34 KiB per connection.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,10 @@ namespace talus::server {
 class TlsStream {
  public:
   using executor_type = TcpStream::executor_type;
-  static constexpr bool kWritesWhole = false;  // record by record
+  static constexpr bool kWritesWhole = false;  // one record at a time
   static constexpr std::size_t kGatherFrom = SIZE_MAX;
 
-  /// async_handshake() comes first.
+  /// Call async_handshake() first.
   TlsStream(TcpStream stream, const tls::Context& context)
       : stream_{std::move(stream)}, tls_{context, tls::Role::server, stream_.socket().native_handle()} {
     stream_.socket().native_non_blocking(true);
@@ -65,13 +65,13 @@ class TlsStream {
   [[nodiscard]] asio::awaitable<void> say_end();
   void shutdown() { stream_.shutdown(); }
   void close() {
-    if (stream_.socket().is_open()) (void)tls_.close_notify();  // where it goes at once: nobody waits for it
+    if (stream_.socket().is_open()) (void)tls_.close_notify();  // sent only if possible at once
     stream_.close();
   }
   [[nodiscard]] std::size_t write_waits() const { return write_waits_; }
 
  private:
-  /// A step of TLS, repeated until it is done, waiting for the socket between.
+  /// A step of TLS, repeated with waits for the socket until it is done.
   template <typename Step>
   struct Operation {
     TlsStream& stream;
@@ -84,7 +84,8 @@ class TlsStream {
     void operator()(Self& self, std::error_code failed = {}) {
       using Result = tls::Step::Result;
       asio::ip::tcp::socket& socket = stream.stream_.socket();
-      // Two waits can end in one look at the socket, and the first may close it: its number may be another's.
+      // Two waits can end in one poll of the socket, and the first may close it: its number may be in use
+      // again.
       if (!socket.is_open()) failed = asio::error::operation_aborted;
       if (!posted) last = failed ? tls::Step{Result::failed, failed} : step(stream.tls_);
       if (last.waits()) {
@@ -94,7 +95,7 @@ class TlsStream {
                                                               : asio::ip::tcp::socket::wait_write,
                           std::move(self));
       } else if (!waited && !std::exchange(posted, true)) {
-        asio::post(socket.get_executor(), std::move(self));  // never from inside the call
+        asio::post(socket.get_executor(), std::move(self));  // never from within the call
       } else {
         self.complete(last.result == Result::closed ? asio::error::eof : last.error, last.bytes);
       }

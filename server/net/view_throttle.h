@@ -1,5 +1,5 @@
-// How often a session's View is applied. Ordering its chunks is the most expensive thing that one message can
-// ask of a thread that serves other sessions too.
+// Limits the rate at which a session's Views are applied. Ordering a View's chunks is the most expensive
+// request that one message can make of a thread that also serves other sessions.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace talus::server {
 class ViewThrottle {
  public:
   static constexpr std::chrono::milliseconds kMinInterval{20};
-  static constexpr int kIntervalPerCost = 10;  // so a tenth of the thread's time, however large the View
+  static constexpr int kIntervalPerCost = 10;  // a tenth of the thread's time, however large the View
 
-  /// When the next View may be applied; the first one at any time.
+  /// Earliest time of the next View; the first may come at any time.
   [[nodiscard]] Clock::time_point due() const { return due_; }
 
-  /// A View was applied from `began` on, at the cost of so much of the thread's processor time.
+  /// A View was applied, starting at `began`, for `cost` of the thread's processor time.
   void applied(Clock::time_point began, std::chrono::nanoseconds cost) {
     due_ = began + std::max<std::chrono::nanoseconds>(kMinInterval, kIntervalPerCost * cost);
   }

@@ -42,7 +42,7 @@ void ViewTurns::applied(TimedEvent& waiter, Clock::time_point began, std::chrono
   leave(waiter);
 }
 
-// Where there is no memory to choose, nobody has the turn, and whoever looks first may go.
+// Without the memory to choose, the turn stays free, and the first waiter that checks may go.
 void ViewTurns::choose() noexcept {
   if (next_ != nullptr || waiting_.empty()) return;
   const auto waits = [this](FlowId flow) { return waiting_.contains(flow); };

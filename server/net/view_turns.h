@@ -1,6 +1,7 @@
-// Whose View a thread applies next. A View may cost milliseconds, in which the thread hears nobody: so all
-// Views together get a quarter of its time, which flows share in turns. Chunks that a View finds in memory
-// are sent, which rates bound: they are no cost of the View, but of the next one if that drops them.
+// Decides whose View a thread applies next. A View may take milliseconds, during which the thread serves no
+// other session. So all Views together get a quarter of its time, which flows share in turns. Sending chunks
+// that a View finds in memory is bounded by rates: its cost is not charged to that View, but to the next one
+// if it drops them.
 #pragma once
 
 #include <chrono>
@@ -16,35 +17,35 @@
 
 namespace talus::server {
 
-/// One for each io_context (asio::use_service), for the thread that runs it.
+/// One for each io_context (asio::use_service), used by the thread that runs it.
 class ViewTurns final : public asio::execution_context::service {
  public:
   static inline asio::execution_context::id id;
 
-  /// After a View so many times its cost passes until the next begins.
+  /// The next View begins no earlier than this many times the cost after the last began.
   static constexpr int kIntervalPerCost = 4;
-  /// What a flow may spend in one turn. The last View may overdraw it.
+  /// Time that a flow may spend in one turn. The last View may exceed it.
   static constexpr std::chrono::nanoseconds kTurn = std::chrono::milliseconds{5};
 
   explicit ViewTurns(asio::execution_context& context) : service{context} {}
 
-  /// A View waits, of whom `waiter` stands for. When its turn comes `waiter` is notified. It stays where it
-  /// is until applied() or leave(). Throws std::bad_alloc, and then has changed nothing.
+  /// Queues a View, identified by `waiter`, which is notified when its turn comes. `waiter` must not move
+  /// before applied() or leave(). Throws std::bad_alloc without changing anything.
   void enter(FlowId flow, TimedEvent& waiter);
-  /// No effect where it does not wait.
+  /// No effect if it is not queued.
   void leave(TimedEvent& waiter) noexcept;
-  /// When the View may be applied; max() where another's turn it is.
+  /// Time at which the View may be applied; max() while it is another's turn.
   [[nodiscard]] Clock::time_point due(const TimedEvent& waiter) const;
-  /// It was applied from `began` on, at the cost of so much of the thread's processor time.
+  /// The View was applied, starting at `began`, for `cost` of the thread's processor time.
   void applied(TimedEvent& waiter, Clock::time_point began, std::chrono::nanoseconds cost) noexcept;
 
  private:
   void shutdown() override {}
-  /// Gives somebody the turn, where nobody has it.
+  /// Gives the turn to a waiter if it is free.
   void choose() noexcept;
 
   std::unordered_map<const TimedEvent*, FlowId> flow_of_;
-  std::unordered_map<FlowId, std::deque<TimedEvent*>> waiting_;  // none is empty
+  std::unordered_map<FlowId, std::deque<TimedEvent*>> waiting_;  // without empty queues
   DeficitRoundRobin<FlowId> turns_{Newcomers::first};
   TimedEvent* next_ = nullptr;
   Clock::time_point free_at_{};

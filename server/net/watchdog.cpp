@@ -21,7 +21,7 @@ Watchdog::Verdict Watchdog::check(Clock::time_point now) const {
 }
 
 Clock::time_point Watchdog::next(Clock::time_point now) const {
-  // Without a write in flight one may begin before the next look.
+  // If no write is in flight, one may begin before the next check.
   const auto stalls = write_progress_.value_or(now) + timeouts_.write;
   if (closing_since_) return std::min(*closing_since_ + kTimeToClose, stalls);
   const auto silence = silence_ends(now);

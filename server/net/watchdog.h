@@ -1,5 +1,5 @@
-// When a session has waited long enough: for a Hello, for a whole frame, for a client that reads nothing, for
-// the token's end, and for the client's end after the last frame. No I/O and no timer; times are passed in.
+// Times out a session that waits too long: for a Hello, a whole frame, a client that reads nothing, the
+// token's end, or the client's end after the last frame. No I/O or timers; times are passed in.
 #pragma once
 
 #include <chrono>
@@ -13,12 +13,12 @@ namespace talus::server {
 struct SessionTimeouts {
   std::chrono::milliseconds handshake{};  // from the connection's beginning to a whole Hello
   std::chrono::milliseconds idle{};       // from one whole frame to the next
-  std::chrono::milliseconds write{};      // without a byte taken, while a write is in flight
+  std::chrono::milliseconds write{};      // without progress while a write is in flight
 };
 
 class Watchdog {
  public:
-  /// To write the last frames and to read the client's end.
+  /// Time to write the last frames and to read the client's end.
   static constexpr std::chrono::milliseconds kTimeToClose{2000};
 
   /// `timeouts` outlive it.
@@ -28,27 +28,27 @@ class Watchdog {
   void frame_came(Clock::time_point now) { last_frame_ = now; }
   void greeted() { greeted_ = true; }
   void token_ends(Clock::time_point at) { token_ends_ = at; }
-  /// While the server reads nothing a client cannot be idle.
+  /// A client cannot be idle while the server does not read.
   void reading_pauses() { reading_paused_ = true; }
   void reading_resumes(Clock::time_point now) {
     reading_paused_ = false;
     last_frame_ = now;
   }
-  /// A write begins, or some of it was taken.
+  /// A write begins or has made progress.
   void writing(Clock::time_point now) { write_progress_ = now; }
   void written() { write_progress_.reset(); }
-  /// From here on only the close is waited for. True the first time.
+  /// From here on only kTimeToClose applies. Returns true the first time.
   bool closes(Clock::time_point now);
 
   enum class Verdict : std::uint8_t {
     wait,           // until next()
-    closed,         // kTimeToClose is over
-    write_stalled,  // for timeouts.write
+    closed,         // kTimeToClose has passed
+    write_stalled,  // no progress for timeouts.write
     token_expired,
     silent,  // no Hello within timeouts.handshake, or no frame within timeouts.idle
   };
   [[nodiscard]] Verdict check(Clock::time_point now) const;
-  /// When to check again, if nothing happens.
+  /// Time of the next check if nothing happens.
   [[nodiscard]] Clock::time_point next(Clock::time_point now) const;
 
  private:
@@ -64,8 +64,8 @@ class Watchdog {
   bool reading_paused_ = false;
 };
 
-/// From `now` to the end of a session whose token expires at `expires`: clocks may differ by kClockSkew. At
-/// most a century: timers cannot count as far as tokens can.
+/// Time from `now` to the end of a session whose token expires at `expires`, allowing for a clock difference
+/// of kClockSkew. At most a century: timers have a smaller range than tokens.
 [[nodiscard]] std::chrono::nanoseconds token_lifetime(std::chrono::sys_seconds expires,
                                                       std::chrono::sys_seconds now);
 

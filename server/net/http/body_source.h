@@ -1,4 +1,4 @@
-// The body of a response that is made while it is sent, so that it need not fit in memory.
+// A response body generated while it is sent, so that it need not fit in memory.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ class BodySource {
  public:
   virtual ~BodySource() = default;
 
-  /// Of all of it, known from the beginning.
+  /// Size of the whole body, known from the start.
   [[nodiscard]] virtual std::uint64_t size() const = 0;
-  /// The next piece, valid until the next call; empty at the end, which is not before size() bytes. On the
-  /// connection's executor; what it throws ends the connection in the middle of the body.
+  /// Returns the next piece, valid until the next call; empty after size() bytes. Called on the connection's
+  /// executor. An exception closes the connection in the middle of the body.
   [[nodiscard]] virtual asio::awaitable<std::string_view> next() = 0;
 };
 

@@ -1,6 +1,6 @@
-// An HTTP connection over a stream: reads requests, has them answered one after the other, and closes in
-// time. Answers to requests that came together leave together. All on the stream's executor; nothing is
-// locked. It lives as long as something is in flight.
+// An HTTP connection over a stream: reads requests, answers them one after the other, and closes in time.
+// Responses to pipelined requests are written together. Everything runs on the stream's executor, without
+// locks. It lives as long as an operation is in flight.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ namespace talus::server::http {
 template <Stream S>
 class Connection : public ReadRounds::Reader, public std::enable_shared_from_this<Connection<S>> {
  public:
-  /// Takes the stream over after a response with status 101 is written, with what has been read already.
+  /// Takes over the stream after a response with status 101 is written, with the bytes already read.
   using TakeOver = std::function<void(S stream, std::span<const std::byte> unread)>;
 
   Connection(S stream, const Service& service, std::shared_ptr<Handler> handler, TakeOver take_over = {})
@@ -57,7 +57,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
         now_{service.clock.now()},
         last_active_{now_} {}
 
-  /// Once, on the stream's executor.
+  /// Call once, on the stream's executor.
   void start() {
     deadline_ = last_active_ + service_.request_timeout;
     go_on(Next::input);
@@ -66,44 +66,43 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
         keeping(&Connection::ended));
   }
 
-  /// At once, whatever is in flight. On the stream's executor, as all that follows.
+  /// Closes at once, whatever is in flight. On the stream's executor, as all functions below.
   void close() {
     if (!std::exchange(open_, false)) return;
     stream_.close();
     watch_waits_.notify();
     handler_->closed();
   }
-  /// Closes after the request that has begun and the responses that wait: no further request is answered.
+  /// Closes after the current request and the queued responses. No further request is answered.
   void finish() {
     finishing_ = true;
     if (between_requests_) close();
   }
   [[nodiscard]] bool open() const { return open_; }
-  /// When the client last sent or took something.
+  /// Time at which bytes last moved in either direction.
   [[nodiscard]] Clock::time_point last_active() const { return last_active_; }
-  /// Looks at the clock again: for who moves a ManualClock.
+  /// Re-evaluates all timers. For tests that advance a ManualClock.
   void clock_moved() { watch_waits_.notify(); }
 
  private:
-  // Responses wait for each other up to so many bytes.
+  // Responses are gathered into one write up to this size.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
-  // After so many responses others of the thread have their turn.
+  // Responses in a row before other handlers of the thread run.
   static constexpr int kTurn = 32;
-  // How often a connection whose request waits is looked at: its work is dropped where nobody takes the
-  // answer.
+  // Interval of checks for a hang-up while a request waits: its work is dropped if its client has gone.
   static constexpr std::chrono::milliseconds kHangUpCheck{250};
 
-  // Whether the stream takes what it can at once, without a coroutine's turn. Then what is in memory is
-  // answered without any: each would cost as much as finding the chunk.
+  // True if the stream can write at once, without resuming a coroutine. Responses from memory then need no
+  // coroutine at all: each resumption would cost as much as finding the chunk.
   static constexpr bool kWritesNow = requires(S & stream) { stream.write_now(asio::const_buffer{}); };
 
-  /// What has to come before the connection goes on; `request`: nothing, if what was read has another.
+  /// The event that the connection needs to go on; `request`: none if another request was read.
   enum class Next : std::uint8_t { request, input, room, response, body, turn, hand_over, end };
 
   void go_on(Next next) {
     if constexpr (kWritesNow) {
-      // After those whose requests wait: a client that answers soon has sent its next by then. At once the
-      // read would mostly find nothing, and cost a system call.
+      // Read after other connections with waiting requests: a client that answers quickly has sent its next
+      // request by then. An immediate read would mostly find nothing and cost a system call.
       if (next == Next::input) return read_rounds_.enter(this->shared_from_this(), stream_.get_executor());
       if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
     }
@@ -141,17 +140,17 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     close();
   }
 
-  /// As serve() and watch() have it.
+  /// Completion of serve() and watch().
   void ended(const std::exception_ptr& failed) {
     if (failed) close();
   }
-  /// A completion handler that keeps the connection.
+  /// Returns a completion handler that keeps the connection alive.
   template <typename Result, typename... Arguments>
   [[nodiscard]] auto keeping(Result (Connection::*call)(Arguments...)) {
     return [self = this->shared_from_this(), call](auto&&... arguments) { ((*self).*call)(arguments...); };
   }
 
-  /// All that the stream does not do at once.
+  /// Handles everything that the stream cannot do at once.
   [[nodiscard]] asio::awaitable<void> serve(Next next) {
     while (open_) {
       switch (next) {
@@ -192,10 +191,10 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
           break;
       }
     }
-    response_.reset();  // who keeps the closed connection for a while keeps no checkpoint with it
+    response_.reset();  // a closed connection that is kept for a while holds no checkpoint
   }
 
-  /// Answers what has been read, as far as nobody has to be waited for.
+  /// Answers the requests that were read until it has to wait.
   [[nodiscard]] Next answer() {
     while (open_) {
       const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
@@ -220,13 +219,13 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     if (!open_) return Next::end;
     const Request& request = parser_.request();
     upgraded_ = response_->status == 101;
-    // A proxy passes on whatever follows a request for an upgrade, which may have other clients' names in
-    // it.
+    // After an upgrade request a proxy forwards any bytes that follow, which may contain other clients'
+    // names.
     more_ = request.keep_alive && !request.upgrade && !response_->last && !finishing_;
     return add(*response_, request.method == Method::head, more_) ? after_response() : Next::body;
   }
   [[nodiscard]] Next after_response() {
-    response_.reset();  // a checkpoint, or a chunk, is not kept while the client rests
+    response_.reset();  // does not keep a checkpoint or a chunk while the client is idle
     if (open_ && upgraded_) return Next::hand_over;
     if (!open_ || !more_) return Next::end;
     parser_.pop();
@@ -235,11 +234,11 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     return Next::turn;
   }
 
-  /// Where the connection is closed then, it is no response.
+  /// The result is meaningless if the connection has been closed.
   [[nodiscard]] asio::awaitable<Response> wait_for_response(const Request& request) {
     if (!output_.empty()) co_await write({});
     if (!open_) co_return Response{};
-    deadline_ = Clock::time_point::max();  // the handler keeps to times of its own
+    deadline_ = Clock::time_point::max();  // the handler has its own time-outs
     waiting_ = true;
     watch_waits_.notify();
     Response response = co_await respond(request);
@@ -291,7 +290,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     if (reads_next_) deadline_ = last_active_ + service_.request_timeout;
   }
 
-  /// Puts a response to those that wait for the next write; false: all but its body, which is too long.
+  /// Appends a response to the next write. Returns false if its body is too long; its head is still appended.
   [[nodiscard]] bool add(const Response& response, bool head_only, bool keep_alive) {
     append_head(output_, response, keep_alive, service_.clock.wall());
     answered_ = true;
@@ -301,7 +300,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     return true;
   }
 
-  /// Whether the stream took all that waits.
+  /// Returns true if the stream took all the output.
   [[nodiscard]] bool write_now() {
     if constexpr (kWritesNow) {
       output_.erase(0, stream_.write_now(asio::buffer(output_)));
@@ -314,7 +313,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     return false;
   }
 
-  /// What waits, and `body` after it.
+  /// Writes the output and then `body`.
   [[nodiscard]] asio::awaitable<void> write(std::string_view body) {
     std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
     std::error_code failed;
@@ -343,7 +342,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
   [[nodiscard]] asio::awaitable<void> write_body(const Response& response) {
     if (response.source == nullptr) co_return co_await write(response.content());
     while (open_) {
-      deadline_ = Clock::time_point::max();  // the source keeps to times of its own
+      deadline_ = Clock::time_point::max();  // the source has its own time-outs
       waiting_ = true;
       watch_waits_.notify();
       const std::string_view piece = co_await next_piece(*response.source);
@@ -353,7 +352,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     }
   }
 
-  /// Where the source fails, who reads sees a body that is cut.
+  /// If the source fails, the reader receives a truncated body.
   [[nodiscard]] asio::awaitable<std::string_view> next_piece(BodySource& source) {
     std::string_view piece;
     try {
@@ -365,13 +364,14 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     co_return piece;
   }
 
-  /// Closing over unread bytes would reset the connection, and could take the response with it.
+  /// Reads until the client's end: closing with unread bytes would reset the connection and could lose the
+  /// response.
   [[nodiscard]] asio::awaitable<void> end() {
     deadline_ = service_.clock.now() + service_.response_timeout;
     co_await stream_.say_end();
     if (!open_) co_return;
     stream_.shutdown();
-    answered_ = false;  // what is read now begins no request
+    answered_ = false;  // input from here on is ignored
     while (open_ && !read_error_) {
       begin_reading();
       end_reading(co_await stream_.async_read_some(asio::buffer(input_),
@@ -379,8 +379,8 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     }
   }
 
-  /// Sleeps no longer than the shortest time-out, so nobody who brings the deadline forward has to wake it.
-  /// Nothing is read while the handler works, so whether the client is still there is asked for.
+  /// Wakes at least once per shortest time-out, so that code that moves the deadline forward need not wake
+  /// it. Nothing is read while the handler works, so it polls for a hang-up.
   [[nodiscard]] asio::awaitable<void> watch() {
     const auto nap = std::min({service_.idle_timeout, service_.request_timeout, service_.response_timeout});
     for (auto now = service_.clock.now(); open_ && now < deadline_; now = service_.clock.now()) {
@@ -401,25 +401,25 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
   const std::shared_ptr<Handler> handler_;
   const TakeOver take_over_;
   RequestParser parser_;
-  ReadRounds& read_rounds_;  // of the stream's context
+  ReadRounds& read_rounds_;  // one for each io_context
   TimedEvent watch_waits_;
-  Clock::time_point now_;  // when it last waited for something
+  Clock::time_point now_;  // time of the last wait
   Clock::time_point last_active_;
   Clock::time_point deadline_;
   bool open_ = true;
   bool finishing_ = false;
   bool waiting_ = false;              // for the handler
   bool between_requests_ = false;     // and reading
-  bool answered_ = false;             // some request
+  bool answered_ = false;             // at least one request
   std::optional<Response> response_;  // to the parser's request
-  bool more_ = true;                  // requests are answered after it
+  bool more_ = true;                  // further requests are answered
   bool upgraded_ = false;
   int in_turn_ = 0;
-  bool reads_next_ = false;  // between two requests
+  bool reads_next_ = false;  // waits for the next request
   std::error_code read_error_;
-  std::size_t read_ = 0;  // of input_
+  std::size_t read_ = 0;  // offset in input_
   std::size_t filled_ = 0;
-  std::string output_;  // responses that wait for the next write, or what is left of them
+  std::string output_;  // responses for the next write, or the unwritten rest
   std::array<std::byte, 4096> input_;
 };
 

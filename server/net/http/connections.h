@@ -1,5 +1,5 @@
-// The connections of a small HTTP server: so many at once. One more takes the place of the one that has been
-// quiet longest, so that a new client is always heard, whoever holds connections open. One thread's.
+// The connections of a small HTTP server, at most `max` of them. A new one replaces the longest idle one, so
+// that a new client is always served, however many connections others hold open. For one thread.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@ class Connections {
   /// `max` at least 1. `service` outlives the connections.
   Connections(const Service& service, std::size_t max) : service_{service}, max_{max} {}
 
-  /// Before the first connection.
+  /// Call before the first connection.
   void set_handler(std::shared_ptr<Handler> handler) { handler_ = std::move(handler); }
 
-  /// On the stream's executor.
+  /// Call on the stream's executor.
   void add(S stream) { add(std::move(stream), handler_); }
-  /// With a handler of its own.
+  /// Uses `handler` in place of the common one.
   void add(S stream, std::shared_ptr<Handler> handler) {
     forget_closed();
     if (open_.size() >= max_) close_quietest();
@@ -32,7 +32,7 @@ class Connections {
     open_.back()->start();
   }
 
-  /// Closes the connection that has been quiet longest; false where none is open.
+  /// Closes the longest idle connection; false if there are no open ones.
   bool make_room() {
     forget_closed();
     if (open_.empty()) return false;
@@ -59,7 +59,7 @@ class Connections {
   const Service& service_;
   std::shared_ptr<Handler> handler_;
   const std::size_t max_;
-  std::vector<std::shared_ptr<Connection<S>>> open_;  // some have ended
+  std::vector<std::shared_ptr<Connection<S>>> open_;  // some may be closed
 };
 
 }  // namespace talus::server::http

@@ -1,4 +1,4 @@
-// What answers the requests of HTTP connections.
+// Answers the requests of HTTP connections.
 #pragma once
 
 #include <functional>
@@ -13,28 +13,28 @@
 
 namespace talus::server::http {
 
-/// Called on the connection's executor, for one request after the other. What it throws becomes a 500.
+/// Called on the connection's executor, one request at a time. An exception becomes a 500.
 class Handler {
  public:
   virtual ~Handler() = default;
 
-  /// The response, where nothing has to be waited for. None: respond() gives it. `came`: when the connection
-  /// last waited, which is a moment ago: who asks the clock again for every request pays for that.
+  /// Returns the response, or nullopt if respond() must wait for it. `came`: time of the connection's last
+  /// wait, moments ago, which saves a clock reading for each request.
   [[nodiscard]] virtual std::optional<Response> respond_now(const Request& request,
                                                             Clock::time_point came) = 0;
-  /// `request` stays until the response is there. The connection waits as long as the handler does.
+  /// `request` stays valid until the response is returned. The connection waits without a time-out.
   [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
 
-  /// The response to what is no request. The connection closes after it.
+  /// Returns the response to a malformed request. The connection closes after it.
   [[nodiscard]] virtual Response refuse(const RequestError& error) { return response_to(error); }
 
-  /// All responses so far are with the system, or lost.
+  /// All responses so far were written to the system, or lost.
   virtual void sent() {}
-  /// The connection is closed, and asks nothing more.
+  /// The connection is closed; no calls follow.
   virtual void closed() {}
 };
 
-/// Answers at once, whatever connection asks.
+/// Answers at once, the same for every connection.
 class FunctionHandler final : public Handler {
  public:
   using Function = std::function<Response(const Request&)>;

@@ -1,5 +1,5 @@
-// Lets connections of one io_context read that have answered all that came. One posted handler does it for
-// many who wait: one each would cost a fifth of what answering costs outside the kernel.
+// Schedules the next read of connections of one io_context that have answered all their input. One posted
+// handler serves many connections: one for each would cost a fifth of the user-space work of an answer.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace talus::server::http {
 
-/// One for each io_context (asio::use_service), on whose only thread it is called.
+/// One for each io_context (asio::use_service); called only on its thread.
 class ReadRounds final : public asio::execution_context::service {
  public:
   static inline asio::execution_context::id id;
@@ -22,14 +22,14 @@ class ReadRounds final : public asio::execution_context::service {
   class Reader {
    public:
     virtual ~Reader() = default;
-    /// Throws nothing: others wait behind it.
+    /// Must not throw: other readers follow.
     virtual void read() noexcept = 0;
   };
 
   explicit ReadRounds(asio::execution_context& context) : service{context} {}
 
-  /// `reader` reads after those whose requests wait now, on `executor`, which is of the context. Throws where
-  /// there is no memory, and then it does not.
+  /// Calls `reader->read()` on `executor`, which belongs to the context, after the requests waiting now.
+  /// Throws if out of memory; then nothing is scheduled.
   void enter(std::shared_ptr<Reader> reader, const asio::any_io_executor& executor) {
     if (rounds_.empty() || rounds_.back().size() == kMostAtOnce) {
       asio::post(executor, [this] { go_round(); });
@@ -40,10 +40,10 @@ class ReadRounds final : public asio::execution_context::service {
 
  private:
   using Round = std::vector<std::shared_ptr<Reader>>;
-  static constexpr std::size_t kMostAtOnce = 256;  // what else the thread has to do comes in between
+  static constexpr std::size_t kMostAtOnce = 256;  // other handlers of the thread run in between
 
   void go_round() {
-    if (rounds_.empty()) return;  // there was no memory for it
+    if (rounds_.empty()) return;  // out of memory when it was entered
     Round round = std::move(rounds_.front());
     rounds_.pop_front();
     for (const auto& reader : round) reader->read();
@@ -56,7 +56,7 @@ class ReadRounds final : public asio::execution_context::service {
   }
 
   std::deque<Round> rounds_;  // each has a posted handler
-  Round spare_;               // memory of one before
+  Round spare_;               // memory of an earlier round
 };
 
 }  // namespace talus::server::http

@@ -1,4 +1,4 @@
-// An HTTP/1 request, without a body: this server takes none.
+// An HTTP/1 request without a body: this server accepts no bodies.
 #pragma once
 
 #include <cstdint>
@@ -17,26 +17,25 @@ enum class Method : std::uint8_t { get, head, options, other };
 
 struct Request {
   Method method = Method::other;
-  std::string target;  // as sent: path and query, or a whole URL
+  std::string target;  // as sent: path and query, or a full URL
   std::vector<Field> fields;
-  bool keep_alive = false;  // whether another request may follow
-  bool upgrade = false;     // whether the client asks for another protocol from here on
+  bool keep_alive = false;  // another request may follow
+  bool upgrade = false;     // the client asks for another protocol after this request
 
   /// The target's path, without host and query. Source: RFC 9112, 3.2.1 and 3.2.2.
   [[nodiscard]] std::string_view path() const;
-  /// What follows the target's first '?'; empty: nothing.
+  /// The part after the target's first '?'; may be empty.
   [[nodiscard]] std::string_view query() const;
-  /// The value of the first field of this name, in any case; null where there is none.
+  /// The value of the first field with this name, in any case; null if there is no such field.
   [[nodiscard]] const std::string* field(std::string_view name) const;
-  /// The values of all fields of this name as one list, in order. Source: RFC 9110, 5.2. Empty: there is
-  /// none.
+  /// The values of all fields with this name as one list, in order; empty if there is no such field. Source:
+  /// RFC 9110, 5.2.
   [[nodiscard]] std::string list(std::string_view name) const;
-  /// Of `Authorization: Bearer`, in any case; empty: there is none. Source: RFC 6750, 2.1; RFC 9110, 11.1.
+  /// Token of `Authorization: Bearer`, in any case; empty if missing. Source: RFC 6750, 2.1; RFC 9110, 11.1.
   [[nodiscard]] std::string_view bearer_token() const;
 };
 
-/// Why a request cannot be answered as asked. The connection closes: where the next request would begin is
-/// not known.
+/// Reason for rejecting a request. The connection closes, as the beginning of the next request is unknown.
 struct RequestError {
   int status = 400;
   std::string_view text;  // one line

@@ -31,7 +31,7 @@ constexpr RequestError kFolded{400, "a header line begins with white space"};
 constexpr RequestError kFieldName{400, "a header field's name is no token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
-// Debian's http_parser is compiled without its strict checks, and lets some of what follows pass.
+// Debian's http_parser is compiled without its strict checks, so some are made here.
 
 /// RFC 9110, 5.6.2.
 bool is_token(std::string_view name) {
@@ -52,10 +52,10 @@ bool is_value(std::string_view value) {
 
 constexpr std::string_view kGet = "GET ";
 constexpr std::string_view kGetPath = "GET /";
-// Of a request that is kept to compare the next one with.
+// Maximum size of a request that is kept for comparison with the next.
 constexpr std::size_t kMaxKept = 1024;
 
-/// Of a path and a query as those here are: right wherever one stands.
+/// Characters of a plain path and query: valid at every position.
 constexpr std::array<bool, 256> kPlain = [] {
   std::array<bool, 256> plain{};
   for (const char c :
@@ -65,7 +65,7 @@ constexpr std::array<bool, 256> kPlain = [] {
   return plain;
 }();
 
-/// It looks at all of them: to look for the first that is not costs twice as much.
+/// Reads every character: stopping at the first that is not plain costs twice as much.
 bool is_plain(std::string_view text) {
   bool plain = true;
   for (const char c : text) plain &= kPlain[static_cast<unsigned char>(c)];
@@ -135,9 +135,9 @@ struct RequestParser::State {
     whole = false;
   }
 
-  /// A connection that is kept asks for other targets with the same fields: all after the target is as in the
-  /// request before, and is not parsed again, which would cost as much as finding a chunk. How many bytes are
-  /// a request then; 0: they may be one, but another.
+  /// A persistent connection usually asks for other targets with the same fields. If everything after the
+  /// target equals the previous request, it is not parsed again, which would cost as much as finding a chunk.
+  /// Returns the number of bytes of the request, or 0 if it must be parsed.
   std::size_t take_similar(std::string_view text) {
     if (after_target.empty() || !text.starts_with(kGetPath)) return 0;
     const std::size_t end = std::min(text.find(' ', kGetPath.size()), text.size());
@@ -151,13 +151,13 @@ struct RequestParser::State {
     return bytes;
   }
 
-  /// `text`: all of a request that is right.
+  /// `text`: a whole valid request.
   void keep(std::string_view text) {
     const std::size_t end = text.starts_with(kGet) ? text.find(' ', kGet.size()) : std::string_view::npos;
     if (end != std::string_view::npos && text.size() <= kMaxKept) after_target = text.substr(end);
   }
 
-  /// Before a request is parsed. What one long request took goes back.
+  /// Resets the state before a request is parsed. Frees the memory of a long request.
   void forget() {
     http_parser_init(&parser, HTTP_REQUEST);
     parser.data = this;
@@ -168,9 +168,9 @@ struct RequestParser::State {
     request.fields.clear();
   }
 
-  /// Lines that http_parser takes, and a proxy in front may take otherwise: the two would see other requests.
-  /// A line may not end without CR; nor begin with white space, as if it continued the one before it (RFC
-  /// 9112, 5.2).
+  /// Rejects lines that http_parser accepts but a proxy in front may read differently, so that the two would
+  /// see different requests. Every line must end with CR LF and must not begin with white space, as if it
+  /// continued the line before (RFC 9112, 5.2).
   [[nodiscard]] std::optional<RequestError> wrong_line(std::string_view taken) {
     std::optional<RequestError> wrong;
     const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
@@ -186,7 +186,7 @@ struct RequestParser::State {
     return wrong;
   }
 
-  // Returned by callbacks: http_parser stops.
+  // Callbacks return the result to stop http_parser.
   int fail(const RequestError& why) {
     error = why;
     return 1;
@@ -223,7 +223,7 @@ struct RequestParser::State {
     for (Field& field : request.fields) {
       if (!is_token(field.name)) return fail(kFieldName);
       if (!is_value(field.value)) return fail(kFieldValue);
-      // http_parser drops the white space before it.
+      // http_parser drops only the white space before the value.
       field.value.resize(protocol::trimmed(field.value).size());
       if (same_name(field.name, "Host")) ++hosts;
       if (same_name(field.name, "Expect")) return fail(kExpectation);
@@ -232,7 +232,7 @@ struct RequestParser::State {
     const bool has_length = (parser.flags & F_CONTENTLENGTH) != 0 && parser.content_length > 0;
     if (has_length || parser.uses_transfer_encoding != 0) return fail(kBody);
     request.method = method_of(parser.method);
-    // HTTP/1.0 has no upgrades (RFC 9110, 7.8). What follows the request may be meant for another protocol.
+    // HTTP/1.0 has no upgrades (RFC 9110, 7.8). Bytes after the request may be meant for another protocol.
     const bool asks = parser.upgrade != 0;
     request.upgrade = asks && parser.http_minor > 0;
     request.keep_alive = http_should_keep_alive(&parser) != 0 && (!asks || request.upgrade);
@@ -241,7 +241,7 @@ struct RequestParser::State {
 
   int end_of_request() {
     whole = true;
-    http_parser_pause(&parser, 1);  // what follows is the next request's
+    http_parser_pause(&parser, 1);  // the next bytes belong to the next request
     return 0;
   }
 
@@ -269,7 +269,7 @@ struct RequestParser::State {
   const RequestBounds bounds;
   http_parser parser{};
   Request request;
-  std::string after_target;     // of the request before; empty: it is not to be compared with
+  std::string after_target;     // of the previous request; empty: do not compare
   std::size_t kept_fields = 0;  // bytes of names and values
   std::size_t head_bytes = 0;
   char last = 0;         // byte before the next one
@@ -286,7 +286,7 @@ tl::expected<std::size_t, RequestError> RequestParser::feed(std::span<const std:
   if (state.error) return tl::make_unexpected(*state.error);
   if (state.whole) return 0;
   const auto offered = bytes.first(std::min(bytes.size(), state.bounds.head_bytes - state.head_bytes));
-  if (offered.empty()) return 0;  // to http_parser that would be the end
+  if (offered.empty()) return 0;  // an empty input would end the message for http_parser
   const std::string_view text{reinterpret_cast<const char*>(offered.data()), offered.size()};
   const bool begins = state.head_bytes == 0;
   if (begins) {

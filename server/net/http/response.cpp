@@ -22,7 +22,7 @@ std::string_view connection_field(int status, bool keep_alive) {
   return keep_alive ? "keep-alive" : "close";
 }
 
-/// The lines that one answer has as the next. A busy thread makes them once a second.
+/// Returns the lines shared by consecutive responses. A busy thread formats them once a second.
 const std::string& same_lines(const Response& response, bool keep_alive, std::chrono::sys_seconds date) {
   struct Lines {
     std::chrono::sys_seconds date = std::chrono::sys_seconds::max();

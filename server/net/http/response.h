@@ -16,11 +16,11 @@
 namespace talus::server::http {
 
 inline constexpr const char* kPlainText = "text/plain; charset=utf-8";
-/// For Cache-Control. No cache keeps the response; or it asks before each use whether it is still right.
+/// Values of Cache-Control. kNoStore: not cached; kNoCache: cached, but revalidated before each use.
 inline constexpr std::string_view kNoStore = "no-store";
 inline constexpr std::string_view kNoCache = "no-cache";
 
-/// The value of an ETag field, its quotes included: 128 bits in hex.
+/// The value of an ETag field with its quotes: 128 bits in hex.
 using EntityTag = std::array<char, 34>;
 [[nodiscard]] inline std::string_view text_of(const EntityTag& tag) {
   return {tag.data(), tag.size()};
@@ -28,11 +28,11 @@ using EntityTag = std::array<char, 34>;
 
 struct Response {
   int status = 200;
-  std::string_view content_type = kPlainText;  // lives as long as the program
+  std::string_view content_type = kPlainText;  // of static lifetime
   std::string body{};
-  std::vector<Field> fields{};  // beside those of which this knows
+  std::vector<Field> fields{};  // in addition to the fields below
   std::string_view cache_control = kNoStore;
-  std::string_view kept{};  // a body that the handler keeps as long as it lives; `body` is empty then
+  std::string_view kept{};  // a body owned by the handler; if set, `body` is empty
 
   std::optional<EntityTag> etag{};
   bool any_origin = false;  // pages of every origin may read it
@@ -45,11 +45,11 @@ struct Response {
   [[nodiscard]] std::uint64_t size() const { return source == nullptr ? content().size() : source->size(); }
 };
 
-/// What a request that is no request gets.
+/// Returns the response to a malformed request.
 [[nodiscard]] Response response_to(const RequestError& error);
 
-/// Appends all before the body, which follows unless the request was HEAD: Content-Length is the body's then
-/// too. Responses 101, 204 and 304 have no body and no word of one. `date`: now.
+/// Appends everything before the body. The body follows unless the request was HEAD, which has the same
+/// Content-Length. Responses 101, 204 and 304 have neither a body nor Content-Length. `date`: now.
 void append_head(std::string& output, const Response& response, bool keep_alive,
                  std::chrono::sys_seconds date);
 

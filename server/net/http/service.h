@@ -1,4 +1,4 @@
-// What all HTTP connections of a port share.
+// Settings shared by all HTTP connections of a port.
 #pragma once
 
 #include <chrono>
@@ -9,14 +9,14 @@
 
 namespace talus::server::http {
 
-/// What connections share; outlives them.
+/// Outlives the connections.
 struct Service {
   const Clock& clock;
   Logger log;
   RequestBounds bounds{};
-  std::chrono::milliseconds idle_timeout{5000};      // from a response to the next request's first byte
-  std::chrono::milliseconds request_timeout{5000};   // from there, or the connection's begin, to all of it
-  std::chrono::milliseconds response_timeout{5000};  // to take a response
+  std::chrono::milliseconds idle_timeout{5000};      // from a response to the first byte of the next request
+  std::chrono::milliseconds request_timeout{5000};   // from there, or the connection's start, to its end
+  std::chrono::milliseconds response_timeout{5000};  // without progress of a write
 };
 
 }  // namespace talus::server::http

@@ -10,7 +10,7 @@
 namespace talus::server::websocket {
 namespace {
 
-constexpr std::size_t kKeyCharacters = 24;  // of 16 bytes
+constexpr std::size_t kKeyCharacters = 24;  // 16 bytes in base64
 
 bool is_key(const std::string* key) {
   if (key == nullptr || key->size() != kKeyCharacters || !key->ends_with("==")) return false;

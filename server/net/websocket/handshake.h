@@ -1,4 +1,4 @@
-// How an HTTP request becomes a WebSocket. Pure. Source: RFC 6455, section 4.2.
+// Upgrades an HTTP request to a WebSocket. Pure functions. Source: RFC 6455, section 4.2.
 #pragma once
 
 #include "net/http/request.h"
@@ -6,7 +6,7 @@
 
 namespace talus::server::websocket {
 
-/// Status 101, or what is wrong with the request. Whether its origin may connect is the caller's to check.
+/// Returns status 101, or the error of the request. The caller checks the origin.
 [[nodiscard]] http::Response answer_handshake(const http::Request& request);
 
 }  // namespace talus::server::websocket

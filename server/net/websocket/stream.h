@@ -1,4 +1,4 @@
-// A Stream inside a WebSocket on another stream: bytes in, bytes out, whatever messages they come in. Pings
+// A Stream inside a WebSocket on another stream: bytes in, bytes out, regardless of message boundaries. Pings
 // are answered, and the closing handshake is done, between writes.
 #pragma once
 
@@ -44,14 +44,14 @@ class WebSocketStream {
   static constexpr bool kWritesWhole = S::kWritesWhole;
   static constexpr std::size_t kGatherFrom = S::kGatherFrom;
 
-  /// `unread`: what came after the handshake's request.
+  /// `unread`: bytes received after the handshake's request.
   WebSocketStream(S inner, std::span<const std::byte> unread)
       : state_{std::make_shared<State>(std::move(inner), unread)} {}
 
   [[nodiscard]] executor_type get_executor() { return state_->inner.get_executor(); }
 
-  /// Fails with an End where the client closes, or breaks the protocol: after it was told so by a Close,
-  /// which goes behind the frame that is being written.
+  /// Fails with an End if the client closes or breaks the protocol, after sending it a Close behind the frame
+  /// being written.
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
@@ -87,17 +87,17 @@ class WebSocketStream {
 
  private:
   static constexpr std::size_t kMaxPieces = 16;
-  // Beside a frame's head, where the inner stream takes one buffer at a time.
+  // In addition to a frame's head, if the inner stream takes one buffer at a time.
   static constexpr std::size_t kMaxStaged = std::size_t{16} * 1024 - kMaxHeadBytes;
 
-  // Operations hold it: one may end after the stream is gone.
+  // Owned by operations too: one may end after the stream is destroyed.
   struct State {
     State(S stream, std::span<const std::byte> bytes)
         : inner{std::move(stream)},
           turn{inner.get_executor(), asio::steady_timer::time_point::max()},
           unread(bytes.begin(), bytes.end()) {}
 
-    /// Sends the Pong and the Close that wait, where no frame is being written.
+    /// Sends the pending Pong and Close unless a frame is being written.
     static void write_control(const std::shared_ptr<State>& self) {
       if (self->writing || self->frame_left > 0) return;
       self->control.clear();
@@ -119,7 +119,7 @@ class WebSocketStream {
                           }
                         });
     }
-    /// Whether no Close is on its way.
+    /// Returns true if no Close is pending or in flight.
     [[nodiscard]] bool has_told_end() const { return broken || !(close_waits || (close_sent && writing)); }
     [[nodiscard]] std::error_code end_of_writing() const {
       if (reader.end() != End::none) return reader.end();
@@ -135,7 +135,7 @@ class WebSocketStream {
     }
 
     S inner;
-    asio::steady_timer turn;  // never expires; cancelled when a write ends. Several may wait for it
+    asio::steady_timer turn;  // never expires; cancelled when a write ends; several may wait for it
     FrameReader reader{talus::websocket::Sender::client};
     std::vector<std::byte> unread;
     bool writing = false;
@@ -147,7 +147,7 @@ class WebSocketStream {
     std::array<std::byte, kMaxHeadBytes> head{};
     std::size_t head_bytes = 0;
     std::size_t head_sent = 0;
-    std::uint64_t frame_left = 0;  // payload of the frame that has begun
+    std::uint64_t frame_left = 0;  // unwritten payload of the current frame
     std::vector<std::byte> staged;
   };
   using StatePtr = std::shared_ptr<State>;
@@ -182,7 +182,7 @@ class WebSocketStream {
       state->inner.async_read_some(into, std::move(self));
     }
 
-    /// Who reads closes the stream after an end.
+    /// The reader closes the stream after an end.
     template <typename Self>
     void end(Self& self) {
       step = Step::end;
@@ -231,7 +231,7 @@ class WebSocketStream {
       state->head_sent = 0;
     }
 
-    /// What is left of the head, and the frame's payload as far as the buffers have it.
+    /// Writes the rest of the head and as much of the frame's payload as the buffers hold.
     template <typename Self>
     void write(Self& self) {
       std::array<asio::const_buffer, kMaxPieces + 1> out{};
