@@ -7,7 +7,7 @@
 namespace talus::server::web {
 namespace {
 
-/// "q=0", "q=0.0": the only weights that matter here.
+/// "q=0", "q=0.0": all other weights mean acceptance.
 bool is_refusal(std::string_view weight) {
   if (!protocol::same_name(weight.substr(0, 2), "q=")) return false;
   weight.remove_prefix(2);

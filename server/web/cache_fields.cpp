@@ -50,22 +50,22 @@ bool is_strange_page(const http::Request& request, const AllowedOrigins& origins
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response) {
   if (response.status == 101) return;
-  // What every cache may keep is one copy, which any page may read unless the operator has said which may.
+  // A publicly cached answer is a single copy, which any page may read unless the operator restricts origins.
   if (origins.all() || (audience.caches && origins.unset())) {
     response.any_origin = true;
     return;
   }
   if (request.field("Origin") != nullptr) {
-    // All fields of that name, as a cache tells answers apart by all of them.
+    // All fields of this name, as a cache's key contains all of them.
     std::string origin = request.list("Origin");
-    // A cache keeps one copy for each origin that is listed, and one for who names none. Anybody can make up
-    // others, and the Host that goes with them.
+    // A cache keeps one copy for each listed origin, and one for requests without an Origin. Any client can
+    // invent other origins, together with a matching Host.
     if (!origins.lists(origin)) response.cache_control = passing_for(audience);
     if (!is_strange_page(request, origins)) {
       response.fields.push_back({"Access-Control-Allow-Origin", std::move(origin)});
     }
   }
-  response.fields.push_back({"Vary", "Origin"});  // a cache must not show one origin the answer to another
+  response.fields.push_back({"Vary", "Origin"});  // a cache must not serve one origin's answer to another
 }
 
 }  // namespace talus::server::web

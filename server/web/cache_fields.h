@@ -1,4 +1,4 @@
-// Who may keep an answer, and which pages may read it. Source: RFC 9110, 8.8.3 and 13.1.2; RFC 9111, 5.2; the
+// Cache-Control, ETag and CORS fields of answers. Source: RFC 9110, 8.8.3 and 13.1.2; RFC 9111, 5.2; the
 // Fetch standard, "CORS protocol".
 #pragma once
 
@@ -10,28 +10,28 @@
 
 namespace talus::server::web {
 
-/// Who gets an answer.
+/// The receivers of an answer.
 struct Audience {
-  bool anybody = false;  // nobody needs a token
-  bool caches = false;   // every cache may keep it
+  bool anybody = false;  // available without a token
+  bool caches = false;   // may be stored by every cache
 };
 
-/// Cache-Control of what never changes.
+/// Cache-Control of content that never changes.
 [[nodiscard]] std::string_view immutable_for(const Audience& audience);
-/// Of what is right at this moment, and under another path for ever.
+/// Cache-Control of an answer that is valid now, but has another path of its own for ever.
 [[nodiscard]] std::string_view passing_for(const Audience& audience);
-/// Of what may be another tomorrow.
+/// Cache-Control of content that may change.
 [[nodiscard]] std::string_view fresh_for(const Audience& audience);
-/// Likewise, where those get it who get chunks.
+/// Cache-Control of content that may change and has the audience of chunks.
 [[nodiscard]] std::string_view revalidated_for(const Audience& audience);
 
-/// Gives it an ETag, of its body unless told, and makes it a 304 where the client has it.
+/// Adds an ETag (by default, of the body) and turns the response into a 304 if the client already has it.
 void tag(const http::Request& request, http::Response& response);
 void tag(const http::Request& request, http::Response& response, const http::EntityTag& etag);
 
-/// Whether a page asks whose origin is none of these.
+/// Returns true if the request comes from a page of an origin that is not allowed.
 [[nodiscard]] bool is_strange_page(const http::Request& request, const AllowedOrigins& origins);
-/// Which pages may read the response; it is kept by no cache where it is for one whose origin is not listed.
+/// Sets the CORS fields. A response to an origin that is not listed must not be cached.
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response);
 

@@ -13,7 +13,7 @@
 namespace talus::server::web {
 namespace {
 
-/// To the newest revision of what the route asks for. No cache keeps it: soon there is a newer one.
+/// Redirects to the newest revision. Must not be cached: a newer one may follow soon.
 template <typename ChunksRoute>
 http::Response moved_to(const ChunksRoute& route, std::uint64_t newest) {
   return {307, kBytes, {}, {{"Location", last_part_of(route, newest)}}};
@@ -33,7 +33,7 @@ ChunkKey column_of(const ColumnsRoute& route, std::int32_t number) {
   return column;
 }
 
-/// The greatest of the columns' revisions.
+/// Maximum revision of the route's columns.
 std::uint64_t newest_of(const Exchange& exchange, const ColumnsRoute& route) {
   std::uint64_t newest = 0;
   for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {
@@ -42,9 +42,9 @@ std::uint64_t newest_of(const Exchange& exchange, const ColumnsRoute& route) {
   return newest;
 }
 
-/// Whether who asks for an older revision than the newest is given what is there now: where that was the
-/// newest lately. Who is sent on from one revision to the next would never come to an end where somebody
-/// edits all the time. What was not edited lately has one path, under which caches keep it.
+/// Returns true if a request for `asked` is answered with the current state: if `asked` is the newest
+/// revision, or was recently. A client that is always redirected to the next revision would never finish
+/// while the land is being edited. Land without recent edits has one path, under which caches keep it.
 bool is_given_newest(const Exchange& exchange, std::uint64_t asked, std::uint64_t newest) {
   if (asked >= newest) return asked == newest;
   const WebContext& context = exchange.context();
@@ -115,14 +115,14 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRo
       if (body.size() > kMaxBodyBytes) wrong = body_too_large();
     }
     if (wrong) {
-      requester.charge(columns.chunks(), 0);  // they were made
+      requester.charge(columns.chunks(), 0);  // they were generated
       co_return *std::move(wrong);
     }
   }
   http::Response response = exchange.immutable(std::move(body));
   if (route.edition) {
-    // Edits that came while the columns were fetched may be in some of them and not in others. All that came
-    // before are in all.
+    // Edits made while the columns were fetched may be in only some of them. Edits made before are in all of
+    // them.
     const std::uint64_t newest = std::max(newest_of(exchange, route), columns.revision());
     if (before != newest || newest != route.edition->revision) exchange.tell_revision(response, before);
   }

@@ -1,4 +1,4 @@
-// Chunks and columns of them by HTTP. Source: PROTOCOL.md, "HTTP".
+// Answers for chunks and columns of chunks over HTTP. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
 #include <asio/awaitable.hpp>
@@ -10,11 +10,11 @@
 
 namespace talus::server::web {
 
-/// A chunk in memory; none: answer_later() has it.
+/// Returns a chunk in memory; nullopt if answer_later() must get it.
 [[nodiscard]] Answer answer_now(Exchange& exchange, const ChunkRoute& route);
 [[nodiscard]] asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRoute& route);
 
-/// Only what is wrong.
+/// Returns only errors and redirects.
 [[nodiscard]] Answer answer_now(Exchange& exchange, const ColumnsRoute& route);
 [[nodiscard]] asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRoute& route);
 

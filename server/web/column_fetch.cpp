@@ -17,7 +17,7 @@ std::int64_t first_row(Lod lod) {
 
 }  // namespace
 
-// A column's rows are known once any of its chunks was made.
+// A column's mixed rows are known once any of its chunks was generated.
 asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, std::size_t held) {
   const SessionContext& shared = exchange_.shared();
   constexpr std::size_t kBatch = 64;
@@ -33,7 +33,7 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
       co_return fetch_failed(made.error(), shared.memory);
     rows = source_.column(column);
   }
-  // Without them all rows between the world's lowest and highest may hold anything.
+  // If unknown, any row between the world's lowest and highest may be mixed.
   if (!known(rows)) {
     const HeightRange& heights = shared.world.heights;
     rows.first = static_cast<std::int32_t>(floor_div(heights.low >> lod.value(), kChunkSize)) - 1;
@@ -59,14 +59,14 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
       revision_ = std::max(revision_, (*made)[i]->revision());
       add_chunk(runs, keys[i].coord.y, (*made)[i]);
     }
-    chunks_ += keys.size() - (fetched == 0 ? 2 : 0);  // those below and above were known
+    chunks_ += keys.size() - (fetched == 0 ? 2 : 0);  // the chunks below and above were known
     fetched += keys.size();
     std::size_t bytes = body.size();
     for (const ChunkRun& run : runs) bytes += run.chunk->payload().size();
     exchange_.hold(held + bytes);
     if (bytes > kMaxBodyBytes || runs.size() > UINT16_MAX) co_return body_too_large();
   }
-  // The first stands for all below it, the last for all above.
+  // The first run extends to the bottom of the world, the last to its top.
   runs.front().count += static_cast<std::uint32_t>(runs.front().first_y - first_row(lod));
   runs.front().first_y = static_cast<std::int32_t>(first_row(lod));
   runs.back().count = static_cast<std::uint32_t>(top - runs.back().first_y + 1);

@@ -1,4 +1,4 @@
-// Gets whole columns of chunks, from the world's lowest to its highest.
+// Fetches whole columns of chunks, from the bottom of the world to its top.
 #pragma once
 
 #include <cstddef>
@@ -18,25 +18,25 @@ namespace talus::server::web {
 /// For one request.
 class ColumnFetch {
  public:
-  /// As generated, or, where `edited`, with their edits.
+  /// As generated, or, if `edited`, with edits.
   ColumnFetch(Exchange& exchange, bool edited)
       : exchange_{exchange},
         source_{exchange.chunks(edited)},
         edits_{edited ? exchange.context().edits : nullptr},
         fetch_{exchange.start_fetch(edited)} {}
 
-  /// Appends the column of `key` to `body`; an answer where it cannot be had. `held`: bytes that the request
-  /// holds beside.
+  /// Appends the column of `key` to `body`, or returns an error. `held`: bytes that the request holds in
+  /// addition.
   [[nodiscard]] asio::awaitable<Answer> append(ChunkKey key, std::string& body, std::size_t held);
-  /// So many were made so far, those of a column that failed among them.
+  /// Number of chunks generated so far, including the chunks of a failed column.
   [[nodiscard]] std::size_t chunks() const { return chunks_; }
-  /// The greatest revision that any of them has.
+  /// Greatest revision of the chunks.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
  private:
   Exchange& exchange_;
   ChunkSource& source_;
-  const EditedLand* const edits_;  // null: none are wanted
+  const EditedLand* const edits_;  // null: without edits
   Fetch& fetch_;
   std::size_t chunks_ = 0;
   std::uint64_t revision_ = 0;

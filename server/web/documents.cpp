@@ -27,7 +27,7 @@ std::string_view phase_name(terrain::MaterialKind kind) {
   }
 }
 
-/// A JSON array, each value in the fewest digits that are that value. There may be tens of thousands.
+/// Appends a JSON array of up to tens of thousands of values, each in its shortest exact form.
 template <typename Value>
 void append_array(std::string& json, std::size_t count, const Value& value_at) {
   json += '[';

@@ -1,4 +1,4 @@
-// Which columns of a region were edited, by HTTP. Source: PROTOCOL.md, "Edited land".
+// Answers for the edited columns of a region over HTTP. Source: PROTOCOL.md, "Edited land".
 #pragma once
 
 #include "net/http/response.h"
@@ -8,7 +8,7 @@
 
 namespace talus::server::web {
 
-/// Always.
+/// Never returns nullopt.
 [[nodiscard]] Answer answer_now(Exchange& exchange, const EditsRoute& route);
 
 }  // namespace talus::server::web

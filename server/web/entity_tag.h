@@ -1,4 +1,4 @@
-// Tags of answers, by which caches ask whether one is still right. Pure. Source: RFC 9110, 8.8.3 and 13.1.2.
+// Entity tags, by which caches revalidate answers. Pure functions. Source: RFC 9110, 8.8.3 and 13.1.2.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace talus::server::web {
 
 [[nodiscard]] http::EntityTag entity_tag(std::string_view bytes);
 
-/// Whether an If-None-Match field lists the tag; null: there is no such field.
+/// Returns true if an If-None-Match field lists the tag. A missing field is null.
 [[nodiscard]] bool lists_tag(const std::string* if_none_match, const http::EntityTag& tag);
 
 }  // namespace talus::server::web

@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::string_view kHowToSend = "by HTTP it is sent as Authorization: Bearer TOKEN";
 
-/// `what`: is wrong with the token, or would be right, before how it is sent.
+/// `what`: the fault of the token, or the remedy; precedes the way to send it.
 http::Response ask_for_token(AuthFailure failure, std::string_view what) {
   const std::string_view text = describe(failure);
   http::Response response =
       error_response(401, ErrorCode::unauthorized, fmt::format("{}; {}{}", text, what, kHowToSend));
-  // RFC 6750, 3.1: who sent no token is told of no error.
+  // RFC 6750, 3.1: a request without a token gets no error code.
   response.fields.push_back(
       {"WWW-Authenticate",
        failure == AuthFailure::missing
@@ -60,7 +60,7 @@ http::Response right_missing() {
 
 std::vector<std::byte> refusal_response(ErrorCode code, const std::string& text,
                                         std::chrono::milliseconds retry_after) {
-  // Before a request nobody is refused for its token.
+  // Before a request, `unauthorized` can only mean a blocked address, never a token.
   const http::Response response =
       code == ErrorCode::unauthorized ? blocked_response() : error_response(503, code, text, retry_after);
   std::string whole;
@@ -105,7 +105,7 @@ Answer check_world(const WebContext& context, std::string_view fingerprint, std:
   if (auto wrong = check_world(context, fingerprint)) return wrong;
   static const std::string kCodec = std::to_string(kCodecVersion);
   if (codec == kCodec) return std::nullopt;
-  // A column of edited land has as many parts as a chunk of generated land.
+  // A path of a column of edited land has as many parts as one of a generated chunk.
   if (codec.size() == context.store_id.size()) {
     return error_response(404, ErrorCode::out_of_range,
                           fmt::format("'{}' stands where the chunk codec does; paths with a store id end in "

@@ -1,4 +1,4 @@
-// What is said where there is no answer. Source: PROTOCOL.md, "HTTP".
+// Error responses. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
 #include <chrono>
@@ -18,30 +18,31 @@
 
 namespace talus::server::web {
 
-/// None: nothing is wrong so far, or the answer has to be waited for.
+/// A response; nullopt if there is no error so far or the answer must be waited for.
 using Answer = std::optional<http::Response>;
 
-/// What a client of the HTTP port is told that is refused: a whole response.
+/// A whole response for a refused client of the HTTP port.
 [[nodiscard]] std::vector<std::byte> refusal_response(wire::ErrorCode code, const std::string& text,
                                                       std::chrono::milliseconds retry_after);
 
-/// What an address is told that the operator has blocked.
+/// For an address that the operator has blocked.
 [[nodiscard]] http::Response blocked_response();
-/// Where the token is missing or not accepted, or its subject blocked: how a right one is sent.
+/// For a token that is missing or not accepted, or whose subject is blocked; explains how to send a valid
+/// one.
 [[nodiscard]] http::Response token_refused(AuthFailure failure);
-/// Where the token lacks the right to read.
+/// For a token without the right to read.
 [[nodiscard]] http::Response right_missing();
 
 [[nodiscard]] http::Response fetch_failed(FetchError error, const MemoryBudget& memory);
 [[nodiscard]] http::Response no_memory();
-/// A body of over kMaxBodyBytes.
+/// For a body larger than kMaxBodyBytes.
 [[nodiscard]] http::Response body_too_large();
 
-/// Where a path is of another world, or of another codec.
+/// Returns an error if the path belongs to another world or codec.
 [[nodiscard]] Answer check_world(const WebContext& context, std::string_view fingerprint);
 [[nodiscard]] Answer check_world(const WebContext& context, std::string_view fingerprint,
                                  std::string_view codec);
-/// Where a path is of another store of edits.
+/// Returns an error if the path belongs to another store of edits.
 [[nodiscard]] Answer check_store(const WebContext& context, std::string_view store);
 
 }  // namespace talus::server::web

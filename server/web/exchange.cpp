@@ -29,7 +29,7 @@ void Exchange::begin(const http::Request& request, Clock::time_point came) {
   path_ = request.path();
   for_players_ = web::is_for_players(path_);
   began_ = came;
-  abandon();  // of a request that threw
+  abandon();  // a request that threw
   fetch_.reset();
   kept_.reset();
   audience = {};
@@ -54,7 +54,7 @@ Fetch& Exchange::start_fetch(bool edited) {
 void Exchange::charge(std::size_t chunks, const http::Response& response) {
   const std::size_t bytes = response.content().size();
   const std::size_t sent = request_->method == http::Method::head ? 0 : bytes;
-  // The moment at which a chunk in memory was asked for is near enough, and known.
+  // For a chunk in memory the time of the request is accurate enough, and known.
   requester_.charge(hot_ ? began_ : shared_.clock.now(), chunks, sent);
   counted_ = true;
   shared_.metrics.chunks_sent.add(chunks);

@@ -1,4 +1,4 @@
-// One request of a connection and its answer: what the answers of all kinds are made with.
+// One request of a connection and its answer: the context with which answers of all kinds are made.
 #pragma once
 
 #include <cstddef>
@@ -26,22 +26,22 @@ namespace talus::server::web {
 
 class Exchange {
  public:
-  /// Memory of a connection that asks for nothing.
+  /// Memory of an idle connection.
   static constexpr std::size_t kIdleBytes = std::size_t{16} * 1024;
 
-  /// One after the other, of a connection. `context` and `requester` outlive it.
+  /// For a connection's requests, one after the other. `context` and `requester` outlive it.
   Exchange(const WebContext& context, Requester& requester, asio::any_io_executor executor);
 
-  /// `request` stays until its answer is there; it came at `came`.
+  /// `request` stays valid until it is answered; it arrived at `came`.
   void begin(const http::Request& request, Clock::time_point came);
-  /// No answer is wanted any more: who waits for chunks gets FetchError::gone.
+  /// Cancels the answer: a waiting fetch ends with FetchError::gone.
   void abandon();
-  /// Its chunks are let go.
+  /// Releases its chunks.
   void end() { fetch_.reset(); }
 
   [[nodiscard]] const WebContext& context() const { return context_; }
   [[nodiscard]] const SessionContext& shared() const { return shared_; }
-  /// As generated, or, where `edited`, what sessions are sent.
+  /// The source of generated chunks, or, if `edited`, of the chunks that sessions are sent.
   [[nodiscard]] ChunkSource& chunks(bool edited = false) const {
     return edited ? shared_.chunks : context_.chunks;
   }
@@ -49,33 +49,33 @@ class Exchange {
   [[nodiscard]] const asio::any_io_executor& executor() const { return executor_; }
   [[nodiscard]] const http::Request& request() const { return *request_; }
   [[nodiscard]] std::string_view path() const { return path_; }
-  /// Whether it asks for something of the world, and not for a file.
+  /// True if the request is for the world and not for a file.
   [[nodiscard]] bool is_for_players() const { return for_players_; }
   [[nodiscard]] Clock::time_point began() const { return began_; }
-  /// What has to be generated comes until then, or the client is told to ask again.
+  /// Time limit of generation, after which the client is asked to retry.
   [[nodiscard]] Clock::time_point deadline() const;
 
-  /// Memory that is held until the answer is sent, beside the idle connection's.
+  /// Reserves memory until the answer is sent, in addition to an idle connection's.
   void hold(std::size_t bytes) { memory_.hold(kIdleBytes + bytes); }
-  /// Keeps what holds the answer's bytes.
+  /// Keeps the owner of the answer's bytes alive.
   void keep(std::shared_ptr<const void> kept) { kept_ = std::move(kept); }
-  /// From chunks(edited), in the client's turn. Once for each request.
+  /// Fetches from chunks(edited), in turn with the client's flow. Call once per request.
   [[nodiscard]] Fetch& start_fetch(bool edited = false);
 
-  /// The response's chunks and bytes count now.
+  /// Charges the rates for the response's chunks and bytes.
   void charge(std::size_t chunks, const http::Response& response);
-  /// Its bytes count in the rates already.
+  /// Returns true if the rates were charged.
   [[nodiscard]] bool counted() const { return counted_; }
-  /// Bytes that never change.
+  /// A response with bytes that never change.
   [[nodiscard]] http::Response immutable(std::string body) const;
   [[nodiscard]] http::Response immutable(const EncodedChunkPtr& chunk);
-  /// The response is of this revision, and not of its path's: no cache keeps it.
+  /// Marks the response as having `revision` instead of its path's revision: it must not be cached.
   void tell_revision(http::Response& response, std::uint64_t revision) const;
-  /// The answer is a chunk that was in memory.
+  /// Marks the answer as a chunk found in memory.
   void found_in_memory() { hot_ = true; }
   [[nodiscard]] bool hot() const { return hot_; }
 
-  Audience audience;  // of the answer
+  Audience audience;  // the answer's
 
  private:
   const WebContext& context_;

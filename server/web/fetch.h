@@ -1,4 +1,4 @@
-// Gets chunks and heights for a request that can wait for them: what a session does for many at once.
+// Gets chunks and heights for a request that waits for them; a session does this for many at once.
 #pragma once
 
 #include <cstdint>
@@ -22,33 +22,33 @@ namespace talus::server::web {
 
 enum class FetchError : std::uint8_t {
   busy,    // the generators' queue stayed full
-  late,    // no answer within the time
-  failed,  // the generator could not
+  late,    // no answer by the deadline
+  failed,  // generation failed
   gone,    // abandon() was called
 };
 
-/// On one executor. Made with std::make_shared.
+/// On one executor. Create it by std::make_shared.
 class Fetch : public std::enable_shared_from_this<Fetch> {
  public:
-  /// `chunks` and `clock` outlive it. `owner` is used by nobody else.
+  /// `chunks` and `clock` outlive it. `owner` must be unique.
   Fetch(const asio::any_io_executor& executor, ChunkSource& chunks, const Clock& clock, ClientId owner,
         FlowUsePtr flow);
-  /// Asks the source for nothing more: whoever lets go of a Fetch that waits calls abandon().
+  /// Cancels nothing at the source: before destroying a waiting Fetch call abandon().
   ~Fetch() = default;
   Fetch(const Fetch&) = delete;
   Fetch& operator=(const Fetch&) = delete;
 
-  /// In the order of `keys`. One call at a time, as of heights().
+  /// Returns the chunks in the order of `keys`. Only one call of get(), heights() or map() at a time.
   [[nodiscard]] asio::awaitable<tl::expected<std::vector<EncodedChunkPtr>, FetchError>> get(
       std::vector<ChunkKey> keys, Clock::time_point deadline);
   [[nodiscard]] asio::awaitable<tl::expected<HeightsFound, FetchError>> heights(HeightsQuery query,
                                                                                 Clock::time_point deadline);
 
-  /// A tile of the map.
+  /// Draws a tile of the map.
   [[nodiscard]] asio::awaitable<tl::expected<PicturePtr, FetchError>> map(const map::Tile& tile,
                                                                           Clock::time_point deadline);
 
-  /// Whoever waits gets FetchError::gone.
+  /// Ends the call in progress with FetchError::gone.
   void abandon();
 
  private:
@@ -61,9 +61,9 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
   const asio::any_io_executor executor_;
   const ClientId owner_;
   const FlowUsePtr flow_;
-  MailboxPtr mailbox_;  // made with the first call
+  MailboxPtr mailbox_;  // made by the first call
   TimedEvent mail_;
-  std::unordered_map<ChunkKey, EncodedChunkPtr> waits_;  // null: not there yet
+  std::unordered_map<ChunkKey, EncodedChunkPtr> waits_;  // null: not received yet
   std::size_t missing_ = 0;
   std::optional<std::uint64_t> ticket_;
   std::uint64_t last_ticket_ = 0;

@@ -1,4 +1,4 @@
-// For whom a proxy speaks in HTTP. Pure.
+// Finds the client that a proxy forwards for in HTTP. Pure functions.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,9 @@
 
 namespace talus::server::web {
 
-/// The rightmost address of an X-Forwarded-For list that is none of `proxies`: those to its left the client
-/// may have written itself. None where there is no such address, or one before it is no address.
+/// Returns the rightmost address of an X-Forwarded-For list that is not one of `proxies`: addresses to its
+/// left may be forged by the client. Returns nullopt if there is no such address, or if an invalid one is
+/// reached first.
 [[nodiscard]] std::optional<asio::ip::address> forwarded_for(std::string_view list, const Networks& proxies);
 
 }  // namespace talus::server::web

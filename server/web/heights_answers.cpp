@@ -18,7 +18,7 @@ namespace {
 
 using wire::ErrorCode;
 
-/// What the route asks for; or which field the world does not have.
+/// Returns the query of the route, or the name of a field that the world does not have.
 tl::expected<HeightsQuery, std::string_view> query_of(const HeightsRoute& route, const WorldInfo& world) {
   HeightsQuery query{route.columns, route.looks, {}};
   for (const std::string_view name : route.fields) {
@@ -29,8 +29,8 @@ tl::expected<HeightsQuery, std::string_view> query_of(const HeightsRoute& route,
   return query;
 }
 
-/// How the route wants what is found written. Tens of thousands of numbers take milliseconds: no other
-/// connection is to wait for that.
+/// Returns the function that writes the answer. Writing tens of thousands of numbers takes milliseconds, for
+/// which other connections should not wait.
 HeightsBody body_of(const HeightsRoute& route, const WorldInfo& world) {
   const auto width = static_cast<std::size_t>(route.width);
   if (route.npy) return [width](const HeightsFound& found) { return heights_npy(width, found); };

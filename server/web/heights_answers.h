@@ -1,4 +1,4 @@
-// Heights by HTTP. Source: PROTOCOL.md, "HTTP".
+// Answers for heights over HTTP. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
 #include <asio/awaitable.hpp>
@@ -10,7 +10,7 @@
 
 namespace talus::server::web {
 
-/// Only what is wrong.
+/// Returns only errors.
 [[nodiscard]] Answer answer_now(Exchange& exchange, const HeightsRoute& route);
 [[nodiscard]] asio::awaitable<http::Response> answer_later(Exchange& exchange, const HeightsRoute& route);
 

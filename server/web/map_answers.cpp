@@ -26,8 +26,8 @@ Answer answer_now(Exchange& exchange, const MapRoute& route) {
   return picture_response(exchange, picture);
 }
 
-// A tile counts as the columns of chunks that it shows at its level, where it has to be drawn. They count
-// before it is drawn, whether or not anybody takes it.
+// A tile that must be drawn is charged as the columns of chunks that it shows at its level. They are charged
+// before it is drawn, even if the client does not wait for it.
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const MapRoute& route) {
   constexpr std::size_t kColumnsShown =
       std::size_t{map::kTilePixels / kChunkSize} * (map::kTilePixels / kChunkSize);

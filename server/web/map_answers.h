@@ -1,4 +1,4 @@
-// Tiles of the map by HTTP. Source: PROTOCOL.md, "HTTP".
+// Answers for tiles of the map over HTTP. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
 #include <asio/awaitable.hpp>
@@ -10,7 +10,7 @@
 
 namespace talus::server::web {
 
-/// A tile in memory; none: answer_later() has it.
+/// Returns a tile in memory; nullopt if answer_later() must get it.
 [[nodiscard]] Answer answer_now(Exchange& exchange, const MapRoute& route);
 [[nodiscard]] asio::awaitable<http::Response> answer_later(Exchange& exchange, const MapRoute& route);
 

@@ -37,12 +37,12 @@ http::Response kinds_of_requests() {
 
 http::Response other_method() {
   http::Response wrong = error_response(405, ErrorCode::malformed, "only GET and HEAD are answered here");
-  wrong.last = true;  // a proxy may pass on whatever follows a method that it does not know
+  wrong.last = true;  // a proxy may forward any bytes after a method that it does not know
   wrong.fields.push_back({"Allow", "GET, HEAD, OPTIONS"});
   return wrong;
 }
 
-/// The world's description.
+/// Returns the world's description.
 Answer answer_now(Exchange& exchange, const WorldRoute&) {
   const auto text = exchange.context().world->get(exchange.requester().limits());
   exchange.keep(text);
@@ -60,7 +60,7 @@ Answer answer_now(Exchange& exchange, const StreamRoute&) {
   }
   http::Response response = websocket::answer_handshake(exchange.request());
   if (response.status == 101) return response;
-  // As all errors here.
+  // In the format of all errors here.
   http::Response wrong = error_response(response.status, ErrorCode::malformed,
                                         std::string_view{response.body}.substr(0, response.body.size() - 1));
   wrong.fields.insert(wrong.fields.end(), response.fields.begin(), response.fields.end());
@@ -90,7 +90,7 @@ http::Response PlayerHandler::refuse(const http::RequestError& error) {
 void PlayerHandler::closed() {
   closed_ = true;
   exchange_.abandon();
-  // Who sees the end finds the slot free.
+  // Before the client sees the end, so that it finds the slot free.
   requester_.end();
   if (told_) std::exchange(told_, nullptr)();
 }
@@ -116,7 +116,7 @@ asio::awaitable<http::Response> PlayerHandler::respond(const http::Request& requ
         }
       },
       *route_);
-  if (!closed_) finish(request, response);  // nobody is answered otherwise
+  if (!closed_) finish(request, response);  // a closed connection gets no answer
   co_return response;
 }
 
@@ -132,7 +132,7 @@ Answer PlayerHandler::decide(const http::Request& request) {
   const bool chunks =
       std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_) ||
       std::holds_alternative<EditsRoute>(*route_) || std::holds_alternative<MapRoute>(*route_);
-  // A stream's token comes in its Hello.
+  // The token of a stream is in its Hello.
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = requester_.check_token(request, chunks, exchange_.audience)) return wrong;
   }

@@ -1,5 +1,5 @@
-// Answers one connection's HTTP requests: chunks, columns of them, heights, maps, the world. What is cached
-// is answered at once; the rest waits for the generators, in the turns of the client's flow.
+// Answers one connection's HTTP requests: chunks, columns of chunks, heights, maps, the world. Cached answers
+// are sent at once; others wait for the generators, in turn with the client's flow.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace talus::server::web {
 
 class PlayerHandler final : public http::Handler {
  public:
-  /// `slot`: the connection's.
+  /// `slot`: the connection's admission slot.
   PlayerHandler(WebContextPtr context, const ConnectionInfo& connection, Admission::Slot slot,
                 asio::any_io_executor executor);
   ~PlayerHandler() override = default;
@@ -34,7 +34,7 @@ class PlayerHandler final : public http::Handler {
   http::Response refuse(const http::RequestError& error) override;
   void sent() override;
   void closed() override;
-  /// Called once, where the connection ends without having become a session.
+  /// Sets the function called once if the connection ends without becoming a session.
   void on_closed(std::function<void()> told) { told_ = std::move(told); }
 
   [[nodiscard]] Requester& requester() { return requester_; }
@@ -50,7 +50,7 @@ class PlayerHandler final : public http::Handler {
   const ConnectionId id_;
   Requester requester_;
   Exchange exchange_;
-  std::optional<Route> route_;  // of the request that is answered
+  std::optional<Route> route_;  // the current request's
   std::function<void()> told_;
   bool closed_ = false;
 };

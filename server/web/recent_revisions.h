@@ -1,5 +1,5 @@
-// Which revisions of a store were made lately, roughly: from 5 to 10 s ago on, longer where nobody asks. Any
-// thread.
+// Remembers roughly which revisions of a store are recent: made since 5 to 10 s ago, or longer if calls are
+// rarer. Callable from any thread.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@ class RecentRevisions {
  public:
   static constexpr std::chrono::seconds kSpan{5};
 
-  /// `newest`: the store's now. Before the first question none was made lately.
+  /// `newest`: the store's current revision. Returns false at the first call.
   [[nodiscard]] bool has(std::uint64_t revision, std::uint64_t newest, Clock::time_point now) {
     const std::lock_guard lock{mutex_};
     if (!before_) before_ = last_ = {now, newest};

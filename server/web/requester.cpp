@@ -14,7 +14,7 @@ namespace {
 
 using wire::ErrorCode;
 
-// A rate makes a request wait so long at most.
+// Maximum time that rates delay a request.
 constexpr std::chrono::seconds kMaxThrottle{5};
 
 }  // namespace
@@ -55,7 +55,7 @@ Answer Requester::find(const http::Request& request) {
 
 Answer Requester::check_rates(Clock::time_point now) {
   if (const auto refusal = caller_->rates.refuse_request(now)) return refuse(*refusal);
-  // What is no chunk takes bytes too: a client that owes that many waits.
+  // Other answers spend bytes too: a client with a large debt waits.
   const Clock::time_point due = next_chunk(now);
   if (due <= now + kMaxThrottle) return std::nullopt;
   return over_rate(due - now);
@@ -114,7 +114,7 @@ void Requester::sent(std::size_t bytes) {
 }
 
 void Requester::answered(int status) {
-  // The next request may be somebody else's; until then nobody has a place here.
+  // The next request may come from another client; until then this one holds no slot.
   if (connection_.through_proxy && status != 101) leave();
 }
 

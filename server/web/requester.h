@@ -1,4 +1,5 @@
-// Who asks on one connection, what it may have, and how fast: the connection's client, or whom a proxy names.
+// The client of a connection's requests, its rights and its rates: the connection's own client, or one that a
+// proxy names.
 #pragma once
 
 #include <chrono>
@@ -24,42 +25,43 @@ namespace talus::server::web {
 
 class Requester {
  public:
-  /// `context` outlives it. `slot`: the connection's.
+  /// `context` outlives it. `slot`: the connection's admission slot.
   Requester(const WebContext& context, const ConnectionInfo& connection, Admission::Slot slot);
 
-  // ---- before a request is answered; an answer where it is refused
-  /// Whose it is, where a proxy names that.
+  // ---- before a request is answered; each returns an error if it refuses the request
+  /// Finds the client, if a proxy names it.
   [[nodiscard]] Answer find(const http::Request& request);
   [[nodiscard]] Answer check_rates(Clock::time_point now);
-  /// `for_caches`: of an answer that is the same for all. `audience`: who gets it, or the refusal.
+  /// `for_caches`: the answer is the same for all clients. Sets `audience` to the receivers of the answer, or
+  /// of the refusal.
   [[nodiscard]] Answer check_token(const http::Request& request, bool for_caches, Audience& audience) const;
 
   // ---- while it is answered
   [[nodiscard]] bool is_here() const { return caller_.has_value(); }
-  /// Only while is_here(), as flow() and next_chunk().
+  /// Only if is_here(); also flow() and next_chunk().
   [[nodiscard]] RateLimits limits() const { return caller_->rates.limits(); }
   [[nodiscard]] const FlowUsePtr& flow() const { return caller_->flow; }
-  /// When the rates let a chunk go; `now`: at once.
+  /// Time at which the rates allow a chunk; `now`: at once.
   [[nodiscard]] Clock::time_point next_chunk(Clock::time_point now);
-  /// Waits for that; an answer where it is too long. Before the work: who has no rate left costs the
-  /// generators nothing.
+  /// Waits until then; returns an error if the wait is too long. Call it before the work, so that a client
+  /// over its rate costs the generators nothing.
   [[nodiscard]] asio::awaitable<Answer> wait_for_rates(asio::any_io_executor executor);
-  /// Counts in the rates.
+  /// Charges the rates.
   void charge(std::size_t chunks, std::size_t bytes) { charge(shared_.clock.now(), chunks, bytes); }
   void charge(Clock::time_point now, std::size_t chunks, std::size_t bytes);
-  /// Counts in the flow.
+  /// Adds to the flow.
   void sent(std::size_t bytes);
 
   // ---- between requests
   void answered(int status);
-  /// Nobody asks any more.
+  /// Ends the last request.
   void end();
-  /// The connection's address is on the list of the blocked now.
+  /// Returns true if the client's address is on the list of blocked addresses now.
   [[nodiscard]] bool blocked() const;
   void rates_changed();
-  /// As the log names it.
+  /// The client's address for the log.
   [[nodiscard]] std::string address() const;
-  /// For the session that takes the connection over: of the client that asked for it.
+  /// The slot of the client that requested a session, for that session.
   [[nodiscard]] Admission::Slot take_slot();
   [[nodiscard]] ConnectionInfo session_info() const;
 
@@ -79,7 +81,7 @@ class Requester {
   const SessionContext& shared_;
   const ConnectionInfo connection_;
   std::optional<Caller> caller_;
-  std::optional<Admission::Slot> proxy_slot_;  // of a connection whose requests name their clients
+  std::optional<Admission::Slot> proxy_slot_;  // for a connection whose requests name their clients
 };
 
 }  // namespace talus::server::web

@@ -32,11 +32,11 @@ std::vector<std::string_view> split(std::string_view text, char by, std::size_t 
   return parts;
 }
 
-/// As std::to_chars writes it: 007, +7 and -0 are none.
+/// Parses a number as std::to_chars writes it; rejects 007, +7 and -0.
 std::optional<std::int64_t> number_of(std::string_view text) {
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
   if (digits.starts_with('0') && text.size() > 1) return std::nullopt;
-  // Each chunk's path has four short numbers, for which from_chars takes three times as long.
+  // Each chunk's path has four short numbers; from_chars takes three times as long for them.
   constexpr std::size_t kShort = 18;
   if (!digits.empty() && digits.size() <= kShort) {
     std::int64_t number = 0;
@@ -52,7 +52,7 @@ std::optional<std::int64_t> number_of(std::string_view text) {
   return number;
 }
 
-/// "4x4"; none where it is no square of 1, 2 or 4.
+/// Parses "4x4"; nullopt unless it is a square of edge 1, 2 or 4.
 std::optional<std::int32_t> edge_of(std::string_view text) {
   for (std::int32_t edge = 1; edge <= kMaxSquareEdge; edge *= 2) {
     if (text == fmt::format("{}x{}", edge, edge)) return edge;
@@ -60,7 +60,7 @@ std::optional<std::int32_t> edge_of(std::string_view text) {
   return std::nullopt;
 }
 
-/// As generated.
+/// Parses a path of generated land.
 tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> parts) {
   constexpr std::string_view kForms =
       "/v1/{fingerprint}/{codec}/{lod}/{x}/{y}/{z} is a chunk, .../{lod}/{x}/{z} a column of chunks, "
@@ -95,8 +95,8 @@ tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> pa
   return route;
 }
 
-/// A path whose last part ends in "@{revision}" has the store's id behind the fingerprint, and is that of
-/// what is generated but for the two.
+/// A path whose last part ends in "@{revision}" has the store's id after the fingerprint. Without these two
+/// it is a path of generated land.
 tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) {
   const std::size_t mark = parts.back().find('@');
   if (mark == std::string_view::npos && parts.size() == 7) {
@@ -173,7 +173,7 @@ tl::expected<Route, RouteError> map_tile(std::span<const std::string_view> parts
   return MapRoute{parts[0], *tile};
 }
 
-/// The values of a query's keys.
+/// Keys and values of a query.
 class Query {
  public:
   explicit Query(std::string_view text) {
@@ -186,7 +186,7 @@ class Query {
     }
   }
 
-  /// None where the key is not there. A second value of a key is left for unknown().
+  /// Returns nullopt if the key is missing. A second value of a key is left for unknown().
   [[nodiscard]] std::optional<std::string_view> take(std::string_view key) {
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (value->first != key) continue;
@@ -196,7 +196,7 @@ class Query {
     }
     return std::nullopt;
   }
-  /// A key that nobody took.
+  /// Returns a key that was not taken.
   [[nodiscard]] std::optional<std::string_view> unknown() const {
     return values_.empty() ? std::nullopt : std::optional{values_.front().first};
   }
@@ -221,7 +221,7 @@ tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t m
 }
 
 tl::expected<void, RouteError> grid_columns(Query& query, std::size_t most, HeightsRoute& route) {
-  // Beyond any world; check_heights() says where the world ends.
+  // Beyond any world; check_heights() enforces the world's bounds.
   constexpr std::int64_t kFar = std::int64_t{1} << 40;
   const auto read = [&](std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t least,
                         std::int64_t greatest) -> tl::expected<std::int64_t, RouteError> {

@@ -1,4 +1,4 @@
-// What a player's HTTP request asks for. Pure. Source: PROTOCOL.md, "HTTP".
+// Parses the paths of players' HTTP requests. Pure functions. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@
 
 namespace talus::server::web {
 
-/// Answers of several columns of chunks: so many a side, aligned.
+/// Maximum edge of an aligned square of columns in one answer.
 inline constexpr std::int32_t kMaxSquareEdge = 4;
 
-/// Of land with its edits: whose edits, and up to which.
+/// The store and the revision of edited land.
 struct Edition {
   std::string_view store;
   std::uint64_t revision = 0;
@@ -31,25 +31,25 @@ struct ChunkRoute {
   std::string_view fingerprint;
   std::string_view codec;
   ChunkKey key;
-  std::optional<Edition> edition{};  // none: as generated
+  std::optional<Edition> edition{};  // empty: as generated
 };
 struct ColumnsRoute {
   std::string_view fingerprint;
   std::string_view codec;
-  ChunkKey corner;  // the column of least x and z; y is 0
+  ChunkKey corner;  // the column with the least x and z; y is 0
   std::int32_t edge = 1;
-  bool square = false;  // columns came as a square, also one of a single column
+  bool square = false;  // the answer has the format of a square, even for a single column
   std::optional<Edition> edition{};
 };
-/// Which columns of a region were edited.
+/// The edited columns of a region.
 struct EditsRoute {
   std::string_view fingerprint;
   std::string_view store;
-  ChunkKey region;  // the region's column of least x and z; y is 0
+  ChunkKey region;  // the region's column with the least x and z; y is 0
 };
 struct HeightsRoute {
   std::vector<terrain::BaseColumn> columns;
-  std::int64_t width = 0;  // of a grid, whose columns go row by row southward; 0: a list
+  std::int64_t width = 0;  // a grid's; its columns go row by row southward; 0: a list
   bool looks = false;
   std::vector<std::string_view> fields;
   bool npy = false;
@@ -63,18 +63,18 @@ using Route =
 
 struct RouteError {
   int status = 404;
-  std::string text;  // one line: what is wrong and what would be right
+  std::string text;  // one line: the fault and the remedy
 };
 
-/// Whether the path is one of players, whatever it asks for.
+/// Returns true for all paths of players, valid or not.
 [[nodiscard]] bool is_for_players(std::string_view path);
 
-/// The last part of the path of this revision of the same: what a redirection names.
+/// Returns the last part of the path with this revision instead, for a redirect.
 [[nodiscard]] std::string last_part_of(const ChunkRoute& route, std::uint64_t revision);
 [[nodiscard]] std::string last_part_of(const ColumnsRoute& route, std::uint64_t revision);
 
-/// Every chunk has one path, so that caches hold it once: numbers as std::to_chars writes them, and no query.
-/// At most `max_columns` columns of heights. Views into `path` and `query`.
+/// Every chunk has a single path, so that caches store it once: numbers as std::to_chars writes them, and no
+/// query. At most `max_columns` columns of heights. The result has views into `path` and `query`.
 [[nodiscard]] tl::expected<Route, RouteError> find_route(std::string_view path, std::string_view query,
                                                          std::size_t max_columns);
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The best first.
+// Best first.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kCompressed{
     {{".br", "br"}, {".gz", "gzip"}}};
 
@@ -61,15 +61,15 @@ bool is_upper_or_digit(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// Characters that stand in a URL as they are, so that a file has one path.
+/// Returns true if a URL needs no escapes for the name, so that a file has only one path.
 bool is_plain(std::string_view name) {
   return std::all_of(name.begin(), name.end(), [](char c) {
     return is_lower(c) || is_upper_or_digit(c) || c == '.' || c == '_' || c == '-' || c == '~';
   });
 }
 
-/// assets/NAME-HASH.js, with a hash of eight letters, digits, - and _, as bundlers write it. A word of eight
-/// small letters is taken for a word.
+/// Matches assets/NAME-HASH.js as bundlers write it: a hash of eight letters, digits, - and _. Eight
+/// lower-case letters are taken for a word.
 bool is_hashed(std::string_view path) {
   constexpr std::string_view kFolder{"assets/"};
   constexpr std::size_t kHash = 8;
@@ -159,7 +159,7 @@ tl::expected<std::shared_ptr<const Site>, std::string> Site::read(const std::fil
     return Form{encoding, std::move(text), etag};
   };
   std::map<std::string, std::string>& texts = reader.texts;
-  // A compressed form follows its file, in the order of names, and is taken from there.
+  // In the order of names a compressed form follows its file; it is removed from there.
   for (auto each = texts.begin(); each != texts.end(); ++each) {
     File file{content_type_of(each->first), is_hashed(each->first), {}};
     for (const auto& [ending, encoding] : kCompressed) {

@@ -1,5 +1,5 @@
-// The files that talusd serves beside /v1: the viewer. Read whole at the start, so that no request reaches
-// the file system. Immutable: any number of threads may read.
+// The files that talusd serves outside /v1: the viewer. Read whole at the start, so that requests never
+// access the file system. Immutable: any number of threads may read.
 #pragma once
 
 #include <array>
@@ -26,29 +26,31 @@ class Site {
   static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
   static constexpr int kMaxDepth = 8;  // folders
 
-  /// A form of a file, as it goes over the wire.
+  /// An encoding of a file, as sent over the wire.
   struct Form {
-    std::string_view encoding;  // Content-Encoding; empty: as it is
+    std::string_view encoding;  // Content-Encoding; empty: not encoded
     std::string bytes;
     http::EntityTag etag;
   };
   struct File {
     std::string_view content_type;
     bool hashed = false;      // its name changes with its content
-    std::vector<Form> forms;  // br, gzip, plain: as far as they are there
+    std::vector<Form> forms;  // br, gzip, plain: the ones that exist
 
-    /// The first form that Accept-Encoding takes; null: there is no such field. The last takes everybody.
+    /// Returns the first form that Accept-Encoding allows, or the last, which every client accepts. A missing
+    /// field is null.
     [[nodiscard]] const Form& form_for(const std::string* accept_encoding) const;
   };
 
-  /// All of the directory but names that begin with a dot. FILE.br and FILE.gz beside FILE are its compressed
-  /// forms. Links may not lead out of it. The error is one line.
+  /// Reads the whole directory except names that begin with a dot. FILE.br and FILE.gz are the compressed
+  /// forms of FILE. Links must not lead out of the directory. The error is one line.
   [[nodiscard]] static tl::expected<std::shared_ptr<const Site>, std::string> read(
       const std::filesystem::path& directory, files::FileLayer& layer = files::system_files());
 
-  /// By a request's path; one that ends in '/' is that folder's index.html. Null: there is none.
+  /// Finds a file by a request's path; a path that ends in '/' means its index.html. Returns null if not
+  /// found.
   [[nodiscard]] const File* find(std::string_view path) const;
-  /// Whether a file of it is WebAssembly.
+  /// Returns true if the site contains WebAssembly.
   [[nodiscard]] bool has_wasm() const { return has_wasm_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t files() const { return files_.size(); }

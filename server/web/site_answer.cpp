@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::string_view kForever = "public, max-age=31536000, immutable";
 
-// Nothing inline, nothing from elsewhere; blobs are what the viewer makes itself, and a page may look at
-// another server's world by WebSocket.
+// No inline code and no foreign sources. The viewer makes blobs itself, and may show another server's world
+// by WebSocket.
 constexpr std::string_view kPolicy =
     "default-src 'self'; script-src 'self'{}; connect-src 'self' ws: wss:; "
     "img-src 'self' blob: data:; worker-src 'self' blob:; style-src 'self'; frame-ancestors 'none'; "
     "base-uri 'none'";
 
-/// A site without WebAssembly needs no leave to compile any.
+/// A site without WebAssembly gets no permission to compile it.
 void guard(http::Response& response, const Site& site) {
   response.fields.push_back(
       {"Content-Security-Policy", fmt::format(kPolicy, site.has_wasm() ? " 'wasm-unsafe-eval'" : "")});
@@ -29,7 +29,7 @@ void guard(http::Response& response, const Site& site) {
   response.fields.push_back({"Referrer-Policy", "no-referrer"});
 }
 
-/// Relative, as a proxy may serve all this below a path of its own.
+/// Relative, as a proxy may serve the site under a path prefix.
 std::string way_to_root(std::string_view path) {
   std::string way{"./"};
   for (auto slashes = std::count(path.begin(), path.end(), '/'); slashes > 1; --slashes) way += "../";

@@ -1,4 +1,4 @@
-// What a request beside /v1 gets. Pure. Source: OPERATIONS.md, "The viewer".
+// Answers requests outside /v1. Pure functions. Source: OPERATIONS.md, "The viewer".
 #pragma once
 
 #include "net/http/request.h"
@@ -7,9 +7,9 @@
 
 namespace talus::server::web {
 
-/// The site's file, as the client can take it; 304 where it has that; a page that says where the viewer is
-/// where there is no such file. `site` null: what this server has instead, as JSON. The response's bytes are
-/// the site's.
+/// Returns the site's file in a form that the client accepts; 304 if the client already has it; a page that
+/// links to the viewer if there is no such file. `site` null: an error in JSON that lists what this server
+/// offers. The response refers to the site's bytes.
 [[nodiscard]] http::Response site_answer(const Site* site, const http::Request& request);
 
 }  // namespace talus::server::web

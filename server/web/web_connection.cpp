@@ -21,14 +21,14 @@ template class SessionRunner<websocket::WebSocketStream<TlsStream>>;
 namespace web {
 namespace {
 
-/// What the registry says to an HTTP connection.
+/// The registry's peer for an HTTP connection.
 template <Stream S>
 class WebPeer final : public Peer, public std::enable_shared_from_this<WebPeer<S>> {
  public:
   WebPeer(asio::any_io_executor executor, std::shared_ptr<PlayerHandler> handler)
       : executor_{std::move(executor)}, handler_{std::move(handler)} {}
 
-  /// Before any other call.
+  /// Call before any other function.
   void set_connection(const std::shared_ptr<http::Connection<S>>& connection) { connection_ = connection; }
 
   [[nodiscard]] std::optional<Clock::time_point> session_since() const override { return std::nullopt; }
@@ -66,7 +66,7 @@ void become_session(S stream, std::span<const std::byte> unread, PlayerHandler& 
   const RunnerContextPtr& runner_context = context.runner;
   runner_context->session.metrics.web_open.fall();
   ConnectionInfo info = handler.requester().session_info();
-  info.accepted = runner_context->session.clock.now();  // from here on Hello has its time
+  info.accepted = runner_context->session.clock.now();  // the time-out for Hello begins here
   const ConnectionId id = info.id;
   const auto runner = SessionRunner<WebSocket>::make(WebSocket{std::move(stream), unread}, std::move(info),
                                                      handler.requester().take_slot(), runner_context);
@@ -101,7 +101,7 @@ void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const Web
   try {
     registry.add(info.id, peer);
     asio::post(executor, [connection, handler] {
-      // What changed before the registry had it.
+      // Changes made before it was registered.
       if (handler->requester().blocked()) return connection->close();
       handler->requester().rates_changed();
       connection->start();

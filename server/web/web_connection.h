@@ -1,4 +1,4 @@
-// An accepted connection of the HTTP port: serves its requests, and becomes a session where it asks for a
+// An accepted connection of the HTTP port: serves its requests, and becomes a session if it asks for a
 // WebSocket.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace talus::server::web {
 
-/// From any thread.
+/// Callable from any thread.
 void start_connection(AcceptedConnection accepted, const WebContextPtr& context);
 
 }  // namespace talus::server::web

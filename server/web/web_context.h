@@ -1,4 +1,4 @@
-// What players' HTTP connections share.
+// Objects and settings shared by players' HTTP connections.
 #pragma once
 
 #include <atomic>
@@ -22,24 +22,24 @@ namespace talus::server::web {
 struct WebSettings {
   bool public_chunks = false;  // chunks need no token, and every cache may keep them
   AllowedOrigins origins;
-  Networks proxies;           // who names its clients in X-Forwarded-For
-  std::uint64_t log_every{};  // answers, of which one is logged; 0: none
+  Networks proxies;           // name their clients in X-Forwarded-For
+  std::uint64_t log_every{};  // one in this many answers is logged; 0: off
 };
 
 /// `runner`'s context outlives the connections.
 struct WebContext {
   RunnerContextPtr runner;
-  ChunkSource& chunks;      // as generated; those of sessions have their edits
-  const EditedLand* edits;  // of those; null: none are stored
+  ChunkSource& chunks;      // as generated; sessions get them with edits
+  const EditedLand* edits;  // null: no edits are stored
   WebSettings settings;
   Admission& admission;
   http::Service service;
-  std::string fingerprint;              // as paths have it
-  std::string store_id;                 // likewise
-  std::atomic<std::uint64_t>& answers;  // of all connections, for the log
-  std::atomic<std::uint64_t>& fetches;  // that ever waited, for their ids
+  std::string fingerprint;              // as in paths
+  std::string store_id;                 // as in paths
+  std::atomic<std::uint64_t>& answers;  // number of answers on all connections, for the log
+  std::atomic<std::uint64_t>& fetches;  // number of waits on all connections, for their ids
   RecentRevisions& recent_revisions;    // of `edits`
-  std::shared_ptr<const Site> site;     // null: none
+  std::shared_ptr<const Site> site;     // null: not served
   std::shared_ptr<WorldDocument> world;
 };
 using WebContextPtr = std::shared_ptr<const WebContext>;

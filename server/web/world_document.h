@@ -1,5 +1,5 @@
-// What /v1/world answers, made once for the rates that apply and for each revision of the edits that is asked
-// for: asking for it costs no more than a chunk in memory.
+// The answer of /v1/world, made once for each change of the rates or of the edits' revision: it costs no more
+// than a chunk in memory.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ class WorldDocument {
     http::EntityTag tag;
   };
 
-  /// All outlive it. `edits` null: none are stored.
+  /// All arguments outlive it. `edits` null: no edits are stored.
   WorldDocument(const WorldInfo& world, const SessionLimits& limits, const EditedLand* edits)
       : world_{world}, limits_{limits}, edits_{edits} {}
 
@@ -36,7 +36,7 @@ class WorldDocument {
   const EditedLand* const edits_;
   std::mutex mutex_;
   std::optional<RateLimits> rates_;  // of base_
-  std::string base_;                 // without the edits
+  std::string base_;                 // without the edit status
   EditsNow edits_now_;               // of text_
   std::shared_ptr<const Text> text_;
 };
