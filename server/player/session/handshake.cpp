@@ -13,7 +13,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMaxCodecsNamed = 16;  // of a client's list, in the text of an error
+constexpr std::size_t kMaxCodecsNamed = 16;  // listed in an error's text
 
 std::string versions(unsigned oldest, unsigned newest) {
   return oldest == newest ? fmt::format("version {}", oldest)

@@ -1,4 +1,4 @@
-// Decides about a Hello. Pure.
+// Checks a Hello. Pure functions.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace talus::server {
 
-/// What client and server agreed on.
+/// The parameters agreed between client and server.
 struct Greeting {
   std::uint16_t protocol = 0;
   std::uint8_t codec = 0;
@@ -24,7 +24,7 @@ struct Greeting {
   Grant grant;
 };
 
-/// Checks versions, codec, the length of texts, and last the token, which must be valid at `now`.
+/// Checks versions, codec, length of texts, and finally the token, which must be valid at `now`.
 [[nodiscard]] tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionLimits& limits,
                                                       const AccessControl& access,
                                                       std::chrono::sys_seconds now);

@@ -15,7 +15,7 @@ namespace {
 
 using wire::ErrorCode;
 
-/// Whether the column's chunks are in the world.
+/// Returns true if the column's chunks are in the world.
 bool in_world(const terrain::BaseColumn& column) {
   const std::int64_t limit = chunk_limit(Lod{}) * kChunkSize;
   return -limit <= column.x && column.x < limit && -limit <= column.z && column.z < limit;

@@ -1,4 +1,4 @@
-// Checks what a GetHeights message asks for. Pure.
+// Checks GetHeights messages. Pure functions.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,12 @@
 
 namespace talus::server {
 
-/// The query, or what is wrong: `too_large` or `out_of_range`. The world has so many fields.
+/// Returns the query or an error: `too_large` or `out_of_range`. `world_fields`: number of the world's
+/// fields.
 [[nodiscard]] tl::expected<HeightsQuery, Rejection> check_heights(const wire::GetHeights& get,
                                                                   const SessionLimits& limits,
                                                                   std::size_t world_fields);
-/// The same of a query that came otherwise, but for its number of columns.
+/// Makes the same checks for a query of another origin, except for its number of columns.
 [[nodiscard]] tl::expected<void, Rejection> check_query(const HeightsQuery& query,
                                                         const SessionLimits& limits,
                                                         std::size_t world_fields);

@@ -1,8 +1,8 @@
-// A map by request id, for what comes and goes with every answer: a table of a power of two slots, searched
-// from the id's own slot on. No node is allocated and nothing is divided, unlike in std::unordered_map.
+// A map by request id for short-lived entries: a table of a power of two slots with linear probing. No nodes
+// are allocated and nothing is divided, unlike in std::unordered_map.
 //
-// A client chooses its ids. So that it cannot choose them to meet in one slot, their order in the table
-// depends on a random number of this process.
+// Clients choose their ids. To prevent them from choosing ids that collide, the order in the table depends on
+// a random number of this process.
 #pragma once
 
 #include <bit>
@@ -16,7 +16,7 @@
 
 namespace talus::server {
 
-/// Ids begin at 1; there is never a value of 0.
+/// Ids begin at 1; 0 is never a key.
 template <typename Value>
 class IdMap {
  public:
@@ -24,11 +24,11 @@ class IdMap {
   explicit IdMap(std::uint32_t secret) : secret_{secret} {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// The memory of its table, which shrinks only when the map is empty.
+  /// Memory of the table, which shrinks only when the map is empty.
   [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
-  /// Null where there is none. Valid until the next change.
+  /// Null if not found. Valid until the next change.
   [[nodiscard]] const Value* find(std::uint32_t id) const {
     const std::size_t at = index_of(id);
     return at == kNotFound ? nullptr : &slots_[at].value;
@@ -41,7 +41,7 @@ class IdMap {
     ++size_;
   }
 
-  /// No effect where there is none. A large table that is empty then gives its memory back.
+  /// No effect if not found. Frees a large table that becomes empty.
   void erase(std::uint32_t id) {
     const std::size_t at = index_of(id);
     if (at == kNotFound) return;
@@ -51,7 +51,7 @@ class IdMap {
 
   void clear() { *this = IdMap{secret_}; }
 
-  /// Calls visit(id, value) for each, in no order.
+  /// Calls visit(id, value) for each entry, in unspecified order.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const Slot& slot : slots_) {
@@ -70,8 +70,8 @@ class IdMap {
   static constexpr std::size_t kMinSlots = 16;
   static constexpr std::size_t kMaxIdleSlots = 128;
 
-  // Clients count their ids up. Side by side they would make one long run, which every erase() walks along;
-  // multiplied by 2^32 over the golden ratio they lie apart.
+  // Clients use ascending ids. Stored side by side they would form one long run, which every erase() would
+  // walk; multiplied by 2^32 over the golden ratio they lie apart.
   [[nodiscard]] std::size_t home_of(std::uint32_t id) const {
     return ((id ^ secret_) * 0x9E3779B9U) >> shift_;
   }
@@ -103,7 +103,7 @@ class IdMap {
     }
   }
 
-  /// What stands behind the gap and could not be found any more moves up.
+  /// Moves up entries after the gap that could no longer be found.
   void close_gap(std::size_t gap) {
     for (std::size_t at = after(gap); slots_[at].id != kVacant; at = after(at)) {
       const std::size_t way_from_home = (at - home_of(slots_[at].id)) & (slots_.size() - 1);
@@ -121,9 +121,9 @@ class IdMap {
   }
 
   std::uint32_t secret_;
-  std::vector<Slot> slots_;  // a power of two of them, or none
+  std::vector<Slot> slots_;  // a power of two of them, or empty
   std::size_t size_ = 0;
-  int shift_ = 32;  // of the product: what is left numbers the slots
+  int shift_ = 32;  // of the product: the remaining bits are the slot's index
 };
 
 }  // namespace talus::server

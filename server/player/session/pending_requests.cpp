@@ -32,7 +32,7 @@ void PendingRequests::erase(std::uint32_t id) {
   if (request == nullptr) return;
   if (const auto* const heights = std::get_if<HeightsRequest>(request)) heights_bytes_ -= heights->bytes;
   requests_.erase(id);
-  if (unstarted_.empty()) return;  // as a rule: most are started at once
+  if (unstarted_.empty()) return;  // the usual case: most are started at once
   const auto at = std::find(unstarted_.begin(), unstarted_.end(), id);
   if (at != unstarted_.end()) unstarted_.erase(at);
 }

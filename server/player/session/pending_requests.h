@@ -1,4 +1,4 @@
-// A session's requests that are not answered yet, by their id. No I/O.
+// A session's unanswered requests, by id. No I/O.
 //
 // A chunk request is unstarted until next_unstarted() returns it.
 #pragma once
@@ -21,7 +21,7 @@ class PendingRequests {
  public:
   struct ChunkRequest {
     ChunkKey key;
-    std::optional<ContentHash> known;  // of what the client holds there
+    std::optional<ContentHash> known;  // hash of the client's chunk
   };
 
   [[nodiscard]] bool contains(std::uint32_t id) const { return requests_.find(id) != nullptr; }
@@ -34,24 +34,24 @@ class PendingRequests {
   void add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes);
 
   [[nodiscard]] bool has_unstarted() const { return !unstarted_.empty(); }
-  /// The oldest unstarted chunk request, which is started now.
+  /// Starts and returns the oldest unstarted chunk request.
   [[nodiscard]] std::optional<std::uint32_t> next_unstarted();
 
-  /// Null where `id` is not pending, or is a request for heights. Valid until the next change.
+  /// Null if `id` is not pending or is a request for heights. Valid until the next change.
   [[nodiscard]] const ChunkRequest* chunk(std::uint32_t id) const {
     const auto* const request = requests_.find(id);
     return request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);
   }
-  /// None where `id` is not pending, or is a request for a chunk.
+  /// Nullopt if `id` is not pending or is a request for a chunk.
   [[nodiscard]] std::optional<std::uint64_t> heights_ticket(std::uint32_t id) const;
 
-  /// The request is answered. No effect where `id` is not pending.
+  /// The request was answered. No effect if `id` is not pending.
   void erase(std::uint32_t id);
   void clear();
   [[nodiscard]] std::vector<std::uint32_t> ids() const;
 
   [[nodiscard]] std::size_t heights_bytes() const { return heights_bytes_; }
-  /// The memory of the requests themselves.
+  /// Memory of the requests themselves.
   [[nodiscard]] std::size_t bytes() const {
     return requests_.bytes() + unstarted_.size() * sizeof(std::uint32_t);
   }

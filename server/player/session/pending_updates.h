@@ -1,5 +1,5 @@
-// Chunks of the View that the client was sent and that were edited since: what it has of each, until it is
-// sent what changed. No I/O.
+// Chunks of the View that were edited after the client was sent them, with the revision that the client has,
+// until it is sent the changes. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ namespace talus::server {
 class PendingUpdates {
  public:
   struct Update {
-    std::uint64_t has = kBaseRevision;  // the client has this revision, or a newer one
-    EncodedChunkPtr chunk{};            // a newer one that the source gave; null: none
-    bool under_way = false;             // it was asked for, or given
+    std::uint64_t has = kBaseRevision;  // the client has this revision or a newer one
+    EncodedChunkPtr chunk{};            // a newer one from the source; may be null
+    bool under_way = false;             // requested or received
   };
 
-  /// Whether it is new; else what the client has stays as it was noted first.
+  /// Returns true if the chunk is new here; otherwise the revision noted first stays.
   bool add(ChunkKey key, std::uint64_t has) { return updates_.try_emplace(key, Update{has}).second; }
   [[nodiscard]] bool contains(ChunkKey key) const { return updates_.contains(key); }
   /// REQUIRES: contains(key).
   [[nodiscard]] const Update& at(ChunkKey key) const { return updates_.at(key); }
-  /// The source gave a chunk that is newer than what the client has. REQUIRES: contains(key).
+  /// The source gave a chunk newer than the client's. REQUIRES: contains(key).
   void give(ChunkKey key, EncodedChunkPtr chunk) {
     Update& update = updates_.at(key);
     release(update);
@@ -43,7 +43,7 @@ class PendingUpdates {
     updates_.erase(found);
   }
 
-  /// The whole chunk is to be asked for. REQUIRES: contains(key).
+  /// Queues the whole chunk for a request to the source. REQUIRES: contains(key).
   void want(ChunkKey key) {
     release(updates_.at(key));
     wanted_.push_back(key);
@@ -51,15 +51,15 @@ class PendingUpdates {
   [[nodiscard]] std::optional<ChunkKey> next_wanted() const {
     return wanted_.empty() ? std::nullopt : std::optional{wanted_.front()};
   }
-  /// What next_wanted() returns was asked for.
+  /// The chunk of next_wanted() was requested.
   void asked() {
     begin(updates_.at(wanted_.front()));
     wanted_.pop_front();
   }
-  /// What next_wanted() returns need not be asked for.
+  /// The chunk of next_wanted() need not be requested.
   void found() { wanted_.pop_front(); }
 
-  /// Forgets the chunks for which unwanted(key) is true.
+  /// Removes the chunks for which unwanted(key) is true.
   template <typename Unwanted>
   void drop(Unwanted&& unwanted) {
     std::erase_if(wanted_, unwanted);
@@ -74,11 +74,11 @@ class PendingUpdates {
   }
 
   [[nodiscard]] std::size_t size() const { return updates_.size(); }
-  /// Chunks that were asked for, or given, and did not go yet.
+  /// Number of chunks requested or received but not yet sent.
   [[nodiscard]] std::size_t under_way() const { return under_way_; }
-  /// Memory of the chunks, as if nobody else held them.
+  /// Memory of the chunks, as if they were not shared.
   [[nodiscard]] std::size_t chunk_bytes() const { return chunk_bytes_; }
-  /// All memory, with the place that an update has in the outbox.
+  /// Total memory, including the updates' places in the outbox.
   [[nodiscard]] std::size_t bytes() const {
     constexpr std::size_t kPerUpdate = 96;
     return updates_.size() * kPerUpdate + wanted_.size() * sizeof(ChunkKey) + chunk_bytes_;

@@ -1,4 +1,4 @@
-// Why a message is not accepted.
+// The reason for rejecting a message.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ namespace talus::server {
 struct Rejection {
   wire::ErrorCode code{};
   std::string text;                           // for the client
-  std::string why{};                          // more, for the log alone
-  std::optional<AuthFailure> auth_failure{};  // where the token is the reason
-  bool repeated = false;                      // the log need not say it again
+  std::string why{};                          // additional text for the log only
+  std::optional<AuthFailure> auth_failure{};  // if the token is the reason
+  bool repeated = false;                      // the log need not repeat it
 };
 
 [[nodiscard]] inline tl::unexpected<Rejection> rejected(wire::ErrorCode code, std::string text) {

@@ -30,7 +30,7 @@ class Replies {
     if (code == wire::ErrorCode::overloaded || code == wire::ErrorCode::too_many_requests) ++refusals_;
     outbox_.push_control(error_frame(code, text, subject, retry_after));
   }
-  /// A Chunk among control frames: for chunks that are smaller than an Error. The caller notes its credit.
+  /// Sends a Chunk as a control frame, for chunks smaller than an Error. The caller charges its credit.
   void small_chunk(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {
     metrics_.chunks_sent.add();
     metrics_.chunk_bytes_sent.add(chunk.frame_bytes());
@@ -60,7 +60,7 @@ class Replies {
     outbox_.push_control(go_away_frame(reason, retry_after));
   }
 
-  /// How often the client asked too much or too fast, since the last call.
+  /// Number of refusals of too many or too fast requests since the last call.
   [[nodiscard]] std::uint64_t take_refusals() { return std::exchange(refusals_, 0); }
 
  private:

@@ -88,7 +88,7 @@ protocol::Frame error_frame(wire::ErrorCode code, std::string_view text, const S
   const auto number_of = [&](auto... kinds) {
     return ((subject.about == kinds) || ...) ? subject.number : 0;
   };
-  // Clients that do not know `about` find the id of a duplicate_id there.
+  // Clients that do not know `about` look for the id of a duplicate_id in `request_id`.
   const std::uint32_t request_id =
       code == wire::ErrorCode::duplicate_id ? subject.number : number_of(About::request);
   const wire::ChunkKey chunk = on_wire(subject.chunk);
@@ -126,7 +126,7 @@ protocol::Frame chunk_frame(std::uint32_t request_id, ChunkKey key, const Encode
 }
 
 protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs) {
-  // Rows that hold edits are in no run.
+  // Rows with edits are not in any run.
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto wire_runs = builder.CreateVectorOfStructs(runs);
     return wire::CreateUniformColumn(builder, column.coord.x, column.coord.z,

@@ -1,4 +1,4 @@
-// The control frames that the server sends: everything but Chunk. Pure.
+// The control frames that the server sends: everything but Chunk. Pure functions.
 #pragma once
 
 #include <chrono>
@@ -34,10 +34,10 @@ inline constexpr std::string_view kNoMemory = "this server's memory is all in us
 /// `request_id` 0: for the View.
 [[nodiscard]] protocol::Frame unchanged_frame(std::uint32_t request_id, ChunkKey key,
                                               const EncodedChunk& chunk);
-/// To a client that has revision `previous` of the chunk, or one between that and the voxels'.
+/// For a client whose revision of the chunk is between `previous` and the revision of `changed`.
 [[nodiscard]] protocol::Frame edit_broadcast_frame(ChunkKey key, std::uint64_t previous,
                                                    const ChangedVoxels& changed);
-/// As for a request; `request_id` is not 0.
+/// In answer to a request; `request_id` is not 0.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk);
 /// `column` is any chunk of the column.
 [[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);

@@ -1,5 +1,5 @@
-// Chunks that were sent again whole not long ago: each pauses before it is sent again. However often a chunk
-// is edited, and by however many, it costs a client one chunk a pause. No I/O.
+// Chunks recently resent whole: each pauses before it is resent. However often a chunk is edited, and by
+// however many players, it costs a client one whole chunk per pause. No I/O.
 #pragma once
 
 #include <chrono>
@@ -20,14 +20,14 @@ class ResendPauses {
  public:
   static constexpr std::chrono::milliseconds kPause{500};
 
-  /// The chunk goes out whole.
+  /// The chunk is sent whole.
   void resent(ChunkKey key, Clock::time_point now) {
     forget_ended(now);
-    if (!ends_.try_emplace(key, now + kPause).second) return;  // it was not to be sent again yet
+    if (!ends_.try_emplace(key, now + kPause).second) return;  // its pause has not ended
     in_order_.emplace_back(now + kPause, key);
   }
 
-  /// Whether the chunk pauses; then it is noted, and take_ended() returns it in its time.
+  /// Returns true if the chunk is in its pause; take_ended() then returns it when the pause ends.
   [[nodiscard]] bool holds(ChunkKey key, Clock::time_point now) {
     const auto found = ends_.find(key);
     if (found == ends_.end() || found->second <= now) return false;
@@ -35,23 +35,23 @@ class ResendPauses {
     return true;
   }
 
-  /// When the next of those that were noted is to be sent; none are: max().
+  /// Time at which the first held chunk may be sent; max() if there are none.
   [[nodiscard]] Clock::time_point next() const {
     return waiting_.empty() ? Clock::time_point::max() : waiting_.begin()->first;
   }
-  /// One that was noted, and whose pause ended.
+  /// Returns a held chunk with an ended pause.
   [[nodiscard]] std::optional<ChunkKey> take_ended(Clock::time_point now) {
     if (next() > now) return std::nullopt;
     return waiting_.extract(waiting_.begin()).value().second;
   }
 
-  /// Forgets the chunks that were noted and for which unwanted(key) is true. Their pauses go on.
+  /// Drops the held chunks for which unwanted(key) is true. Their pauses continue.
   template <typename Unwanted>
   void drop(Unwanted&& unwanted) {
     std::erase_if(waiting_, [&](const auto& each) { return unwanted(each.second); });
   }
 
-  /// All memory, roughly.
+  /// Total memory, approximately.
   [[nodiscard]] std::size_t bytes() const {
     constexpr std::size_t kPerWaiting = 80;
     constexpr std::size_t kPerPause = 96;

@@ -1,4 +1,4 @@
-// When a refused client should try again: the one table of such times.
+// Times after which a refused client should retry: the only table of them.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@ namespace talus::server::retry_after {
 
 using std::chrono::milliseconds;
 
-inline constexpr milliseconds kNever{0};       // trying again does not help
+inline constexpr milliseconds kNever{0};       // retrying does not help
 inline constexpr milliseconds kBusy{1000};     // a queue, memory or the limit of requests in flight is full
 inline constexpr milliseconds kFailed{1000};   // a chunk or heights could not be generated
-inline constexpr milliseconds kLeaving{1000};  // this session takes no more requests
-inline constexpr milliseconds kServerFull{5000};  // no connection or handshake is admitted
-inline constexpr milliseconds kShutdown{5000};    // the server ends
+inline constexpr milliseconds kLeaving{1000};  // this session accepts no more requests
+inline constexpr milliseconds kServerFull{5000};  // a connection or handshake is not admitted
+inline constexpr milliseconds kShutdown{5000};    // the server is ending
 
 }  // namespace talus::server::retry_after

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kOperatorsOwn =
     "the subject \"talusd store rollback\" is that of this server's operators; give another";
 
-/// The rates that apply to a session of the address.
+/// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
   RateLimits limits = context.rates.get();
   limits.address = address == nullptr ? RateSet{} : address->rates;
@@ -132,7 +132,7 @@ void Session::rates_changed(const AddressBucketsPtr& address) {
 
 void Session::take_mail() {
   delivery_.take_mail(editing_);
-  // What slid is known only now.
+  // The number of voxels that slid is known only now.
   if (const std::uint64_t slid = editing_.take_slid_voxels(); slid > 0) {
     rates_.spend_voxels(context_.clock.now(), slid);
   }
@@ -149,8 +149,8 @@ void Session::input_ended() {
 
 void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
   if (state_ == State::leaving || state_ == State::closed) return;
-  if (state_ == State::connected) {  // as to a client for whom there is no room
-    // Of an Error, no time means that it is of no use to come again.
+  if (state_ == State::connected) {  // as to a client that finds the server full
+    // An Error without a time means that retrying is useless.
     replies_.error({}, ErrorCode::overloaded, reason, std::max(retry_after, std::chrono::milliseconds{1}));
     return abandon();
   }
@@ -228,7 +228,7 @@ void Session::on(const wire::View& view) {
     return replies_.error(about_view(view.number()), rejection.code, rejection.text);
   }
   if (state_ == State::leaving) return;
-  // Near the memory's limit a View may move, and not grow. What the client holds is then sent again.
+  // Near the memory limit a View may move but not grow. Chunks that the client holds are then resent.
   const bool takes_work = context_.memory.takes_work();
   const std::uint64_t chunks = count_chunks(*checked);
   if (chunks > view_chunks_ && !takes_work) {
@@ -344,7 +344,7 @@ void Session::on(const wire::Edit& edit) {
   if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
     return replies_.error(subject, ErrorCode::forbidden, *why);
   }
-  // Last: what may write nothing takes nothing of what others at the address may.
+  // The last check: a refused edit must not use up the rates shared with others at the address.
   const EditCosts::Priced priced = edit_costs_.price(*checked, checked->settles && editing_.settles());
   if (const auto refusal = rates_.refuse_edit(received_at_, priced.cost)) {
     return say_refusal(subject, *refusal);
@@ -385,7 +385,7 @@ void Session::on(const wire::Attach& attach) {
   if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
   if (request.editor == edits::EditorId{}) request.editor = request.own;
   if (editing_.makes_editor(request)) {
-    // First: who cannot come in takes nothing of what others at the address may.
+    // The first check: a refused editor must not use up the rates shared with others at the address.
     if (const auto full = editing_.refuses_editors()) {
       return replies_.error(subject, full->code, full->text, full->retry_after);
     }
@@ -440,7 +440,7 @@ Clock::time_point Session::sendable_at() {
   constexpr Clock::time_point kNever = Clock::time_point::max();
   if (outbox_.has_control()) return kAtOnce;
   const bool waits = outbox_.sendable(credit_);
-  // Of a session that closed what is sendable now is all that ever will be.
+  // No further output follows in a closed session.
   const bool pauses = !waits && !closing() && credit_.may_send();
   const Clock::time_point from = waits ? kAtOnce : pauses ? delivery_.updates_resume() : kNever;
   if (from == kNever) return kNever;

@@ -7,8 +7,8 @@
 //
 // Any state becomes closed by an error that ends the connection, or by abandon().
 //
-// No socket, thread or timer: net/ feeds it, from one thread at a time. Chunks come from an injected source,
-// answers from other threads through a mailbox, the time from an injected clock. Whatever the client sends,
+// No socket, thread or timer: net/ drives it, from one thread at a time. Chunks come from an injected source,
+// answers of other threads through a mailbox, the time from an injected clock. Whatever the client sends,
 // memory stays within the limits.
 #pragma once
 
@@ -46,105 +46,109 @@ class Session {
   enum class State : std::uint8_t {
     connected,  // waits for Hello
     joined,
-    finishing,  // the client sends no more; gets what it asked for, its View too
-    leaving,    // GoAway was said; answers what is pending
-    closed,     // what is sendable now is all that ever will be: write it and close
+    finishing,  // the client sends no more; its requests and View are still served
+    leaving,    // GoAway was sent; pending requests are still answered
+    closed,     // no further output follows: write what is sendable and close
   };
 
-  /// Memory of a session that asks for nothing, with its connection and coroutines.
+  /// Memory of an idle session, with its connection and coroutines.
   static constexpr std::size_t kIdleBytes = std::size_t{32} * 1024;
-  /// A View that waits counts so much a chunk, at least what it takes when it is applied: by then the memory
-  /// must be there.
+  /// A pending View is charged this much per chunk, at least its cost when applied: the memory must be
+  /// available by then.
   static constexpr std::size_t kViewBytesPerChunk = 12;
-  /// Frames of a client that may grow to so much, however little memory there is: what an idle session does
-  /// not need of kIdleBytes.
+  /// A client's frame may grow to this size however little memory there is: an idle session leaves this much
+  /// of kIdleBytes unused.
   static constexpr std::size_t kMaxFrameBytesAnyway = std::size_t{16} * 1024;
 
-  /// `address` holds the rates that the session shares with others of its address; null: none.
+  /// `address` holds the rates shared by all sessions of the address; may be null.
   Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   // ---- events. After any of them call pump().
-  /// A whole frame, as FrameReader gives it.
+  /// A whole frame from FrameReader.
   void receive(std::span<const std::byte> frame);
   void broken_frame(const protocol::FrameError& error);
-  /// A frame in progress, or the last one, takes so much memory. Ends the session where that is more than
-  /// kMaxFrameBytesAnyway and the server has none to give.
+  /// The current or last frame holds `bytes` of memory. Ends the session if that is more than
+  /// kMaxFrameBytesAnyway and the server is short of memory.
   void holds_input(std::size_t bytes);
-  /// The client was silent too long; `text` says for how long.
+  /// The client was silent too long; `text` includes the time.
   void timed_out(std::string_view text);
   void token_expired();
-  /// The lists of revoked tokens and of blocked flows were read again: ends the session where it is on one.
+  /// The lists of revoked tokens and blocked flows were reloaded: ends the session if it is on one of them.
   /// `address_blocked`: its address is.
   void access_changed(bool address_blocked);
-  /// The rates in the context may have changed, and `address` is what holds those of its address now. The
-  /// client is not told: it keeps to those of Welcome, and is refused where they are lower now.
+  /// The rates in the context may have changed; `address` now holds the rates of its address. The client is
+  /// not notified: it keeps to the rates of Welcome, and is refused if they are lower now.
   void rates_changed(const AddressBucketsPtr& address);
-  /// Handles all that waits in the mailbox.
+  /// Handles all mail in the mailbox.
   void take_mail();
-  /// No frame comes any more, but the client still reads. It can give no credit: none is needed from here on.
+  /// The client sends no more frames but still reads. It can no longer give credit, so credit is not required
+  /// from here on.
   void input_ended();
-  /// Says GoAway and ends the View; takes no more requests. Before Welcome an Error instead.
+  /// Sends GoAway and ends the View; accepts no more requests. Before Welcome it sends an Error instead.
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
   /// The connection is gone: leaves every queue.
   void abandon();
 
-  /// Whether a View waits for apply_view(), which may cost milliseconds: the caller decides when.
+  /// True if a View is pending. apply_view() may take milliseconds: the caller decides when.
   [[nodiscard]] bool view_waits() const { return delivery_.view().waits(); }
-  /// Returns how many chunks it dropped that waited for the client.
+  /// Returns the number of dropped chunks that were waiting for the client.
   [[nodiscard]] std::size_t apply_view() { return delivery_.apply_view(); }
-  /// Whether the client sends Views faster than they are applied. Each costs something, also one that is
-  /// replaced: until apply_view() the caller reads no more.
+  /// True if the client sends Views faster than they are applied. Even a replaced View has a cost: the caller
+  /// stops reading until apply_view().
   [[nodiscard]] bool views_pile_up() const { return delivery_.view().piles_up(); }
-  /// Whether so many wait that not one more may be received before apply_view(), or chunks were sent twice.
+  /// True if the queue of pending Views is full: call apply_view() before receive(), or chunks may be sent
+  /// twice.
   [[nodiscard]] bool views_full() const { return delivery_.view().is_full(); }
 
-  /// Starts as much work as the bounds allow. Returns how many chunks it found in memory.
+  /// Starts as much work as the bounds allow. Returns the number of chunks found in memory.
   std::size_t pump();
 
   // ---- output
-  /// When something may be written: the clock's zero at once, a time to come where a rate throttles chunks,
-  /// max() where nothing waits or the client gave no credit. At once does not depend on when the caller
-  /// looked at the clock.
+  /// Time of the next write: the clock's zero for at once, a later time if a rate throttles chunks, max() if
+  /// there is no output or the client gave no credit. "At once" does not depend on when the caller read the
+  /// clock.
   [[nodiscard]] Clock::time_point sendable_at();
-  /// Whether there are answers or updates that credit allows, no chunks wait, and the answers are no more
-  /// than about so many bytes.
+  /// True if there are answers or updates that credit allows, no chunks are queued, and the answers have at
+  /// most about `most_bytes`.
   [[nodiscard]] bool has_little_to_write(std::size_t most_bytes) const {
     return outbox_.sendable(credit_) && outbox_.chunk_bytes() == 0 && outbox_.control_bytes() <= most_bytes;
   }
-  /// Frames to write now: `enough_bytes` and at most one frame more. Chunks of `shared_from` bytes and more
-  /// are not copied.
+  /// Takes the frames to write now: `enough_bytes` and at most one frame more. Chunks of at least
+  /// `shared_from` bytes are not copied.
   [[nodiscard]] Output take_output(std::size_t enough_bytes, std::size_t shared_from = Output::kCopyAll);
-  /// The last output was written; its memory is free.
+  /// The last output was written; frees its memory.
   void written();
-  /// Bytes that wait for the client without credit. Above limits.queued_bytes the caller reads no more.
+  /// Bytes queued for the client that need no credit. Above limits.queued_bytes the caller stops reading.
   [[nodiscard]] std::size_t queued_bytes() const {
     return outbox_.control_bytes() + delivery_.requests().heights_bytes();
   }
-  /// Bytes of edits that wait for their answer: for their ground, and their turn. Above a quarter of
-  /// limits.queued_bytes the caller reads no more, so that few sessions do not take everybody's memory.
+  /// Bytes of unanswered edits, which wait for their ground or their turn. Above a quarter of
+  /// limits.queued_bytes the caller stops reading, so that a few sessions cannot take the memory of all.
   [[nodiscard]] std::size_t edit_bytes() const { return editing_.unanswered_bytes(); }
 
-  // ---- what it is
-  /// Whom its work counts as, and to which it adds what it refuses; the caller adds what it writes.
+  // ---- state
+  /// The flow charged for this session's work. The session records refusals; the caller records bytes
+  /// written.
   [[nodiscard]] FlowUse& flow() const { return delivery_.flow(); }
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool closing() const { return state_ == State::closed; }
-  /// None before Hello was accepted; stays when the session ends.
+  /// Empty until Hello is accepted; kept after the session ends.
   [[nodiscard]] const std::optional<Greeting>& greeting() const { return greeting_; }
-  /// What the client did wrong, for the log; empty: nothing.
+  /// The client's fault, for the log; empty without a fault.
   [[nodiscard]] const std::string& failure() const { return failure_; }
-  /// The log has said the same already.
+  /// True if the log already has this failure.
   [[nodiscard]] bool failure_is_known() const { return failure_is_known_; }
 
  private:
   void on(const wire::Hello& hello);
   void on(const wire::View& view);
   void on(const wire::GetChunks& get);
-  /// Ids of one message whose Errors are said: the client could not know when it sent the message.
+  /// Ids of one message that were answered with Errors. They count as repeated, as the client could not know
+  /// of the Errors when it sent the message.
   using AnsweredIds = std::optional<IdMap<std::monostate>>;
-  /// Whether the request is pending now.
+  /// Returns true if the request is pending now.
   [[nodiscard]] bool on(const wire::ChunkRequest& request, const AnsweredIds& answered);
   void on(const wire::Cancel& cancel);
   void on(const wire::GetHeights& get);
@@ -153,17 +157,17 @@ class Session {
   void on(const wire::Edit& edit);
   void on(const wire::Ping& ping);
 
-  /// Counts one message. Where a rate refuses it, says so and returns false.
+  /// Counts one message. If a rate refuses it, sends the refusal and returns false.
   [[nodiscard]] bool within_rates(const Subject& subject) {
     const auto refusal = rates_.refuse_request(received_at_);
     if (refusal) say_refusal(subject, *refusal);
     return !refusal;
   }
   void say_refusal(const Subject& subject, const SessionRates::Refusal& refusal);
-  /// Counts a request, whose id no other that is not answered may have; if it may not be, says so.
-  /// `repeated`: the id is another's of the same message.
+  /// Counts a request and checks that its id is not an unanswered request's; otherwise sends an Error.
+  /// `repeated`: the id occurred before in the same message.
   [[nodiscard]] bool admit_id(std::uint32_t id, bool repeated = false);
-  /// Whether one more request may become pending; if not, it is answered here.
+  /// Returns true if one more request may become pending; otherwise answers it.
   [[nodiscard]] bool admit_pending(std::uint32_t id) {
     const bool room = delivery_.requests().size() < context_.limits.requests_in_flight;
     if (room && state_ != State::leaving) return true;
@@ -171,13 +175,13 @@ class Session {
     return false;
   }
   void refuse_pending(std::uint32_t id);
-  /// Says the Error and closes. `why` is for the log alone.
+  /// Sends the Error and closes. `why` is only for the log.
   void fail(wire::ErrorCode code, std::string_view text,
             std::chrono::milliseconds retry_after = retry_after::kNever, std::string_view why = {});
-  /// A session that leaves closes with its last answer, one that finishes when all is served.
+  /// A leaving session closes after its last answer, a finishing one when everything is served.
   void close_if_served();
   void note_memory();
-  /// Of the View that waits, beside what the one in force holds.
+  /// Memory that the pending View needs in addition to the current one's.
   [[nodiscard]] std::size_t view_bytes_to_come() const;
 
   const SessionContext context_;
@@ -191,9 +195,9 @@ class Session {
   EditCosts edit_costs_;
   SessionRates rates_;
   MemoryReservation memory_;
-  Clock::time_point received_at_{};  // the message that is handled
-  std::uint64_t view_chunks_ = 0;    // of the last View that was right
-  std::size_t writing_bytes_ = 0;    // of the last output
+  Clock::time_point received_at_{};  // the current message's time
+  std::uint64_t view_chunks_ = 0;    // in the last valid View
+  std::size_t writing_bytes_ = 0;    // memory of the last output
   std::size_t input_bytes_ = 0;
   std::string failure_;
   bool failure_is_known_ = false;

@@ -1,4 +1,4 @@
-// What all sessions share.
+// Objects shared by all sessions.
 #pragma once
 
 #include "chunks/chunk_source.h"
@@ -14,7 +14,7 @@
 
 namespace talus::server {
 
-/// Everything outlives the sessions.
+/// All of them outlive the sessions.
 struct SessionContext {
   const SessionLimits& limits;
   const WorldInfo& world;
@@ -25,7 +25,7 @@ struct SessionContext {
   const CurrentRates& rates;
   FlowUses& flows;
   const Clock& clock;
-  EditTaker* edits = nullptr;  // null: nothing is stored
+  EditTaker* edits = nullptr;  // null: no edits are stored
 };
 
 }  // namespace talus::server

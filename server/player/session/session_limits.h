@@ -1,4 +1,4 @@
-// What a session needs of the configuration. app/ fills it.
+// The settings that sessions need. Filled by app/.
 #pragma once
 
 #include <chrono>
@@ -9,9 +9,9 @@
 
 namespace talus::server {
 
-/// The types are those of the wire where Welcome says the limit.
+/// A limit that Welcome contains has its type on the wire.
 struct SessionLimits {
-  std::uint32_t frame_bytes = 0;  // of a frame from the client, prefix included
+  std::uint32_t frame_bytes = 0;  // a frame from the client, with its prefix
   std::uint32_t requests_in_flight = 0;
   std::uint32_t heights_per_request = 0;
   std::uint64_t height_tiles_per_request = 0;  // tiles of 32 x 32 columns in one GetHeights; not in Welcome
@@ -19,7 +19,7 @@ struct SessionLimits {
   std::uint16_t view_vertical_radius = 0;      // chunks
   std::uint32_t view_chunks = 0;
   std::uint64_t window_bytes = 0;
-  std::size_t queued_bytes = 0;  // of chunks that wait for the client; not in Welcome
+  std::size_t queued_bytes = 0;  // chunks queued for the client; not in Welcome
   std::chrono::milliseconds idle_timeout{};
   EditRules edits{};  // not in Welcome
 };

@@ -1,4 +1,4 @@
-// What an Error is about: Error.about on the wire, and what the fields beside it name.
+// The subject of an Error: Error.about on the wire and the fields that it selects.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace talus::server {
 struct Subject {
   wire::ErrorAbout about = wire::ErrorAbout::connection;
   std::uint32_t number = 0;  // request id or View.number
-  ChunkKey chunk{};          // of view_chunk
+  ChunkKey chunk{};          // for view_chunk
 };
 
 [[nodiscard]] inline Subject about_request(std::uint32_t id) {
   return {wire::ErrorAbout::request, id};
 }
-/// The request that had the id before is still answered.
+/// The earlier request with the same id is still answered.
 [[nodiscard]] inline Subject about_repeated(std::uint32_t id) {
   return {wire::ErrorAbout::repeated_request, id};
 }

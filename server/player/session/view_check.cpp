@@ -11,7 +11,7 @@ namespace {
 
 using wire::ErrorCode;
 
-/// Levels and radii must grow from ring to ring, from level 1 and the View's own radius on.
+/// Levels and radii must increase from ring to ring, starting from level 1 and the View's own radius.
 tl::expected<std::vector<ViewRing>, Rejection> check_rings(const wire::View& view,
                                                            const SessionLimits& limits) {
   std::vector<ViewRing> rings;

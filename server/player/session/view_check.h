@@ -1,4 +1,4 @@
-// Checks a View message against the rules of PROTOCOL.md and the limits. Pure.
+// Checks a View message against the rules of PROTOCOL.md and the limits. Pure functions.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -11,8 +11,8 @@
 
 namespace talus::server {
 
-/// The View in a world of these heights, or what is wrong: `malformed` (the connection closes), `too_large`
-/// or `out_of_range`. A View that lies outside the world is right, and has no chunks.
+/// Returns the View in a world of these heights, or an error: `malformed` (the connection closes),
+/// `too_large` or `out_of_range`. A View outside the world is valid and has no chunks.
 [[nodiscard]] tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
                                                        HeightRange heights);
 

@@ -1,4 +1,4 @@
-// What every Welcome says about the world. Immutable: whoever makes it knows all of it, the store included.
+// The world's description in every Welcome. Immutable: built once all parts, including the store, are known.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace talus::server {
 
 struct WorldInfo {
   const ContentHash fingerprint{};
-  const ContentHash store_id{};  // 0: nothing is stored
+  const ContentHash store_id{};  // 0: no edits are stored
   const std::vector<terrain::Material> materials{};
   const HeightRange heights{};
   const VoxelPos spawn{};

@@ -13,7 +13,7 @@ ViewExtent extent_of(const View& view) {
   return {view.centre, view.horizontal_radius, view.vertical_radius, view.rings, view.horizon};
 }
 
-// A rank, from its highest bits: whole distance, angle, what is left of the distance, place.
+// Bits of a rank, from the highest: whole distance, angle, remainder of the distance, place.
 constexpr int kPlaceBits = 24;
 constexpr int kRestBits = 8;
 constexpr int kAngleBits = 16;
@@ -32,8 +32,8 @@ std::uint64_t count_chunks(const View& view) {
 AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre} {
   const float length = glm::length(view.direction);
   if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
-  // The columns of a level's inner box are at most a quarter of those of the level before it, and its rows at
-  // most one more: the inner boxes are at most half of the outer ones.
+  // A level's inner box has at most a quarter of the columns of the previous level, and at most one more row:
+  // the inner boxes are at most half of the outer ones.
   std::uint64_t places = 0;
   for (const LevelBox& box : level_boxes(extent_of(view))) {
     levels_.push_back({box, static_cast<Place>(places)});
@@ -99,7 +99,7 @@ glm::i64vec3 AreaOfInterest::offset(ChunkKey key) const {
   const auto halves = [size](std::int64_t at, std::int64_t centre) {
     return (2 * at + 1) * size - (2 * centre + 1);
   };
-  // A horizon's rows may be as far away as the centre is from the world: that must not overflow a square.
+  // A horizon's rows may be as far away as the centre is from the world; the square must not overflow.
   constexpr std::int64_t kFarthest = 1 << 16;
   return {halves(key.coord.x, centre_.x), std::clamp(halves(key.coord.y, centre_.y), -kFarthest, kFarthest),
           halves(key.coord.z, centre_.z)};

@@ -1,5 +1,5 @@
-// The chunks of a View that lie in the world, numbered and in the order of their priority. No I/O. Which
-// chunks those are says talus/voxel/view_shape.h.
+// The chunks of a View inside the world, numbered and ordered by priority. No I/O. talus/voxel/view_shape.h
+// defines the chunks of a View.
 #pragma once
 
 #include <cstddef>
@@ -17,24 +17,24 @@
 namespace talus::server {
 
 struct View {
-  glm::i64vec3 centre{};  // the base chunk around which the player is; anywhere, in the world or not
-  glm::vec3 direction{};  // zero, or anything that is not finite: no preference
+  glm::i64vec3 centre{};  // the player's base chunk; may be outside the world
+  glm::vec3 direction{};  // zero or not finite: no preference
   int horizontal_radius = 0;
   int vertical_radius = 0;
-  std::vector<ViewRing> rings;  // levels and radii growing
-  std::uint32_t number = 0;     // the client's; 0: none
-  /// The world's heights, where the View has a horizon.
+  std::vector<ViewRing> rings;  // with increasing levels and radii
+  std::uint32_t number = 0;     // assigned by the client; 0: unnumbered
+  /// The world's heights if the View has a horizon.
   std::optional<HeightRange> horizon = std::nullopt;
 };
 
-/// Whether both have the same chunks, whatever their order and number.
+/// Returns true if both have the same chunks, regardless of order and number.
 [[nodiscard]] bool same_chunks(const View& a, const View& b);
 
-/// How many chunks the View has where the world's edge cuts none off. Costs nothing.
+/// Number of chunks of the View if the world's edge does not cut any off. Cheap.
 [[nodiscard]] std::uint64_t count_chunks(const View& view);
 
-/// A View's chunks inside the world, as boxes: nothing is stored for a single chunk. Each chunk has a place,
-/// a number of its own, so that what is known of it fits into an array.
+/// A View's chunks inside the world, as boxes: nothing is stored per chunk. Each chunk has a unique number,
+/// its place, which indexes arrays of per-chunk state.
 class AreaOfInterest {
  public:
   using Place = std::uint32_t;
@@ -43,28 +43,29 @@ class AreaOfInterest {
   /// The View has at most 2^23 chunks.
   explicit AreaOfInterest(const View& view);
 
-  /// Of each level, cut off at the world's edge.
+  /// The box of each level, cut off at the world's edge.
   [[nodiscard]] std::vector<LevelBox> boxes() const;
-  /// More than any place; at most twice as many as there are chunks.
+  /// Exclusive upper bound of all places; at most twice the number of chunks.
   [[nodiscard]] std::size_t places() const { return places_; }
   [[nodiscard]] std::optional<Place> place_of(ChunkKey key) const;
 
-  /// The rows of the level of `key`, which the View wants.
+  /// The rows that the View wants on the level of `key`.
   [[nodiscard]] ChunkRange rows_of(ChunkKey key) const { return level_of(key.lod)->box.y; }
 
-  /// Less for what is wanted sooner, and each chunk's own: by the distance of the centres in whole base
-  /// chunks, the ring; then by the angle to the view direction; then by the exact distance. Chunks of a
-  /// horizon that are 2^15 base chunks and more above or below count as so far.
+  /// Unique priority of a chunk, lower for chunks wanted sooner: by ring, which is the distance of the
+  /// centres in whole base chunks; then by the angle to the view direction; then by the exact distance.
+  /// Chunks of a horizon 2^15 or more base chunks above or below count as 2^15 away.
   [[nodiscard]] std::uint64_t rank(ChunkKey key, Place place) const;
-  /// Orders by distance alone, for a tenth of the cost; rings come one after the other, as in rank().
+  /// Orders by distance only, at a tenth of the cost; rings follow one another as in rank().
   [[nodiscard]] std::uint64_t coarse_priority(ChunkKey key, Place place) const;
-  /// More than every coarse priority of the ring in which this one is, and no more than those beyond it.
+  /// Greater than every coarse priority of the same ring, and not greater than any beyond it.
   [[nodiscard]] static std::uint64_t end_of_ring(std::uint64_t coarse_priority);
-  /// Whether the first chunk's centre is at most so many base chunks farther away than the second's.
+  /// Returns true if the centre of `chunk` is at most `base_chunks` base chunks farther away than
+  /// `nearest`'s.
   [[nodiscard]] bool within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const;
-  /// Whether the chunk is of the two nearest rings: of level 0, the 27 around the centre.
+  /// Returns true if the chunk is in the two nearest rings: the 27 chunks of level 0 around the centre.
   [[nodiscard]] bool is_near(ChunkKey key) const;
-  /// Calls visit(Place) for those of the area.
+  /// Calls visit(Place) for the near chunks of the area.
   template <typename Visit>
   void for_each_near(Visit&& visit) const {
     for (std::int64_t i = 0; i < 27; ++i) {
@@ -76,22 +77,22 @@ class AreaOfInterest {
       if (const auto place = place_of({coord, Lod{}})) visit(*place);
     }
   }
-  /// Of a rank or coarse priority.
+  /// The place encoded in a rank or coarse priority.
   [[nodiscard]] static Place place_of_rank(std::uint64_t rank);
-  /// The chunk whose rank or coarse priority it is, and its place.
+  /// The chunk and the place encoded in a rank or coarse priority.
   [[nodiscard]] std::pair<ChunkKey, Place> ranked(std::uint64_t rank) const;
 
-  /// Where next_column() goes on.
+  /// Position of next_column().
   struct ColumnCursor {
     std::size_t level = 0;
-    std::int64_t ring = 0;  // columns so far from the centre's, along x or along z
+    std::int64_t ring = 0;  // distance from the centre's column, along x or z
     std::int64_t step = 0;  // along the ring
   };
-  /// The lowest chunk of the next column that has chunks; none after the last. Level by level, and in each
-  /// the nearest first, by squares.
+  /// Returns the lowest chunk of the next column that has chunks; nullopt after the last. Level by level,
+  /// each level outward in squares.
   [[nodiscard]] std::optional<ChunkKey> next_column(ColumnCursor& cursor) const;
 
-  /// Calls visit(ChunkKey, Place) for every chunk, in no order that matters.
+  /// Calls visit(ChunkKey, Place) for every chunk, in unspecified order.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const Level& level : levels_) {
@@ -107,8 +108,8 @@ class AreaOfInterest {
     }
   }
 
-  /// Calls visit(place, place in other, count) for every run of chunks that `other` and all of `between` want
-  /// as well.
+  /// Calls visit(place, place in other, count) for every run of chunks that are also in `other` and in all of
+  /// `between`.
   template <typename Visit>
   void for_each_shared(const AreaOfInterest& other, std::span<const AreaOfInterest> between,
                        Visit&& visit) const {
@@ -134,9 +135,9 @@ class AreaOfInterest {
  private:
   struct Level {
     LevelBox box;
-    Place first;  // of the lowest corner of the outer box
+    Place first;  // the lowest corner of the outer box
 
-    /// One more for the chunk above.
+    /// The chunk above has the next place.
     [[nodiscard]] Place place_of(std::int64_t x, std::int64_t y, std::int64_t z) const {
       const auto from = [](ChunkRange range, std::int64_t at) {
         return static_cast<std::uint64_t>(at - range.first);
@@ -156,7 +157,7 @@ class AreaOfInterest {
   };
 
   [[nodiscard]] const Level* level_of(Lod lod) const;
-  /// From the View's centre to the chunk's, in half base chunks, so that it is whole.
+  /// From the View's centre to the chunk's, in half base chunks, so that it is an integer.
   [[nodiscard]] glm::i64vec3 offset(ChunkKey key) const;
 
   std::vector<Level> levels_;

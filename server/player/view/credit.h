@@ -1,4 +1,5 @@
-// Flow control of chunks: how many bytes of Chunk frames a client takes before it gives credit again.
+// Flow control of chunks: the number of bytes of Chunk frames that a client accepts before it gives more
+// credit.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace talus::server {
 
-/// A total that is impossible; the connection must close.
+/// An impossible total; the connection must close.
 struct CreditError {
   std::string message;
 };
@@ -18,9 +19,9 @@ class Credit {
  public:
   explicit Credit(std::uint64_t window_bytes) : window_bytes_{window_bytes} {}
 
-  /// Whether a frame of any size may begin; it may overdraw the window.
+  /// Returns true if a frame of any size may begin; it may overdraw the window.
   [[nodiscard]] bool may_send() const { return sent_bytes_ - taken_bytes_ < window_bytes_; }
-  /// From here on any number of bytes may be sent: the client can give no credit any more.
+  /// Removes the limit, as the client can no longer give credit.
   void lift() { window_bytes_ = UINT64_MAX; }
   void sent(std::uint64_t frame_bytes) { sent_bytes_ += frame_bytes; }
 

@@ -1,4 +1,4 @@
-// Where a View moves, and so which chunks it comes to have next.
+// Predicts a View's movement, and thus the chunks that it will need next.
 #pragma once
 
 #include <cstdlib>
@@ -12,15 +12,15 @@
 
 namespace talus::server {
 
-/// Of a View's centre, from its last few moves. Values; for one thread.
+/// The recent direction of a View's centre, from its last few moves. A value type; for one thread.
 class Heading {
  public:
-  /// So many chunks ahead of a View, of each level, count as wanted soon: what lies farther on in the patch
-  /// that the View enters.
+  /// Chunks of each level within this distance ahead of a View count as wanted soon: the chunks farther on in
+  /// the patch that the View enters.
   static constexpr std::int64_t kAhead = 4;
 
-  /// The View stands here now. A move of more than `radius` base chunks is a jump, after which nothing is
-  /// known.
+  /// Sets the View's current centre. A move of more than `radius` base chunks is a jump, which resets the
+  /// direction.
   void move_to(glm::i64vec3 centre, int radius) {
     const glm::i64vec3 moved = centre - centre_.value_or(centre);
     centre_ = centre;
@@ -29,12 +29,12 @@ class Heading {
     moves_ = jump ? glm::dvec2{} : moves_ * kKept + glm::dvec2{moved.x, moved.z};
   }
 
-  /// The boxes, outer and inner, with kAhead chunks more where the View comes to have them.
+  /// Extends the boxes, outer and inner, by kAhead chunks in the direction of movement.
   [[nodiscard]] std::vector<LevelBox> ahead(std::vector<LevelBox> boxes) const {
     for (LevelBox& box : boxes) {
       extend(box.x, moves_.x, box.lod);
       extend(box.z, moves_.y, box.lod);
-      // What the finer level leaves behind.
+      // The columns that the finer level leaves behind.
       shorten(box.inner_x, moves_.x);
       shorten(box.inner_z, moves_.y);
     }
@@ -42,8 +42,8 @@ class Heading {
   }
 
  private:
-  static constexpr double kKept = 0.75;   // of what earlier moves count, after each move
-  static constexpr double kSteady = 0.2;  // moves that count less do not count
+  static constexpr double kKept = 0.75;   // weight of earlier moves after each new one
+  static constexpr double kSteady = 0.2;  // smaller moves are ignored
 
   static void extend(ChunkRange& range, double move, Lod lod) {
     const ChunkRange world{-chunk_limit(lod), chunk_limit(lod) - 1};

@@ -6,10 +6,12 @@
 namespace talus::server {
 namespace {
 
-// Larger outputs are freed: one of a few bytes may hold a spare for as long as its client reads nothing.
+// Larger buffers are freed: an output of a few bytes may hold a spare one for as long as its client reads
+// nothing.
 constexpr std::size_t kMaxSpareBytes = std::size_t{32} * 1024;
 
-/// Of one thread: as many as are written at once, as a rule. An array, so that keeping one allocates nothing.
+/// Spare buffers of one thread: usually as many as are written at once. An array, so that keeping one needs
+/// no allocation.
 struct Spares {
   std::array<std::vector<std::byte>, 4> memory;
   std::size_t count = 0;

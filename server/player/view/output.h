@@ -1,8 +1,7 @@
-// What one write sends: frames, one after the other.
+// The frames of one write.
 //
 // Small frames are copied into one buffer, because the kernel takes one buffer faster than many. Of a large
-// chunk only the head, where request id and key stand, is copied; its payload is written from the cache's own
-// memory.
+// chunk only the head, with request id and key, is copied; its payload is written from the cache's memory.
 #pragma once
 
 #include <algorithm>
@@ -21,28 +20,28 @@ class Output {
  public:
   static constexpr std::size_t kCopyAll = SIZE_MAX;
 
-  /// Frames of `shared_from` bytes and more are not copied.
+  /// Frames of at least `shared_from` bytes are not copied.
   explicit Output(std::size_t shared_from = kCopyAll);
-  /// A thread keeps the memory of some outputs for the next: writes come one after the other, each of some
-  /// KiB, which an allocator takes apart and puts together again every time.
+  /// Each thread keeps the memory of a few outputs for reuse: writes follow one another, each of a few KiB,
+  /// which an allocator would split and merge every time.
   ~Output();
   Output(Output&&) noexcept = default;
   Output& operator=(Output&&) = delete;
 
   void reserve(std::size_t bytes) { copied_.reserve(bytes); }
   void append(std::span<const std::byte> frame);
-  /// `request_id` 0: sent for the View. A chunk that is not copied is kept alive as long as this.
+  /// `request_id` 0: sent for the View. A chunk that is not copied is kept alive by this object.
   void append(const EncodedChunkPtr& chunk, std::uint32_t request_id, ChunkKey key);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// What it keeps from being freed: its frames, or the memory that they are copied to where that is more.
+  /// Memory that it holds: its frames, or the capacity of its copy buffer if that is more.
   [[nodiscard]] std::size_t held_bytes() const { return std::max(size_, copied_.capacity()); }
-  /// The buffers to write, in order; they point into this.
+  /// The buffers to write, in order; they point into this object.
   [[nodiscard]] std::vector<std::span<const std::byte>> pieces() const;
 
  private:
   struct Shared {
-    std::size_t after;  // copied bytes that go before it
+    std::size_t after;  // copied bytes that precede it
     EncodedChunkPtr chunk;
   };
 

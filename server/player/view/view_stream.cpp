@@ -8,7 +8,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMinSorted = 128;  // chunks that are put in order at once, at least
+constexpr std::size_t kMinSorted = 128;  // minimum number of chunks sorted at once
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void ViewStream::replace(AreaOfInterest wanted, std::span<const AreaOfInterest> 
   near_end_ = 0;
   far_.clear();
   in_flight_ = 0;
-  if (far_.capacity() / 4 > interest_.places()) decltype(far_){}.swap(far_);  // of a much larger View
+  if (far_.capacity() / 4 > interest_.places()) decltype(far_){}.swap(far_);  // memory of a much larger View
   interest_.for_each([this](ChunkKey key, AreaOfInterest::Place place) {
     State& state = states_[place];
     if (state == State::to_send) {
@@ -66,7 +66,7 @@ void ViewStream::refill_near() {
 void ViewStream::move_near() {
   const std::size_t some = std::min(far_.size(), std::max(kMinSorted, far_.size() / 8));
   if (some == 0) return;
-  // Farthest first, so that the nearest are taken off the end. A ring of equal distance is never split.
+  // Farthest first, so that the nearest are popped off the end. A ring of equal distance is never split.
   const auto nth = far_.end() - static_cast<std::ptrdiff_t>(some);
   std::nth_element(far_.begin(), nth, far_.end(), std::greater<>{});
   near_end_ = AreaOfInterest::end_of_ring(*nth);
@@ -84,7 +84,7 @@ void ViewStream::move_near() {
 void ViewStream::put_back(ChunkKey key) {
   const AreaOfInterest::Place place = *interest_.place_of(key);
   --in_flight_;
-  if (std::exchange(states_[place], State::to_send) == State::in_flight) return;  // it is listed
+  if (std::exchange(states_[place], State::to_send) == State::in_flight) return;  // still listed
   const std::uint64_t coarse = interest_.coarse_priority(key, place);
   if (coarse < near_end_) {
     const std::uint64_t rank = interest_.rank(key, place);

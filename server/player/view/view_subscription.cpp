@@ -6,7 +6,7 @@ namespace talus::server {
 
 void ViewSubscription::request(View view) {
   const bool same = requested_ && same_chunks(*requested_, view);
-  // The client has dropped what left in a View, whether or not that View was ever applied.
+  // The client has dropped chunks that left in any View, applied or not.
   if (requested_ && !same) {
     if (unseen_.size() == kMaxUnseenViews) unseen_ = {AreaOfInterest{}};
     unseen_.emplace_back(*requested_);
