@@ -1,5 +1,5 @@
-// A grid in which boxes of chunks are found by column. A box lies in one to four cells of a grid as coarse as
-// the box is wide, so a wide View costs no more than a small one.
+// A grid that finds boxes of chunks by column. A box lies in one to four cells of a grid as coarse as the box
+// is wide, so a wide View costs no more than a small one.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace talus::server {
 
 struct BoxCell {
-  // Along x and z, from 2^0 chunks.
+  // Along x and z, starting with cells of 2^0 chunks.
   static constexpr int kScales = 40;
 
   std::int64_t x = 0;
@@ -21,7 +21,7 @@ struct BoxCell {
   int level = 0;
   bool operator==(const BoxCell&) const = default;
 
-  /// That of `scale` in which a column lies.
+  /// Returns the cell of `scale` that contains a column.
   [[nodiscard]] static BoxCell of(ChunkKey column, int scale) {
     return {std::int64_t{column.coord.x} >> scale, std::int64_t{column.coord.z} >> scale, scale,
             column.lod.value()};
@@ -42,7 +42,7 @@ struct BoxCellHash {
   }
 };
 
-/// Calls visit(BoxCell) for the cells in which the box lies.
+/// Calls visit(BoxCell) for each cell that the box lies in.
 template <typename Visit>
 void for_each_cell(const LevelBox& box, Visit&& visit) {
   const std::uint64_t width = std::max(box.x.size(), box.z.size());

@@ -1,4 +1,4 @@
-// What edits do to chunks, as those see it who serve them.
+// Changes of chunks by edits, for the code that serves chunks.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace talus::server {
 
-/// A chunk of any level was changed by an edit, or by several.
+/// A change of a chunk of any level by one or more edits.
 struct ChunkChange {
   ChunkKey key;
-  std::uint64_t previous = 0;  // its revision before
+  std::uint64_t previous = 0;  // its revision before the change
   std::uint64_t revision = 0;
 };
 using ChunkChangesPtr = std::shared_ptr<const std::vector<ChunkChange>>;
 
-/// Voxels of a chunk by rising index, with their materials now, and the revision that they make.
+/// Changed voxels of a chunk by ascending index, with their current materials, and the resulting revision.
 struct ChangedVoxels {
   std::uint64_t revision = 0;
   std::vector<Override> voxels;

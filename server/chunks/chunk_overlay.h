@@ -1,5 +1,5 @@
-// Edits over chunks as generated. Whoever generates a chunk asks just before it answers, so that nobody who
-// sees edits is given a chunk without them.
+// Edits on top of generated chunks. Generators consult it just before they answer, so that a client that has
+// seen an edit never gets a chunk without it.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,15 @@ class ChunkOverlay {
  public:
   virtual ~ChunkOverlay() = default;
 
-  /// Of the chunk's newest version; kBaseRevision: no edit ever changed it. Never falls. Reads memory alone.
+  /// Revision of the chunk's newest version; kBaseRevision if it was never edited. Never decreases. Reads
+  /// only memory.
   [[nodiscard]] virtual std::uint64_t revision(ChunkKey key) const = 0;
-  /// The newest version of a chunk whose revision is not kBaseRevision; `base` is the chunk as generated. May
-  /// read the disk: on generator threads. Throws nothing: whoever waits is told what went wrong.
+  /// Returns the newest version of a chunk with a revision other than kBaseRevision; `base` is the generated
+  /// chunk. May read the disk: call it on generator threads. Does not throw: the waiting clients get the
+  /// error.
   [[nodiscard]] virtual ChunkAnswer merged(ChunkKey key, const EncodedChunkPtr& base) noexcept = 0;
 
-  // Its cache, which is made as large as the memory budget allows together with all others: as those of
+  // Its cache, which gets its size from the memory budget together with all others; the same as in
   // ShardedCache.
   virtual void set_capacity(std::size_t capacity_bytes) = 0;
   [[nodiscard]] virtual bool fit(std::size_t& looks) = 0;

@@ -1,5 +1,5 @@
-// Ids of those who wait for chunks. Each kind has a range of its own: of two with one id the generators would
-// answer only one.
+// Ids of clients that wait for chunks. Each kind has its own range: of two clients with the same id the
+// generators would answer only one.
 #pragma once
 
 #include <cassert>
@@ -10,13 +10,13 @@
 namespace talus::server {
 
 enum class ClientKind : std::uint8_t {
-  session,   // by its connection's number, as it is
-  look_ups,  // of a session's edits, by the same number
+  session,   // the connection's number itself
+  look_ups,  // look-ups of a session's edits, by the same number
   fetch,     // over HTTP
   pregen,
 };
 
-/// REQUIRES: `number` is below 2^62, and new among those of its kind.
+/// REQUIRES: `number` is below 2^62 and unique within its kind.
 [[nodiscard]] constexpr ClientId client_id(ClientKind kind, std::uint64_t number) {
   assert(number >> 62U == 0);
   return ClientId{(static_cast<std::uint64_t>(kind) << 62U) | number};

@@ -1,4 +1,4 @@
-// Which land was edited, for those who ask by place before they ask for chunks.
+// Finds edited land by place, without fetching chunks.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,32 @@
 
 namespace talus::server {
 
-/// Columns of chunks along each side of a region. Regions are aligned, each of one level.
+/// Edge of a region in columns of chunks. Regions are aligned, each of one level.
 inline constexpr std::int32_t kRegionColumns = 32;
 
-/// A column of chunks that was edited, in its region.
+/// An edited column of chunks, by its place in its region.
 struct EditedColumn {
   std::uint16_t place = 0;     // (z mod 32) * 32 + x mod 32
-  std::uint64_t revision = 0;  // the greatest of its chunks'
+  std::uint64_t revision = 0;  // maximum of its chunks' revisions
   bool operator==(const EditedColumn&) const = default;
 };
 
-/// Callable from any thread; reads memory alone.
+/// Callable from any thread; reads only memory.
 class EditedLand {
  public:
   virtual ~EditedLand() = default;
 
-  /// Of the newest edit of all; 0: there was none.
+  /// Revision of the newest edit; 0 without edits.
   [[nodiscard]] virtual std::uint64_t revision() const = 0;
-  /// Whether edits are taken now.
+  /// Returns true if edits are accepted now.
   [[nodiscard]] virtual bool takes_edits() const = 0;
 
-  /// The greatest revision of the chunks of the key's column; 0: none was ever edited. It is raised after all
-  /// chunks of its edit: who finds it here finds those.
+  /// Maximum revision of the chunks of the key's column; 0 if it was never edited. Raised after all chunks of
+  /// the edit, so a caller that sees it finds the edited chunks.
   [[nodiscard]] virtual std::uint64_t column_revision(ChunkKey key) const = 0;
-  /// Rows of the column's chunks that were ever edited lie in this span; empty: none was.
+  /// The range of rows that contains all edited chunks of the column; empty if it was never edited.
   [[nodiscard]] virtual ChunkRange edited_rows(ChunkKey key) const = 0;
-  /// The edited columns of the region that has the key's column, by rising place.
+  /// The edited columns of the region that contains the key's column, by ascending place.
   [[nodiscard]] virtual std::vector<EditedColumn> edited_columns(ChunkKey key) const = 0;
 };
 

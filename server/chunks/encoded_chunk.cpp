@@ -8,7 +8,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::uint32_t kAnyRequest = 1;  // not 0, which FlatBuffers would leave out
+constexpr std::uint32_t kAnyRequest = 1;  // not 0, which FlatBuffers would omit
 
 protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision) {
   constexpr std::size_t kEnvelopeBytes = 128;
@@ -22,7 +22,7 @@ protocol::Frame frame_of(ContentHash hash, std::span<const std::byte> payload, s
   return protocol::finish_frame(builder, body);
 }
 
-/// To what stands before the payload, a few fields of fixed size.
+/// Offset of a field before the payload; these are few and of fixed size.
 std::uint16_t distance(const protocol::Frame& frame, const void* inside) {
   return static_cast<std::uint16_t>(static_cast<const std::byte*>(inside) - frame.data());
 }
@@ -36,7 +36,7 @@ EncodedChunk::EncodedChunk(ContentHash hash, std::span<const std::byte> payload,
   id_at_ =
       distance(frame_, reinterpret_cast<const flatbuffers::Table&>(chunk).GetAddressOf(wire::Chunk::VT_ID));
   key_at_ = distance(frame_, chunk.key());
-  // A FlatBuffer is built from its end: the payload, created first, comes last.
+  // A FlatBuffer is built from its end, so the payload, created first, is last.
   head_bytes_ = distance(frame_, chunk.payload()->data());
   payload_bytes_ = chunk.payload()->size();
   assert(id_at_ < head_bytes_ && key_at_ < head_bytes_);

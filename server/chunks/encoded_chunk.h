@@ -1,6 +1,5 @@
-// The wire form of a chunk: a whole Chunk message, made once, shared by the cache and by every session that
-// sends it. Only the request id and the key differ from one sending to the next; they are patched into a
-// copy.
+// The wire form of a chunk: a whole Chunk message, made once and shared by the cache and all sessions that
+// send it. Only the request id and the key differ each time; they are patched into a copy.
 #pragma once
 
 #include <cstddef>
@@ -16,38 +15,37 @@
 
 namespace talus::server {
 
-/// Of a chunk as generated. Every edit of a chunk has a larger one.
+/// Revision of generated chunks. Every edit of a chunk has a larger one.
 inline constexpr std::uint64_t kBaseRevision = 0;
 
 /// Immutable, so any thread may read it.
 class EncodedChunk {
  public:
-  /// `payload` is what a session of codec kCodecVersion reads: its first byte is that version, or an older
-  /// one that codec includes. The frame's `codec` is the session's, kCodecVersion.
+  /// `payload` is readable by a session with codec kCodecVersion: its first byte is that version, or an older
+  /// one that the codec includes. The frame's `codec` is the session's, kCodecVersion.
   EncodedChunk(ContentHash hash, std::span<const std::byte> payload, std::uint64_t revision = kBaseRevision,
                bool uniform = false);
 
-  /// Of the voxels, whatever their encoding.
+  /// Hash of the voxels, independent of their encoding.
   [[nodiscard]] ContentHash hash() const { return hash_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  /// Whether all its voxels are of one material. Then the frame is smaller than most messages.
+  /// True if all voxels have the same material. The frame is then smaller than most messages.
   [[nodiscard]] bool uniform() const { return uniform_; }
-  /// The payload exactly, as FORMAT.md defines it; lives as long as this.
+  /// The exact payload, as FORMAT.md defines it; lives as long as this object.
   [[nodiscard]] std::span<const std::byte> payload() const { return tail().first(payload_bytes_); }
   [[nodiscard]] std::size_t frame_bytes() const { return frame_.size(); }
-  /// Bytes of memory that this holds, itself included.
+  /// Memory of this object, itself included.
   [[nodiscard]] std::size_t bytes() const { return sizeof(EncodedChunk) + frame_.capacity(); }
 
   /// Appends the frame. `request_id` 0: sent for the View.
   void append_frame(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
-  /// Appends the frame up to its payload: everything that differs from one sending to the next. tail()
-  /// follows.
+  /// Appends the frame up to its payload, with everything that differs each time. tail() follows.
   void append_head(std::vector<std::byte>& output, std::uint32_t request_id, ChunkKey key) const;
   /// The rest of the frame: the payload and FlatBuffers' padding.
   [[nodiscard]] std::span<const std::byte> tail() const { return std::span{frame_}.subspan(head_bytes_); }
 
-  /// Has the processor fetch the frame's first kPrefetchBytes while the caller goes on. What follows it
-  /// fetches by itself as the frame is copied; a large frame displaces nothing.
+  /// Prefetches the first kPrefetchBytes of the frame into the CPU cache. The processor fetches the rest by
+  /// itself as the frame is copied; so a large frame displaces nothing.
   void prefetch() const {
     constexpr std::size_t kLineBytes = 64;
     const std::size_t end = frame_.size() < kPrefetchBytes ? frame_.size() : kPrefetchBytes;
@@ -71,7 +69,7 @@ class EncodedChunk {
 };
 using EncodedChunkPtr = std::shared_ptr<const EncodedChunk>;
 
-/// Each thread reuses the memory in which it encodes.
+/// Each thread reuses its encoding buffer.
 [[nodiscard]] EncodedChunkPtr encode_shared(const Chunk& chunk, std::uint64_t revision = kBaseRevision);
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// What is asked of the ground without its voxels, and the answer: heights of base columns, or a map of them.
+// Queries about the ground without its voxels, and their answers: heights of base columns, or a map tile.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace talus::server {
 
 struct HeightsFound;
 
-/// Writes the body of an answer. It is called, and may be let go, by a generator's thread after whoever asked
-/// has gone: it owns what it reads.
+/// Writes the body of an answer. A generator's thread may call or destroy it after the client has gone, so it
+/// must own everything that it reads.
 using HeightsBody = std::function<std::string(const HeightsFound&)>;
 
 struct HeightsQuery {
   std::vector<terrain::BaseColumn> columns{};
   bool looks = false;
   std::vector<std::uint8_t> fields{};  // places in terrain::place_names()
-  std::optional<map::Tile> tile{};     // is drawn; then there are no columns
-  HeightsBody body{};                  // writes what is found; null: nobody does
+  std::optional<map::Tile> tile{};     // the tile to draw; `columns` is empty then
+  HeightsBody body{};                  // writes the answer's body; may be null
 };
 
 /// A tile of the map.
@@ -33,12 +33,12 @@ struct Picture {
 };
 using PicturePtr = std::shared_ptr<const Picture>;
 
-/// In the order of the columns asked for. Where the query has a body, nothing but that comes.
+/// In the order of the queried columns. If the query has a body, only `body` is set.
 struct HeightsFound {
-  std::vector<std::int32_t> heights_fx{};  // of the ground, subvoxels
-  std::vector<std::uint8_t> looks{};       // numbers of World::look_names(); none where not asked for
-  std::vector<float> values{};             // of each column those of all fields, in the order of the request
-  PicturePtr picture{};                    // of the tile asked for
+  std::vector<std::int32_t> heights_fx{};  // the ground's, in subvoxels
+  std::vector<std::uint8_t> looks{};       // numbers in World::look_names(); empty if not requested
+  std::vector<float> values{};  // for each column the values of all fields, in the order of the query
+  PicturePtr picture{};         // the queried tile
   std::string body{};
 };
 

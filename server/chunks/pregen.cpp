@@ -20,11 +20,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Between looks at whether it is to end, and at whether others wait.
+// Interval of checks for cancellation and for other waiting clients.
 constexpr std::chrono::milliseconds kLook{50};
-// Between notes, each of which has the disk write a file of the cache.
+// Interval of progress notes, each of which writes a file of the cache.
 constexpr std::chrono::seconds kNote{10};
-// Of a column: as many rows as the cache keeps.
+// Rows of a column that the cache keeps.
 constexpr std::int64_t kMaxRows = 64;
 constexpr std::size_t kMaxProgressBytes = 4096;
 
@@ -33,8 +33,8 @@ ClientId next_owner() {
   return client_id(ClientKind::pregen, ++next);
 }
 
-/// Which step outwards in rings a number is: 0; then the eight around it; and so on. Along each ring
-/// clockwise from its north-west.
+/// Returns the offset of a square by its number, in growing rings: 0; then the eight around it; and so on.
+/// Each ring runs clockwise from its north-west.
 std::pair<std::int64_t, std::int64_t> on_rings(std::uint64_t number) {
   if (number == 0) return {0, 0};
   auto ring = static_cast<std::int64_t>(1);
@@ -60,7 +60,7 @@ std::string text_of(const PregenPlan& plan, int tiles, std::uint64_t done) {
                      plan.levels, tiles, done);
 }
 
-/// What the generators answer, for who waits on a thread of his own.
+/// Waits for the generators' answers on the caller's own thread.
 class Waiting {
  public:
   explicit Waiting(ChunkSource& chunks)
@@ -76,7 +76,7 @@ class Waiting {
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
 
-  /// Has the chunks made; false where `goes_on` was.
+  /// Generates the chunks; returns false once `goes_on` does.
   [[nodiscard]] bool make(std::vector<ChunkKey> keys, const std::function<bool()>& goes_on) {
     while (!keys.empty() || !open_.empty()) {
       const std::size_t accepted = chunks_.submit(mailbox_, keys, Urgency::later);
@@ -90,7 +90,7 @@ class Waiting {
       for (const Mail& mail : mailbox_->take()) {
         if (const auto* const chunk = std::get_if<ChunkReady>(&mail)) open_.erase(chunk->key);
       }
-      if (mailbox_->has_lost()) open_.clear();  // no memory: what is lost is not kept, no more
+      if (mailbox_->has_lost()) open_.clear();  // out of memory: the lost ones are merely not stored
       if (!goes_on()) return false;
     }
     return true;
@@ -108,7 +108,7 @@ class Waiting {
   std::set<ChunkKey> open_;
 };
 
-/// Waits for `time`, a look after the other; false where `goes_on` was.
+/// Waits for `time` in short intervals; returns false once `goes_on` does.
 bool wait(std::chrono::nanoseconds time, const std::function<bool()>& goes_on) {
   std::mutex mutex;
   std::condition_variable never;
@@ -145,7 +145,7 @@ PregenSquares::PregenSquares(const PregenPlan& plan, int tiles) : count_{plan.le
     // An odd number, so that there is a middle.
     const std::int64_t ring = (plan.radius + square - 1) / square;
     const std::int64_t last = (std::int64_t{1} << (31 - level)) / (std::int64_t{kChunkSize} * tiles);
-    const auto within = [&](std::int64_t middle) {  // the world's ends are no place to look for more
+    const auto within = [&](std::int64_t middle) {  // do not search beyond the world's ends
       return static_cast<std::int32_t>(std::clamp<std::int64_t>(middle - ring, -last, last - 2 * ring - 1));
     };
     levels_[level] = {2 * ring + 1, within(floor(plan.x)), within(floor(plan.z))};
@@ -179,7 +179,7 @@ std::uint64_t read_pregen_file(const std::filesystem::path& file, const PregenPl
   const auto text = files::read_regular_file(file, kMaxProgressBytes);
   if (!text) return 0;
   const std::string begins = text_of(plan, tiles, 0);
-  const std::string_view same{begins.data(), begins.size() - 2};  // without the count and the line's end
+  const std::string_view same{begins.data(), begins.size() - 2};  // without the count and the end of line
   if (!text->starts_with(same)) return 0;
   std::uint64_t done = 0;
   for (const char digit : text->substr(same.size())) {
@@ -214,7 +214,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
     }
     const auto began = parts_.clock.now();
     const std::uint64_t end = std::min<std::uint64_t>(progress.of, progress.squares + parts_.at_once);
-    // One chunk of each square has its terrain made; then it is known which others there are.
+    // Generating one chunk of each square also makes its terrain, which shows the other mixed chunks.
     std::vector<ChunkKey> first;
     std::vector<ChunkKey> columns;
     for (std::uint64_t index = progress.squares; index < end; ++index) {

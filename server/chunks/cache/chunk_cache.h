@@ -1,4 +1,4 @@
-// Encoded chunks in memory, bounded in bytes. Callable from any thread; a call locks one shard.
+// A cache of encoded chunks in memory, bounded in bytes. Callable from any thread; a call locks one shard.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ class ChunkCache {
  public:
   explicit ChunkCache(std::size_t capacity_bytes) : chunks_{capacity_bytes} {}
 
-  /// Null where the chunk is not cached.
+  /// Null if the chunk is not cached.
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key) { return chunks_.find(key).value_or(nullptr); }
-  /// Not a use.
+  /// Does not count as a use.
   [[nodiscard]] bool holds(ChunkKey key) { return chunks_.holds(key); }
   void put(ChunkKey key, EncodedChunkPtr chunk);
 
-  /// As those of ShardedCache.
+  /// The same as in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { chunks_.set_capacity(capacity_bytes); }
   [[nodiscard]] bool fit(std::size_t& looks) { return chunks_.fit(looks); }
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }

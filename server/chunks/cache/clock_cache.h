@@ -1,6 +1,6 @@
-// A map bounded in bytes that evicts by CLOCK (second chance): a hand goes round the entries and evicts the
-// first that was not used since it last came by. So a use only sets a flag where the entry lies anyway, while
-// a list in order of use would touch three more places in memory. For one thread; its users lock.
+// A map bounded in bytes that evicts by CLOCK (second chance): a hand circles over the entries and evicts the
+// first that was not used since its last pass. So a use only sets a flag in the entry, while an LRU list
+// would touch three more places in memory. For one thread; its users lock.
 #pragma once
 
 #include <algorithm>
@@ -29,34 +29,34 @@ class ClockCache {
   };
 
  public:
-  /// What an entry costs beside the bytes of its value: its slot, and places of a table up to three quarters
-  /// full.
+  /// Cost of an entry in addition to its value's bytes: its slot, and its share of a table that is up to
+  /// three quarters full.
   static constexpr std::size_t kEntryOverheadBytes = sizeof(Slot) + 2 * sizeof(SlotTable::Place);
 
   explicit ClockCache(std::size_t capacity_bytes) : capacity_bytes_{capacity_bytes} {}
 
-  /// The value; null where there is none. Valid until the next change. A use.
+  /// Returns the value; null if not found. Valid until the next change. Counts as a use.
   [[nodiscard]] const Value* find(const Key& key) { return find(key, std::hash<Key>{}(key)); }
-  /// For who knows the key's hash already.
+  /// For callers that already have the key's hash.
   [[nodiscard]] const Value* find(const Key& key, std::size_t hash) {
     const std::size_t at = place_of(key, static_cast<std::uint32_t>(hash));
     if (at == kNotFound) return nullptr;
     Slot& slot = slots_[table_.slot(at)];
-    // A write where it is set already would take the cache line from every other core that reads it.
+    // Writing it again would take the cache line from every other core that reads it.
     if (!slot.used) slot.used = true;
     return &slot.value;
   }
 
-  /// Not a use.
+  /// Does not count as a use.
   [[nodiscard]] bool holds(const Key& key) const { return place_of(key, tag_of(key)) != kNotFound; }
 
-  /// Keeps `value`, which costs `value_bytes`, in place of what the key had. A value that is larger than the
-  /// whole capacity is not kept. Calls evicted(key, value) for each entry that is evicted for it, which must
-  /// not throw and not use this cache; at most size() times, and not for what the key had. Throws
-  /// std::bad_alloc, and then has changed nothing.
+  /// Stores `value`, which costs `value_bytes`, replacing the key's old value. A value larger than the whole
+  /// capacity is not stored. Calls evicted(key, value) for each entry evicted to make room (at most size()
+  /// times, and not for the replaced value); it must not throw or use this cache. Throws std::bad_alloc
+  /// without changing anything.
   ///
-  /// Leaves no more bytes than the capacity, or than there were where that is less: what set_capacity() made
-  /// too much is fit()'s work, not that of whoever comes first.
+  /// Leaves no more bytes than the capacity, or than before the call if there were more: an excess caused by
+  /// set_capacity() is left to fit(), not charged to the next caller.
   template <typename Evicted>
   requires std::is_nothrow_invocable_v<Evicted&, const Key&, Value&&>
   void put(const Key& key, Value value, std::size_t value_bytes, Evicted&& evicted) {
@@ -67,7 +67,7 @@ class ClockCache {
       if (before != kNotFound) remove(table_.slot(before));
       return;
     }
-    // An entry in place of another, replaced or evicted, needs no slot or place beside that one's.
+    // An entry that replaces another, old or evicted, reuses its slot and place.
     const std::size_t most = std::max(capacity_bytes_, bytes_);
     std::uint32_t index = kNone;
     if (before != kNotFound) {
@@ -97,22 +97,22 @@ class ClockCache {
     put(key, std::move(value), value_bytes, [](const Key&, Value&&) noexcept {});
   }
 
-  /// No effect where there is none.
+  /// No effect if not found.
   void erase(const Key& key) {
     const std::size_t at = place_of(key, tag_of(key));
     if (at != kNotFound) remove(table_.slot(at));
   }
 
-  /// Calls visit(key, value) for each entry. Not a use; `visit` must not use this cache.
+  /// Calls visit(key, value) for each entry. Does not count as a use; `visit` must not use this cache.
   template <typename Visit>
   void for_each(Visit&& visit) const {
     for (const Slot& slot : slots_) visit(slot.key, slot.value);
   }
 
-  /// Takes no time: call fit() until all fits.
+  /// Returns at once: call fit() until everything fits.
   void set_capacity(std::size_t capacity_bytes) { capacity_bytes_ = capacity_bytes; }
-  /// Evicts what is too much and gives its memory back. Looks at no more than `looks` entries, and takes what
-  /// it looked at from `looks`. Whether all fits now.
+  /// Evicts the excess and frees its memory. Examines at most `looks` entries and subtracts their number from
+  /// `looks`. Returns true if everything fits now.
   [[nodiscard]] bool fit(std::size_t& looks) {
     for (; bytes_ > capacity_bytes_; --looks) {
       if (looks == 0) return false;
@@ -123,12 +123,12 @@ class ClockCache {
     return true;
   }
 
-  /// Of all entries, with their overhead.
+  /// Bytes of all entries with their overhead.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
 
  private:
-  // So that nothing but an allocation can throw.
+  // Only allocations may throw.
   static_assert(std::is_nothrow_copy_constructible_v<Key> && std::is_nothrow_copy_assignable_v<Key> &&
                 std::is_nothrow_move_constructible_v<Value> && std::is_nothrow_move_assignable_v<Value> &&
                 std::is_nothrow_default_constructible_v<Value>);
@@ -138,7 +138,7 @@ class ClockCache {
     return table_.find(tag, [&](std::uint32_t slot) { return slots_[slot].key == key; });
   }
 
-  /// A slot and a place for one entry more. All that put() allocates.
+  /// Adds a slot and a place for one more entry. The only allocation of put().
   std::uint32_t add_slot(std::uint32_t tag) {
     table_.grow_for(slots_.size() + 1);
     slots_.emplace_back();
@@ -147,22 +147,22 @@ class ClockCache {
     return index;
   }
 
-  /// Where the table is much larger than its entries need, and there is memory for a smaller one.
+  /// Shrinks a table much larger than its entries need, if there is memory for a smaller one.
   void shrink_table() {
     try {
       table_.shrink_for(slots_.size());
     } catch (const std::bad_alloc&) {
-      return;  // the next fit() tries again
+      return;  // retried by the next fit()
     }
   }
 
-  /// The slot under the hand, which moves on.
+  /// Returns the slot under the hand and advances it.
   std::uint32_t step() {
     const std::uint32_t index = hand_;
     hand_ = index + 1 < slots_.size() ? index + 1 : 0;
     return index;
   }
-  /// There is another entry than `kept`.
+  /// REQUIRES: there is an entry other than `kept`.
   std::uint32_t next_victim(std::uint32_t kept) {
     for (;;) {
       const std::uint32_t index = step();
@@ -170,7 +170,7 @@ class ClockCache {
     }
   }
 
-  /// The last entry moves into the place. Where it moves behind the hand, it stays a round longer.
+  /// Moves the last entry into the slot. If that moves it behind the hand, it stays one round longer.
   Value remove(std::uint32_t index) noexcept {
     Slot& slot = slots_[index];
     bytes_ -= slot.cost;
@@ -189,7 +189,7 @@ class ClockCache {
   std::size_t capacity_bytes_;
   std::size_t bytes_ = 0;
   std::uint32_t hand_ = 0;
-  std::deque<Slot> slots_;  // a deque, so that growing moves nothing
+  std::deque<Slot> slots_;  // a deque: growing moves no entries
   SlotTable table_;
 };
 

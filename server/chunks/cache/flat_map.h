@@ -1,5 +1,5 @@
-// A map of many small values of which mostly one is wanted that was not looked at for long: finding it costs
-// about one miss of the caches, where a std::unordered_map costs three. For one thread; its users lock.
+// A map of many small values for lookups that mostly miss the CPU caches: a lookup costs about one cache
+// miss; a std::unordered_map costs three. For one thread; its users lock.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@ class FlatMap {
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
   [[nodiscard]] bool empty() const { return slots_.empty(); }
 
-  /// Null where there is none. Valid until something is erased.
+  /// Null if not found. Valid until an entry is erased.
   [[nodiscard]] const Value* find(const Key& key) const {
     const std::size_t place = place_of(key);
     return place == SlotTable::kNotFound ? nullptr : &slots_[table_.slot(place)].second;
   }
   [[nodiscard]] Value* find(const Key& key) { return const_cast<Value*>(std::as_const(*this).find(key)); }
 
-  /// The value of the key, and whether it was made now. Throws std::bad_alloc, and then nothing changed.
+  /// Returns the key's value and true if it was created now. Throws std::bad_alloc without changing anything.
   std::pair<Value&, bool> emplace(const Key& key) {
     const std::size_t place = place_of(key);
     if (place != SlotTable::kNotFound) return {slots_[table_.slot(place)].second, false};
@@ -37,7 +37,7 @@ class FlatMap {
   }
   Value& operator[](const Key& key) { return emplace(key).first; }
 
-  /// Whether there was one. The last value moves into its place.
+  /// Returns true if the key was present. The last value moves into its place.
   bool erase(const Key& key) noexcept {
     static_assert(std::is_nothrow_move_assignable_v<Value>);
     const std::size_t place = place_of(key);
@@ -53,7 +53,7 @@ class FlatMap {
     return true;
   }
 
-  /// In no order.
+  /// In unspecified order.
   [[nodiscard]] auto begin() const { return slots_.begin(); }
   [[nodiscard]] auto end() const { return slots_.end(); }
 
@@ -63,7 +63,7 @@ class FlatMap {
     return table_.find(tag_of(key), [&](std::uint32_t slot) { return slots_[slot].first == key; });
   }
 
-  std::deque<std::pair<Key, Value>> slots_;  // a deque, so that growing moves nothing
+  std::deque<std::pair<Key, Value>> slots_;  // a deque: growing moves no entries
   SlotTable table_;
 };
 

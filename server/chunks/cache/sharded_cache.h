@@ -29,21 +29,21 @@ class ShardedCache {
     return value == nullptr ? std::nullopt : std::optional{*value};
   }
 
-  /// Not a use.
+  /// Does not count as a use.
   [[nodiscard]] bool holds(const Key& key) {
     Shard& shard = shard_of(std::hash<Key>{}(key));
     const std::lock_guard lock{shard.mutex};
     return shard.values.holds(key);
   }
 
-  /// `value_bytes` is what the value holds beside itself.
+  /// `value_bytes`: memory of the value in addition to its own size.
   void put(const Key& key, Value value, std::size_t value_bytes) {
     Shard& shard = shard_of(std::hash<Key>{}(key));
     const std::lock_guard lock{shard.mutex};
     shard.values.put(key, std::move(value), value_bytes);
   }
 
-  /// Takes no time: call fit() until all fits.
+  /// Returns at once: call fit() until everything fits.
   void set_capacity(std::size_t capacity_bytes) {
     for (Shard& shard : shards_) {
       const std::lock_guard lock{shard.mutex};
@@ -51,13 +51,13 @@ class ShardedCache {
     }
   }
 
-  /// ClockCache's. Never holds a lock for more than kLooksPerLock entries.
+  /// As ClockCache::fit(). Never holds a lock for more than kLooksPerLock entries.
   [[nodiscard]] bool fit(std::size_t& looks) {
     return std::all_of(shards_.begin(), shards_.end(), [&](Shard& shard) { return shard.fit(looks); });
   }
 
-  /// Bytes held now, overhead included. What set_capacity() made too much is among them until fit() has
-  /// evicted it; else no more than the capacity.
+  /// Bytes held now, with overhead. More than the capacity only after set_capacity(), until fit() has evicted
+  /// the excess.
   [[nodiscard]] std::size_t bytes() const {
     std::size_t sum = 0;
     for (const Shard& shard : shards_) {

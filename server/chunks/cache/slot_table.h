@@ -1,5 +1,5 @@
-// Where a key is found among slots that somebody else holds: an open table of places, which takes eight bytes
-// a place and so lies in near caches where nodes of a list do not. For one thread; its users lock.
+// Maps keys to slots that its user owns: an open-addressing table of eight bytes per place, which stays in
+// near CPU caches where list nodes would not. For one thread; its users lock.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ class SlotTable {
   static constexpr std::size_t kNotFound = std::numeric_limits<std::size_t>::max();
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// The tag is the low half of a key's hash, so that most others are told apart without their slots.
+  /// The tag is the low half of a key's hash; most mismatches are found without reading the slots.
   struct Place {
     std::uint32_t tag = 0;
     std::uint32_t slot = kNone;
   };
 
-  /// Where a slot of that tag stands of which is_it(slot) is true.
+  /// Returns the place of a slot with this tag for which is_it(slot) is true.
   template <typename IsIt>
   [[nodiscard]] std::size_t find(std::uint32_t tag, IsIt&& is_it) const {
     if (places_.empty()) return kNotFound;
@@ -29,7 +29,7 @@ class SlotTable {
     }
     return kNotFound;
   }
-  /// Where that slot, which is there, stands.
+  /// Returns the place of a slot, which must be in the table.
   [[nodiscard]] std::size_t place_of(std::uint32_t tag, std::uint32_t slot) const {
     std::size_t at = home_of(tag);
     while (places_[at].slot != slot) at = after(at);
@@ -38,11 +38,12 @@ class SlotTable {
   [[nodiscard]] std::uint32_t slot(std::size_t place) const { return places_[place].slot; }
   void set_slot(std::size_t place, std::uint32_t slot) noexcept { places_[place].slot = slot; }
 
-  /// Room for `slots` slots, at most three quarters full. Throws std::bad_alloc, and then nothing changed.
+  /// Makes room for `slots` slots, at most three quarters full. Throws std::bad_alloc without changing
+  /// anything.
   void grow_for(std::size_t slots) {
     if (4 * slots > 3 * places_.size()) resize(places_.empty() ? kMinPlaces : 2 * places_.size());
   }
-  /// Where it is much larger than `slots` slots need. Throws as grow_for().
+  /// Shrinks a table much larger than `slots` slots need. Throws like grow_for().
   void shrink_for(std::size_t slots) {
     std::size_t needed = slots == 0 ? 0 : kMinPlaces;
     while (4 * slots > 3 * needed) needed *= 2;
@@ -55,7 +56,7 @@ class SlotTable {
     while (places_[at].slot != kNone) at = after(at);
     places_[at] = place;
   }
-  /// What stands behind it and could not be found any more moves up.
+  /// Moves up entries after it that could no longer be found.
   void erase(std::size_t place) noexcept {
     for (std::size_t at = after(place); places_[at].slot != kNone; at = after(at)) {
       const std::size_t way_from_home = (at - home_of(places_[at].tag)) & (places_.size() - 1);
@@ -80,7 +81,7 @@ class SlotTable {
     }
   }
 
-  std::vector<Place> places_;  // a power of two of them, or none
+  std::vector<Place> places_;  // a power of two of them, or empty
 };
 
 }  // namespace talus::server

@@ -22,9 +22,9 @@ namespace {
 
 constexpr int kFormat = 1;
 constexpr std::size_t kMaxIdentityBytes = 1024;
-constexpr std::size_t kBlockBytes = std::size_t{16} << 10U;  // a patch's columns lie in one or two
+constexpr std::size_t kBlockBytes = std::size_t{16} << 10U;  // the columns of a patch are in one or two
 constexpr int kWriteBuffers = 2;
-constexpr std::size_t kMemoryParts = kWriteBuffers + 1;  // the third is for blocks that were read
+constexpr std::size_t kMemoryParts = kWriteBuffers + 1;  // the third part is for read blocks
 constexpr std::chrono::seconds kLookAtDisk{1};
 
 rocksdb::Options options_of(const ColumnCacheSettings& settings) {
@@ -34,9 +34,9 @@ rocksdb::Options options_of(const ColumnCacheSettings& settings) {
   options.compaction_options_fifo.max_table_files_size = settings.bytes;
   options.write_buffer_size = settings.memory_bytes / kMemoryParts;
   options.max_write_buffer_number = kWriteBuffers;
-  // Files are not merged, the oldest go: many of them are no reason to hold writes up.
+  // Files are never merged, only the oldest deleted: their number must not delay writes.
   options.level0_slowdown_writes_trigger = options.level0_stop_writes_trigger = 1 << 20;
-  options.compression = rocksdb::kNoCompression;  // payloads are
+  options.compression = rocksdb::kNoCompression;  // payloads are already compressed
   options.info_log = std::make_shared<store::NoInfoLog>();
   options.stats_dump_period_sec = 0;
   options.stats_persist_period_sec = 0;
@@ -50,7 +50,7 @@ rocksdb::Options options_of(const ColumnCacheSettings& settings) {
 
 rocksdb::WriteOptions without_waiting() {
   rocksdb::WriteOptions options;
-  options.disableWAL = true;  // what a crash takes is made again
+  options.disableWAL = true;  // columns lost in a crash are regenerated
   options.no_slowdown = true;
   return options;
 }
@@ -142,7 +142,7 @@ std::optional<ColumnRecord> ColumnCache::find(ChunkKey column) {
     return std::nullopt;
   }
   found_.add();
-  // Of the last dozen reads, about; which of two threads' is lost does not matter.
+  // Average of about the last dozen reads; a race between two threads may lose one, which does not matter.
   const std::int64_t took = std::chrono::nanoseconds{clock_.now() - began}.count();
   const std::int64_t before = read_ns_.load(std::memory_order_relaxed);
   read_ns_.store(before + (took - before) / 8, std::memory_order_relaxed);
@@ -153,7 +153,7 @@ void ColumnCache::put(ChunkKey column, const ColumnRecord& record) {
   static thread_local std::vector<std::byte> value;
   if (!has_room()) return lost_.add();
   encode(column, record, value);
-  // A patch that is made again for another chunk mostly has what is kept: no room is taken twice.
+  // A patch regenerated for another chunk mostly has the stored content: do not store it twice.
   rocksdb::PinnableSlice kept;
   if (db_->Get({}, db_->DefaultColumnFamily(), column_key(column), &kept).ok() &&
       kept == store::as_slice(value)) {

@@ -1,8 +1,8 @@
-// Columns of chunks as generated, on disk: what was dear to make is read again after a restart, or when
-// memory has let it go. A cache: what is lost or damaged is made again, the oldest goes first, and nothing
-// waits for the disk but who reads. Callable from any thread.
+// A cache of generated columns of chunks on disk: expensive columns are read again after a restart, or after
+// memory has evicted them. Lost or damaged columns are regenerated, the oldest are evicted first, and only
+// readers wait for the disk. Callable from any thread.
 //
-// docs/decisions/07-columns-on-disk.md says which columns are worth it, by a table of what they cost.
+// docs/decisions/07-columns-on-disk.md derives which columns are worth it from a table of their costs.
 #pragma once
 
 #include <atomic>
@@ -30,49 +30,48 @@ class DB;
 namespace talus::server {
 
 struct ColumnCacheSettings {
-  std::filesystem::path path;  // a directory of its own, which it makes, and empties if it must
-  ContentHash fingerprint;     // of the world
-  std::uint64_t bytes = 0;     // on disk, about
-  std::size_t memory_bytes = std::size_t{16} << 20U;  // for what is not written yet, and for what was read
-  /// With less left on the disk nothing is kept: edits need it more.
+  std::filesystem::path path;  // its own directory, which it creates, and clears if necessary
+  ContentHash fingerprint;     // the world's
+  std::uint64_t bytes = 0;     // approximate size on disk
+  std::size_t memory_bytes = std::size_t{16} << 20U;  // for unwritten columns and for read blocks
+  /// With less free disk space no columns are stored: edits need it more.
   std::uint64_t free_bytes = std::uint64_t{1} << 30U;
 };
 
 class ColumnCache {
  public:
-  /// What the cheapest column takes that is worth its place: half as much again as a read of a disk that
-  /// nothing else uses.
+  /// Minimum cost of a column worth storing: 1.5 times a read of an otherwise idle disk.
   static constexpr std::chrono::microseconds kWorthKeeping{150};
 
-  /// Begins anew where the directory holds columns of another world, or of another format, or is damaged. An
-  /// error is one line: the directory cannot be written. `clock` outlives this.
+  /// Starts empty if the directory has columns of another world or format, or is damaged. The error, one
+  /// line, means that the directory cannot be written. `clock` outlives this.
   [[nodiscard]] static tl::expected<std::unique_ptr<ColumnCache>, std::string> open(
       const ColumnCacheSettings& settings, Logger log, const Clock& clock);
-  /// What was not written yet is.
+  /// Writes unwritten columns.
   ~ColumnCache();
   ColumnCache(const ColumnCache&) = delete;
   ColumnCache& operator=(const ColumnCache&) = delete;
 
-  /// Whether a column that takes so long to make should be put().
+  /// Returns true if a column that costs this much to generate should be put().
   [[nodiscard]] bool worth(std::chrono::nanoseconds cost) const;
 
-  /// Reads the disk. `column` is a column_of().
+  /// Reads the disk. `column` must be a column_of().
   [[nodiscard]] std::optional<ColumnRecord> find(ChunkKey column);
 
-  /// Replaces what is kept of the column. Does not wait for the disk to write: where that is behind, the
-  /// column is not kept.
+  /// Replaces the stored column. Does not wait for disk writes: if the disk is behind, the column is not
+  /// stored.
   void put(ChunkKey column, const ColumnRecord& record);
 
-  /// What was put is on the disk when it returns, but for what a failing disk did not take.
+  /// Writes all columns that were put to disk, except for failures of the disk.
   void flush();
 
   struct Status {
     std::uint64_t found = 0;  // by find()
     std::uint64_t missing = 0;
     std::uint64_t kept = 0;        // by put()
-    std::uint64_t lost = 0;        // damaged, or not kept as the disk was behind, full or failing
+    std::uint64_t lost = 0;        // damaged, or not stored because the disk was behind, full or failing
     std::uint64_t bytes = 0;       // on disk
-    std::size_t memory_bytes = 0;  // of RocksDB
+    std::size_t memory_bytes = 0;  // RocksDB's
   };
   [[nodiscard]] Status status() const;
 
@@ -90,10 +89,10 @@ class ColumnCache {
   const Clock& clock_;
   std::unique_ptr<rocksdb::DB> db_;
   Counter found_, missing_, kept_, lost_;
-  std::atomic<std::int64_t> read_ns_{0};      // of late
-  std::atomic<std::int64_t> looked_at_disk_;  // when, in nanoseconds of the clock
+  std::atomic<std::int64_t> read_ns_{0};      // recent average
+  std::atomic<std::int64_t> looked_at_disk_;  // time of the last check, in nanoseconds of the clock
   std::atomic<bool> has_room_{true};
-  std::atomic<bool> told_{false};  // the log, of a fault
+  std::atomic<bool> told_{false};  // a fault was logged
 };
 
 }  // namespace talus::server

@@ -11,7 +11,7 @@ namespace talus::server {
 namespace {
 
 constexpr std::size_t kSumBytes = 8;
-constexpr std::uint64_t kUniform = 1;  // of an entry's flags
+constexpr std::uint64_t kUniform = 1;  // flag of an entry
 
 std::uint64_t sum_of(ChunkKey column, std::span<const std::byte> body) {
   const std::string key = column_key(column);

@@ -1,4 +1,4 @@
-// A column of chunks as generated, in bytes: FORMAT.md has each of them. Pure.
+// Serializes generated columns of chunks. FORMAT.md defines the bytes. Pure functions.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace talus::server {
 
-/// Which rows of a column are mixed, and those of its mixed chunks that are there, by rising y.
+/// The range of mixed rows of a column, and the mixed chunks known, by ascending y.
 struct ColumnRecord {
   struct Entry {
     std::int32_t y = 0;
@@ -25,13 +25,13 @@ struct ColumnRecord {
   std::vector<Entry> chunks;
 };
 
-/// By rising key, columns of a level that lie together stand together. `column` is a column_of().
+/// In key order, columns of a level that are near each other are adjacent. `column` must be a column_of().
 [[nodiscard]] std::string column_key(ChunkKey column);
 
-/// Replaces what `out` holds. Chunks are of revision kBaseRevision and of rows.
+/// Replaces the content of `out`. All chunks have revision kBaseRevision and lie in `rows`.
 void encode(ChunkKey column, const ColumnRecord& record, std::vector<std::byte>& out);
 
-/// Nothing where the value is not one that encode() made for this column.
+/// Returns nullopt if the value was not made by encode() for this column.
 [[nodiscard]] std::optional<ColumnRecord> decode_column(ChunkKey column, std::span<const std::byte> value);
 
 }  // namespace talus::server
