@@ -288,12 +288,13 @@ std::size_t Builder::missing() const {
 }
 
 bool Builder::satisfied() const {
-  return !is_joined() || attach_ == Attach::refused || (open_.empty() && missing() == 0);
+  if (attach_ == Attach::refused) return true;
+  return open_.empty() && (!is_joined() || missing() == 0);
 }
 
 void Builder::give_up() {
   for (std::size_t i = 0; i < open_.size(); ++i) never_came("the answer to an edit");
-  if (const std::size_t count = missing(); count > 0) {
+  if (const std::size_t count = is_joined() ? missing() : 0; count > 0) {
     const auto first = [&] {
       for (std::size_t index = 0; index < site_->size(); ++index) {
         const EditSite::Cell& cell = site_->cell(index);

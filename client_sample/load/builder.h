@@ -28,6 +28,7 @@ class Builder final : public SimulatedClient {
   void disconnected(bool lost) override;
   void act_joined(Time now) override;
   [[nodiscard]] Time own_due() const override;
+  [[nodiscard]] bool unfinished() const override { return !open_.empty(); }
   void take(const wire::Chunk& chunk) override;
   void take(const wire::UniformColumn& column) override;
   void take(const wire::Unchanged&) override {}

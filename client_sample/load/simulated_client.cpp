@@ -58,7 +58,7 @@ void SimulatedClient::start(Time from) {
 }
 
 void SimulatedClient::reconnect_at(Time when) {
-  state_ = finished_ ? State::gone : State::away;
+  state_ = finished_ && !unfinished() ? State::gone : State::away;
   join_due_ = when;
   worker_.reschedule(*this);
 }
@@ -253,12 +253,12 @@ void SimulatedClient::cut(Time now) {
 void SimulatedClient::finish() {
   finished_ = true;
   cut_due_ = Time::max();
-  if (state_ == State::away) state_ = State::gone;
+  if (state_ == State::away && !unfinished()) state_ = State::gone;
   worker_.reschedule(*this);
 }
 
 void SimulatedClient::leave() {
-  if (state_ == State::joined) give_up();
+  if (state_ == State::joined || unfinished()) give_up();
   state_ = State::gone;
   link_.close(false);
 }

@@ -39,7 +39,7 @@ class SimulatedClient : public LinkOwner {
   Time scheduled = Time::max();  // for the Worker: the due time that it has scheduled
 
   [[nodiscard]] Role role() const { return profile_.role; }
-  /// Stops it from requesting anything new.
+  /// Stops it from requesting anything new. It does not connect again, unless it has unfinished() work.
   void finish();
   [[nodiscard]] virtual bool satisfied() const { return true; }
   /// Disconnects, and counts what it did not get.
@@ -53,6 +53,8 @@ class SimulatedClient : public LinkOwner {
   /// Performs the derived class's due actions, while joined.
   virtual void act_joined(Time /*now*/) {}
   [[nodiscard]] virtual Time own_due() const { return Time::max(); }
+  /// Returns true if the client must connect again, also after finish(), to learn the outcome of its work.
+  [[nodiscard]] virtual bool unfinished() const { return false; }
   virtual void take(const wire::Chunk& chunk);
   virtual void take(const wire::UniformColumn& column);
   virtual void take(const wire::Unchanged& unchanged);

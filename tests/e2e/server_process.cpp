@@ -16,6 +16,8 @@
 #include <fstream>
 #include <utility>
 
+#include "progress_lines.h"
+
 namespace talus::e2e {
 namespace {
 
@@ -112,6 +114,7 @@ Ended run_program(const std::string& path, const std::vector<std::string>& flags
   Ended ended;
   (void)read_to_end(child.out, child.err, ended);
   ended.status = reap(child.pid);
+  ended.err = talus::test::without_progress(ended.err);
   ::close(child.out);
   ::close(child.err);
   return ended;

@@ -35,7 +35,7 @@ inline const Settings::value_type kClassicWorld{"TALUS_WORLD", TALUS_SOURCE_DIR 
 struct Ended {
   int status = -1;  // exit status; 128 + n for signal n
   std::string out;
-  std::string err;
+  std::string err;  // of run_program() without lines of progress
 };
 
 /// A program running, and what it says.

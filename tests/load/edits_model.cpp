@@ -5,7 +5,8 @@
 //   talus-edits-model FILE HOST PORT   ->   COMPARED CHUNKS VOXELS REVISION HASH
 //
 // COMPARED chunks were ever edited; CHUNKS and VOXELS of them differ from the generated ones. The world is
-// the one built into talusd.
+// the one built into talusd. FILE must have every revision from 1 on: an edit without one happened, and its
+// builder was never told.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -77,7 +78,13 @@ Model replay(std::vector<Write> writes) {
     throw Failure{fmt::format("two edits were acknowledged as revision {}", twice->revision)};
   }
   Model model;
+  std::uint64_t expected = 1;
   for (const Write& write : writes) {
+    if (write.revision != expected) {
+      throw Failure{fmt::format("no edit was acknowledged as revision {}, and one as revision {}", expected,
+                                write.revision)};
+    }
+    ++expected;
     ModelChunk& chunk = model[chunk_holding(write.at, Lod{})->coord];
     chunk.revision = write.revision;
     chunk.materials[static_cast<std::uint16_t>(voxel_index(local_pos(write.at)))] = write.material;

@@ -25,6 +25,13 @@ refused '1 2 3 4\n256 2 2 3 4 5\n' 'line 1 is no edit, which is five numbers'
 refused '1 2 3 4 256 7\n' 'line 1 is no edit, which is five numbers'
 refused '1 2 3 4 stone\n' 'line 1 is no edit, which is five numbers'
 refused '1 2 3 4 256\n\n' 'line 2 is no edit, which is five numbers'
+# Whole, but not all edits.
+printf '1 2 3 4 256\n4 2 3 4 0\n2 2 3 4 5\n' >"$scratch/edits"
+if said="$("$program" "$scratch/edits" 127.0.0.1 1 2>&1)" ||
+  [[ "$said" != "talus-edits-model: no edit was acknowledged as revision 3, and one as revision 4" ]]; then
+  echo "a file without revision 3: $said"
+  exit 1
+fi
 # Whole: it asks the server.
 printf '1 2 3 4 256\n2 -2 3 4 65535\n' >"$scratch/edits"
 if said="$("$program" "$scratch/edits" 127.0.0.1 1 2>&1)" || [[ "$said" != "talus-edits-model: 127.0.0.1:1: "* ]]; then

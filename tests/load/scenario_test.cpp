@@ -248,20 +248,27 @@ TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees w
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   CHECK(lines.size() == revision);  // nobody else edits
   file.close();
-  // The newest edit, as if the server had lost one behind it, or done another.
-  const auto newest =
-      std::ranges::max_element(lines, {}, [](const std::string& line) { return std::stoull(line); });
-  const std::string done = *newest;
-  for (const bool lost : {true, false}) {
-    *newest = lost ? std::to_string(revision + 1) + done.substr(done.find(' '))
-                   : done.substr(0, done.rfind(' ')) + " 1";
-    std::ofstream changed{edits};
-    for (const std::string& line : lines) changed << line << '\n';
-    changed.close();
+  const auto check_unlike = [&](const std::vector<std::string>& changed, const std::string& why) {
+    std::ofstream written{edits};
+    for (const std::string& line : changed) written << line << '\n';
+    written.close();
     const Ended other = compare();
     CHECK(other.status == 1);
-    CHECK(other.err.find(lost ? ": revision " : ": hash ") != std::string::npos);
-  }
+    CHECK(other.err.find(why) != std::string::npos);
+  };
+  const auto number = [](const std::string& line) { return std::stoull(line); };
+  std::ranges::sort(lines, {}, number);
+  const std::string newest = lines.back();
+  // As if the server had lost an edit, done another, and done one that it did not acknowledge.
+  std::vector<std::string> changed = lines;
+  changed.push_back(std::to_string(revision + 1) + newest.substr(newest.find(' ')));
+  check_unlike(changed, ": revision ");
+  changed = lines;
+  changed.back() = newest.substr(0, newest.rfind(' ')) + " 1";
+  check_unlike(changed, ": hash ");
+  changed = lines;
+  changed.erase(changed.begin() + 1);
+  check_unlike(changed, "no edit was acknowledged as revision 2, and one as revision 3");
 }
 
 TEST_CASE("a server that takes no edits fails a run of builders") {

@@ -108,10 +108,10 @@ TEST_CASE("What is no chunk is one line that names the file, and nothing is writ
     const Outcome outcome =
         talus_gen(command + " '" + (scratch / "in").string() + "'" +
                   (command == "explain" ? "" : " -o '" + (scratch / "out").string() + "'"));
-    INFO(outcome.output);
+    INFO(outcome.errors);
     CHECK(outcome.exit_code == 1);
-    CHECK_THAT(outcome.output, Catch::Contains("talus-gen " + command + ": " + (scratch / "in").string()));
-    CHECK_THAT(outcome.output, Catch::Contains(why));
+    CHECK_THAT(outcome.errors, Catch::Contains("talus-gen " + command + ": " + (scratch / "in").string()));
+    CHECK_THAT(outcome.errors, Catch::Contains(why));
     CHECK_FALSE(std::filesystem::exists(scratch / "out"));
   };
   REQUIRE(write_voxels(lamp(200), scratch / "a.npy").has_value());

@@ -200,10 +200,10 @@ TEST_CASE("What --store names is a store of the world") {
   const std::string out = " -o '" + (scratch / "a.png").string() + "'";
   const auto refused = [&](const std::string& arguments, const std::string& part) {
     const auto outcome = test::talus_gen(arguments);
-    INFO(arguments << "\n" << outcome.output);
+    INFO(arguments << "\n" << outcome.errors);
     CHECK(outcome.exit_code != 0);
-    CHECK(std::count(outcome.output.begin(), outcome.output.end(), '\n') == 1);
-    CHECK_THAT(outcome.output, Catch::Contains(part));
+    CHECK(std::count(outcome.errors.begin(), outcome.errors.end(), '\n') == 1);
+    CHECK_THAT(outcome.errors, Catch::Contains(part));
   };
 #ifdef TALUS_HAS_STORE
   refused("map --center 0,0 --size 8,8" + store + out, "there is no store.toml");

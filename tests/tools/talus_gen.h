@@ -9,15 +9,21 @@
 
 #include <catch2/catch.hpp>
 
+#include "progress_lines.h"
+#include "scratch_directory.h"
+
 namespace talus::test {
 
 struct Outcome {
   int exit_code = -1;
-  std::string output;  // stdout and stderr together
+  std::string output;  // stdout
+  std::string errors;  // stderr, without lines of progress
 };
 
 [[nodiscard]] inline Outcome talus_gen(const std::string& arguments) {
-  const std::string command = "'" TALUS_GEN_PATH "' " + arguments + " 2>&1";
+  const ScratchDirectory scratch;
+  const std::string command =
+      "'" TALUS_GEN_PATH "' " + arguments + " 2>'" + (scratch / "errors").string() + "'";
   Outcome outcome;
   FILE* pipe = ::popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -27,6 +33,7 @@ struct Outcome {
   }
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+  outcome.errors = without_progress(read_whole(scratch / "errors"));
   return outcome;
 }
 
