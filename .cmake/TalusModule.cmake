@@ -99,6 +99,9 @@ function(talus_module name)
     talus_join_kernels(MODULE_KERNELS ${name} ${MODULE_KERNELS})
   endif()
   add_library(talus_${name} STATIC ${MODULE_SOURCES} ${MODULE_KERNELS})
+  if(MODULE_KERNELS AND TALUS_SANITIZE)
+    target_compile_options(talus_${name} PRIVATE -O1)  # -Og inlines too little of them
+  endif()
   add_library(talus::${name} ALIAS talus_${name})
   set_target_properties(talus_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_compile_features(talus_${name} PUBLIC cxx_std_20)
@@ -108,9 +111,11 @@ function(talus_module name)
   target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
 endfunction()
 
-# Without tests no program links a module of the server by itself. A unity build then compiles each part of the server as
-# one source, so that what its modules share, such as Asio, is parsed and instantiated once and not for each module.
-if(CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
+# In a unity build for release talusd compiles each part of the server as one source, so that what its modules share,
+# such as Asio, is parsed and instantiated once and not for each module. A test links a module by itself, which is
+# compiled again.
+# A build of all tests, as by sanitizers, has the modules alone.
+if(CMAKE_UNITY_BUILD AND CMAKE_BUILD_TYPE STREQUAL Release)
   set(talus_joined ON)
   # g++ collects garbage only from 1 GB on, which three sources reach: less time, and 1.3 GB a compiler at most. Not where many
   # sources are compiled at once, each with that much.
@@ -161,23 +166,15 @@ endfunction()
 # talus_server_module(NAME SOURCES ... SETUP ... LINK libraries ...): makes the folder server/NAME a target
 # talus_server_NAME, which links the modules of the server that docs/modules.txt lets it include, so that a test links a
 # module by itself. SOURCES are compiled by -O3; SETUP, which runs once or seldom, by -Og.
+# In a joined build NAME_use is what its headers need, for targets with its sources in a part; NAME is compiled only if a
+# test links it.
 function(talus_server_module name)
   cmake_parse_arguments(MODULE "" "" "SOURCES;SETUP;LINK" ${ARGN})
   set(target talus_server_${name})
   talus_dependencies(server/${name} depends)
   list(FILTER depends INCLUDE REGEX "^server/")
   list(TRANSFORM depends REPLACE "^server/" "talus_server_")
-  set(scope PUBLIC)
-  if(talus_joined)
-    set(scope INTERFACE)
-    add_library(${target} INTERFACE)
-    if(MODULE_SETUP)
-      talus_server_part(setup g SOURCES ${MODULE_SETUP} LINK ${target})
-    endif()
-    if(MODULE_SOURCES)
-      talus_server_part(stream 3 SOURCES ${MODULE_SOURCES} LINK ${target})
-    endif()
-  elseif(NOT MODULE_SOURCES)
+  if(NOT MODULE_SOURCES)
     add_library(${target} STATIC ${MODULE_SETUP})
     talus_server_target(${target} g)
   else()
@@ -191,8 +188,24 @@ function(talus_server_module name)
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_setup>)
     endif()
   endif()
-  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/server)
-  target_link_libraries(${target} ${scope} ${depends} ${MODULE_LINK})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
+  target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK})
+  if(talus_joined)
+    add_library(${target}_use INTERFACE)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    if(TARGET ${target}_setup)
+      set_target_properties(${target}_setup PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+    list(TRANSFORM depends APPEND _use)
+    target_include_directories(${target}_use INTERFACE ${PROJECT_SOURCE_DIR}/server)
+    target_link_libraries(${target}_use INTERFACE ${depends} ${MODULE_LINK})
+    if(MODULE_SETUP)
+      talus_server_part(setup g SOURCES ${MODULE_SETUP} LINK ${target}_use)
+    endif()
+    if(MODULE_SOURCES)
+      talus_server_part(stream 3 SOURCES ${MODULE_SOURCES} LINK ${target}_use)
+    endif()
+  endif()
 endfunction()
 
 # talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.

@@ -25,7 +25,7 @@ say() { printf '\033[1m==> %s\033[0m\n' "$*" >&3; }
 die() { printf 'cluster: %s\n' "$*" >&3; exit 1; }
 wrong_use() { printf 'cluster: %s\n' "$*" >&2; exit 2; }
 
-servers=3 nats=3 port=4780 keep=0 world=""
+servers=3 nats=3 port=4780 keep=0 check=0 world=""
 while (($#)); do
   case "$1" in
     -h | --help) usage; exit 0 ;;
@@ -35,6 +35,7 @@ while (($#)); do
       shift
       ;;
     --keep) keep=1 ;;
+    --check) check=1 ;;  # of ./dev, before it compiles
     *) wrong_use "'$1' is not one of --servers, --nats, --port, --world, --keep, --help" ;;
   esac
   shift
@@ -43,6 +44,7 @@ done
 [[ "$nats" =~ ^[135]$ ]] || wrong_use "--nats: '$nats' is not 1, 3 or 5"
 [[ "$port" =~ ^[1-9][0-9]{0,4}$ ]] && ((port <= 65372)) || wrong_use "--port: '$port' is not 1 to 65372"
 [[ -z "$world" || -f "$world" ]] || wrong_use "--world: $world is no file"
+((!check)) || exit 0
 
 PATH="$PATH:/usr/sbin"
 build="$(realpath -m "${BUILD:-build/release}")"

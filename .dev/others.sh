@@ -1,0 +1,111 @@
+# shellcheck shell=bash
+# ./dev bench, lint, avx512 and fuzz.
+
+bench() {
+  local gate="" json=""
+  while (($#)); do
+    case "$1" in
+      --gate) gate="check" ;;
+      --gate-write) gate="write" ;;
+      --json) (($# > 1)) || wrong_use "bench: --json takes a folder"; json="$2"; shift ;;
+      --benchmark_*) break ;;
+      *) wrong_use "bench: '$1' is not --json DIR, --gate, --gate-write or a flag of the benchmarks, --benchmark_..." ;;
+    esac
+    shift
+  done
+  deps build test bench
+  local targets=(bench_terrain bench_voxel bench_wanted bench_work)
+  [[ -n "$gate" ]] || (($#)) || targets+=(talusd talus-load talus-http-load talus-http-floor)
+  build release -DTALUS_TESTS=ON -DTALUS_BENCH=ON -- "${targets[@]}"
+  if [[ -n "$gate" ]]; then
+    count_instructions "$gate"
+    return
+  fi
+  local module
+  for module in terrain voxel wanted; do
+    local out=()
+    if [[ -n "$json" ]]; then
+      mkdir -p "$json"
+      out=(--benchmark_out="$json/$module.json" --benchmark_out_format=json)
+    fi
+    "build/release/tests/bench/bench_$module" "${out[@]}" "$@"
+  done
+  (($#)) || bench_web
+}
+
+bench_web() {
+  deps proxies
+  local failed=0
+  say "what a chunk by HTTP costs, beside an epoll loop, nginx and Varnish"
+  tests/proxies/cost.sh || failed=1
+  say "what a chunk by WebSocket costs, beside TCP"
+  tests/load/run.sh websocket || failed=1
+  say "the decoder in TypeScript beside the native one"
+  node_tools
+  client_sample/web/talus-js/bench/run.sh build/release || failed=1
+  ((!failed)) || die "over the marks of docs/SPEED.md, \"By HTTP, and by WebSocket\" and \"In a browser\"; a machine with other work says little"
+}
+
+# count_instructions check|write: the instructions of fixed work against tests/bench/instructions.txt.
+count_instructions() {
+  local known=tests/bench/instructions.txt stage count was failed=0 counted
+  counted="$(mktemp)"
+  for stage in $(build/release/tests/bench/bench_work --list); do
+    # The counter knows no AVX-512, so the kernels are AVX2's everywhere.
+    count="$(TALUS_INSTRUCTION_SET=avx2 valgrind --tool=callgrind --callgrind-out-file=/dev/null \
+      --toggle-collect=talus_counted_work build/release/tests/bench/bench_work "$stage" 2>&1 |
+      sed -n 's/.*Collected : *//p')"
+    [[ -n "$count" ]] || die "bench_work $stage: valgrind counted nothing"
+    printf '%s %s\n' "$stage" "$count" >>"$counted"
+    was="$(awk -v stage="$stage" '$1 == stage { print $2 }' "$known" 2>/dev/null || true)"
+    printf '%-10s %14d instructions, %s in %s: %s\n' "$stage" "$count" "${was:-none}" "$known" \
+      "$(awk -v a="$count" -v b="${was:-0}" 'BEGIN { if (b) printf "%+.2f %%", 100 * (a - b) / b; else print "new" }')"
+    if [[ -z "$was" ]] || awk -v a="$count" -v b="$was" 'BEGIN { exit !(a > 1.03 * b) }'; then failed=1; fi
+  done
+  if [[ "$1" == write ]]; then
+    mv "$counted" "$known"
+  else
+    rm "$counted"
+    ((!failed)) || die "more than 3 % over $known; find out why, or ./dev bench --gate-write"
+  fi
+}
+
+lint() {
+  [[ "${1:---fix}" == --fix && $# -le 1 ]] || wrong_use "lint: '${2:-$1}' is not --fix"
+  deps build test format lint clang
+  if [[ "${1:-}" == --fix ]]; then
+    tracked '*.cpp' '*.h' | xargs clang-format-14 -i
+  fi
+  check_format
+  check_layering
+  # It reads the commands of clang's own build, and headers that the build makes.
+  build clang -- talus_protocol
+  say "running clang-tidy"
+  tracked 'core/*.cpp' 'protocol/*.cpp' 'server/*.cpp' 'client_sample/*.cpp' |
+    xargs -P "$jobs" -n 4 clang-tidy-14 -p build/clang --quiet --warnings-as-errors='*'
+}
+
+avx512() {
+  no_arguments avx512 "$@"
+  deps build test emulator
+  build release
+  say "the kernels' tests by AVX-512, emulated"
+  tests/emulator/avx512.sh
+}
+
+fuzz() {
+  (($# <= 1)) || wrong_use "fuzz: '$2' is not an argument; it takes the seconds of each target"
+  local seconds="${1:-60}" target
+  [[ "$seconds" =~ ^[1-9][0-9]{0,5}$ ]] || wrong_use "fuzz: '$seconds' is not a number of seconds from 1 to 999999"
+  deps build clang
+  local targets=(tests/fuzz/corpus/*)
+  build fuzz -- "${targets[@]##*/}"
+  mkdir -p out/fuzz
+  for target in "${targets[@]}"; do
+    local name="${target##*/}"
+    say "fuzzing $name for $seconds seconds"
+    mkdir -p "out/fuzz/$name"
+    "build/fuzz/tests/fuzz/$name" -max_total_time="$seconds" -print_final_stats=1 -artifact_prefix="out/fuzz/$name-" \
+      "out/fuzz/$name" "tests/fuzz/corpus/$name"
+  done
+}

@@ -1,0 +1,180 @@
+# shellcheck shell=bash
+# ./dev test, sanitize, clang and coverage.
+
+# viewer_packages: the viewer's packages, as its lock file names them.
+viewer_packages() {
+  node_tools
+  local folder=client_sample/web/viewer
+  [[ "$folder/node_modules/.package-lock.json" -nt "$folder/package-lock.json" ]] && return
+  say "installing the viewer's packages"
+  aloud "installing the viewer's packages" npm --prefix "$folder" ci --no-audit --no-fund --loglevel error
+}
+
+# test_in_browser [--full]
+test_in_browser() {
+  deps browser
+  viewer_packages
+  aloud "testing in a browser" client_sample/web/viewer/test/browser/run.sh build/release/server/talusd build/release/core/tools/talus-gen "$@"
+}
+
+test_javascript() {
+  (cd client_sample/web/talus-js && npm ci --no-audit --no-fund --loglevel error >&2 &&
+    TALUSD="$OLDPWD/build/release/server/talusd" npm test --silent)
+}
+
+# The viewer's sources make the committed dist/, byte by byte.
+check_viewer() {
+  viewer_packages
+  (cd client_sample/web/viewer && npm run --silent check && npm test --silent && test/check_dist.sh)
+}
+
+# A busy machine's times say nothing: only what is lost, wrong or twice is judged here.
+edits_at_rate() {
+  build release -DTALUS_TESTS=ON -DTALUS_BENCH=ON -- bench_stream talus-load
+  python3 -B tests/balancer/edits_at_rate.py --rate 1000 --times 1000 --seen-ms 60000
+}
+
+# Hosts of a cluster as network namespaces.
+break_clusters() {
+  if ((EUID != 0)); then say "only root can cut hosts from each other: tests/cluster_chaos is left out"; return; fi
+  deps chaos
+  local folder=tests/cluster_chaos
+  stage "talusd killed between publish and answer" python3 -B $folder/kills.py --kills 20
+  stage "hosts of a cluster cut off" python3 -B $folder/partitions.py --seconds 20 --well-s 60 --chunks-s 30
+  stage "a cluster in which things happen" python3 -B $folder/chaos.py --seconds 240
+}
+
+run_tests() {
+  case "${1:-}" in
+    "") no_arguments test "${@:2}" ;;
+    --full) (($# == 1)) || wrong_use "test: '$2' does not go with --full" ;;
+    -*) wrong_use "test: '$1' is not --full or the name of a module" ;;
+    *) test_modules "$@"; return ;;
+  esac
+  deps build test format
+  check_format
+  check_layering
+  # TALUS_TESTS may be off from ./dev run, TALUS_BENCH on from ./dev bench.
+  stage "building" build release -DTALUS_TESTS=ON -DTALUS_BENCH=OFF
+  # Twice as many at once as processors: half of the time they wait, for a balancer, an election, a time-out.
+  stage "testing" tests_of release -j "$((2 * jobs))" -LE sanitized
+  stage "testing in a browser" test_in_browser
+  stage "building for address + undefined behaviour" build asan-ubsan -- sanitized_tests
+  stage "testing by address + undefined behaviour" tests_of asan-ubsan -j "$((2 * jobs))" -L 'sanitized|both'
+  [[ "${1:-}" != --full ]] || test_at_length
+}
+
+# test_modules MODULE...: the tests of some modules alone, each where ./dev test runs it.
+test_modules() {
+  local module preset
+  deps build test
+  for module in "$@"; do
+    [[ "$module" =~ ^[a-z0-9_]+$ ]] || wrong_use "test: '$module' is not the name of a module; such are voxel, server_config, e2e"
+    preset=asan-ubsan
+    ! grep -rqE "^ *talus_test\($module ([A-Z]+ )*(RELEASE|BOTH)" tests --include=CMakeLists.txt || preset=release
+    build "$preset" -DTALUS_TESTS=ON -- "test_$module"
+    tests_of "$preset" -R "^$module:"
+  done
+}
+
+# What .ci/run leaves to be run by hand, before an issue is called resolved.
+test_at_length() {
+  stage "the tables of docs/MILLION.md" /usr/bin/python3 -B tests/load/million.py --check
+  stage "building the viewer again" check_viewer
+  stage "testing talus-client for JavaScript" test_javascript
+  stage "testing in a browser, at length" test_in_browser --full
+  # File by file: every file includes what it uses, and g++ has all its warnings, also of the unit tests.
+  stage "building file by file" build release-plain
+  by_clang
+  by_clang --all
+  say "fourteen hostile minutes"
+  TALUS_HOSTILE_SECONDS=600 build/release/tests/e2e/test_e2e -w NoTests "under siege*"
+  say "three more by WebSocket"
+  TALUS_HOSTILE_SECONDS=120 TALUS_E2E_TRANSPORT=websocket build/release/tests/e2e/test_e2e -w NoTests "under siege*~[tcp]"
+  deps proxies
+  stage "nginx and Varnish in front of talusd" tests/proxies/run.sh
+  stage "a rolling restart of three servers under 500 players" python3 -B tests/balancer/rolling_restart.py --session 20000 --per-second 20
+  stage "the same with edits" python3 -B tests/balancer/rolling_restart.py --session 20000 --per-second 20 --edits 1 --radius 3
+  deps cluster deployment
+  stage "edits at three servers beside bare JetStream" edits_at_rate
+  break_clusters
+  stage "testing the files for many machines" tests/deployment/run.sh
+  deps containers
+  stage "building the image and starting it" tests/deployment/image.sh
+  sanitize address thread
+  avx512
+  fuzz 120
+}
+
+sanitize() {
+  local kinds=() short=0
+  while (($#)); do
+    case "$1" in
+      address | thread) kinds+=("$1") ;;
+      --short) short=1 ;;
+      *) wrong_use "sanitize: '$1' is neither address nor thread nor --short" ;;
+    esac
+    shift
+  done
+  ((${#kinds[@]})) || kinds=(address thread)
+  deps build test
+  local kind
+  for kind in "${kinds[@]}"; do "sanitize_$kind" "$short"; done
+}
+
+# Every test but golden's, which compiles the generator three times over to compare its voxels.
+sanitize_address() {
+  stage "building for address + undefined behaviour" build asan-ubsan
+  stage "testing by address + undefined behaviour" tests_of asan-ubsan
+  (($1)) || stage "load scenarios by address + undefined behaviour" scenarios asan-ubsan
+}
+
+# The tests of what has threads, and the programs that these run.
+sanitize_thread() {
+  export TSAN_OPTIONS="halt_on_error=1 suppressions=$PWD/tests/thread_sanitizer.supp"
+  say "configuring tsan"
+  configure tsan
+  local tests modules='(store|(server|client|c_api|load|e2e)[a-z_]*)' programs=(talusd talus-client talus-load talus-gen talus-pong)
+  if (($1)); then
+    modules='(store|server_(net|chunks|edits|admin|web|app)|client|c_api|e2e)'
+    programs=()
+  fi
+  mapfile -t tests < <(ninja -C build/tsan -t targets all | sed -nE "s/^(test_$modules): phony\$/\1/p")
+  stage "building for threads: ${programs[*]} ${tests[*]}" compile tsan "${programs[@]}" "${tests[@]}"
+  stage "testing by threads" tests_of tsan -R "^$modules:"
+  (($1)) || stage "load scenarios by threads" scenarios tsan
+}
+
+# The voxels of every compiler and level. With --all every target by clang, file by file, and its tests.
+by_clang() {
+  [[ "${1:---all}" == --all && $# -le 1 ]] || wrong_use "clang: '${2:-$1}' is not --all"
+  deps build test clang
+  if (($#)); then
+    stage "building everything by clang" build clang
+    stage "testing what clang built" tests_of clang
+    return
+  fi
+  stage "building by g++ at other levels" build release -DTALUS_TESTS=ON -- golden
+  stage "testing what g++ built" tests_of release -C golden -R '^golden:'
+  stage "building by clang" build clang-golden -- golden
+  stage "testing what clang built" tests_of clang-golden -C golden -R '^golden:'
+}
+
+scenarios() {
+  BUILD="build/$1" tests/load/run.sh --short
+  # By TLS those in which a connection waits, closes and is cut off in its own ways.
+  TLS=1 BUILD="build/$1" tests/load/run.sh --short hot alone slow churn
+}
+
+coverage() {
+  no_arguments coverage "$@"
+  deps build test
+  stage "building" build coverage
+  # Counters of an earlier run count no more.
+  find build/coverage -name '*.gcda' -delete
+  local failed=0
+  # Not as a stage, which would end with its own last command's status where a failure is caught.
+  tests_of coverage || failed=1
+  tests/coverage/report.sh build/coverage
+  ((!failed)) || die "tests failed, so the lines that they would have reached are missing above"
+}
