@@ -49,7 +49,9 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
 endif()
 if(CMAKE_UNITY_BUILD)
   # In a unity source every file but the unity source itself counts as a header.
-  target_compile_options(talus_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  target_compile_options(talus_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>
+    # clang reports a local name that another file has in its anonymous namespace.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
 endif()
 
 # talus_alone(SOURCE...): sources that stay out of unity builds.
