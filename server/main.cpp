@@ -190,7 +190,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
                 std::move(columns)};
 
   for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
-  if (!*data) log->info("edits are not taken: there is no directory to keep them in; give --data DIRECTORY");
+  if (!*data) log->info("edits are not taken: the data directory is not set; give --data DIRECTORY");
   log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
             to_integer((*world)->generator_version()), to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);

@@ -50,7 +50,7 @@ void add_get(CLI::App& app, GetOptions& options, Words& words) {
 }
 
 void add_at(CLI::App& app, AtOptions& options, Words& words) {
-  auto* command = app.add_subcommand("at", "Tell the ground's height and what the place is like at columns");
+  auto* command = app.add_subcommand("at", "Print the ground's height and the place's properties at columns");
   command->add_option("columns", words.columns, "X,Z of each column, base columns")
       ->delimiter(',')
       ->required();
@@ -90,7 +90,7 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
       ->check(within(0, 100000))
       ->capture_default_str();
   command->add_option("-o,--output", options.output,
-                      "Write a map of the chunks received, as .png; hatched where none came");
+                      "Write a map of the chunks received, as .png; hatched where chunks are missing");
   command->add_option("--view", options.view, "Write the camera's picture at the end, as .png");
 }
 
@@ -110,7 +110,7 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
 void add_edit(CLI::App& app, EditOptions& options, Words& words) {
   auto* command = app.add_subcommand(
       "edit",
-      "Make a box of voxels one material, or as generated; needs a token of the right edit. At most 65,536 "
+      "Make a box of voxels one material, or as generated; needs a token with the right edit. At most 65,536 "
       "voxels (such as 40 x 40 x 40) in 64 chunks; several edits for more");
   command
       ->add_option("box", words.box,
@@ -122,7 +122,7 @@ void add_edit(CLI::App& app, EditOptions& options, Words& words) {
   command->add_flag("--as-generated", words.as_generated, "Undo all edits there")->excludes(material);
   command->add_option("--only", options.only, "Change voxels of this material alone");
   command->add_option("--subject", options.subject,
-                      "For whom the edit is made; needs a token of the right gateway");
+                      "Subject for which a game server edits; needs a token with the right gateway");
   add_timeout(*command, options.timeout_seconds);
 }
 

@@ -50,7 +50,7 @@ std::string scheme_error(const ConnectWords& words, std::string_view address) {
 void add_connect_options(CLI::App& app, ConnectWords& words) {
   app.add_option("--connect", words.connect,
                  "HOST:PORT of the server, or ws://HOST:PORT[/PATH] (wss:// by TLS) for its HTTP address; "
-                 "HOST:PORT,HOST:PORT,... where several have the same world")
+                 "HOST:PORT,HOST:PORT,... if several servers have the same world")
       ->capture_default_str();
   // A flag overrides both variables, so they are read only if neither flag was given.
   auto* file = app.add_option("--token-file", words.token_file,
@@ -66,9 +66,8 @@ void add_connect_options(CLI::App& app, ConnectWords& words) {
       words.token_file = name;
   });
   app.add_flag("--tls", words.tls.on, "Use TLS");
-  app.add_option(
-      "--ca", words.tls.ca_file,
-      "Use TLS and trust the certificates in this PEM file (default: those that the system trusts)");
+  app.add_option("--ca", words.tls.ca_file,
+                 "Use TLS and trust the certificates in this PEM file (default: the system's certificates)");
   app.add_option("--tls-name", words.tls.server_name,
                  "Use TLS and expect a certificate for this name (default: the host of --connect)");
   app.add_flag("--websocket", words.websocket,

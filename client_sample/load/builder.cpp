@@ -267,7 +267,7 @@ void Builder::take(const wire::EditBroadcast& broadcast) {
       broadcast.runs() == nullptr
           ? edits::decode_runs({})
           : edits::decode_runs(std::as_bytes(std::span{broadcast.runs()->data(), broadcast.runs()->size()}));
-  if (!voxels) return wrong(tally().bad_messages, "an EditBroadcast whose runs are none");
+  if (!voxels) return wrong(tally().bad_messages, "an EditBroadcast with invalid runs");
   const Time now = Clock::now();
   const auto& cells = site_->parts()[*part].cells;
   for (const Override& voxel : *voxels) {
@@ -305,11 +305,10 @@ void Builder::give_up() {
     const VoxelPos at = site_->voxel(first);
     tally().edits_missing += count;
     if (tally().first_missing.empty()) {
-      tally().first_missing =
-          fmt::format("{} {} sees {} at {},{},{}, where an edit to {} was acknowledged", name_of(role()),
-                      profile().number,
-                      seen_[first] ? fmt::format("material {}", to_integer(*seen_[first])) : "nothing yet",
-                      at.x, at.y, at.z, to_integer(site_->cell(first).written));
+      tally().first_missing = fmt::format(
+          "{} {} has {} at {},{},{}, but an edit to {} was acknowledged", name_of(role()), profile().number,
+          seen_[first] ? fmt::format("material {}", to_integer(*seen_[first])) : "nothing yet", at.x, at.y,
+          at.z, to_integer(site_->cell(first).written));
     }
   }
 }

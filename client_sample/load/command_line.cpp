@@ -40,15 +40,15 @@ void add_players(CLI::App& app, Options& options) {
          "Seconds between the last scheduled join and the start of measuring (default: measure from the "
          "first join on, ramp-up included)")
       ->check(within(0, kDay));
-  app.add_option("--drain", options.drain_seconds,
-                 "Seconds to wait at the end for chunks still missing; those that never come count as "
-                 "unanswered")
+  app.add_option(
+         "--drain", options.drain_seconds,
+         "Seconds to wait at the end for chunks still missing; chunks that never arrive count as unanswered")
       ->check(within(0, kDay))
       ->capture_default_str();
   app.add_option(
          "--model", options.model,
-         "How players move: stand, walk, fly, teleport, swarm (all to one place), trace:FILE (lines of "
-         "\"seconds x y z\", voxels from the start), mixed, or shares: walk=80,fly=15,teleport=5")
+         "Movement of the players: stand, walk, fly, teleport, swarm (all to one place), trace:FILE (lines "
+         "of \"seconds x y z\", voxels from the start), mixed, or shares: walk=80,fly=15,teleport=5")
       ->capture_default_str();
   app.add_option("--speed", options.speed, "Voxels per second (default: walk 5, fly and swarm 20)")
       ->check(within(0, 100'000));
@@ -86,13 +86,12 @@ void add_players(CLI::App& app, Options& options) {
 }
 
 void add_builders(CLI::App& app, Options& options) {
-  auto* const rate =
-      app.add_option("--edits", options.edits,
-                     "Edits per second of each player, who stands, and digs and builds one "
-                     "voxel after the other; everybody near must "
-                     "see what was acknowledged, or the exit status is 1. They build of the world's "
-                     "last material, at places that the seed chooses, and it stays: give each "
-                     "run on one store another --seed, or the server a new --data directory");
+  auto* const rate = app.add_option(
+      "--edits", options.edits,
+      "Edits per second of each player, which stands, and digs and builds one voxel after the other; all "
+      "players near must receive each acknowledged edit, or the exit status is 1. They build of the world's "
+      "last material, at places that the seed chooses, and it stays: give each run on one store another "
+      "--seed, or the server a new --data directory");
   auto* const in_flight =
       app.add_option("--edit-in-flight", options.edits_in_flight,
                      "Instead of a rate: edits that each player keeps unanswered (a closed loop)");
@@ -141,15 +140,15 @@ void add_others(CLI::App& app, Options& options) {
         const auto [stop, error] = std::from_chars(text.data(), end, seed);
         return error == std::errc{} && stop == end
                    ? std::string{}
-                   : "'" + text + "' is no seed; give a whole number from 0 to 18446744073709551615";
+                   : "'" + text + "' is not a seed; give a whole number from 0 to 18446744073709551615";
       })
       ->capture_default_str();
   app.add_option("--threads", options.threads, "Number of threads of this program")
       ->check(CLI::Range(1U, 64U))
       ->capture_default_str();
   app.add_flag("--groups-together", options.groups_together,
-               "Where --connect names several servers: all players of a group go to the same one; else each "
-               "goes to any");
+               "If --connect names several servers: all players of a group connect to the same one; else "
+               "each connects to any");
   app.add_option("--from-addresses", options.from_addresses,
                  "Number of source addresses to connect from: 127.0.0.1 and the following")
       ->check(CLI::Range(1U, 65534U))
@@ -214,7 +213,7 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv,
       "\nFor many players, use --from-addresses, or raise the server's limits.connections_per_address and "
       "rates.address_*.\n"
       "Exit status: 0 finished, whatever was found; 1 failure, a --fail-if holds, or with\n"
-      "--edits an acknowledged edit is missing, none was acknowledged or all changed nothing;\n"
+      "--edits an acknowledged edit is missing, no edit was acknowledged or no edit changed a voxel;\n"
       "2 wrong arguments.");
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
   auto connecting = command_line::read_connect_options(connect);
@@ -238,14 +237,14 @@ tl::expected<Options, Exit> read_command_line(int argc, const char* const* argv,
     if (options.horizon != 0 || options.vertical == 0) {
       return wrong("players who edit have no --horizon, and look up and down: --vertical is at least 1");
     }
-    if (options.players == 0) return wrong("--players 0: there is nobody to edit");
+    if (options.players == 0) return wrong("--players 0: edits need players");
   }
   if (options.horizon != 0 && options.horizon <= options.radius) {
     return wrong("--horizon " + std::to_string(options.horizon) + " is not beyond --radius " +
                  std::to_string(options.radius));
   }
   if (options.players + options.idle + options.greedy + options.slow == 0) {
-    return wrong("--players 0 and nobody else: there is nothing to do");
+    return wrong("--players 0 and no other clients: there is nothing to do");
   }
   return options;
 }

@@ -92,7 +92,7 @@ std::string plot_of(const Plan& plan, const RunResult& result) {
   std::ostringstream subtitle;
   subtitle << plan.options.players << " players (" << plan.options.model << "), radius "
            << plan.options.radius << ", seed " << plan.options.seed << ", " << plan.world.server;
-  return plot("How long chunks took", subtitle.str(), curves);
+  return plot("Latency of chunks", subtitle.str(), curves);
 }
 
 /// Prints and writes the results of a run; returns one line for each failure to do so.
@@ -132,11 +132,10 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
                               : "the server said " + players.first_refused));
     } else if (players.edited_voxels == 0 ||
                (options.edit_group > 1 && options.players > options.groups && players.edit_arrivals == 0)) {
-      failures.push_back(
-          std::string{"the acknowledged edits "} +
-          (players.edited_voxels == 0 ? "changed nothing" : "were seen by nobody else") +
-          ", so nothing was measured; a run before has built the same there: give another --seed, or the "
-          "server a new --data directory");
+      failures.push_back(std::string{"the acknowledged edits "} +
+                         (players.edited_voxels == 0 ? "changed nothing" : "reached no other player") +
+                         ", so nothing was measured; an earlier run has built the same there: give another "
+                         "--seed, or the server a new --data directory");
     }
   }
   std::cout.flush();

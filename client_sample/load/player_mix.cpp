@@ -43,7 +43,7 @@ tl::expected<PlayerMix, std::string> parse_player_mix(const std::string& text) {
       name = "trace";
     }
     const auto model = model_of(name);
-    if (!model) return wrong("there is no model '" + name + "'");
+    if (!model) return wrong("unknown model '" + name + "'");
     if (name == "trace" && mix.trace_file.empty()) return wrong("trace needs its file");
     mix.shares[*model] += share;
   }

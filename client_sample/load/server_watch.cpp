@@ -97,7 +97,8 @@ tl::expected<ServerSample, std::string> ServerWatch::sample() const {
   ServerSample process;
   read_process(pid_, process);
   if (!process.cpu_seconds) {
-    return tl::unexpected{"--server-pid " + std::to_string(pid_) + ": there is no such process to be read"};
+    return tl::unexpected{"--server-pid " + std::to_string(pid_) +
+                          ": there is no such process, or it cannot be read"};
   }
   if (!sample.cpu_seconds) sample.cpu_seconds = process.cpu_seconds;
   if (!sample.resident_bytes) sample.resident_bytes = process.resident_bytes;

@@ -295,7 +295,7 @@ void SimulatedClient::never_came(const std::string& what) {
 }
 
 void SimulatedClient::take(const wire::Chunk&) {
-  wrong(tally().outside, "a chunk for who asked for none");
+  wrong(tally().outside, "a chunk that was not requested");
 }
 
 void SimulatedClient::take(const wire::UniformColumn&) {
@@ -303,15 +303,15 @@ void SimulatedClient::take(const wire::UniformColumn&) {
 }
 
 void SimulatedClient::take(const wire::Attached&) {
-  wrong(tally().outside, "an Attached for who does not edit");
+  wrong(tally().outside, "an Attached for a client that does not edit");
 }
 
 void SimulatedClient::take(const wire::EditResult&) {
-  wrong(tally().outside, "an EditResult for who does not edit");
+  wrong(tally().outside, "an EditResult for a client that does not edit");
 }
 
 void SimulatedClient::take(const wire::Unchanged&) {
-  wrong(tally().outside, "an Unchanged for who asked for none");
+  wrong(tally().outside, "an Unchanged that was not requested");
 }
 
 }  // namespace talus::load

@@ -27,18 +27,18 @@ tl::expected<Threshold, std::string> parse_threshold(const std::string& text) {
                           "; write a figure, a relation and a number, as in p99_ms>50"};
   };
   const auto at = text.find_first_of("<>=!");
-  if (at == std::string::npos) return wrong("there is no relation in it");
+  if (at == std::string::npos) return wrong("it has no relation");
   const auto end = text.find_first_not_of("<>=!", at);
   Threshold threshold{text, text.substr(0, at), text.substr(at, end - at), 0};
   const std::string& relation = threshold.relation;
   if (relation != ">" && relation != ">=" && relation != "<" && relation != "<=" && relation != "==" &&
       relation != "!=") {
-    return wrong("'" + relation + "' is none of > >= < <= == !=");
+    return wrong("'" + relation + "' is not one of > >= < <= == !=");
   }
   std::istringstream number{end == std::string::npos ? "" : text.substr(end)};
   if (!(number >> threshold.bound) || !number.eof()) return wrong("no number follows the relation");
   if (!is_figure(threshold.figure)) {
-    return wrong("there is no figure '" + threshold.figure + "'; --help lists them");
+    return wrong("unknown figure '" + threshold.figure + "'; --help lists them");
   }
   return threshold;
 }

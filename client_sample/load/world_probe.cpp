@@ -80,7 +80,8 @@ asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
                  " and --vertical up to " + std::to_string(limits.view_vertical_radius)};
   }
   const client::View view = plan.view_at({}, {});
-  if (view.horizon && !limits.view_horizon) throw Failed{"the server knows no View with a --horizon"};
+  if (view.horizon && !limits.view_horizon)
+    throw Failed{"the server does not support a View with a --horizon"};
   const std::uint64_t chunks = client::ViewShape{view, plan.world.heights()}.uncut_count();
   if (chunks > limits.view_chunks) {
     throw Failed{"the server allows Views of " + std::to_string(limits.view_chunks) +
@@ -162,8 +163,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
   try {
     co_await look_around(client, plan);
   } catch (const Failed&) {
-    if (late)
-      throw Failed{"the server has not said within 30 s how high the ground is where players are to be"};
+    if (late) throw Failed{"the server did not send the ground's heights at the players' places within 30 s"};
     throw;
   }
 }

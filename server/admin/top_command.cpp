@@ -93,9 +93,9 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
       "talusd top"};
   app.footer(
       "Units: ms/s are ms of processor time of generator threads a second, /min refusals a minute: of\n"
-      "requests that were too many or too fast, of those for which the server was too full, and of\n"
-      "connections. The rates are weighted by age, as load averages are, over 10 s and 1 min; the share\n"
-      "is that of all flows over 1 min; totals count since a flow is listed.\n"
+      "requests over a limit or rate, of requests for which the server was too full, and of connections.\n"
+      "The rates are weighted by age, as load averages are, over 10 s and 1 min; the share is a part of\n"
+      "all flows over 1 min; totals count since a flow is listed.\n"
       "A name is as access.blocked_file has it, unless it ends in \"...\": then it was cut, and\n"
       "/flows.json on the same port has the whole subject, up to 120 bytes.\n"
       "On a terminal the page is shown again and again until Ctrl-C, elsewhere once.\n"
@@ -108,7 +108,7 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
       ->type_name("HOST:PORT");
   app.add_option("--config", config_file, "the server's settings in TOML; default: no file")
       ->type_name("FILE");
-  app.add_option("--interval", interval, "seconds between two looks, on a terminal")
+  app.add_option("--interval", interval, "seconds between two updates, on a terminal")
       ->type_name("SECONDS")
       ->check(CLI::Range(1, 3600))
       ->capture_default_str();
@@ -130,7 +130,8 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   }
   if (auto done = apply_environment(settings, environment); !done) return top_refused(done.error(), kFailed);
   if (!settings.config.admin) {
-    return top_refused("no address of operators; give --admin HOST:PORT, as talusd has it", kWrongUse);
+    return top_refused("the operators' address is not set; give --admin HOST:PORT, as talusd has it",
+                       kWrongUse);
   }
   command.admin = *settings.config.admin;
   return command;

@@ -78,11 +78,11 @@ tl::expected<std::vector<std::string>, std::string> names_without_ids(const terr
   if (!uses) return tl::unexpected{uses.error()};
   for (const auto& [name, id] : missing) {
     if (const auto count = uses->find(id); count != uses->end()) {
-      return tl::unexpected{fmt::format(
-          "data {}: the world has no [[placeable]] \"{}\" any more, of which the store has {} "
-          "voxels; put it back into the world's file, or call what is built of it something else by talusd "
-          "store rename, or lose it by talusd store rebase --drop-unknown",
-          database.path().string(), name, count->second)};
+      return tl::unexpected{
+          fmt::format("data {}: the world has no [[placeable]] \"{}\" any more, but the store has {} voxels "
+                      "of it; put it back into the world's file, give these voxels another name by talusd "
+                      "store rename, or drop them by talusd store rebase --drop-unknown",
+                      database.path().string(), name, count->second)};
     }
   }
   return names;
@@ -100,13 +100,13 @@ tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> 
     if (!applied) {
       if (!waits()) {
         log->error(
-            "no ids by the log for the world's new materials: {}; nobody can place them until this server "
-            "is started again and the log is there",
+            "the log has given no ids to the world's new materials: {}; they cannot be placed until this "
+            "server is started again with the log reachable",
             applied.error().reason);
         break;
       }
       if (const auto now = std::chrono::steady_clock::now(); now >= says) {
-        log->warn("the world's {} new materials wait for ids by the log: {}", names.size(),
+        log->warn("the world's {} new materials wait for ids from the log: {}", names.size(),
                   applied.error().reason);
         says = now + kSayThatItWaits;
       }

@@ -70,7 +70,7 @@ tl::expected<void, std::string> check_world(const Config& config) {
   if ((*world)->fingerprint() == store->fingerprint) return {};
   return tl::unexpected{
       fmt::format("{}: the store that a talusd uses belongs to the world with fingerprint {}; {} has "
-                  "fingerprint {}; give --world the store's world, or none",
+                  "fingerprint {}; give --world the store's world, or leave it out",
                   file.string(), to_string(store->fingerprint), config.world.string(),
                   to_string((*world)->fingerprint()))};
 }
@@ -145,10 +145,10 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
       "on where it ended before, for the same center, radius and levels; what is on disk is not made again.",
       "talusd pregen"};
   app.footer(
-      "Where a talusd uses the data directory, that makes the land, in time that no player waits for, until "
-      "this\n"
-      "command ends. Else this command makes it. Columns that are cheap to make are made and not kept.\n"
-      "Exit status: 0 all is made, 1 it is not, 2 wrong flags.");
+      "If a talusd uses the data directory, that talusd makes the land, in time that no player waits for, "
+      "until\n"
+      "this command ends; else this command makes it. Columns that are cheap to make are made and not kept.\n"
+      "Exit status: 0 everything is made, 1 something is not, 2 wrong flags.");
   PregenPlan plan;
   std::string data;
   std::string config_file;
@@ -190,7 +190,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
   if (!data.empty()) config.data = data;
   if (!world.empty()) config.world = world;
   if (config.data.empty())
-    return pregen_failed("no data directory; give --data DIR, as talusd has it", kWrongUse);
+    return pregen_failed("the data directory is not set; give --data DIR, as talusd has it", kWrongUse);
 
   auto server = StoreConnection::open(config.data);
   if (!server) return pregen_failed(server.error());

@@ -18,8 +18,7 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log, co
     return {true, fmt::format("ready; no edits are taken: {}", *log->read_only)};
   }
   if (log != nullptr && !log->late.empty()) {
-    return {true,
-            fmt::format("ready; what is edited at other servers comes up to a second late: {}", log->late)};
+    return {true, fmt::format("ready; other servers' edits arrive up to a second late: {}", log->late)};
   }
   return {};
 }

@@ -339,8 +339,9 @@ asio::awaitable<void> Server::wait_for_reload() {
     try {
       reload();
     } catch (const std::exception& error) {  // such as bad_alloc: not a reason to end
-      log_->error("SIGHUP: {}; the old settings stay in use but for those named above; send SIGHUP again",
-                  on_one_line(error.what()));
+      log_->error(
+          "SIGHUP: {}; the old settings stay in use, except the settings named above; send SIGHUP again",
+          on_one_line(error.what()));
     }
   }
 }
@@ -505,7 +506,7 @@ asio::awaitable<void> Server::wait_for_shutdown() {
   if (draining_) {
     log_->info("{}: the server is ending already; {} connections", signal, admission_.connections());
   } else if (config_.shutdown.lead.count() == 0) {
-    log_->info("{}: no new connections; {} are told to go away", signal, admission_.connections());
+    log_->info("{}: no new connections; {} are asked to leave", signal, admission_.connections());
   } else {
     log_->info("{}: not ready any more; {} connections, and new ones for {} ms", signal,
                admission_.connections(), config_.shutdown.lead.count());
@@ -531,7 +532,7 @@ void Server::end_sessions() {
   if (config_.shutdown.lead.count() == 0) {
     registry_.tell_all_to_go("the server is ending", retry_after::kShutdown);
   } else {
-    log_->info("no new connections; {} are told to go to other servers", admission_.connections());
+    log_->info("no new connections; {} are asked to go to other servers", admission_.connections());
     departures_.send_all(config_.shutdown.drain / 2);
   }
   registry_.when_empty([this] { asio::post(io_->control(), [this] { io_->stop(); }); });
@@ -552,8 +553,7 @@ void Server::balancer_says(const std::string& state, const std::string& query) {
     // Checks come every second, so each distinct mistake is logged once, up to a limit.
     constexpr std::size_t kTold = 8;
     if (told_of_queries_.size() < kTold && told_of_queries_.insert(asked.error()).second) {
-      log_->warn("balance: nobody is sent elsewhere for a balancer's check: in its query {}",
-                 on_one_line(asked.error()));
+      log_->warn("balance: a balancer's check is ignored: in its query {}", on_one_line(asked.error()));
     }
     return;
   }

@@ -53,8 +53,8 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   if (!database) return tl::unexpected{std::move(database.error())};
   if (shared.stream == nullptr && (*database)->meta().stream.sequence != 0) {
     return tl::unexpected{fmt::format(
-        "data {}: the store is one of a cluster, whose log has what comes next; give cluster.nats "
-        "its NATS servers, or take the store out of the cluster by talusd store leave-cluster",
+        "data {}: the store belongs to a cluster, whose log has the next edits; give cluster.nats its NATS "
+        "servers, or take the store out of the cluster by talusd store leave-cluster",
         directory.string())};
   }
   if (const ContentHash now = (*database)->meta().store_id; now != store_id) {

@@ -109,7 +109,7 @@ LogFailure ClusterLog::unless_behind(LogFailure failure) const {
   if (now.ready && !now.read_only && now.lag == 0) return failure;
   return {LogFailure::Kind::cut_off,
           fmt::format("this server is not at the end of the log that this world's servers share ({} messages "
-                      "behind), and may not know all who edit; come back in 2 s",
+                      "behind), and may not know all editors; retry in 2 s",
                       now.lag)};
 }
 

@@ -19,7 +19,7 @@ using SteadyClock = std::chrono::steady_clock;
 /// After this many failed reads a chunk counts as lost.
 constexpr int kTriesToRead = 10;
 constexpr const char* kNotUnderstood =
-    "; and what the stream's description says of log formats it does not understand; upgrade it, or mend the "
+    "; and it cannot read the log formats in the stream's description; upgrade it, or correct the "
     "description (talusd cluster check) and restart it";
 /// Minimum time between log lines about one kind of message.
 constexpr std::chrono::seconds kBetweenWarnings{1};
@@ -66,7 +66,7 @@ void ClusterLog::next_message() {
     if (!*message) return;
     if ((*message)->sequence != after + 1) {
       stop_applying(
-          fmt::format("behind message {} of the log comes message {}", after, (*message)->sequence));
+          fmt::format("message {} of the log is followed by message {}", after, (*message)->sequence));
       return;
     }
     held_ = **std::move(message);
@@ -139,8 +139,8 @@ bool ClusterLog::came_damaged(const StreamMessage& message, const std::string& r
   if (const auto now = SteadyClock::now(); now - damage_told_ > kBetweenWarnings) {
     damage_told_ = now;
     parts_.log->error(
-        "cluster: message {} of the log came damaged, or somebody else sent it: {}; the log's leader is "
-        "asked for it",
+        "cluster: message {} of the log arrived damaged, or another program sent it: {}; requesting it from "
+        "the log's leader",
         message.sequence, reason);
   }
   parts_.stream.ask_again();
@@ -155,8 +155,9 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   }
   if (const auto now = SteadyClock::now(); now - skip_told_ > kBetweenWarnings) {
     skip_told_ = now;
-    parts_.log->error("cluster: message {} of the log counts for no talusd, and all servers pass over it: {}",
-                      message.sequence, reason);
+    parts_.log->error(
+        "cluster: message {} of the log is not valid for any talusd, and all servers pass over it: {}",
+        message.sequence, reason);
   }
   const store::StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
@@ -172,10 +173,8 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& 
     }
     if (stream->last < message.sequence) {
       // A deposed leader, which may not know enabled formats either.
-      trouble(
-          fmt::format("message {} of the log is one that this talusd does not know, and the leader does "
-                      "not know the message",
-                      message.sequence));
+      trouble(fmt::format("this talusd does not know message {} of the log, and neither does the leader",
+                          message.sequence));
       (void)pause(kSoon);
       return;
     }
@@ -237,8 +236,8 @@ std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const
     if (const auto now = SteadyClock::now(); now - clock_told_ > kBetweenWarnings) {
       clock_told_ = now;
       parts_.log->error(
-          "cluster: message {} of the log, of {}, was written by a clock that is {} s before that of "
-          "the host that leads the log; let all machines have their time by NTP",
+          "cluster: message {} of the log, of {}, was written by a clock that is {} s ahead of the clock of "
+          "the log's leader; synchronize all machines by NTP",
           message.sequence, is_own ? "this server" : fmt::format("server {:08x}", server_of(head.publisher)),
           (head.time_ms - *stream_ms) / 1000);
     }
@@ -277,26 +276,26 @@ void ClusterLog::applied(std::uint64_t sequence) {
     const bool was_undecided = !undecided_.empty();
     if (verdict == Verdict::undecided) {
       undecided_ = comparison_.what() +
-                   ", and as many say this as say that; run talusd store verify on each, and take away the "
+                   ", and the servers' votes are equal; run talusd store verify on each, and remove the "
                    "store of one that is not sound";
     } else {
       undecided_.clear();
     }
     if (!was_undecided && !undecided_.empty()) parts_.log->error("cluster: {}", undecided_);
     if (was_undecided && undecided_.empty()) {
-      parts_.log->info("cluster: it is decided whose state is right; edits are taken again");
+      parts_.log->info("cluster: the right state is decided; edits are taken again");
     }
   }
   tell_whether_it_takes();
   if (verdict == Verdict::wrong) {
-    lose(Lost::wrong_state, comparison_.what() + ", as most have; this server's store is wrong");
+    lose(Lost::wrong_state, comparison_.what() + ", as most servers have; this server's store is wrong");
   }
 }
 
 void ClusterLog::compare(const BatchHead& head) {
   const auto say = comparison_.heard({head.publisher, head.revision, head.hash}, SteadyClock::now());
   if (!say) return;
-  parts_.log->error("cluster: {}; all servers now say what they had then", comparison_.what());
+  parts_.log->error("cluster: {}; all servers now report their state at that revision", comparison_.what());
   publisher_.say({say->revision, say->hash});
 }
 

@@ -34,7 +34,7 @@ bool ClusterLog::find_place() {
     return false;
   } else if (stream->first > place.sequence + 1) {
     lose(Lost::too_old,
-         fmt::format("the stream keeps messages from {} on, and this server has those up to {}",
+         fmt::format("the stream keeps messages from {} on, and this server has messages up to {}",
                      stream->first, place.sequence));
     return false;
   } else if (!is_as_applied(*stream, place)) {
@@ -52,7 +52,7 @@ bool ClusterLog::find_place() {
   }
   const edits::Head& head = parts_.state.head();
   comparison_.stands(head.revision, head.hash);
-  parts_.log->info("cluster: goes on behind message {} of {}", now.sequence, stream->last);
+  parts_.log->info("cluster: continues after message {} of {}", now.sequence, stream->last);
   tell_whether_it_takes();
   return true;
 }
@@ -85,12 +85,13 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   const bool is_empty = own.position == 0;
   if (stream.first > 1) {
     lose(is_empty ? Lost::no_start : Lost::too_old,
-         fmt::format("the stream keeps messages from {} on, and this server has none of it", stream.first));
+         fmt::format("the stream keeps messages from {} on, and this server has no message of it",
+                     stream.first));
     return false;
   }
   const auto first = parts_.stream.next(0, SteadyClock::now() + milliseconds{500});
   if (!first || !*first) {
-    trouble(first ? "the stream's first message does not come" : first.error().reason);
+    trouble(first ? "the stream's first message does not arrive" : first.error().reason);
     return false;
   }
   const auto genesis = decode_genesis((*first)->bytes);
@@ -115,8 +116,8 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
                     genesis->level_rule, edits::kLevelRule));
   } else if (settings_.settles != nullptr && *settings_.settles != genesis->settles) {
     stop_applying(
-        "loose material slides otherwise in this world than in the stream's; all servers of a "
-        "store must have the same world");
+        "loose material slides differently in this world and the stream's; all servers of a store must have "
+        "the same world");
   } else if (genesis->head != own) {
     lose(is_empty ? Lost::no_start : Lost::other,
          fmt::format("the stream begins at revision {}, entry {}; this server's store is at revision {}, "

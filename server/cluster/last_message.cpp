@@ -20,7 +20,7 @@ tl::expected<LastMessage, StreamFailure> compare_last_message(LogStream& stream,
   if (!message || !*message) {
     return tl::unexpected{StreamFailure{
         Kind::unavailable,
-        fmt::format("message {} of the log, which was applied last, does not come", place.sequence)}};
+        fmt::format("message {} of the log, which was applied last, does not arrive", place.sequence)}};
   }
   return hash_of_message((*message)->bytes) == place.message_hash ? LastMessage::as_applied
                                                                   : LastMessage::other;

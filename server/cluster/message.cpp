@@ -91,7 +91,7 @@ tl::expected<std::span<const std::byte>, MessageFault> open_frame(std::span<cons
     return damaged(fmt::format("it has {} bytes; {} is the most", bytes.size(), kMaxMessageBytes));
   }
   if (bytes.size() < kFrameBytes || bytes.front() == std::byte{0}) {
-    return damaged("it is no message of talusd");
+    return damaged("it was not written by a talusd");
   }
   const auto body = bytes.first(bytes.size() - kSealBytes);
   if (store::ByteReader{bytes.last(kSealBytes)}.fixed64() != XXH3_64bits(body.data(), body.size())) {
@@ -140,7 +140,7 @@ tl::expected<std::span<const std::byte>, MessageFault> open_message(std::span<co
                          fmt::format("it is of kind {}, which this talusd does not know", held));
   }
   return damaged(kind == MessageKind::batch ? "it is a genesis; there is one, and it comes first"
-                                            : "it is no genesis; the first message must be one");
+                                            : "it is not a genesis; the first message must be one");
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ void Publisher::give_up(const std::string& why) {
 LogFailure Publisher::cut_off() const {
   const std::string why = trouble();
   return {LogFailure::Kind::cut_off,
-          fmt::format("the log that this world's servers share takes no edits now{}{}; come back in 2 s",
+          fmt::format("the log that this world's servers share takes no edits now{}{}; retry in 2 s",
                       why.empty() ? "" : ": ", why)};
 }
 
@@ -250,10 +250,10 @@ void Publisher::answer_open() {
     const std::lock_guard lock{mutex_};
     open.swap(open_);
   }
-  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{
-      LogFailure{LogFailure::Kind::unwritable,
-                 fmt::format("it is open whether the edit is in the log that this world's servers share: {}",
-                             trouble())}};
+  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{LogFailure{
+      LogFailure::Kind::unwritable,
+      fmt::format("the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
+                  trouble())}};
   for (const auto& [number, each] : open) {
     for (const EditLog::Done& done : each.done) done(failure);
   }

@@ -40,7 +40,7 @@ tl::expected<AllowedOrigins, std::string> AllowedOrigins::parse(std::string_view
       allowed.origins_.emplace_back(each);
     } else {
       return tl::make_unexpected(
-          fmt::format("'{}' is no origin; write https://play.example, or * for all", each.substr(0, 80)));
+          fmt::format("'{}' is not an origin; write https://play.example, or * for all", each.substr(0, 80)));
     }
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
   }

@@ -85,7 +85,8 @@ tl::expected<Boxes, std::string> Boxes::parse(std::string_view text) {
     const std::string_view part = trimmed(text.substr(from, semicolon - from));
     const auto box = parse_box(part);
     if (!box) {
-      return tl::make_unexpected(fmt::format("\"{}\" is no box of the world; {}", escaped(part, 80), kForm));
+      return tl::make_unexpected(
+          fmt::format("\"{}\" is not a box of the world; {}", escaped(part, 80), kForm));
     }
     if (boxes.size() == kMax) {
       return tl::make_unexpected(fmt::format("the list has more than {} boxes; combine some", kMax));

@@ -43,10 +43,10 @@ tl::expected<void, std::string> check_tls(const Cluster& cluster) {
                                : conflict("key", "is set and certificate is not; set both, or neither");
   }
   if (tls && cluster.ca.empty()) {
-    return conflict("ca",
-                    "is not set, and the addresses of cluster.nats are tls://; give the PEM file of those "
-                    "who sign the NATS servers' certificates, such as "
-                    "/etc/ssl/certs/ca-certificates.crt");
+    return conflict(
+        "ca",
+        "is not set, and the addresses of cluster.nats are tls://; give the PEM file of the authorities that "
+        "sign the NATS servers' certificates, such as /etc/ssl/certs/ca-certificates.crt");
   }
   if (!cluster.certificate.empty() && !tls) {
     return conflict("certificate", "needs TLS; write the addresses of cluster.nats as tls://HOST:PORT");
@@ -58,10 +58,9 @@ tl::expected<void, std::string> check_tls(const Cluster& cluster) {
 
 tl::expected<void, std::string> check_cluster(const Cluster& cluster) {
   if (!cluster.store.empty() && !is_store_id(cluster.store)) {
-    return conflict("store",
-                    fmt::format("\"{}\" is no id of a store; give 32 hexadecimal digits, as \"talusd "
-                                "store stat\" prints them, or \"\"",
-                                escaped(cluster.store)));
+    return conflict("store", fmt::format("\"{}\" is not the id of a store; give 32 hexadecimal digits, as "
+                                         "\"talusd store stat\" prints them, or \"\"",
+                                         escaped(cluster.store)));
   }
   if (cluster.replicas != 1 && cluster.replicas != 3 && cluster.replicas != 5) {
     return conflict("replicas", fmt::format("{} is wrong; give 1, 3 or 5", cluster.replicas));

@@ -33,7 +33,7 @@ Exit one_line(std::string text, int status) {
 std::string no_such_command(std::string_view word) {
   constexpr std::array<std::string_view, 5> kCommands{"token", "top", "store", "cluster", "pregen"};
   const std::string_view near = meant(word, kCommands);
-  return fmt::format("there is no command {}; {} talusd --help", escaped(word),
+  return fmt::format("unknown command {}; {} talusd --help", escaped(word),
                      near.empty() ? fmt::format("there are {}; see", fmt::join(kCommands, ", "))
                                   : fmt::format("did you mean {}? See", near));
 }
@@ -49,8 +49,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
       "Each setting of talusd.toml has an environment variable: TALUS_LIMITS_CONNECTIONS for "
       "limits.connections.\n"
       "A flag overrides a variable, a variable overrides the file, and the file overrides the default.\n"
-      "\"talusd token --help\" explains how to make tokens for clients, \"talusd top --help\" how to see who "
-      "uses most, \"talusd store --help\" how to back up what players built, \"talusd pregen\n"
+      "\"talusd token --help\" explains how to make tokens for clients, \"talusd top --help\" how to see "
+      "which flows use most, \"talusd store --help\" how to back up what players built, \"talusd pregen\n"
       "--help\" how to make land before they come, \"talusd cluster --help\" how several servers share a "
       "world.\n"
       "SIGTERM or SIGINT ends the server once pending answers are sent; a second signal ends it at once.\n"

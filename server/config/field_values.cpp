@@ -203,13 +203,15 @@ struct Describe {
     return fmt::format("a whole number from {} to {} ({})", target.min.count(), target.max.count(), unit);
   }
   std::string operator()(const EndpointTarget&) const { return "\"HOST:PORT\""; }
-  std::string operator()(const OptionalEndpointTarget&) const { return "\"HOST:PORT\" or \"\" for none"; }
+  std::string operator()(const OptionalEndpointTarget&) const {
+    return "\"HOST:PORT\" or \"\" for no address";
+  }
   std::string operator()(const PathTarget&) const { return fmt::format("the path of a {} in quotes", unit); }
   std::string operator()(const NetworksTarget&) const {
-    return "addresses and networks in one string, separated by commas, or \"\" for none";
+    return "addresses and networks in one string, separated by commas, or \"\" for an empty list";
   }
   std::string operator()(const BoxesTarget&) const {
-    return "boxes such as -16,-16:16,16 in one string, separated by semicolons, or \"\" for none";
+    return "boxes such as -16,-16:16,16 in one string, separated by semicolons, or \"\" for an empty list";
   }
   std::string operator()(const SwitchTarget&) const { return "true or false"; }
   std::string operator()(const OriginsTarget&) const {
@@ -217,7 +219,7 @@ struct Describe {
   }
   std::string operator()(const UrlsTarget& target) const {
     return fmt::format(
-        "a list such as [\"{}://HOST:PORT\"], in a variable separated by commas, or [] for none",
+        "a list such as [\"{}://HOST:PORT\"], in a variable separated by commas, or [] for an empty list",
         target.schemes.front());
   }
   std::string operator()(const WordTarget& target) const {

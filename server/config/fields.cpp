@@ -79,8 +79,7 @@ const std::array kFields{
     Field{"access.previous_signing_key_file", "file",
           "file with the previous signing key, whose tokens are accepted until they expire; empty: not used",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.previous_signing_key_file; }}},
-    Field{"access.revoked_file", "file",
-          "file that lists signed tokens which are no longer accepted; empty: not used",
+    Field{"access.revoked_file", "file", "file that lists revoked signed tokens; empty: not used",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.revoked_file; }}},
     Field{"access.blocked_file", "file",
           "file that lists addresses, networks and subjects of tokens which are not served; empty: not used",
@@ -142,8 +141,8 @@ const std::array kFields{
           "passwords or tokens; empty: this server is alone",
           UrlsTarget{[](Config& c) -> ServerUrls& { return c.cluster.nats; }, kNatsSchemes}},
     Field{"cluster.store", "id of a store",
-          "id of the world's store, 32 hexadecimal digits; empty: that of the data directory, or of the peer "
-          "whose store is taken",
+          "id of the world's store, 32 hexadecimal digits; empty: the id in the data directory, or of the "
+          "peer whose store is taken",
           TextTarget{[](Config& c) -> std::string& { return c.cluster.store; }}},
     Field{"cluster.user", "user's name",
           "user at the NATS servers, with cluster.password_file; at most one of user, token_file and "
@@ -248,8 +247,8 @@ const std::array kFields{
           "requests accepted from all sessions of one address",
           number<&Config::rates, &Rates::address_requests>(0, kMaxPerSecond)},
     Field{"rates.session_voxels", "voxels per second",
-          "voxels that edits of one session name, with those of fills, pastes and guards; a burst holds at "
-          "least one edit of the largest size, 65,536 voxels",
+          "voxels that edits of one session name, fills, pastes and guards included; a burst holds at least "
+          "one edit of the largest size, 65,536 voxels",
           number<&Config::rates, &Rates::session_voxels>(0, kMaxPerSecond)},
     Field{"rates.address_voxels", "voxels per second",
           "voxels that edits of all sessions of one address name",

@@ -29,7 +29,7 @@ tl::expected<std::string, std::string> checked_url(std::string_view url,
   std::string_view rest = url.substr(scheme.size() + kAfterScheme.size());
   if (rest.ends_with('/')) rest.remove_suffix(1);
   if (rest.find('@') != std::string_view::npos) {
-    return tl::unexpected{std::string{"holds a user or a secret; those have settings of their own"}};
+    return tl::unexpected{std::string{"holds a user or a secret; they have settings of their own"}};
   }
   const auto endpoint = protocol::parse_endpoint(rest);
   if (!endpoint) return tl::unexpected{endpoint.error()};

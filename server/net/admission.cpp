@@ -47,8 +47,7 @@ tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::addr
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
   if (connections_ >= limits_.connections) {
-    return tl::make_unexpected(
-        fmt::format("this server has {} connections, all it takes", limits_.connections));
+    return tl::make_unexpected(fmt::format("this server has {} connections, its limit", limits_.connections));
   }
   forget();
   auto known = by_address_.find(counted);
@@ -58,7 +57,7 @@ tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::addr
   Address& here = known->second;
   if (!of_proxy && here.connections >= limits_.per_address) {
     return tl::make_unexpected(fmt::format(
-        "your address has {} connections, all that this server takes from one", here.connections));
+        "your address has {} connections, this server's limit for one address", here.connections));
   }
   ++here.connections;
   ++connections_;

@@ -88,7 +88,7 @@ tl::expected<BalancerQuery, std::string> read_balancer_query(std::string_view qu
     if (!understood) {
       constexpr std::size_t kShown = 80;
       return tl::make_unexpected("'" + std::string{part.substr(0, kShown)} +
-                                 "' is none of above_percent=PERCENT (at most 1000), ports=PORT and "
+                                 "' is not one of above_percent=PERCENT (at most 1000), ports=PORT and "
                                  "ports=FIRST-LAST (at most 65535), each once");
     }
   }

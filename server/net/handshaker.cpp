@@ -111,7 +111,7 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
   const auto pending =
       std::make_shared<PendingConnection>(std::move(socket), peer, id, tls, clock_.now(), memory_);
   if (is_spare(pending->socket().native_handle())) {
-    refuse(*pending, Refusal::descriptors, "this server has as many files open as its system allows",
+    refuse(*pending, Refusal::descriptors, "this server has reached its system's limit of open files",
            retry_after::kServerFull);
     return;
   }
@@ -122,7 +122,7 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
   // Without PROXY header and TLS there is nothing to wait for. Otherwise a coroutine waits, and the number of
   // coroutines is bounded.
   if (metrics_.handshakes.now() >= static_cast<std::int64_t>(max_in_flight_)) {
-    refuse(*pending, Refusal::handshakes, "this server has as many handshakes in flight as it takes",
+    refuse(*pending, Refusal::handshakes, "this server has reached its limit of handshakes in flight",
            retry_after::kServerFull);
     return;
   }

@@ -395,9 +395,9 @@ std::size_t SessionRunner<S>::pump() {
 template <Stream S>
 std::string SessionRunner<S>::silence() const {
   const SessionTimeouts& timeouts = context_.limits.timeouts;
-  return greeted_ ? fmt::format("no whole frame for {} ms; send Ping when there is nothing to say",
-                                timeouts.idle.count())
-                  : fmt::format("no whole Hello within {} ms", timeouts.handshake.count());
+  return greeted_
+             ? fmt::format("no whole frame for {} ms; an idle client must send Ping", timeouts.idle.count())
+             : fmt::format("no whole Hello within {} ms", timeouts.handshake.count());
 }
 
 template <Stream S>

@@ -83,11 +83,10 @@ tl::expected<CertificateFile, std::string> read_certificate(const std::filesyste
                        Chain{sk_X509_new_null()}};
   const std::string failure = read.certificate ? "" : reason();
   if (!read.certificate) {
-    return wrong(
-        kSetting, file,
-        fmt::format("holds no certificate ({}); give a PEM file with the server's certificate and then "
-                    "those that vouch for it",
-                    failure));
+    return wrong(kSetting, file,
+                 fmt::format("holds no certificate ({}); give a PEM file with the server's certificate and "
+                             "then its issuers' certificates",
+                             failure));
   }
   while (X509* const next = PEM_read_bio_X509(bio.get(), nullptr, no_passphrase, &asked)) {
     sk_X509_push(read.chain.get(), next);
@@ -110,10 +109,9 @@ tl::expected<PrivateKey, std::string> read_key(const std::filesystem::path& file
   PrivateKey key{PEM_read_bio_PrivateKey(bio.get(), nullptr, no_passphrase, &asked)};
   if (asked) {
     ERR_clear_error();
-    return wrong(
-        kSetting, file,
-        "has a passphrase, and nobody is there to type it; take it off with openssl pkey, and keep the "
-        "file to talusd's user");
+    return wrong(kSetting, file,
+                 "is encrypted with a passphrase; remove that with openssl pkey, and let only talusd's user "
+                 "read the file");
   }
   if (!key) {
     ERR_clear_error();
@@ -216,8 +214,8 @@ tl::expected<TlsIdentity, std::string> load_tls(const std::filesystem::path& cer
   if (X509_check_purpose(own, X509_PURPOSE_SSL_SERVER, 0) != 1) {
     ERR_clear_error();
     return wrong("tls.certificate", certificate_file,
-                 "is not for servers, by its key usages; give one that has serverAuth among its extended "
-                 "ones, or none");
+                 "is not for servers, by its key usages; give one with serverAuth among its extended usages, "
+                 "or without extended usages");
   }
   if (!shakes_hands(context->get())) {
     return wrong("tls.key", key_file,

@@ -55,7 +55,7 @@ http::Response token_refused(AuthFailure failure) {
 
 http::Response right_missing() {
   return error_response(403, ErrorCode::forbidden,
-                        "this token does not permit to read; get one with the right read");
+                        "this token does not give the right read; get one that does");
 }
 
 std::vector<std::byte> refusal_response(ErrorCode code, const std::string& text,
@@ -78,7 +78,7 @@ http::Response fetch_failed(FetchError error, const MemoryBudget& memory) {
                                                   "too many chunks wait to be generated", retry_after::kBusy)
                                  : no_memory();
     case FetchError::late:
-      return error_response(503, ErrorCode::overloaded, "this takes longer than 20 s now",
+      return error_response(503, ErrorCode::overloaded, "the answer takes longer than 20 s now",
                             retry_after::kBusy);
     default:
       return error_response(503, ErrorCode::internal, "this could not be generated", retry_after::kFailed);
@@ -108,8 +108,8 @@ Answer check_world(const WebContext& context, std::string_view fingerprint, std:
   // A path of a column of edited land has as many parts as one of a generated chunk.
   if (codec.size() == context.store_id.size()) {
     return error_response(404, ErrorCode::out_of_range,
-                          fmt::format("'{}' stands where the chunk codec does; paths with a store id end in "
-                                      "@{{revision}}, such as @0, and the answer leads to the newest",
+                          fmt::format("'{}' is not a chunk codec; paths with a store id end in "
+                                      "@{{revision}}, such as @0, and the answer redirects to the newest",
                                       codec));
   }
   return error_response(404, ErrorCode::version,
@@ -122,9 +122,8 @@ Answer check_store(const WebContext& context, std::string_view store) {
                           "this server stores no edits; paths without a store id have its chunks");
   }
   if (store == context.store_id) return std::nullopt;
-  return error_response(
-      404, ErrorCode::out_of_range,
-      fmt::format("this server's edits are those of store {}; /v1/world names it", context.store_id));
+  return error_response(404, ErrorCode::out_of_range,
+                        fmt::format("this server has store {}; /v1/world names it", context.store_id));
 }
 
 }  // namespace talus::server::web

@@ -56,7 +56,7 @@ Answer answer_now(Exchange& exchange, const WorldRoute&) {
 Answer answer_now(Exchange& exchange, const StreamRoute&) {
   if (is_strange_page(exchange.request(), exchange.context().settings.origins)) {
     return error_response(403, ErrorCode::forbidden,
-                          "pages of this origin may not stream; http.origins lists those that may");
+                          "pages of this origin may not stream; http.origins lists the origins that may");
   }
   http::Response response = websocket::answer_handshake(exchange.request());
   if (response.status == 101) return response;

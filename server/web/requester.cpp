@@ -101,7 +101,7 @@ asio::awaitable<Answer> Requester::wait_for_rates(asio::any_io_executor executor
 http::Response Requester::over_rate(std::chrono::nanoseconds wait) const {
   caller_->flow->add(FlowMeasure::refusals, 1);
   return error_response(429, ErrorCode::overloaded,
-                        "this comes too fast for your rate; Retry-After says when there is room",
+                        "this request exceeds your rate; Retry-After gives the time to retry",
                         std::chrono::ceil<std::chrono::milliseconds>(wait));
 }
 
@@ -156,7 +156,7 @@ http::Response Requester::refuse(const SessionRates::Refusal& refusal) const {
   shared_.metrics.throttled(refusal.kind).add();
   caller_->flow->add(FlowMeasure::refusals, 1);
   http::Response response = error_response(
-      429, ErrorCode::overloaded, "too many requests; Retry-After says when there is room",
+      429, ErrorCode::overloaded, "too many requests; Retry-After gives the time to retry",
       std::max(std::chrono::milliseconds{1}, std::chrono::ceil<std::chrono::milliseconds>(refusal.wait)));
   response.last = refusal.abusive && !connection_.through_proxy;
   return response;

@@ -74,7 +74,8 @@ tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> pa
   for (std::size_t i = 2; i < parts.size() - (square ? 1 : 0); ++i) {
     const auto number = number_of(parts[i]);
     if (!number) {
-      return wrong(404, fmt::format("'{}' is no integer as 0, 7 or -12; {}", parts[i].substr(0, 40), kForms));
+      return wrong(
+          404, fmt::format("'{}' is not an integer such as 0, 7 or -12; {}", parts[i].substr(0, 40), kForms));
     }
     numbers[count++] = *number;
   }
@@ -87,7 +88,7 @@ tl::expected<Route, RouteError> base_chunks(std::span<const std::string_view> pa
   ColumnsRoute route{parts[0], parts[1], *key, 1, square};
   if (!square) return route;
   const auto edge = edge_of(parts[5]);
-  if (!edge) return wrong(404, fmt::format("'{}' is none of 1x1, 2x2, 4x4", parts[5].substr(0, 40)));
+  if (!edge) return wrong(404, fmt::format("'{}' is not one of 1x1, 2x2, 4x4", parts[5].substr(0, 40)));
   if (floor_mod(key->coord.x, *edge) != 0 || floor_mod(key->coord.z, *edge) != 0) {
     return wrong(404, fmt::format("squares of {} begin at multiples of {}", parts[5], *edge));
   }
@@ -103,18 +104,16 @@ tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) 
     return wrong(
         404,
         "@{revision} is missing; paths with a store id end in it, as in "
-        "/v1/{fingerprint}/{store_id}/{codec}/{lod}/{x}/{y}/{z}@0, and the answer leads to the newest");
+        "/v1/{fingerprint}/{store_id}/{codec}/{lod}/{x}/{y}/{z}@0, and the answer redirects to the newest");
   }
   if (mark == std::string_view::npos) return base_chunks(parts);
   const std::string_view text = parts.back().substr(mark + 1);
   const auto revision = number_of(text);
   if (!revision || *revision < 0 || parts.size() < 2) {
-    return wrong(
-        404,
-        fmt::format("'{}' is no revision as 0 or 12; "
-                    "/v1/{{fingerprint}}/{{store_id}}/{{codec}}/{{lod}}/{{x}}/{{y}}/{{z}}@{{revision}} is a "
-                    "chunk with its edits",
-                    text.substr(0, 40)));
+    return wrong(404, fmt::format("'{}' is not a revision such as 0 or 12; "
+                                  "/v1/{{fingerprint}}/{{store_id}}/{{codec}}/{{lod}}/{{x}}/{{y}}/"
+                                  "{{z}}@{{revision}} is a chunk with its edits",
+                                  text.substr(0, 40)));
   }
   std::array<std::string_view, kMaxSegments> rest;
   std::size_t count = 0;
@@ -135,17 +134,16 @@ tl::expected<Route, RouteError> chunks(std::span<const std::string_view> parts) 
 
 tl::expected<Route, RouteError> edited_region(std::span<const std::string_view> parts) {
   constexpr std::string_view kForm =
-      "/v1/{fingerprint}/{store_id}/edits/{lod}/{x}/{z} says which columns of chunk columns 32 x to 32 x + "
-      "31, "
-      "32 z to 32 z + 31 were edited";
+      "/v1/{fingerprint}/{store_id}/edits/{lod}/{x}/{z} lists the edited columns of chunk columns 32 x to 32 "
+      "x + 31, 32 z to 32 z + 31";
   constexpr std::int64_t kFar = std::int64_t{1} << 32;
   if (parts.size() != 6) return wrong(404, std::string{kForm});
   std::array<std::int64_t, 3> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto number = number_of(parts[i + 3]);
     if (!number) {
-      return wrong(404,
-                   fmt::format("'{}' is no integer as 0, 7 or -12; {}", parts[i + 3].substr(0, 40), kForm));
+      return wrong(404, fmt::format("'{}' is not an integer such as 0, 7 or -12; {}",
+                                    parts[i + 3].substr(0, 40), kForm));
     }
     numbers[i] = std::clamp(*number, -kFar, kFar);
   }
@@ -165,7 +163,8 @@ tl::expected<Route, RouteError> map_tile(std::span<const std::string_view> parts
   for (const std::string_view text : texts) {
     const auto number = number_of(text);
     if (!number)
-      return wrong(404, fmt::format("'{}' is no integer as 0, 7 or -12; {}", text.substr(0, 40), kForm));
+      return wrong(404,
+                   fmt::format("'{}' is not an integer such as 0, 7 or -12; {}", text.substr(0, 40), kForm));
     numbers.push_back(*number);
   }
   const auto tile = map::checked_tile(numbers[0], numbers[1], numbers[2]);
@@ -207,14 +206,14 @@ class Query {
 
 constexpr std::string_view kHeightForms =
     "/v1/heights?columns=X,Z;X,Z or ?x=X&z=Z&w=COLUMNS&h=ROWS[&step=S], with &looks=1, &fields=NAME,NAME and "
-    "&format=npy where wanted";
+    "&format=npy if wanted";
 
 tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t most, HeightsRoute& route) {
   for (const std::string_view each : split(text, ';', most + 2)) {
     const auto pair = split(each, ',', 3);
     const auto x = number_of(pair[0]);
     const auto z = pair.size() == 2 ? number_of(pair[1]) : std::nullopt;
-    if (!x || !z) return wrong(400, fmt::format("columns: '{}' is no X,Z", each.substr(0, 40)));
+    if (!x || !z) return wrong(400, fmt::format("columns: '{}' is not X,Z", each.substr(0, 40)));
     route.columns.push_back({*x, *z});
   }
   return {};
@@ -259,19 +258,20 @@ tl::expected<Route, RouteError> heights(std::string_view text, std::size_t most)
     return tl::make_unexpected(done.error());
   }
   if (const auto looks = query.take("looks")) {
-    if (*looks != "0" && *looks != "1") return wrong(400, "looks: 0 or 1 is needed");
+    if (*looks != "0" && *looks != "1") return wrong(400, "looks: give 0 or 1");
     route.looks = *looks == "1";
   }
   if (const auto fields = query.take("fields")) route.fields = split(*fields, ',', 64);
   if (const auto format = query.take("format")) {
-    if (*format != "json" && *format != "npy") return wrong(400, "format: json or npy is needed");
+    if (*format != "json" && *format != "npy") return wrong(400, "format: give json or npy");
     route.npy = *format == "npy";
   }
   if (route.npy && (route.looks || !route.fields.empty())) {
     return wrong(400, "format: .npy holds heights alone; ask for looks and fields in JSON");
   }
   if (const auto unknown = query.unknown()) {
-    return wrong(400, fmt::format("'{}' is no key here; {}", unknown->substr(0, 40), kHeightForms));
+    return wrong(400,
+                 fmt::format("'{}' is not a key of this query; {}", unknown->substr(0, 40), kHeightForms));
   }
   return route;
 }
@@ -303,7 +303,7 @@ tl::expected<Route, RouteError> find_route(std::string_view path, std::string_vi
   }
   const std::span<const std::string_view> parts = std::span{segments}.first(count);
   if (parts.size() == 1 && parts[0] == "heights") return heights(query, max_columns);
-  if (!query.empty()) return wrong(400, "there is no query here: caches would hold an answer many times");
+  if (!query.empty()) return wrong(400, "this path takes no query: caches would hold an answer many times");
   if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};
   if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
   if (parts.size() > 1 && parts[1] == "map") return map_tile(parts);

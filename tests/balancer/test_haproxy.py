@@ -169,7 +169,7 @@ class HaproxyTest(unittest.TestCase):
             self.assertEqual(fetch(f"http://127.0.0.1:{server.admin}/-/ready{query}", **state)[0], 200)
 
         def told(part):
-            return server.log.read_text().count(f"in its query '{part}' is none of")
+            return server.log.read_text().count(f"in its query '{part}' is not one of")
 
         before = server.metrics()[elsewhere]
         check("?ports=0")

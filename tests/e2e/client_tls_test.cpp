@@ -46,9 +46,8 @@ TEST_CASE("talus-client gets a chunk by TLS, and the same one") {
 TEST_CASE("talus-client says in one line why it does not trust a server") {
   const Secure secure;
   check_refused(get(secure.server, {"--tls", "--tls-name", "talus.example"}),
-                "certificate verify failed: self-signed certificate; give the certificate of who vouches for "
-                "it (TlsOptions::ca_file; of the programs "
-                "--ca FILE)");
+                "certificate verify failed: self-signed certificate; give its issuer's certificate "
+                "(TlsOptions::ca_file; in the programs --ca FILE)");
   check_refused(get(secure.server, {"--ca", secure.certificate}), "--tls-name NAME");
 }
 

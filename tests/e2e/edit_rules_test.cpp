@@ -117,5 +117,5 @@ TEST_CASE("boxes that change in the file count for new sessions after SIGHUP") {
   (void)file("-1000,-1000");
   server.signal(SIGHUP);
   CHECK_THAT(server.await_line("edits.protected"),
-             Catch::Contains("error") && Catch::Contains("is no box of the world"));
+             Catch::Contains("error") && Catch::Contains("is not a box of the world"));
 }

@@ -190,10 +190,10 @@ TEST_CASE("what a griefer did is found and given back while players look, and ot
   misspelt[4] = "malory";
   const std::string nobody = sound(misspelt);
   CHECK(nobody.find("nothing would be put back\nmalory changed nothing in that box since 20") == 0);
-  CHECK(nobody.find("Z; who did: (no token) (256 voxels), talusd store rollback (256 voxels)\n") !=
+  CHECK(nobody.find("Z; subjects that did: (no token) (256 voxels), talusd store rollback (256 voxels)\n") !=
         std::string::npos);
   misspelt.at(8) = text({at.x, at.y + 8, at.z}) + "," + text({at.x + 3, at.y + 9, at.z});
-  CHECK(sound(misspelt).find("; neither did anybody else\n") != std::string::npos);
+  CHECK(sound(misspelt).find("; nor did any other subject\n") != std::string::npos);
   auto as_tokens_have_it = flags;
   as_tokens_have_it.back() = text(at) + ":" + text({at.x + 3, at.y + 7, at.z + 7});
   CHECK(sound(as_tokens_have_it) == sound(flags));

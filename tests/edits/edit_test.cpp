@@ -30,9 +30,8 @@ std::size_t touched_count(const Edit& edit) {
 }
 
 constexpr const char* kTooManyVoxels =
-    "edit: it names more than 65536 voxels; guards, writes, fills and paste must keep to that together";
-constexpr const char* kTooManyChunks =
-    "edit: it reaches more than 64 chunks; it must be divided into edits that keep to that";
+    "edit: it names more than 65536 voxels; guards, writes, fills and paste count together";
+constexpr const char* kTooManyChunks = "edit: it reaches more than 64 chunks; it must be divided";
 
 }  // namespace
 
@@ -175,7 +174,7 @@ TEST_CASE("a world names the rows and materials that edits may use") {
         "fill 0: voxel y is 4197; in this world it must lie in -4106 to 4196");
   Edit edit = filling({0, 0, 0}, {0, 0, 0});
   edit.fills[0].material = MaterialId{4};
-  CHECK(refused(edit) == "fill 0: material 4 is none of this world; it must be one that Welcome names");
+  CHECK(refused(edit) == "fill 0: material 4 is not in this world; it must be one that Welcome names");
   edit.fills[0] = {{0, 0, 0}, {0, 0, 0}, {}, MaterialId{4}};
   CHECK(refused(edit).starts_with("fill 0: material 4"));
   edit.fills[0].only = MaterialId{300};

@@ -34,7 +34,7 @@ standard_error=$(readlink "/proc/$pregen/fd/2")
 [[ $standard_error == /dev/null ]] || { echo "talusd pregen 2>&- writes its errors into $standard_error" >&2; failed=1; }
 kill $pregen
 wait $pregen
-echo "no file of edits" >"$data/file"
+echo "not a file of edits" >"$data/file"
 "$talusd" store import --data "$data/store" "$data/file" >&- 2>&-
 expect 1 "talusd store import >&- 2>&-"
 exit $failed

@@ -191,15 +191,15 @@ TEST_CASE("replicas are compared by what they answer, and by nothing else") {
   CHECK(compared().value().empty());
   SECTION("another message") {
     replicas[1][3] = "d";
-    CHECK(compared().value() == std::vector<std::string>{"message 3 is not the same at all of them"});
+    CHECK(compared().value() == std::vector<std::string>{"message 3 is not the same at all replicas"});
   }
   SECTION("one too many") {
     replicas[2][4] = "c";
-    CHECK(compared().value() == std::vector<std::string>{"one has message 4, and the leader ends at 3"});
+    CHECK(compared().value() == std::vector<std::string>{"one replica has message 4, and the leader ends at 3"});
   }
   SECTION("one too few, where NATS calls it current") {
     replicas[2].erase(3);
-    CHECK(compared().value() == std::vector<std::string>{"not all of them have message 3"});
+    CHECK(compared().value() == std::vector<std::string>{"not all replicas have message 3"});
   }
   SECTION("one that lags behind is not compared") {
     replicas[2].erase(3);
@@ -225,7 +225,7 @@ TEST_CASE("replicas are compared by what they answer, and by nothing else") {
     info.leader.clear();
     CHECK(compared().error() == "the stream has no leader");
   }
-  SECTION("the leader says nothing") {
+  SECTION("the leader does not answer") {
     questions.info = [] { return std::nullopt; };
     CHECK_FALSE(compared());
   }
@@ -263,10 +263,10 @@ TEST_CASE("check finds that a replica holds other messages, though NATS calls it
   CHECK_THAT(lines_of(target, genesis_of()),
              Catch::Contains("ok: leader n") && Catch::Contains("all 3 replicas current"));
   CHECK_THAT(faults_of(target),
-             Catch::Contains("the replicas differ: one has message 8, and the leader ends at 7"));
+             Catch::Contains("the replicas differ: one replica has message 8, and the leader ends at 7"));
   publish();  // as message 8, which is another there
   CHECK_THAT(faults_of(target),
-             Catch::Contains("the replicas differ: message 8 is not the same at all of them"));
+             Catch::Contains("the replicas differ: message 8 is not the same at all replicas"));
 }
 
 TEST_CASE("three replicas where there is one server are refused with what is missing") {
@@ -353,7 +353,7 @@ TEST_CASE("check reads the newest messages, and names those that servers pass ov
   publish(cluster::encode_batch(head, nullptr, {}));
   std::string lines = lines_of(target, genesis_of());
   CHECK_THAT(lines,
-             Catch::Contains("note: message 2: it is no message of talusd; all servers pass over it") &&
+             Catch::Contains("note: message 2: it was not written by a talusd; all servers pass over it") &&
                  !Catch::Contains("fault: "));
   // None but the newest.
   CHECK_THAT(finding_lines(check(target, genesis_of(), 1)),
@@ -457,7 +457,7 @@ TEST_CASE("a NATS server's greeting is read, and nothing else is taken for one")
     const auto refused = parse_greeting(line);
     REQUIRE_FALSE(refused);
     // What it says, and what is to be done.
-    CHECK_THAT(refused.error(), Catch::Contains("no NATS server: it says \"") && Catch::Contains("4222"));
+    CHECK_THAT(refused.error(), Catch::Contains("not a NATS server: it sent \"") && Catch::Contains("4222"));
   }
 }
 
@@ -481,7 +481,7 @@ TEST_CASE("check says what answers in place of NATS") {
   http.join();
   REQUIRE_FALSE(answer);
   CHECK_THAT(answer.error(),
-             Catch::Contains("no NATS server: it says \"HTTP/1.0 200 OK\"") && Catch::Contains("4222"));
+             Catch::Contains("not a NATS server: it sent \"HTTP/1.0 200 OK\"") && Catch::Contains("4222"));
 }
 
 TEST_CASE("what keeps TLS from coming about names the key that is concerned") {

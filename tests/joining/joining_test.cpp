@@ -173,7 +173,7 @@ TEST_CASE("who has no right to the store, or wants another, says so and goes on 
   std::string line;
   SECTION("no right") {
     settings = servers.joiner("b", peers, "player");
-    line = "answers 403: the token has not the right admin";
+    line = "answers 403: the token lacks the right admin";
   }
   SECTION("no token of the peer's key") {
     servers.scratch.write("foreign", "eyJhbGciOiJIUzI1NiJ9.e30.c2lnbmF0dXJl");
@@ -225,7 +225,7 @@ TEST_CASE("while a server joins its operators' port says so") {
     CHECK(operators.get("/-/healthy").status == 200);
     const Answer ready = operators.get("/-/ready");
     CHECK(ready.status == 503);
-    CHECK(ready.body == "joining: there is no store here yet\n");
+    CHECK(ready.body == "joining: this server has no store yet\n");
     CHECK_THAT(operators.get("/metrics").body, Catch::Contains("talus_cluster_joining 1"));
     CHECK(operators.get("/store/checkpoint").status == 503);
     again = std::make_unique<ServerProcess>(

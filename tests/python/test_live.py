@@ -162,13 +162,13 @@ class Judgement(unittest.TestCase):
 
     SAYS = {
         "empty": "payload is empty",
-        "unknown_version": "no codec version known",
+        "unknown_version": "not a known codec version",
         "unknown_encoding": "names no encoding",
         "truncated": "ends before the chunk",
         "too_long": "goes on after the chunk's end",
         "bad_materials": "list of materials",
         "bad_number": "number that is past its range",
-        "bad_ending": "last bytes are not those",
+        "bad_ending": "last bytes do not end its chunk",
     }
 
     def test_hostile_payloads_are_judged_as_talus_gen_does(self):

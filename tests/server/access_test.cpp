@@ -282,7 +282,7 @@ TEST_CASE("talusd token refuses bounds that are wrong or bound nothing") {
     return made.error().text;
   };
   CHECK_THAT(wrong("read,edit", "--edit-in", "1,2"),
-             Catch::StartsWith("talusd token: --edit-in: \"1,2\" is no box"));
+             Catch::StartsWith("talusd token: --edit-in: \"1,2\" is not a box"));
   CHECK_THAT(wrong("read,edit", "--edit-not-in", "x"), Catch::StartsWith("talusd token: --edit-not-in: "));
   CHECK_THAT(wrong("read", "--edit-in", "1,2:3,4"), Catch::Contains("without the right \"edit\""));
   CHECK_THAT(wrong("read,gateway", "--edit-in", ""),

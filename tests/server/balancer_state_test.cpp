@@ -59,10 +59,9 @@ TEST_CASE("a check that asks for anything else is not understood, in which part 
   }
   const auto refused = read_balancer_query("above_percent=25&port=4780&x");
   REQUIRE_FALSE(refused.has_value());
-  CHECK(
-      refused.error() ==
-      "'port=4780' is none of above_percent=PERCENT (at most 1000), ports=PORT and ports=FIRST-LAST (at most "
-      "65535), each once");
+  CHECK(refused.error() ==
+        "'port=4780' is not one of above_percent=PERCENT (at most 1000), ports=PORT and ports=FIRST-LAST (at "
+        "most 65535), each once");
   const auto long_one = read_balancer_query(std::string(9000, 'x'));
   REQUIRE_FALSE(long_one.has_value());
   CHECK(long_one.error().size() < 300);

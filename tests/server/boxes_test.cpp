@@ -38,7 +38,7 @@ TEST_CASE("what is no box is named in one line") {
   for (const char* text : {"1,2", "1,2:3", "1,2:3,4,5", "1,2,3,4:1,2,3,4", "a,2:3,4", "1,2:3,4;", ";1,2:3,4",
                            "1,,2:3,4", "1.5,2:3,4", "68719476736,0:0,0", "99999999999999999999,0:0,0"}) {
     CAPTURE(text);
-    CHECK_THAT(error_of(text), Catch::Contains("is no box of the world; write boxes as X,Z:X,Z"));
+    CHECK_THAT(error_of(text), Catch::Contains("is not a box of the world; write boxes as X,Z:X,Z"));
   }
   CHECK_THAT(error_of("1,2:3,4; 5,6:7"), Catch::StartsWith("\"5,6:7\""));
   std::string many = "0,0:1,1";

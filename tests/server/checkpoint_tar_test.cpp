@@ -230,7 +230,7 @@ TEST_CASE("what a store does not have is refused before it is written") {
   }
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFLNK, "/etc/passwd"})), Catch::Contains("is a link"));
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFREG, "store.toml", true})), Catch::Contains("is a link"));
-  CHECK_THAT(error(with({"db/000099.sst", "", AE_IFDIR})), Catch::Contains("is no checkpoint"));
+  CHECK_THAT(error(with({"db/000099.sst", "", AE_IFDIR})), Catch::Contains("is not a checkpoint"));
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFIFO})),
              Catch::Contains("is a link, a directory or a device"));
   CHECK_THAT(error(with({"db/000099.sst", "x"})), Catch::Contains("\"db/000099.sst\" in it is not what"));
@@ -244,17 +244,17 @@ TEST_CASE("what a store does not have is refused before it is written") {
   CHECK_THAT(error(changed), Catch::Contains("it ends before its manifest"));
   changed = files;
   changed.erase(changed.begin() + 3);
-  CHECK_THAT(error(changed), Catch::Contains("is not what its manifest says"));
+  CHECK_THAT(error(changed), Catch::Contains("differs from its manifest"));
   changed = files;
   changed.push_back({"db/000099.sst", "x"});
   CHECK_THAT(error(changed), Catch::Contains("follows its manifest"));
   changed = files;
   changed[1].bytes = std::string(5'000, 'x');
   CHECK_THAT(error(changed), Catch::Contains("\"acknowledged\" in it has 5000 bytes, more than it may"));
-  CHECK_THAT(error({}), Catch::Contains("is no checkpoint"));
+  CHECK_THAT(error({}), Catch::Contains("is not a checkpoint"));
   const std::string compressed{"\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03", 10};
   CHECK_THAT(take(TextSource{compressed}, {{1, 2}, peer.id()}, staging).error,
-             Catch::Contains("is no checkpoint"));
+             Catch::Contains("is not a checkpoint"));
 }
 
 TEST_CASE("a checkpoint of more files than a store of its size has is refused while it comes") {

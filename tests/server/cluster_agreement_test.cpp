@@ -57,7 +57,7 @@ TEST_CASE("a server that hears nothing of the leader stays ready, and one that n
   CHECK(end.is_ready());
 }
 
-TEST_CASE("the time in which the leader says nothing is no time that a server is behind") {
+TEST_CASE("the time in which the leader does not answer is no time that a server is behind") {
   LogEnd end;
   const LogEnd::TimePoint start{};
   end.applied(7);

@@ -113,11 +113,9 @@ TEST_CASE("mistyped words of the command line are told with what was meant") {
     CHECK(refused.error().status == kWrongUse);
     return refused.error().text;
   };
-  CHECK(told({"stor", "backup"}) ==
-        "talusd: there is no command stor; did you mean store? See talusd --help\n");
+  CHECK(told({"stor", "backup"}) == "talusd: unknown command stor; did you mean store? See talusd --help\n");
   CHECK(told({"x\n"}) ==
-        "talusd: there is no command x\\x0a; there are token, top, store, cluster, pregen; see talusd "
-        "--help\n");
+        "talusd: unknown command x\\x0a; there are token, top, store, cluster, pregen; see talusd --help\n");
   CHECK(told({"--lisen", "a:1"}) ==
         "talusd: not expected: --lisen a:1; did you mean --listen? See talusd --help\n");
   CHECK(told({"--admin", "a:1", "x"}) == "talusd: not expected: x; see talusd --help\n");
@@ -288,16 +286,15 @@ TEST_CASE("every mistake in a configuration has its message") {
        "(connections)",
        "file.toml:2: limits.connections: Error while parsing key-value pair: expected value, saw '\\n'; give "
        "a whole number from 1 to 1000000 (connections)"},
-      {"listen == 3", "file.toml:1: listen: this is no value: a string stands in quotes; give \"HOST:PORT\"",
+      {"listen == 3", "file.toml:1: listen: this is not a value: a string needs quotes; give \"HOST:PORT\"",
        "file.toml:1: listen: Error while parsing value: could not determine value type; give \"HOST:PORT\""},
       {"foo = {a = 1, a = 2}", "file.toml:1: foo: cannot redefine existing integer 'a'",
        "file.toml:1: Error while parsing key-value pair: cannot redefine existing integer 'a'"},
       {"[limits\n", "file.toml:1: table header: expected ']', saw '\\n'",
        "file.toml:1: Error while parsing table header: expected ']', saw '\\n'"},
       {"# \xe2\x80\xa8\r\n[limits]\r\n\r\nconnections = = 5\r\n",
-       "file.toml:4: limits.connections: this is no value: a string stands in quotes; give a whole number "
-       "from 1 "
-       "to 1000000 (connections)",
+       "file.toml:4: limits.connections: this is not a value: a string needs quotes; give a whole number "
+       "from 1 to 1000000 (connections)",
        "file.toml:4: limits.connections: Error while parsing value: could not determine value type; give a "
        "whole number from 1 to 1000000 (connections)"},
       {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?", ""},

@@ -337,7 +337,7 @@ TEST_CASE("where only spare descriptors are left nobody comes in, and is told so
       const DescriptorsLeft few{kSpareDescriptors};
       Client client{bench};
       client.socket.shutdown(tcp::socket::shutdown_send);
-      CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("as many files open"));
+      CHECK_THAT(text_of(only_frame(client.rest())), Catch::Contains("limit of open files"));
       CHECK(bench.refused(Refusal::descriptors) == 1);
     }
     Client next{bench};

@@ -200,7 +200,7 @@ TEST_CASE("a start that a person has to decide on is refused by name") {
 
 TEST_CASE("an empty disk begins from a stream that goes back to nothing, and only of this store and world") {
   Joiner joiner;
-  CHECK_THAT(joiner.start(), Catch::Contains("cluster.peers: nobody is named"));  // of which store?
+  CHECK_THAT(joiner.start(), Catch::Contains("cluster.peers: is empty"));  // of which store?
   joiner.id = ContentHash{8, 8};
   joiner.script.first = genesis({8, 8}, {1, 3});
   CHECK_THAT(joiner.start(), Catch::Contains("give all servers of a cluster the same --world"));

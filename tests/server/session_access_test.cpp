@@ -52,7 +52,7 @@ TEST_CASE("a client learns that its token expired or is not accepted, and the lo
   const auto [shown, text, why] = GENERATE_REF(table<std::string, std::string, std::string>(
       {{shared.token({Right::read}, -1h), "the token has expired", "it expired 36"},
        {shared.token({Right::read}) + "A", "the token is not accepted", "signature"},
-       {"guess", "the token is not accepted", "no signed token"}}));
+       {"guess", "the token is not accepted", "not a signed token"}}));
   bench.hello(shown);
   const auto said = bench.output();
   REQUIRE(said.size() == 1);

@@ -224,7 +224,7 @@ TEST_CASE("a token with an empty part is refused before its signature is checked
   for (const std::string& bad : {good.substr(first), good.substr(0, first + 1) + good.substr(second),
                                  good.substr(0, second + 1), std::string{".."}}) {
     CAPTURE(bad);
-    CHECK(read(bad).error().reason == "it is no signed token");
+    CHECK(read(bad).error().reason == "it is not a signed token");
   }
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("where a subject has no entries, history says so and names who has") {
   CHECK(json.at("subjects").at(0) == HistoryJson({{"subject", "somebody"}, {"edits", 3}}));
   // Who has some, but not in what was asked for.
   const std::string later = printed(path, SubjectQuery{"somebody", 0, 1'000}, false);
-  CHECK_THAT(later, Catch::Contains("somebody has changed nothing since "));
+  CHECK_THAT(later, Catch::Contains("somebody has changed no voxel since "));
   CHECK_THAT(later, !Catch::Contains("no entries"));
   CHECK_FALSE(HistoryJson::parse(printed(path, SubjectQuery{"somebody"}, true)).contains("subjects"));
 }

@@ -191,7 +191,7 @@ TEST_CASE("an import that is refused leaves nothing of a directory that it made"
     REQUIRE(imported.has_value());
     CHECK(fs::exists(fs::path{flags.data} / "db"));
     const std::string named = world.empty() ? "default" : world;
-    CHECK_THAT(*imported, Catch::Contains("the world (" + named + ") is another than the file's"));
+    CHECK_THAT(*imported, Catch::Contains("the world (" + named + ") differs from the file's"));
   }
 }
 

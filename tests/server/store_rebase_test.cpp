@@ -151,7 +151,7 @@ TEST_CASE("a rebase refuses materials that the new world does not name, with the
   for (const bool drop : {false, true}) {
     const auto same = rebase_edits(*directory, old, drop);
     REQUIRE_FALSE(same.has_value());
-    CHECK(same.error().find("of that world already") != std::string::npos);
+    CHECK(same.error().find("already belongs to that world") != std::string::npos);
   }
   const auto dropped = rebase_edits(*directory, fresh, true);
   REQUIRE(dropped.has_value());
@@ -226,7 +226,7 @@ TEST_CASE("a placed material that the same land generates now becomes that, wher
     CHECK(store::ReadOnlyStore::open(path).value()->materials().at("granite") == granite);
     const auto again = rebase_edits(*directory, world, drop);
     REQUIRE_FALSE(again.has_value());
-    CHECK_THAT(again.error(), Catch::Contains("nothing is to be done"));
+    CHECK_THAT(again.error(), Catch::Contains("there is nothing to do"));
   }
   // talusd refuses the name though nothing is built of it.
   make_store(scratch / "unused", {{{sky, 8}, MaterialId{257}}}, world.fingerprint(), materials);
@@ -276,7 +276,7 @@ TEST_CASE("a placed material gets another name, and no other one's") {
   refused("planks", "", "a name has 1 to 64 bytes");
   refused("planks", std::string(65, 'x'), "a name has 1 to 64 bytes, this has 65");
   for (const char* const name : {"\xFF", "gr\xFC", "\xC3", "\xED\xA0\x80", "\xC0\xAF"}) {
-    refused("planks", name, "a name is text in UTF-8, and this is none");
+    refused("planks", name, "a name is text in UTF-8, and this is not");
   }
   CHECK_THAT(error("planks", "a\nb"), Catch::Contains("control characters"));
   CHECK(store::ReadOnlyStore::open(scratch / "data").value()->materials() == kMaterials);

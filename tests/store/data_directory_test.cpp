@@ -57,7 +57,7 @@ TEST_CASE("commands open a store of any world, and make nothing where there is n
   CHECK_FALSE(fs::exists(scratch / "none"));
   const auto none = DataDirectory::open_store(scratch.path());
   REQUIRE_FALSE(none.has_value());
-  CHECK_THAT(none.error(), Catch::Contains("there is no store in it"));
+  CHECK_THAT(none.error(), Catch::Contains("it has no store"));
   CHECK_FALSE(fs::exists(scratch / "lock"));
   const ContentHash id = id_of(scratch.path());
   const auto opened = DataDirectory::open_store(scratch.path());
@@ -131,7 +131,7 @@ TEST_CASE("a database without its store.toml is refused, and gets none") {
   fs::create_directory(scratch / "db");
   const auto refused = DataDirectory::open(scratch.path(), kWorld);
   REQUIRE_FALSE(refused.has_value());
-  CHECK_THAT(refused.error(), Catch::Contains("store.toml: there is no such file"));
+  CHECK_THAT(refused.error(), Catch::Contains("store.toml: the file is missing"));
   CHECK_FALSE(fs::exists(scratch / "store.toml"));
 }
 

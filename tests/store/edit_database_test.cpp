@@ -183,7 +183,7 @@ TEST_CASE("names of what the world generates follow the world, and may not be th
   CHECK(database->materials() == names);
   const auto refused = database->name_generated({{"planks", MaterialId{2}}});
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().find("material planks is one that may be placed in the store, with id 300") !=
+  CHECK(refused.error().find("material planks is placeable in the store, with id 300") !=
         std::string::npos);
   CHECK(owner->settle().has_value());
 }

@@ -72,7 +72,7 @@ const Mistake kMistakes[] = {
      "w.toml:15: stratified[0].thickness: 1e-07 is out of range; 1.52588e-05 to 32768"},
     // A value is shown, and what it should be.
     {"", "colour = \"#444444\"", "colour = \"red\"",
-     "w.toml:13: stratified[0].colour: 'red' is no colour; \"#rrggbb\", as \"#8d8478\", is needed",
+     "w.toml:13: stratified[0].colour: 'red' is not a colour; \"#rrggbb\", as \"#8d8478\", is needed",
      "w.toml:13: stratified[0].colour: is not right as it stands (string); a string such as \"#8d8478\" is "
      "needed"},
     {"", "colour = \"#444444\"", "colour = 4",
@@ -81,7 +81,7 @@ const Mistake kMistakes[] = {
      "needed"},
     {"", "gain = 1.0", "gain = true", "w.toml:8: surface.gain: true is a boolean; a number is needed",
      "w.toml:8: surface.gain: is not right as it stands (boolean); a number is needed"},
-    {"", "seed = 1", "seed = 1.5", "w.toml:1: seed: 1.5 is no integer; an integer is needed",
+    {"", "seed = 1", "seed = 1.5", "w.toml:1: seed: 1.5 is not an integer; an integer is needed",
      "w.toml:1: seed: is not right as it stands (floating-point); an integer is needed"},
     // A long key or value is cut.
     {"", "gain = 1.0", "gain = 1.0\n" + kLongKey + " = 1",
@@ -91,14 +91,14 @@ const Mistake kMistakes[] = {
          ": unknown key; known here: wavelength, octaves, gain, exponent, amplitude, kind"},
     {"", "colour = \"#444444\"", "colour = \"" + kLongKey + "\"",
      "w.toml:13: stratified[0].colour: '" + kLongKey.substr(0, 57) +
-         "...' is no colour; \"#rrggbb\", as \"#8d8478\", is needed",
+         "...' is not a colour; \"#rrggbb\", as \"#8d8478\", is needed",
      "w.toml:13: stratified[0].colour: is not right as it stands (string); a string such as \"#8d8478\" is "
      "needed"},
     // What is no TOML names its key where it has one.
     {"", "seed = 1", "seed =", "w.toml:1: seed: not TOML: expected value, saw '\\n'",
      "w.toml:1: not TOML: Error while parsing key-value pair: expected value, saw '\\n'"},
     {"", "gain = 1.0", "gain = high",
-     "w.toml:8: surface.gain: not TOML: this is no value: a string stands in quotes",
+     "w.toml:8: surface.gain: not TOML: this is not a value: a string needs quotes",
      "w.toml:8: not TOML: Error while parsing value: could not determine value type"},
     {"", "thickness = 0.5", "thickness = 0.5.5",
      "w.toml:15: stratified[0].thickness: not TOML: expected decimal digit or exponent, saw '.'",

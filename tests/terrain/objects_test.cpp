@@ -228,7 +228,7 @@ TEST_CASE("What is wrong about models of files") {
   const auto [from, to, message] = GENERATE(values<test::Wrong>({
       {"hut.vox", "tower.vox", "object[0].model: 'tower.vox': is not there"},
       {"spacing = 24", "spacing = 9", "object[0].spacing: 9 is out of range; 10 to 64"},
-      {"9 = { name", "8 = { name", "object[0].palette.9: is a colour of 'hut.vox' that names no material"},
+      {"9 = { name", "8 = { name", "object[0].palette.9: is a colour of 'hut.vox' without a material"},
       {"[object.palette]\n", "[object.palette]\n1 = { name = \"gravel\" }\n",
        "object[0].palette.1: unknown key"},
       {"chance = 0.8\n", "chance = 0.8\nwood = { name = \"gravel\" }\n", "object[0].wood: unknown key"},

@@ -260,12 +260,12 @@ TEST_CASE("Talus that comes to the same numbers has one fingerprint, and other n
 TEST_CASE("Ores have no colours of provinces") {
   const std::string text = test::replaced(std::string{default_world_toml()}, "colours = { gneiss",
                                           "colours = { coal = \"#00ff00\", gneiss");
-  CHECK_THAT(test::error_of(text), Catch::Contains("colours.coal: no [[stratified]] material is named so"));
+  CHECK_THAT(test::error_of(text), Catch::Contains("colours.coal: no [[stratified]] material has this name"));
 }
 
 TEST_CASE("What is wrong about places") {
   const auto [from, to, message] = GENERATE(values<std::array<std::string, 3>>({
-      {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] is named so"},
+      {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] has this name"},
       {"below = { height = -7 }", "below = { depth = -7 }", "base, terraces, and fields by name"},
       {"below = { height = -7 }\n", "",
        "'shingle beach' never shows, as 'sea floor' before it has no conditions"},

@@ -70,7 +70,7 @@ TEST_CASE("Every wrong spec is refused with file, line, key and what would be ri
       {"resolution = 40", "resolution = \"x\"", "w.toml:2: resolution: "},
       {"resolution = 40", "resolution = 40\nresolutoin = 3",
        "w.toml:3: resolutoin: unknown key; known here: seed, "},
-      {"seed = 1", "seed = 1\nmethod = \"wind\"", "w.toml:2: method: 'wind' is none of: slope, erosion"},
+      {"seed = 1", "seed = 1\nmethod = \"wind\"", "w.toml:2: method: 'wind' is not one of: slope, erosion"},
       {"seed = 1", "seed = 1\nmethod = 3", "w.toml:2: method: "},
       {"seed = 1", "seed = 1\nmethod = \"erosion\"",
        "w.toml:1: erosion_steps: missing; an integer is needed"},
@@ -144,7 +144,7 @@ TEST_CASE("A spec with too many layers or materials is refused") {
   // At the entry that is one too many: the small world has four layers, and loose materials come after
   // layers.
   CHECK_THAT(error_of(text),
-             Catch::Contains("name: 'r251' is one material too many: at most 255 beside air and water"));
+             Catch::Contains("name: 'r251' is one material too many: at most 255 besides air and water"));
 }
 
 TEST_CASE("The fingerprint covers what decides voxels, and no name or colour") {

@@ -27,7 +27,7 @@ struct Wrong {
 TEST_CASE("Every wrong key of a surface is refused with file, line, key and what would be right") {
   const auto [surface, from, to, message] = GENERATE(values<Wrong>({
       {"", "gain = 1.0", "gain = 1.0\nkind = \"flat\"",
-       "w.toml:9: surface.kind: 'flat' is none of: perlin, ridged, warped, height_map"},
+       "w.toml:9: surface.kind: 'flat' is not one of: perlin, ridged, warped, height_map"},
       {"", "gain = 1.0", "gain = 1.0\nkind = 3", "w.toml:9: surface.kind: "},
       {"", "gain = 1.0", "gain = 1.0\nfeedback = 2",
        "w.toml:9: surface.feedback: unknown key; known here: wavelength"},
@@ -60,7 +60,7 @@ TEST_CASE("Every wrong key of a surface is refused with file, line, key and what
       {"mirror", "spacing_z = 0.17", "spacing_z = 200",
        "surface.height_map.spacing_z: 200 is out of range; "},
       {"mirror", "outside = \"mirror\"", "outside = \"void\"",
-       "surface.height_map.outside: 'void' is none of: mirror, sea, blend, repeat"},
+       "surface.height_map.outside: 'void' is not one of: mirror, sea, blend, repeat"},
       {"mirror", "outside = \"mirror\"", "", "surface.height_map.outside: missing; a string is needed"},
       {"mirror", "spacing = 0.21", "spacing = 0.21\nmargin = 1", "surface.height_map.margin: unknown key"},
       {"repeat", "spacing = 0.21", "spacing = 0.21\naround = \"perlin\"",
@@ -71,7 +71,7 @@ TEST_CASE("Every wrong key of a surface is refused with file, line, key and what
       {"blend", "margin = 1.5\n", "", "surface.height_map.margin: missing; a number is needed"},
       {"blend", "margin = 1.5", "margin = 0.001", "surface.height_map.margin: 0.001 is out of range; "},
       {"blend", "margin = 1.5", "margin = 1.5\naround = \"height_map\"",
-       "surface.height_map.around: 'height_map' is none of: perlin, ridged, warped"},
+       "surface.height_map.around: 'height_map' is not one of: perlin, ridged, warped"},
       {"blend", "octaves = 5\n", "", "surface.octaves: missing; an integer is needed"},
       {"blend", "wavelength = 2.0\n", "wavelength = 0.01\n", "surface.wavelength: 0.01 is out of range; "},
   }));

@@ -146,7 +146,7 @@ TEST_CASE("likeness and lod-error print their figures and write them as JSON") {
   CHECK(levels.exit_code == 0);
   CHECK_THAT(levels.output, Catch::Contains("over 128 x 128 base columns"));
   CHECK_THAT(read_whole(scratch / "b.json"), Catch::Contains("\"same_material_from_above\""));
-  check_refused("lod-error --size 100", 2, "--size: 100 is no multiple of 64");
+  check_refused("lod-error --size 100", 2, "--size: 100 is not a multiple of 64");
   check_refused("lod-error --center 68719476736,0", 2, "--center");
   check_refused("likeness --seeds 0", 2, "--seeds");
 }

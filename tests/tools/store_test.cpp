@@ -206,7 +206,7 @@ TEST_CASE("What --store names is a store of the world") {
     CHECK_THAT(outcome.errors, Catch::Contains(part));
   };
 #ifdef TALUS_HAS_STORE
-  refused("map --center 0,0 --size 8,8" + store + out, "there is no store.toml");
+  refused("map --center 0,0 --size 8,8" + store + out, "it has no store.toml");
   std::ofstream{scratch / "lock"};
   std::ofstream{scratch / "store.toml"} << "store_id = \"" << std::string(32, '1') << "\"\nfingerprint = \""
                                         << std::string(32, '2') << "\"\n";

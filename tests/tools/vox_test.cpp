@@ -173,6 +173,6 @@ TEST_CASE("A world of more materials than a palette has colours is refused by nu
   REQUIRE_FALSE(outcome);
   CHECK(outcome.error().message ==
         "--world: a .vox palette has 255 colours, the world has 256 materials, water included; at most 254 "
-        "beside water fit");
+        "besides water fit");
   CHECK(scratch.file_count() == 0);
 }

@@ -65,9 +65,9 @@ TEST_CASE("A file's models come in its order, y up and z south") {
 
 TEST_CASE("A hostile .vox file is refused in a line that says what is wrong") {
   const std::string good = vox(model({3, 4, 5}, {{0, 0, 0, 7}}));
-  check_refused("", "no .vox file");
-  check_refused("VOX", "no .vox file");
-  check_refused("PNG " + good.substr(4), "no .vox file");
+  check_refused("", "not a .vox file");
+  check_refused("VOX", "not a .vox file");
+  check_refused("PNG " + good.substr(4), "not a .vox file");
   check_refused(good.substr(0, 8), "has no model");
   check_refused(good.substr(0, 30), "ends within the part at byte 20");
   check_refused(good.substr(0, good.size() - 1), "ends within the part");

@@ -148,7 +148,7 @@ Checked<client::Edit> edit_of(const talus_edit& edit) {
   if (is_missing(edit.guard_count, edit.guard_voxels) || is_missing(edit.guard_count, edit.guard_materials) ||
       is_missing(edit.write_count, edit.write_voxels) || is_missing(edit.write_count, edit.write_materials) ||
       is_missing(edit.fill_count, edit.fill_corners) || is_missing(edit.fill_count, edit.fill_materials)) {
-    return tl::unexpected<std::string>{"a list of edit is NULL whose count is not 0"};
+    return tl::unexpected<std::string>{"a list of edit is NULL but its count is not 0"};
   }
   const auto voxel_at = [](const std::int64_t* numbers) {
     return VoxelPos{numbers[0], numbers[1], numbers[2]};

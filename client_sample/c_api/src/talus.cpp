@@ -181,7 +181,7 @@ const char* talus_last_error(const talus_client* client) {
 talus_status talus_connect(talus_client* client, const talus_connect_options* options) {
   return guarded("talus_connect", client, [&](const Call& call) {
     if (client->session && !client->session->is_over()) {
-      return call.fail(TALUS_ALREADY_CONNECTED, "connected or connecting; talus_disconnect() comes first");
+      return call.fail(TALUS_ALREADY_CONNECTED, "connected or connecting; call talus_disconnect() first");
     }
     const auto own = read_argument(options, "options", options_of);
     if (!own) return call.wrong(own.error());
@@ -212,7 +212,7 @@ talus_status talus_poll(talus_client* client, talus_event* event, std::int32_t t
   return guarded("talus_poll", client, [&](const Call& call) {
     if (!has_size(event)) return call.wrong(wrong_struct("event"));
     if (!client->session || client->session->is_over()) {
-      return call.fail(TALUS_NOT_CONNECTED, "no event can come; talus_connect() comes first");
+      return call.fail(TALUS_NOT_CONNECTED, "no event can come; call talus_connect() first");
     }
     client->chunk.reset();
     const QueuedEvent* next = client->session->wait(timeout_ms);
@@ -282,7 +282,7 @@ talus_status talus_set_view(talus_client* client, const talus_view* view) {
     if (!own) return call.wrong(own.error());
     if (own->horizon && !session.newest_world()->limits.view_horizon) {
       return call.fail(TALUS_UNSUPPORTED,
-                       "this server knows no TALUS_VIEW_HORIZON; talus_world.has_horizon tells");
+                       "this server does not support TALUS_VIEW_HORIZON; check talus_world.has_horizon");
     }
     if (session.is_full()) {
       return call.fail(TALUS_TOO_MANY_EVENTS, "too many events wait; poll until TALUS_NO_EVENT comes");
@@ -385,7 +385,7 @@ talus_status talus_cancel(talus_client* client, std::uint32_t request) {
 talus_status talus_get_stats(talus_client* client, talus_stats* stats) {
   return guarded("talus_get_stats", client, [&](const Call& call) {
     if (!has_size(stats)) return call.wrong(wrong_struct("stats"));
-    if (!client->session) return call.fail(TALUS_NOT_CONNECTED, "talus_connect() comes first");
+    if (!client->session) return call.fail(TALUS_NOT_CONNECTED, "call talus_connect() first");
     const client::Stats& own = client->session->stats();
     write_struct(stats,
                  talus_stats{0, 0, own.received_bytes, own.sent_bytes, own.chunk_frames, own.chunk_bytes,
@@ -396,7 +396,7 @@ talus_status talus_get_stats(talus_client* client, talus_stats* stats) {
 
 talus_status talus_decode(const talus_chunk* chunk, std::uint16_t* voxels, std::size_t count) {
   const Call call{"talus_decode", nullptr};
-  if (chunk == nullptr) return call.wrong("chunk is NULL; give that of an event");
+  if (chunk == nullptr) return call.wrong("chunk is NULL; give an event's chunk");
   if (voxels == nullptr) return call.wrong("voxels is NULL; give room for TALUS_CHUNK_VOLUME of them");
   if (count != kChunkVolume) return call.wrong("count is not TALUS_CHUNK_VOLUME, 32768");
   // An enumeration is laid out as its underlying type, and the caller's compiler does not see this store.

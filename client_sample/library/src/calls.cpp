@@ -11,7 +11,7 @@
 namespace talus::client {
 namespace {
 
-const ClientError kNotConnected{ErrorKind::not_connected, "connect() comes first", {}};
+const ClientError kNotConnected{ErrorKind::not_connected, "call connect() first", {}};
 
 ClientError beyond(const std::string& what, std::uint64_t asked, std::uint64_t limit) {
   return {
@@ -31,7 +31,7 @@ Result<void> check_heights(const HeightsRequest& request, const WorldInfo& world
         beyond("a request for fields:", request.fields.size(), protocol::kMaxFieldsPerRequest)};
   }
   if (request.looks && world.looks.empty()) {
-    return tl::unexpected{ClientError{ErrorKind::out_of_range, "this server does not tell looks", {}}};
+    return tl::unexpected{ClientError{ErrorKind::out_of_range, "this server does not send looks", {}}};
   }
   for (const std::string& field : request.fields) {
     if (std::find(world.fields.begin(), world.fields.end(), field) == world.fields.end()) {

@@ -90,11 +90,11 @@ asio::awaitable<Result<void>> Connection::upgrade(const std::string& host, const
     co_return tl::unexpected{error_of(*websocket_->failure())};
   }
   if (error) {
-    co_return tl::unexpected{
-        ClientError{ErrorKind::disconnected,
-                    "the server ended the connection in the WebSocket handshake (" + error.message() +
-                        "); a WebSocket needs talusd's HTTP address (--http), and TLS where that has it",
-                    {}}};
+    co_return tl::unexpected{ClientError{
+        ErrorKind::disconnected,
+        "the server ended the connection in the WebSocket handshake (" + error.message() +
+            "); a WebSocket needs talusd's HTTP address (--http), and TLS if that address uses it",
+        {}}};
   }
   received_any_ = true;
   last_received_ = clock_.now();
@@ -144,11 +144,11 @@ asio::awaitable<Result<std::span<const std::byte>>> Connection::next_frame(Stats
 
     const auto [error, count] = co_await read_some();
     if (error && !received_any_ && !tls_) {
-      co_return tl::unexpected{reason_or(
-          ErrorKind::disconnected, where_ + ": the server ended the connection without a word (" +
-                                       error.message() +
-                                       "); if it wants TLS, connect by TLS (--tls); a proxy that has no "
-                                       "server ready ends connections so, too")};
+      co_return tl::unexpected{reason_or(ErrorKind::disconnected,
+                                         where_ + ": the server ended the connection without an answer (" +
+                                             error.message() +
+                                             "); if it wants TLS, connect by TLS (--tls); a proxy without a "
+                                             "ready server ends connections in the same way")};
     }
     if (error) {
       co_return tl::unexpected{reason_or(ErrorKind::disconnected,

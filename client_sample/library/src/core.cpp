@@ -324,7 +324,7 @@ asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::mil
     co_await connection->pause(interval);
     if (connection->is_closed()) co_return;
     if (options_.clock->now() - connection->last_received() > options_.silence_timeout) {
-      connection->close({ErrorKind::timed_out, "the server has said nothing for too long", {}});
+      connection->close({ErrorKind::timed_out, "the server has sent nothing for too long", {}});
       co_return;
     }
     // A Pong may be delayed behind much other data. A server that never answers gets no more Pings.

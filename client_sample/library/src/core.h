@@ -25,17 +25,19 @@
 namespace talus::client {
 
 inline const ClientError kNoHorizon{
-    ErrorKind::out_of_range, "this server knows no View with a horizon (ServerLimits::view_horizon)", {}};
+    ErrorKind::out_of_range,
+    "this server does not support a View with a horizon (ServerLimits::view_horizon)",
+    {}};
 
 inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
                                          "the connection broke before the edit was answered, and the server "
-                                         "has forgotten who sent it: it may have happened",
+                                         "no longer knows its editor: the edit's outcome is unknown",
                                          {}};
 
 /// Error of an edit that was sent and is given up because of `why`.
 [[nodiscard]] inline ClientError unknown_outcome(const ClientError& why) {
   return {ErrorKind::outcome_unknown,
-          why.message + "; the edit was sent before, and may have happened",
+          why.message + "; the edit was sent before, and its outcome is unknown",
           {},
           why.waited_for};
 }

@@ -12,7 +12,7 @@ namespace talus::client {
 void Core::edit(Edit edit, std::function<void(Result<EditDone>)> handler) {
   std::optional<ClientError> error;
   if (!running_ || !world_) {
-    error = ClientError{ErrorKind::not_connected, "connect() comes first", {}};
+    error = ClientError{ErrorKind::not_connected, "call connect() first", {}};
   } else if (world_->store_id == ContentHash{}) {
     error = ClientError{ErrorKind::refused, "this server stores no edits", {}};
   }
@@ -67,7 +67,7 @@ Result<void> Core::handle_attached(const wire::Attached& attached) {
 Result<void> Core::handle_edit_result(const wire::EditResult& result) {
   if (edits_.in_flight(result.id()) == nullptr) {
     return tl::unexpected{broken_protocol("an EditResult for request " + std::to_string(result.id()) +
-                                          ", which is no edit in flight")};
+                                          ", which is not an edit in flight")};
   }
   useful_ = true;
   edits_.saw(result.revision());
@@ -82,7 +82,7 @@ Result<void> Core::edit_refused(const wire::Error& error, bool comes_back) {
   const std::uint32_t id = error.request_id();
   if (edits_.in_flight(id) == nullptr) {
     return tl::unexpected{
-        broken_protocol("an Error about request " + std::to_string(id) + ", which is no edit in flight")};
+        broken_protocol("an Error about request " + std::to_string(id) + ", which is not an edit in flight")};
   }
   if (comes_back) {
     edits_wait_for_ = read_error(error).message;

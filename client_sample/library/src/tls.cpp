@@ -24,11 +24,10 @@ ClientError untrusted(long result) {
   const bool date = result == X509_V_ERR_CERT_HAS_EXPIRED || result == X509_V_ERR_CERT_NOT_YET_VALID;
   return {ErrorKind::untrusted,
           std::string{"certificate verify failed: "} + X509_verify_cert_error_string(result) +
-              (name   ? "; give the name that it was made for (TlsOptions::server_name; of the programs "
+              (name   ? "; give the name that it was made for (TlsOptions::server_name; in the programs "
                         "--tls-name NAME)"
                : date ? "; the server's operator must renew it"
-                      : "; give the certificate of who vouches for it (TlsOptions::ca_file; of the programs "
-                        "--ca FILE)"),
+                      : "; give its issuer's certificate (TlsOptions::ca_file; in the programs --ca FILE)"),
           {}};
 }
 
@@ -44,7 +43,7 @@ Result<tls::Context> make_tls_context(const TlsOptions& options) {
       !std::filesystem::is_regular_file(options.ca_file, ignored)) {
     return tl::unexpected{
         ClientError{ErrorKind::untrusted,
-                    options.ca_file + ": is not a regular file; give a PEM file of those to trust",
+                    options.ca_file + ": is not a regular file; give a PEM file of trusted certificates",
                     {}}};
   }
   const bool trusted = options.ca_file.empty()
@@ -53,7 +52,7 @@ Result<tls::Context> make_tls_context(const TlsOptions& options) {
   if (!trusted) {
     return tl::unexpected{ClientError{ErrorKind::untrusted,
                                       options.ca_file + ": cannot be read as certificates: " +
-                                          tls::last_reason() + "; give a PEM file of those to trust",
+                                          tls::last_reason() + "; give a PEM file of trusted certificates",
                                       {}}};
   }
   SSL_CTX_set_verify(context.get(), options.verify ? SSL_VERIFY_PEER : SSL_VERIFY_NONE, nullptr);
@@ -76,7 +75,7 @@ ClientError handshake_failure(const ssl_st* tls, const std::error_code& error) {
   if (const long verified = SSL_get_verify_result(tls); verified != X509_V_OK) return untrusted(verified);
   const auto code = static_cast<unsigned long>(error.value());
   if (ERR_GET_LIB(code) == ERR_LIB_SSL && ERR_GET_REASON(code) == SSL_R_WRONG_VERSION_NUMBER) {
-    return {ErrorKind::unreachable, "what answers there does not speak TLS; connect without it", {}};
+    return {ErrorKind::unreachable, "the peer does not speak TLS; connect without it", {}};
   }
   return {ErrorKind::unreachable, "the TLS handshake failed: " + error.message(), {}};
 }

@@ -189,7 +189,7 @@ class Coded:
             raise DecodeError("too_long", f"{self.end - self.at} bytes after the end")
         rest = [state - 256 for state in self.states]
         if max(rest) > (255 if endings else 0):
-            raise DecodeError("bad_ending", "the final states are not those of a whole payload")
+            raise DecodeError("bad_ending", "the final states do not end a whole payload")
         return bytes(rest)
 
 

@@ -108,7 +108,7 @@ class Editor:
             elif error.code == ErrorCode.not_applied:
                 message.sequence, sent = 0, False
             elif again and error.code != ErrorCode.conflict:
-                raise OutcomeUnknown(f"{error}; the edit was sent before, and may have happened") from error
+                raise OutcomeUnknown(f"{error}; the edit was sent before, and its outcome is unknown") from error
             else:
                 raise error
 

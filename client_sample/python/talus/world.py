@@ -177,7 +177,7 @@ class World(Queries):
             self._receive()
         answer = self._answers.pop(message.id)
         if not isinstance(answer, (protocol.EditResult, protocol.Error)):
-            raise protocol.ProtocolError("the answer to an Edit is none")
+            raise protocol.ProtocolError("the answer to an Edit is not an EditResult")
         return answer
 
     def _join(self):
@@ -253,7 +253,7 @@ class World(Queries):
                     continue
                 asked.popleft()
                 if not isinstance(answer, protocol.Chunk) or answer.key != key:
-                    raise protocol.ProtocolError(f"the answer to a request for chunk {key} is none")
+                    raise protocol.ProtocolError(f"the answer to a request for chunk {key} is not a chunk")
                 yield _chunk(answer)
         finally:
             self._forget(id for id, _ in asked)
@@ -392,7 +392,7 @@ class World(Queries):
         elif kind is protocol.Error:
             self._receive_error(message)
         elif kind is not protocol.EditBroadcast:
-            raise protocol.ProtocolError(f"the server sent a {kind.__name__} that nobody asked for")
+            raise protocol.ProtocolError(f"the server sent a {kind.__name__} that was not requested")
 
     def _answer(self, id, message):
         if id in self._unanswered:  # otherwise given up

@@ -123,7 +123,7 @@ tl::expected<void, EditError> check_material(const std::string& what, MaterialId
                                              std::span<const MaterialId> materials) {
   if (std::ranges::binary_search(materials, material)) return {};
   return refused(what + ": material " + std::to_string(to_integer(material)) +
-                 " is none of this world; it must be one that Welcome names");
+                 " is not in this world; it must be one that Welcome names");
 }
 
 }  // namespace
@@ -218,7 +218,7 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
   if (!count) return Refusal{count.error()};
   if (*count > kMaxVoxels) {
     return refused("edit: it names more than " + std::to_string(kMaxVoxels) +
-                   " voxels; guards, writes, fills and paste must keep to that together");
+                   " voxels; guards, writes, fills and paste count together");
   }
   Touched touched;
   bool fits = true;
@@ -233,7 +233,7 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
   }
   if (!fits) {
     return refused("edit: it reaches more than " + std::to_string(kMaxChunks) +
-                   " chunks; it must be divided into edits that keep to that");
+                   " chunks; it must be divided");
   }
   if (const auto box = settles ? settle_box(edit) : std::nullopt) {
     visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)touched.insert(voxel); });

@@ -107,13 +107,13 @@ std::string_view describe(RunsError error) {
     case RunsError::bad_number:
       return "runs: a number is not canonical or too large; it must be in range, in the fewest bytes";
     case RunsError::bad_materials:
-      return "runs: the materials are not canonical; ids must rise, and each must be that of a run";
+      return "runs: the materials are not canonical; ids must rise, and each must be the id of a run";
     case RunsError::split_run:
       return "runs: two runs of one material touch, which is not canonical; they must be one run";
     case RunsError::past_chunk:
       return "runs: a run ends past the chunk; a chunk has voxels 0 to 32767";
     case RunsError::too_many:
-      return "runs: there are more voxels than the limit; a block must keep to what its reader takes";
+      return "runs: there are more voxels than the limit; a block must keep to its reader's limit";
   }
   return "runs: unknown error; it must be one of RunsError";
 }

@@ -10,7 +10,7 @@ constexpr std::int64_t kWorldEdge = std::int64_t{1} << 36;  // base columns
 
 tl::expected<Tile, std::string> checked_tile(std::int64_t zoom, std::int64_t x, std::int64_t z) {
   if (zoom < 0 || zoom > kMaxZoom) {
-    return tl::make_unexpected("zoom " + std::to_string(zoom) + " is none of 0 to " +
+    return tl::make_unexpected("zoom " + std::to_string(zoom) + " is not in 0 to " +
                                std::to_string(kMaxZoom));
   }
   const Tile tile{static_cast<int>(zoom), x, z};

@@ -44,8 +44,8 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
   const auto acknowledged = decode_acknowledged(std::as_bytes(std::span{slice.data(), slice.size()}));
   if (!acknowledged) {
     return tl::unexpected{
-        fmt::format("{}: it is damaged, and so the disk may be; restore a backup, or delete this file to go "
-                    "on with what the store holds, as a store of a new id",
+        fmt::format("{}: it is damaged, and the disk may be, too; restore a backup, or delete this file to "
+                    "go on with what the store holds, as a store of a new id",
                     path)};
   }
   return acknowledged;

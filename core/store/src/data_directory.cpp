@@ -41,14 +41,14 @@ tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
 
 tl::unexpected<std::string> no_store(const fs::path& path) {
   return tl::make_unexpected(
-      fmt::format("data {}: there is no store in it; give --data the directory of a talusd", path.string()));
+      fmt::format("data {}: it has no store; give --data a talusd's directory", path.string()));
 }
 
 tl::expected<void, std::string> check_directory(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return {};
   return tl::make_unexpected(
-      fmt::format("data {}: there is no such directory; give --data that of a talusd", path.string()));
+      fmt::format("data {}: the directory does not exist; give --data a talusd's directory", path.string()));
 }
 
 tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
@@ -117,7 +117,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open(const fs::path& pat
   }
   if (directory->has_edits()) {
     return tl::make_unexpected(
-        fmt::format("{}: there is no such file, though the directory has a store's database; put it back, or "
+        fmt::format("{}: the file is missing, though the directory has a store's database; put it back, or "
                     "give --data a backup that talusd store restore made a store of",
                     file.string()));
   }

@@ -219,19 +219,19 @@ EditDatabase::Done EditDatabase::replay(const std::function<bool(LogRecord&&)>& 
 
 tl::expected<std::optional<StoredChunk>, std::string> EditDatabase::chunk(ChunkKey key) const {
   const std::shared_lock lock{handle_};
-  if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
+  if (!db_) return failure("the store is closed after a disk error, and opened again each second");
   return reader().chunk(key);
 }
 
 EditDatabase::Done EditDatabase::for_each_record(std::uint64_t first,
                                                  const std::function<bool(LogRecord&&)>& visit) const {
-  if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
+  if (!db_) return failure("the store is closed after a disk error, and opened again each second");
   return reader().for_each_record(meta_, first, visit);
 }
 
 EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) const {
   const std::shared_lock lock{copying_};
-  if (!db_) return failure("the store is closed after an error of the disk, and tried again each second");
+  if (!db_) return failure("the store is closed after a disk error, and opened again each second");
   rocksdb::Checkpoint* made = nullptr;
   rocksdb::Status status = rocksdb::Checkpoint::Create(db_.get(), &made);
   const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
@@ -301,7 +301,7 @@ EditDatabase::Written EditDatabase::begin_sync() {
 
 EditDatabase::Done EditDatabase::sync_log() const {
   const std::shared_lock lock{copying_};
-  if (!db_) return failure("the store is closed after an error of the disk");
+  if (!db_) return failure("the store is closed after a disk error");
   if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
   return {};
 }
@@ -391,7 +391,7 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
 }
 
 EditDatabase::Done EditDatabase::settle() {
-  if (!db_) return failure("the store is closed after an error of the disk");
+  if (!db_) return failure("the store is closed after a disk error");
   rocksdb::Status status = db_->FlushWAL(true);
   if (status.ok()) status = db_->Flush({});
   if (!status.ok()) return failure(status.ToString());
@@ -405,7 +405,7 @@ EditDatabase::Done EditDatabase::recover() {
   }
   const std::unique_lock not_copied{copying_, std::try_to_lock};
   if (!not_copied)
-    return failure("after an error of the disk it is opened again when a copy or a sync of it has ended");
+    return failure("after a disk error it is opened again when a copy or a sync of it has ended");
   const std::unique_lock lock{handle_};
   db_.reset();
   if (auto opened = open_database(); !opened) {
@@ -421,8 +421,7 @@ EditDatabase::Done EditDatabase::recover() {
     return {};
   }
   db_.reset();
-  const std::string what =
-      fmt::format("after an error of the disk entry {} of its log is lost", meta_.head.position);
+  const std::string what = fmt::format("after a disk error entry {} of its log is lost", meta_.head.position);
   if (!settings_.log_elsewhere || !status.ok() || !meta)
     return failure(fmt::format("{}; {}", what, kStoreLost));
   auto lost = failure(what + "; a start of the server reads it again from the log that all share");
@@ -489,9 +488,8 @@ EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materi
     const auto named = materials.find(name);
     if (to_integer(id) >= edits::kFirstBound && named != materials.end()) {
       return failure(fmt::format(
-          "material {} is one that may be placed in the store, with id {}; the world may "
-          "not generate one of that name; give it another by talusd store rename, or make it that one "
-          "by talusd store rebase",
+          "material {} is placeable in the store, with id {}; the world may not generate a material of that "
+          "name; give it another name by talusd store rename, or merge the two by talusd store rebase",
           name, to_integer(id)));
     }
     if (to_integer(id) >= edits::kFirstBound) {
@@ -508,7 +506,7 @@ EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materi
 }
 
 EditDatabase::Done EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) {
-  if (!db_) return failure("the store is closed after an error of the disk");
+  if (!db_) return failure("the store is closed after a disk error");
   rocksdb::WriteOptions options;
   options.sync = sync;
   const auto status = db_->Write(options, &batch);

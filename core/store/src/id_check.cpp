@@ -28,9 +28,9 @@ tl::expected<void, std::string> check_whole_store(const std::filesystem::path& d
 
 std::string ids_differ(ContentHash of_database, ContentHash of_store_toml) {
   return fmt::format(
-      "the edits belong to store {0}; this directory's store.toml has {1}; where \"talusd store "
-      "leave-cluster\" or \"fork\" of an older talusd was interrupted here, write store_id = \"{0}\" into "
-      "store.toml; else put back the directory's own edits, or give --data another directory",
+      "the edits belong to store {0}; this directory's store.toml has {1}; if \"talusd store leave-cluster\" "
+      "or \"fork\" of an older talusd was interrupted here, write store_id = \"{0}\" into store.toml; else "
+      "put back the directory's own edits, or give --data another directory",
       to_string(of_database), to_string(of_store_toml));
 }
 

@@ -10,7 +10,8 @@ tl::expected<MaterialId, std::string> check_rename(const edits::MaterialIds& mat
   const auto held = materials.find(from);
   if (held == materials.end()) {
     return tl::unexpected{fmt::format(
-        "the store has no material \"{}\"; talusd store stat lists those that it has voxels of", from)};
+        "the store has no material \"{}\"; talusd store stat lists the materials that it has voxels of",
+        from)};
   }
   if (to_integer(held->second) < edits::kFirstBound) {
     return tl::unexpected{
@@ -20,8 +21,7 @@ tl::expected<MaterialId, std::string> check_rename(const edits::MaterialIds& mat
     return tl::unexpected{fmt::format("\"{}\": {}", to, *fault)};
   }
   if (materials.contains(to)) {
-    return tl::unexpected{
-        fmt::format("\"{}\" is another material of the store; choose a name that none has", to)};
+    return tl::unexpected{fmt::format("\"{}\" is another material of the store; choose an unused name", to)};
   }
   return held->second;
 }

@@ -186,7 +186,7 @@ Done tidy_up(const fs::path& directory) {
   if (const auto next = fs::symlink_status(next_of(directory), code); fs::exists(next)) {
     if (!fs::is_directory(next)) {
       return tl::unexpected{
-          fmt::format("{}: it is no directory of talusd's own; remove it", next_of(directory).string())};
+          fmt::format("{}: it is not a directory of talusd's own; remove it", next_of(directory).string())};
     }
     if (const auto finished = finish(directory); !finished) return tl::unexpected{finished.error()};
   }

@@ -29,7 +29,7 @@ std::optional<std::string> check_identity(const fs::path& directory, ContentHash
   std::error_code error;
   if (!fs::exists(directory / "store.toml", error)) {
     return fmt::format(
-        "store {}: there is no store.toml; give --store a directory that talusd was given as --data, or a "
+        "store {}: it has no store.toml; give --store a directory that talusd was given as --data, or a "
         "backup of one",
         directory.string());
   }

@@ -75,7 +75,7 @@ std::string toml_error_text(std::string_view description, std::string_view key) 
   remove(text, " (TOML_", ")");
   constexpr std::string_view kNoValue = "could not determine value type";
   if (const std::size_t at = text.find(kNoValue); at != std::string::npos) {
-    text.replace(at, kNoValue.size(), "this is no value: a string stands in quotes");
+    text.replace(at, kNoValue.size(), "this is not a value: a string needs quotes");
   }
   return text;
 }

@@ -30,7 +30,8 @@ Expected<void> erode_samples(const std::filesystem::path& input, int width, int 
   HeightGrid grid{width, depth, {samples.begin(), samples.end()}};
   const bool numbers = std::all_of(grid.heights.begin(), grid.heights.end(),
                                    [](double height) { return std::isfinite(height); });
-  if (!numbers) return failed(input.string() + ": has samples that are no numbers; only numbers are heights");
+  if (!numbers)
+    return failed(input.string() + ": has samples that are not numbers; only numbers are heights");
   ProgressBar progress{"erode-heightmap", "droplets"};
   erode(grid, options, progress);
   std::transform(grid.heights.begin(), grid.heights.end(), samples.begin(), sample_of<Sample>);

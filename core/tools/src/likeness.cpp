@@ -134,7 +134,7 @@ Expected<Likeness> measure_likeness(const WorldText& text, int seeds, ProgressBa
 std::string to_text(const Likeness& likeness) {
   std::array<char, 256> line{};
   std::snprintf(line.data(), line.size(),
-                "loose layers of the slope method beside erosion to rest, %d x %d columns at %d voxels a "
+                "loose layers of the slope method and of erosion to rest, %d x %d columns at %d voxels a "
                 "terrain unit,\nmean +- standard deviation of %d seeds\n\n",
                 likeness.side, likeness.side, likeness.resolution, likeness.seeds);
   std::string text = line.data();

@@ -90,7 +90,7 @@ std::string fault_of_seed(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, seed);
   if (error == std::errc{} && stop == end) return {};
-  return "'" + text + "' is no seed; give a whole number from 0 to 18446744073709551615";
+  return "'" + text + "' is not a seed; give a whole number from 0 to 18446744073709551615";
 }
 
 std::string fault_of_number(const std::string& text, double least, double most) {

@@ -18,7 +18,7 @@ Expected<std::vector<terrain::Colour>> palette_of(const terrain::World& world) {
   if (colours > kVoxColours) {
     return failed("--world: a .vox palette has " + std::to_string(kVoxColours) + " colours, the world has " +
                   std::to_string(colours) + " materials, water included; at most " +
-                  std::to_string(kVoxColours - 1) + " beside water fit");
+                  std::to_string(kVoxColours - 1) + " besides water fit");
   }
   std::vector<terrain::Colour> palette;
   for (std::size_t id = 1; id <= colours; ++id) palette.push_back(world.materials()[id].colour);

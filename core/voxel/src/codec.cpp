@@ -105,8 +105,8 @@ std::string_view describe(DecodeError error) {
     case DecodeError::empty:
       return "the chunk payload is empty; it needs at least a codec version and an encoding";
     case DecodeError::unknown_version:
-      return "the chunk payload's first byte is no codec version known here; this library reads versions 3 "
-             "and 4";
+      return "the chunk payload's first byte is not a known codec version; this library reads versions 3 and "
+             "4";
     case DecodeError::unknown_encoding:
       return "the chunk payload's second byte names no encoding of its version";
     case DecodeError::truncated:
@@ -118,7 +118,7 @@ std::string_view describe(DecodeError error) {
     case DecodeError::bad_number:
       return "the chunk payload holds a number that is past its range or not in its shortest form";
     case DecodeError::bad_ending:
-      return "the chunk payload's last bytes are not those that end its chunk; it was changed on its way";
+      return "the chunk payload's last bytes do not end its chunk; it was changed in transit";
   }
   return "unknown error";
 }

@@ -39,7 +39,7 @@ std::optional<std::string> material_name_fault(std::string_view name) {
     return "a name has 1 to " + std::to_string(kMaxMaterialNameBytes) + " bytes, this has " +
            std::to_string(name.size());
   }
-  if (!is_utf8(name)) return "a name is text in UTF-8, and this is none";
+  if (!is_utf8(name)) return "a name is text in UTF-8, and this is not";
   if (std::any_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; })) {
     return "a name is printed as it is, so it holds no control characters";
   }

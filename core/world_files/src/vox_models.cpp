@@ -20,7 +20,7 @@ class VoxReader {
   VoxReader(std::span<const std::byte> bytes, const ModelBounds& bounds) : bytes_{bytes}, bounds_{bounds} {}
 
   Refused read() {
-    if (bytes_.size() < kFileHeader || text(0, 4) != "VOX ") return "is no .vox file of MagicaVoxel";
+    if (bytes_.size() < kFileHeader || text(0, 4) != "VOX ") return "is not a .vox file of MagicaVoxel";
     for (std::size_t at = kFileHeader; at < bytes_.size();) {
       if (bytes_.size() - at < kPartHeader) return cut(at);
       const std::string_view id = text(at, 4);
@@ -66,7 +66,8 @@ class VoxReader {
   }
 
   Refused read_voxels(std::size_t at, std::size_t content) {
-    if (!size_ || content < 4) return model() + " has voxels without a SIZE before them, or none";
+    if (!size_ || content < 4)
+      return model() + " has voxels without a SIZE before them, or an XYZI that is too short";
     if (models.size() == static_cast<std::size_t>(bounds_.models)) {
       return "has more than " + std::to_string(bounds_.models) + (bounds_.models == 1 ? " model" : " models");
     }

@@ -56,7 +56,7 @@ std::size_t ClientSide::take_answer(std::string_view text) {
   answer_.append(text.substr(0, std::min(text.size(), kMaxAnswerBytes - had)));
   if (const auto known = std::min(answer_.size(), kVersion.size());
       answer_.compare(0, known, kVersion, 0, known) != 0) {
-    fail(Failure::Kind::violation, "what answers there is no HTTP/1.1 server");
+    fail(Failure::Kind::violation, "the peer is not an HTTP/1.1 server");
     return text.size();
   }
   const std::size_t end = answer_.find(kEnd, had < kEnd.size() ? 0 : had - kEnd.size());
@@ -94,10 +94,10 @@ void ClientSide::check_answer() {
   }
   if (!protocol::has_word(fields.value("Upgrade").value_or(""), "websocket") ||
       !protocol::has_word(fields.value("Connection").value_or(""), "upgrade")) {
-    return fail(Failure::Kind::violation, "the server's 101 is for no WebSocket");
+    return fail(Failure::Kind::violation, "the server's 101 is not for a WebSocket");
   }
   if (fields.value("Sec-WebSocket-Accept") != accept_) {
-    return fail(Failure::Kind::violation, "the server's Sec-WebSocket-Accept does not fit the key");
+    return fail(Failure::Kind::violation, "the server's Sec-WebSocket-Accept does not match the key");
   }
   if (fields.value("Sec-WebSocket-Extensions") || fields.value("Sec-WebSocket-Protocol")) {
     return fail(Failure::Kind::violation,

@@ -27,7 +27,7 @@ class Category final : public std::error_category {
                                 "a server's WebSocket frame is masked",
                                 "a WebSocket frame has a reserved bit set",
                                 "a WebSocket frame has an unknown opcode",
-                                "a WebSocket message is text; here they are binary",
+                                "a WebSocket message is text; it must be binary",
                                 "a WebSocket continuation frame comes without a message",
                                 "a WebSocket message begins inside another",
                                 "a WebSocket frame's length is over 2^63 - 1",
@@ -35,8 +35,8 @@ class Category final : public std::error_category {
                                 "a WebSocket control frame has more than 125 bytes",
                                 "a WebSocket frame's length is in more bytes than it needs",
                                 "a WebSocket Close frame has one byte",
-                                "a WebSocket Close frame has a code that no end may send",
-                                "a WebSocket Close frame's reason is no UTF-8"};
+                                "a WebSocket Close frame has a code that may not be sent",
+                                "a WebSocket Close frame's reason is not UTF-8"};
     static_assert(kTexts.size() == static_cast<std::size_t>(End::bad_close_reason) + 1);
     return kTexts.at(static_cast<std::size_t>(end));
   }

@@ -82,7 +82,7 @@ class CheckpointDownload::Transfer {
     if (status != kOk) return refused(fmt::format("it answers {}: {}", status, first_line()));
     curl_off_t length = -1;
     ::curl_easy_getinfo(easy_.get(), CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
-    if (length < 0) return refused("it does not say how much it sends");
+    if (length < 0) return refused("its answer has no length");
     size_ = static_cast<std::uint64_t>(length);
     return {};
   }

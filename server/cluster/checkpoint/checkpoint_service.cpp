@@ -76,7 +76,7 @@ class CheckpointService::Body final : public http::BodySource {
       co_await timer.async_wait(asio::use_awaitable);
     }
     if (service_.parts_.clock.now() > deadline_) {
-      throw std::runtime_error{fmt::format("checkpoint to {}: it is taken too slowly", who_)};
+      throw std::runtime_error{fmt::format("checkpoint to {}: the peer reads too slowly", who_)};
     }
     const auto piece = co_await asio::co_spawn(
         service_.disk_,
@@ -130,7 +130,7 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
   }
   if (!parts_.access.has_keys()) {
     return refuse(403,
-                  "this server has no keys, so nobody may take its store; set access.signing_key_file, or "
+                  "this server has no keys, so its store cannot be taken; set access.signing_key_file, or "
                   "access.secret_file with access.secret_rights \"read,edit,admin\"");
   }
   const auto grant = parts_.access.admit(request.bearer_token(), parts_.clock.wall());
@@ -139,7 +139,7 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
     return refuse(401, std::string{describe(grant.error().failure)}, {{"WWW-Authenticate", "Bearer"}});
   }
   if (!grant->rights.has(Right::admin)) {
-    return refuse(403, "the token has not the right admin, which a store is taken with");
+    return refuse(403, "the token lacks the right admin, which taking a store requires");
   }
   if (at_once_ >= kMaxAtOnce) {
     return refuse(503, fmt::format("{} servers take this store already", kMaxAtOnce),

@@ -185,7 +185,8 @@ Done CheckpointTar::list_files() {
     const fs::path path = directory_ / name;
     if (::lstat(path.c_str(), &about) != 0) return tar_failure(path, errno);
     if (!S_ISREG(about.st_mode)) {
-      return tl::unexpected{fmt::format("{}: it is no regular file; a store has no others", path.string())};
+      return tl::unexpected{
+          fmt::format("{}: it is not a regular file; a store has only regular files", path.string())};
     }
     manifest_.files.push_back({std::move(name), static_cast<std::uint64_t>(about.st_size), {}});
   }

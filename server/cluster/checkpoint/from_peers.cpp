@@ -62,7 +62,7 @@ tl::expected<store::StoreMeta, std::string> take_from_peers(const Peers& peers,
                                                             const AfterRound& after_round) {
   if (peers.urls.empty()) {
     return tl::unexpected{
-        std::string{"cluster.peers: nobody is named of whom the store can be taken; name the operators' "
+        std::string{"cluster.peers: is empty, so the store cannot be taken from a peer; name the operators' "
                     "ports of other servers"}};
   }
   std::mt19937_64 random{std::random_device{}()};

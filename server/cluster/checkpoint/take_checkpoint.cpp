@@ -62,7 +62,7 @@ bool is_checkpoint_file(std::string_view name) {
 }
 
 tl::unexpected<std::string> no_checkpoint(std::string_view why) {
-  return tl::unexpected{fmt::format("what it sends is no checkpoint: {}", why)};
+  return tl::unexpected{fmt::format("its answer is not a checkpoint: {}", why)};
 }
 
 /// Makes libarchive read from a TarSource; accepts only uncompressed tar.
@@ -251,7 +251,7 @@ class Taking {
     if (listed_.identity != identity_) return no_checkpoint("its manifest is of another store");
     if (listed_.files == files_) return {};
     const auto [listed, come] = std::ranges::mismatch(listed_.files, files_);
-    return no_checkpoint(fmt::format("\"{}\" in it is not what its manifest says",
+    return no_checkpoint(fmt::format("\"{}\" in it differs from its manifest",
                                      come == files_.end() ? listed->name : come->name));
   }
 
@@ -260,7 +260,7 @@ class Taking {
     if (!store) return tl::unexpected{store.error()};
     const store::StoreMeta meta = (*store)->meta();
     if (store::StoreIdentity{meta.store_id, meta.fingerprint} != identity_ || meta.head != listed_.head) {
-      return no_checkpoint("its database is not that of its manifest");
+      return no_checkpoint("its database differs from its manifest");
     }
     if (meta.level_rule != edits::kLevelRule) {
       return tl::unexpected{
@@ -286,13 +286,13 @@ class Taking {
 
   [[nodiscard]] Done check_place(const store::StreamPlace& has) const {
     if (!wanted_.place) return {};
-    if (has.sequence == 0) return tl::unexpected{std::string{"its store is in no cluster"}};
+    if (has.sequence == 0) return tl::unexpected{std::string{"its store is not in a cluster"}};
     if (wanted_.place->created_ns != 0 && has.created_ns != wanted_.place->created_ns) {
       return tl::unexpected{std::string{"its store is of another stream, which was lost or made anew"}};
     }
     if (has.sequence + 1 >= wanted_.place->first) return {};
     return tl::unexpected{
-        fmt::format("its store has read the stream up to message {}, and that begins with {} by now",
+        fmt::format("its store has read the stream up to message {}, and the stream now begins with {}",
                     has.sequence, wanted_.place->first)};
   }
 

@@ -151,11 +151,10 @@ struct Connection::Callbacks {
     const bool forgotten = status == NATS_NO_SERVER;
     const bool was_there = link.was_connected.load(std::memory_order_relaxed);
     if (is_refusal(status) || (forgotten && (was_there || is_refusal(link.at_first)))) {
-      link.events->closed(
-          {StreamFailure::Kind::refused,
-           "no server of cluster.nats lets this one in: the credentials are not right "
-           "(Authorization Violation), or cluster.ca, certificate and key are not, or what answers is "
-           "no NATS server; \"talusd cluster check\" says which"});
+      link.events->closed({StreamFailure::Kind::refused,
+                           "no server of cluster.nats lets this one in: the credentials are not right "
+                           "(Authorization Violation), or cluster.ca, certificate and key are not, or the "
+                           "peer is not a NATS server; \"talusd cluster check\" says which"});
     } else {
       const char* const said = forgotten ? natsStatus_GetText(link.at_first) : text;
       link.events->closed(
@@ -345,7 +344,7 @@ StreamFailure Connection::failure_of(natsStatus status, Clock::time_point since,
   const std::string missing = denied_since(since);
   if (!missing.empty()) return {StreamFailure::Kind::refused, fmt::format("NATS: {}", missing)};
   if (status == NATS_TIMEOUT) return unavailable(fmt::format("NATS: no answer to {}", doing));
-  if (status == NATS_NO_RESPONDERS) return unavailable(fmt::format("NATS: nobody listens to {}", doing));
+  if (status == NATS_NO_RESPONDERS) return unavailable(fmt::format("NATS: no responder for {}", doing));
   return unavailable(fmt::format("NATS: {}", last_words(status)));
 }
 

@@ -266,10 +266,10 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
     return StreamFailure{Kind::unavailable,
                          fmt::format("a replica has message {}, and the log's leader not yet", *sequence)};
   }
-  fault_ = StreamFailure{
-      Kind::false_message,
-      fmt::format("a replica had message {} of {}, which was applied, and the leader has it not", *sequence,
-                  names_.stream)};
+  fault_ =
+      StreamFailure{Kind::false_message,
+                    fmt::format("a replica had message {} of {}, which was applied, and the leader lacks it",
+                                *sequence, names_.stream)};
   return fault_;
 }
 
@@ -278,10 +278,10 @@ void Inbox::look_for_forged() {
   if (!sequence || fault_) return;
   fault_ = StreamFailure{
       Kind::false_message,
-      fmt::format("message {} of {} that was applied is not the stream's: somebody else publishes to {}; "
-                  "forbid it in NATS' permissions; or a replica has other messages, which \"talusd cluster "
-                  "check\" finds",
-                  *sequence, names_.stream, names_.tail)};
+      fmt::format(
+          "message {} of {} that was applied is not the stream's: another program publishes to {}; forbid it "
+          "in NATS' permissions; or a replica has other messages, which \"talusd cluster check\" finds",
+          *sequence, names_.stream, names_.tail)};
 }
 
 void Inbox::asks() {
@@ -455,7 +455,7 @@ tl::expected<void, StreamFailure> Inbox::judge(const StreamState& state, std::ui
 
 std::optional<StreamFailure> Inbox::check_kept() const {
   if (first_ <= reading_.after() + 1) return std::nullopt;
-  return StreamFailure{Kind::gone, fmt::format("{} keeps messages from {} on, and message {} is wanted",
+  return StreamFailure{Kind::gone, fmt::format("{} keeps messages from {} on, and message {} is needed",
                                                names_.stream, first_, reading_.after() + 1)};
 }
 

@@ -95,7 +95,8 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                                       message.size(), kStreamMessageBytes));
   }
   if (inbox_->awaits_confirmation()) {
-    return stream_failure(Kind::unavailable, "NATS: the log's leader has not confirmed what replicas gave");
+    return stream_failure(Kind::unavailable,
+                          "NATS: the log's leader has not confirmed the replicas' messages");
   }
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
@@ -108,10 +109,10 @@ tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const
                                       settings_.names.log, escaped(ack->stream), settings_.names.stream));
   }
   if (ack->sequence <= read_before) {
-    return tl::unexpected{inbox_->failed_for_good(fmt::format(
-        "{} gave a message the number {}, which was read before: it was made anew, has lost its end, or "
-        "somebody else publishes to {}",
-        settings_.names.stream, ack->sequence, settings_.names.tail))};
+    return tl::unexpected{
+        inbox_->failed_for_good(fmt::format("{} gave a message the number {}, which was read before: it was "
+                                            "made anew, has lost its end, or another program publishes to {}",
+                                            settings_.names.stream, ack->sequence, settings_.names.tail))};
   }
   inbox_->learned(ack->sequence);
   return ack->sequence;
@@ -172,7 +173,7 @@ void JetStreamLog::look_for_leader() {
   if (inbox_->stopped() || connection_ != silent) return;
   silent_since_.reset();
   first_ = *found;
-  inbox_->leaves(fmt::format("no leader of the log answers by this connection; goes to {}", found->text()));
+  inbox_->leaves(fmt::format("no leader of the log answers by this connection; trying {}", found->text()));
   connection_->close();  // connection() creates another
 }
 
@@ -189,9 +190,9 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
     has_settings_ = true;
   }
   if (!has_majority(*info)) {
-    return stream_failure(
-        Kind::unavailable,
-        fmt::format("NATS: the leader of {} hears no majority of its servers", settings_.names.stream));
+    return stream_failure(Kind::unavailable,
+                          fmt::format("NATS: the leader of {} does not reach a majority of its servers",
+                                      settings_.names.stream));
   }
   if (const auto same = inbox_->told(read_before, info->state); !same) return tl::unexpected{same.error()};
   return info->state;
@@ -215,10 +216,10 @@ tl::expected<std::int64_t, StreamFailure> JetStreamLog::time_of(std::uint64_t se
   const auto state = this->state();
   if (!state) return tl::unexpected{state.error()};
   if (state->first <= sequence) {
-    return stream_failure(Kind::unavailable, fmt::format("NATS: message {} does not come", sequence));
+    return stream_failure(Kind::unavailable, fmt::format("NATS: message {} does not arrive", sequence));
   }
   return stream_failure(Kind::gone,
-                        fmt::format("{} keeps messages from {} on, and the time of message {} is wanted",
+                        fmt::format("{} keeps messages from {} on, and the time of message {} is needed",
                                     settings_.names.stream, state->first, sequence));
 }
 

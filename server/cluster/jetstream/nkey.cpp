@@ -86,27 +86,28 @@ std::optional<std::array<std::uint8_t, kKeyBytes>> public_key(std::span<const st
 
 tl::expected<std::string, std::string> public_nkey(std::string_view seed) {
   const auto wrong = [](std::string_view what) { return tl::unexpected{std::string{what}}; };
-  if (seed.size() != kSeedDigits) return wrong("is no NKey seed, which has 58 characters and begins with SU");
+  if (seed.size() != kSeedDigits)
+    return wrong("is not an NKey seed, which has 58 characters and begins with SU");
   SeedBytes bytes{};
   const struct Cleansed {
     SeedBytes& bytes;
     ~Cleansed() { OPENSSL_cleanse(bytes.data(), bytes.size()); }
   } cleansed{bytes};
   if (!decode_base32(seed, bytes))
-    return wrong("is no NKey seed, which has capitals and the digits 2 to 7 only");
+    return wrong("is not an NKey seed, which has only capitals and the digits 2 to 7");
   const std::span<const std::uint8_t> all{bytes};
   const std::span<const std::uint8_t> summed = all.first(all.size() - kSumBytes);
   const std::uint16_t sum = crc16(summed);
   if (all[summed.size()] != (sum & 0xFFU) || all[summed.size() + 1] != (sum >> 8U)) {
-    return wrong("is no NKey seed: its checksum is wrong, so that some of it is missing or mistyped");
+    return wrong("is not an NKey seed: its checksum is wrong, so part of it is missing or mistyped");
   }
   // Five bits of kind, eight bits of owner.
   const auto kind = static_cast<std::uint8_t>(all[0] & 0xF8U);
   const auto owner = static_cast<std::uint8_t>(((all[0] & 7U) << 5U) | (all[1] >> 3U));
   if (kind != kSeed || owner != kUser)
-    return wrong("is an NKey, but no seed of a user, which begins with SU");
+    return wrong("is an NKey, but not a user's seed, which begins with SU");
   const auto key = public_key(summed.subspan(2));
-  if (!key) return wrong("is no Ed25519 key that OpenSSL takes");
+  if (!key) return wrong("is not an Ed25519 key that OpenSSL accepts");
   std::array<std::uint8_t, 1 + kKeyBytes + kSumBytes> shown{kUser};
   std::copy(key->begin(), key->end(), shown.begin() + 1);
   const std::uint16_t shown_sum = crc16(std::span<const std::uint8_t>{shown}.first(1 + kKeyBytes));

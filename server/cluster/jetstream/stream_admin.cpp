@@ -24,8 +24,8 @@ std::string reason_of(const StreamError& error, const StreamNames& names, std::u
   const auto* const said = std::get_if<ApiError>(&error);
   if (said == nullptr) return reason;
   if (said->code == kNoPlaceForReplicas) {
-    reason +=
-        fmt::format("; cluster.replicas is {}: as many NATS servers with JetStream must be there", replicas);
+    reason += fmt::format("; cluster.replicas is {}: it needs that number of NATS servers with JetStream",
+                          replicas);
   }
   if (said->code == kNoStorage || said->code == kNoStorageInCluster) {
     reason +=

@@ -50,7 +50,7 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
 tl::expected<json, ApiError> parse_answer(std::string_view text) {
   if (text.size() > kMostAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
   json answer = json::parse(text, nullptr, false);
-  if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is no JSON object"}};
+  if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is not a JSON object"}};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {
     return tl::unexpected{ApiError{json_member<int>(*error, "err_code"),
                                    escaped(json_member<std::string>(*error, "description"), 300)}};
@@ -102,15 +102,12 @@ StreamFailure failure_of(const ApiError& error, std::string_view stream) {
   using Kind = StreamFailure::Kind;
   switch (error.code) {
     case kStreamNotFound:
-      return {
-          Kind::refused,
-          fmt::format(
-              "NATS has no stream {}; name the NATS servers that have it in cluster.nats. Where it was never "
-              "made: "
-              "\"talusd cluster init\" for a new world, \"talusd store join-cluster\" for a store that has "
-              "edits. Where it was lost: \"talusd store fork\" at the server that is furthest; do not make "
-              "it anew",
-              stream)};
+      return {Kind::refused,
+              fmt::format("NATS has no stream {}; name the NATS servers that have it in cluster.nats. If it "
+                          "was never made: \"talusd cluster init\" for a new world, \"talusd store "
+                          "join-cluster\" for a store that has edits. If it was lost: \"talusd store fork\" "
+                          "at the server that is furthest; do not make it anew",
+                          stream)};
     case kNotEnabled:
     case kNotEnabledForAccount:
       return {Kind::refused,

@@ -55,16 +55,15 @@ tl::expected<void, std::string> check_first(LogStream& stream, const StreamState
                                             const cluster::Genesis& ours) {
   const auto another = [&](std::string_view what) {
     return tl::unexpected{
-        fmt::format("the stream of store {} is begun already, by {}; where that store is lost for good, "
-                    "delete the stream in NATS, "
-                    "or run \"talusd store fork\"",
+        fmt::format("the stream of store {} is begun already, by {}; if that store is lost for good, delete "
+                    "the stream in NATS, or run \"talusd store fork\"",
                     to_string(ours.identity.store_id), what)};
   };
   if (state.first > 1) return another("a store that went on since");
   const auto first =
       insist([&] { return stream.next(0, std::chrono::steady_clock::now() + kFirstPatience); });
   if (!first) return tl::unexpected{first.error().reason};
-  if (!*first) return tl::unexpected{std::string{"the stream's first message does not come"}};
+  if (!*first) return tl::unexpected{std::string{"the stream's first message does not arrive"}};
   const auto genesis = cluster::decode_genesis((*first)->bytes);
   if (!genesis) {
     const cluster::MessageFault& fault = genesis.error();
@@ -73,7 +72,7 @@ tl::expected<void, std::string> check_first(LogStream& stream, const StreamState
       return tl::unexpected{
           fmt::format("the stream's first message: {}{}", fault.reason, cluster::remedy_of(fault))};
     }
-    return another(fmt::format("what is no genesis: {}", fault.reason));
+    return another(fmt::format("a message that is not a genesis: {}", fault.reason));
   }
   if (*genesis != ours) {
     return another(fmt::format("it at position {}, revision {}; here it is at position {}, revision {}",

@@ -42,7 +42,7 @@ class Preparation {
     id_ = parts_.store_id;
     if (!id_ && local_) id_ = local_->store_id;
     if (!id_) {
-      parts_.log->info("joining: neither this directory nor cluster.store says which store it is to be");
+      parts_.log->info("joining: neither the data directory nor cluster.store names a store");
       if (auto taken = take(WantedPlace{}); !taken) return tl::unexpected{std::move(taken.error())};
       is_compared_ = false;
     }
@@ -82,7 +82,7 @@ class Preparation {
   [[nodiscard]] std::string without_stream(std::string reason) const {
     if (local_ && local_->stream.sequence > 0) {
       reason +=
-          "; this store has read a stream already: where that is lost for good, see \"talusd store fork "
+          "; this store has read a stream already: if that stream is lost for good, see \"talusd store fork "
           "--help\"";
     }
     return reason;
@@ -135,7 +135,8 @@ class Preparation {
       }
       if (local_ && local_->stream.sequence > 0 && rejoin_.empty() && is_compared_) {
         parts_.log->warn(
-            "cluster: {}; until it can be reached this server has what is on its disk, and takes no edits",
+            "cluster: {}; until it can be reached this server serves the store on its disk, and takes no "
+            "edits",
             facts.error().reason);
         return std::nullopt;
       }
@@ -166,7 +167,7 @@ class Preparation {
       if (first.error().kind == StreamFailure::Kind::gone) return facts;
       return tl::unexpected{first.error()};
     }
-    if (!*first) return tl::unexpected{StreamFailure{{}, "the stream's first message does not come"}};
+    if (!*first) return tl::unexpected{StreamFailure{{}, "the stream's first message does not arrive"}};
     const auto genesis = cluster::decode_genesis((*first)->bytes);
     const auto wrong = [](std::string reason) {
       return tl::unexpected{StreamFailure{StreamFailure::Kind::refused, std::move(reason)}};
@@ -208,12 +209,10 @@ class Preparation {
   /// Uses the store that was put aside, because no peer has another.
   [[nodiscard]] Done use_own() {
     parts_.log->error(
-        "joining: all servers that answer have put their stores aside, so that voices in the log must have "
-        "been "
+        "joining: all servers that answer have put their stores aside, so votes in the log must have been "
         "false. This one, at message {}, has read most: it goes on with its own, and the others take it from "
-        "here. See who may publish to the log (NATS' permissions, \"talusd cluster check\"). It was put "
-        "aside "
-        "for this: {}",
+        "here. Check which users may publish to the log (NATS' permissions, \"talusd cluster check\"). It "
+        "was put aside because: {}",
         local_->stream.sequence, rejoin_);
     if (auto forgotten = forget_rejoin(parts_.directory.path()); !forgotten) return forgotten;
     rejoin_.clear();
@@ -253,8 +252,8 @@ class Preparation {
       const auto kept = store::keep_rejoined(parts_.directory.path(), replaced);
       if (!kept) return tl::unexpected{kept.error()};
       parts_.log->warn(
-          "joining: the store that was here is kept as {}, until two more were replaced so; delete it when "
-          "nobody wants it back",
+          "joining: the store that was here is kept as {}, until two more are replaced; delete it if it is "
+          "not needed",
           kept->string());
     } else if (!replaced.empty()) {
       fs::remove_all(replaced, code);

@@ -24,29 +24,27 @@ std::uint64_t bytes_of(std::uint64_t messages, const StreamState& stream) {
 StartPlan plan_without_store(const StartFacts& facts) {
   const StreamState& stream = facts.stream;
   if (stream.last == 0) {
-    return {
-        Kind::refused,
-        "the cluster's stream is empty; \"talusd cluster init\" begins one for a new store, \"talusd store "
-        "join-cluster\" for a store that is there"};
+    return {Kind::refused,
+            "the cluster's stream is empty; \"talusd cluster init\" begins one for a new store, \"talusd "
+            "store join-cluster\" for an existing store"};
   }
   if (!facts.from_nothing) {
-    return {Kind::from_peer, "there is no store here, and the stream does not go back to an empty one"};
+    return {Kind::from_peer, "this server has no store, and the stream does not go back to an empty one"};
   }
   // A store made from the messages is hardly larger than they are.
   if (facts.has_peers && checkpoint_is_quicker(stream.last, stream.bytes, stream.bytes)) {
     return {Kind::from_peer,
-            fmt::format("there is no store here, and the stream has {} messages", stream.last), true};
+            fmt::format("this server has no store, and the stream has {} messages", stream.last), true};
   }
   return {Kind::from_stream,
-          fmt::format("there is no store here; the stream has all of it, {} messages", stream.last)};
+          fmt::format("this server has no store; the stream has all of it, {} messages", stream.last)};
 }
 
 /// Error text for a stream that is not the store's.
 std::string other_stream(std::string_view what) {
   return fmt::format(
-      "{}; where the stream was lost for good, run \"talusd store fork\" on the server that is furthest, and "
-      "let the "
-      "others join it",
+      "{}; if the stream was lost for good, run \"talusd store fork\" on the server that is furthest, and "
+      "let the others join it",
       what);
 }
 
@@ -57,12 +55,9 @@ StartPlan plan_start(const StartFacts& facts) {
   const store::StreamPlace& place = facts.local->stream;
   const StreamState& stream = facts.stream;
   if (place.sequence == 0) {
-    return {
-        Kind::refused,
-        fmt::format(
-            "the store here, at revision {}, is in no cluster; \"talusd store join-cluster\" takes it into "
-            "one, or give --data an empty directory",
-            facts.local->head.revision)};
+    return {Kind::refused, fmt::format("the store here, at revision {}, is not in a cluster; \"talusd store "
+                                       "join-cluster\" takes it into one, or give --data an empty directory",
+                                       facts.local->head.revision)};
   }
   if (place.created_ns != stream.created_ns) {
     return {Kind::refused,
@@ -82,7 +77,7 @@ StartPlan plan_start(const StartFacts& facts) {
   }
   if (facts.is_other) {
     return {Kind::as_it_is,
-            fmt::format("of another stream, it seems: message {} is another there", place.sequence)};
+            fmt::format("the store seems to be of another stream: message {} differs there", place.sequence)};
   }
   const std::uint64_t behind = stream.last - place.sequence;
   const std::uint64_t bytes = bytes_of(behind, stream);

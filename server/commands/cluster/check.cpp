@@ -42,7 +42,7 @@ class Checker {
       if (auto opened = check_server(url)) connections_.push_back(std::move(opened));
     }
     if (connections_.empty()) {
-      add(Kind::fault, "no NATS server lets this one in; the rest was not looked at");
+      add(Kind::fault, "no NATS server accepts this one; the rest was not checked");
       return std::move(findings_);
     }
     connection_ = connections_.front();
@@ -86,11 +86,11 @@ class Checker {
     } else if (!at_least(greeting->version, 2, 10)) {
       note_once(
           "nats-server 2.9 has its files written to the disk every 2 minutes: what was acknowledged outlives "
-          "any one host, and up to 2 minutes of it are lost where all replicas lose power at once; 2.10 can "
+          "any one host, and up to 2 minutes of it are lost if all replicas lose power at once; 2.10 can "
           "write at once (jetstream: sync_interval: always)");
     } else {
       note_once(
-          "acknowledged edits outlive a power cut of all hosts only where each NATS server has jetstream: "
+          "acknowledged edits outlive a power cut of all hosts only if each NATS server has jetstream: "
           "sync_interval: always; its default writes files to the disk every 2 minutes");
     }
     return *std::move(connection);
@@ -167,7 +167,7 @@ class Checker {
       if (replica.current && !replica.offline) ++current;
       if (well) continue;
       add(Kind::note,
-          fmt::format("replica at {}: {}, {} messages behind, last heard of {:.1f} s ago", replica.name,
+          fmt::format("replica at {}: {}, {} messages behind, last contact {:.1f} s ago", replica.name,
                       replica.offline   ? "offline"
                       : replica.current ? "current"
                                         : "not current",
@@ -208,10 +208,9 @@ class Checker {
     (void)connection_->send(target_.names.tail, target_.names.tail + ".check", "");
     (void)connection_->flush(kPatience * 2);
     if (connection_->await_denial(tried, kDenialIn).empty()) {
-      add(Kind::note,
-          fmt::format("may publish to {}, by which servers could be told false edits; forbid it to this "
-                      "user and all others in NATS' permissions",
-                      target_.names.tail));
+      add(Kind::note, fmt::format("may publish to {}, and so could send false edits to servers; forbid it to "
+                                  "this user and all others in NATS' permissions",
+                                  target_.names.tail));
     }
   }
 

@@ -100,13 +100,12 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
                     const MakeGenesis& make_genesis) {
   using namespace cluster_tool;
   CLI::App app{
-      "Makes and looks at the log that several servers of one world share: a stream of NATS JetStream, at "
-      "the "
-      "NATS servers of [cluster] in talusd.toml.",
+      "Makes and inspects the log that several servers of one world share: a stream of NATS JetStream, at "
+      "the NATS servers of [cluster] in talusd.toml.",
       "talusd cluster"};
   app.require_subcommand(1);
   app.footer(
-      "The settings are those of talusd: --config, or TALUS_CLUSTER_NATS and so on.\n"
+      "The settings are talusd's: --config, or TALUS_CLUSTER_NATS and so on.\n"
       "Exit status: 0 success, 1 failure, check found a fault, or status no leader, 2 wrong flags.");
   cluster_tool::Flags flags;
   std::vector<cluster_tool::Subcommand> commands;
@@ -117,7 +116,7 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
     command
         ->add_option(
             "--store", flags.store,
-            "the store's id, 32 hexadecimal digits; default: cluster.store, or that of the data directory")
+            "the store's id, 32 hexadecimal digits; default: cluster.store, or the id in the data directory")
         ->type_name("ID");
     commands.push_back({command, run});
     return command;
@@ -131,20 +130,20 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
   };
   add_world(
       add("init",
-          "makes the stream of a new world, and prints the store's id, a new one where none is given. Run "
-          "again, it finds all as it should be. A store that has edits comes in by talusd store join-cluster",
+          "makes the stream of a new world, and prints the store's id, a new one unless --store names one. A "
+          "second run changes nothing. A store that has edits comes in by talusd store join-cluster",
           run_init));
-  CLI::App* const checking =
-      add("check", "looks for all that would keep this server from its log, and changes nothing", run_check);
+  CLI::App* const checking = add(
+      "check", "checks everything that could keep this server from its log, and changes nothing", run_check);
   add_world(checking);
-  CLI::Option* const messages = checking
-                                    ->add_option("--messages", flags.messages,
-                                                 "how many of the newest messages are read, to find what "
-                                                 "servers cannot apply")
-                                    ->type_name("N")
-                                    ->capture_default_str();
+  CLI::Option* const messages =
+      checking
+          ->add_option("--messages", flags.messages,
+                       "number of newest messages to read, to find messages that servers cannot apply")
+          ->type_name("N")
+          ->capture_default_str();
   checking->add_flag("--all", flags.all, "reads all messages that the log keeps")->excludes(messages);
-  add("status", "the stream, its leader and replicas, and how far this server is", run_status)
+  add("status", "the stream, its leader and replicas, and this server's place in it", run_status)
       ->add_flag("--json", flags.json, "as JSON, for programs");
 
   if (const auto exit = parse_flags(app, argc, argv)) {

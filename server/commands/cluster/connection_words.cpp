@@ -13,15 +13,15 @@ std::string_view advice_of(std::string_view reason, const Greeting& greeting,
     return "cluster.key: is not the key of cluster.certificate; give the two that were made together";
   }
   if (greeting.tls && !who.tls)
-    return "cluster.nats: this server wants TLS; write tls:// in place of nats://";
+    return "cluster.nats: this server requires TLS; write tls:// instead of nats://";
   if (!greeting.tls && who.tls) {
     return "cluster.nats: this server has no TLS; write nats://, or switch TLS on there (tls {} in its "
            "configuration)";
   }
   if (!who.tls) return "";
   if (says("mismatch")) {
-    return "cluster.nats: the server's certificate is of another name or address than stands here; write one "
-           "that it is of";
+    return "cluster.nats: the server's certificate is for another name or address; write one that the "
+           "certificate names";
   }
   if (says("expired") || says("not yet valid")) {
     return "cluster.nats: the server's certificate is not valid now; renew it there, or set the clock right";
@@ -32,12 +32,11 @@ std::string_view advice_of(std::string_view reason, const Greeting& greeting,
   if (!greeting.tls_verify || says("uthorization")) return "";
   // In TLS 1.3 a server that rejects a client's certificate only closes the connection.
   if (who.certificate.empty()) {
-    return "cluster.certificate, cluster.key: are not set, and this server wants a certificate; give one "
-           "that "
-           "its authority has signed";
+    return "cluster.certificate, cluster.key: are not set, and this server requires a certificate; give one "
+           "that its authority has signed";
   }
-  return "cluster.certificate: this server does not take it; give one that its authority (ca_file there) has "
-         "signed, for clients, and that is valid now";
+  return "cluster.certificate: this server does not accept it; give one that its authority (ca_file there) "
+         "has signed, for clients, and that is valid now";
 }
 
 }  // namespace

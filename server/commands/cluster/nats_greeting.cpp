@@ -40,20 +40,19 @@ tl::expected<std::string, std::string> first_line_of(const protocol::Endpoint& e
 tl::expected<Greeting, std::string> parse_greeting(std::string_view line) {
   constexpr std::string_view kInfo = "INFO ";
   const auto no_server = [&](std::string_view why) {
-    return tl::unexpected{
-        fmt::format("what answers is no NATS server: it says \"{}\"{}; give the port of "
-                    "NATS for clients, 4222 as a rule",
-                    escaped(line.substr(0, line.find('\r')), 60), why)};
+    return tl::unexpected{fmt::format(
+        "the peer is not a NATS server: it sent \"{}\"{}; give the port of NATS for clients, 4222 as a rule",
+        escaped(line.substr(0, line.find('\r')), 60), why)};
   };
   if (!line.starts_with(kInfo)) return no_server("");
   const nlohmann::json info = nlohmann::json::parse(line.substr(kInfo.size()), nullptr, false);
-  if (!info.is_object()) return no_server(", which is no JSON object behind INFO");
+  if (!info.is_object()) return no_server(", without a JSON object after INFO");
   // Without this check the errors below would blame the wrong thing.
   for (const auto& [name, is] : {std::pair{"version", &nlohmann::json::is_string},
                                  std::pair{"max_payload", &nlohmann::json::is_number_integer}}) {
     const auto member = info.find(name);
     if (member == info.end() || !((*member).*is)()) {
-      return no_server(fmt::format(", without the {} that one names", name));
+      return no_server(fmt::format(", without the field {}", name));
     }
   }
   return Greeting{greeting_text(info, "server_name"),

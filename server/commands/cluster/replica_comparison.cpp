@@ -76,13 +76,14 @@ class ReplicaComparison {
     for (int pauses = 0;; ++pauses) {
       const Answers answers = ask(StreamNames::by_number(sequence));
       if (failure_) return std::nullopt;
-      if (answers.texts.size() > 1) return fmt::format("message {} is not the same at all of them", sequence);
+      if (answers.texts.size() > 1)
+        return fmt::format("message {} is not the same at all replicas", sequence);
       if (!answers.missing) return std::nullopt;
       const auto info = leader_info();
       if (!info || info->state.first > sequence) return std::nullopt;  // the stream dropped it
       if (pauses == kMostPauses) {
-        if (!lags(*info)) return fmt::format("not all of them have message {}", sequence);
-        failure_ = "one lags behind; ask again when all are current";
+        if (!lags(*info)) return fmt::format("not all replicas have message {}", sequence);
+        failure_ = "one replica lags behind; retry when all are current";
         return std::nullopt;
       }
       questions_.pause();
@@ -95,7 +96,7 @@ class ReplicaComparison {
       const auto info = leader_info();
       if (!info || info->state.last >= newest) return std::nullopt;
       if (pauses == kMostPauses)
-        return fmt::format("one has message {}, and the leader ends at {}", newest, info->state.last);
+        return fmt::format("one replica has message {}, and the leader ends at {}", newest, info->state.last);
       questions_.pause();
     }
     return std::nullopt;
@@ -105,7 +106,7 @@ class ReplicaComparison {
   std::optional<StreamInfo> leader_info() {
     auto info = questions_.info();
     if (info && !info->leader.empty()) return info;
-    failure_ = info ? "the stream has no leader" : "the leader says nothing";
+    failure_ = info ? "the stream has no leader" : "the leader does not answer";
     return std::nullopt;
   }
 

@@ -92,7 +92,7 @@ std::string status_lines(const ClusterStatus& status) {
   if (!info.leader.empty()) text += fmt::format("leader {}\n", info.leader);
   if (!has_majority(info)) text += "NO majority of its servers: the log takes no edits\n";
   for (const jetstream::ReplicaState& replica : info.replicas) {
-    text += fmt::format("replica {}: {}, {} messages behind, heard of {:.1f} s ago\n", replica.name,
+    text += fmt::format("replica {}: {}, {} messages behind, last contact {:.1f} s ago\n", replica.name,
                         replica.offline   ? "offline"
                         : replica.current ? "current"
                                           : "not current",
@@ -103,13 +103,13 @@ std::string status_lines(const ClusterStatus& status) {
     const auto found = status.here->find(name);
     return found == status.here->end() ? 0.0 : found->second;
   };
-  if (status.here->empty()) return text + "this server: runs, and is in no cluster\n";
+  if (status.here->empty()) return text + "this server: runs, and is not in a cluster\n";
   text += fmt::format("this server: message {:.0f} applied, {:.0f} behind; {}, {}{}\n", value("sequence"),
                       value("lag_messages"), value("connected") > 0 ? "connected" : "NOT connected",
                       value("quorum") > 0 ? "the log takes edits" : "the log takes NO edits",
                       value("state_differs") > 0 ? "; its state DIFFERS from others'" : "");
   if (!status.state.empty()) {
-    text += fmt::format("this server says: {}{}\n", status.ready ? "" : "NOT ready: ", status.state);
+    text += fmt::format("this server reports: {}{}\n", status.ready ? "" : "NOT ready: ", status.state);
   }
   if (const double skipped = value("messages_skipped_total"); skipped > 0) {
     text += fmt::format("this server passed over {:.0f} messages since its start that no talusd wrote\n",

@@ -42,9 +42,8 @@ tl::expected<Target, std::string> target_of(const Config& config, bool may_be_ne
   }
   if (!named && !*here && !may_be_new) {
     return tl::unexpected{
-        std::string{"cluster.store: is not set, and there is no store in a data directory; give --store ID, "
-                    "as \"talusd cluster "
-                    "init\" printed it"}};
+        std::string{"cluster.store: is not set, and the data directory has no store; give --store ID, as "
+                    "\"talusd cluster init\" printed it"}};
   }
   auto credentials = jetstream::load_credentials(cluster);
   if (!credentials) return tl::unexpected{credentials.error()};

@@ -93,7 +93,8 @@ std::string remove_unfinished(const fs::path& target, std::span<const fs::path> 
   }
   for (const fs::path& directory : made) fs::remove(directory, code);
   const bool stays = made.empty() ? !fs::is_empty(target, code) : fs::exists(made.back(), code);
-  return stays ? fmt::format("; what is left in {} is no backup, and may be removed", target.string()) : "";
+  return stays ? fmt::format("; the files left in {} are not a backup, and may be removed", target.string())
+               : "";
 }
 
 /// `target` must exist and be empty.
@@ -168,10 +169,10 @@ tl::expected<store::BackupManifest, std::string> write_backup(const fs::path& pa
 
 tl::expected<store::BackupManifest, std::string> read_manifest(const fs::path& backup) {
   std::error_code code;
-  if (!fs::is_directory(backup, code)) return no_backup(backup, "there is no such directory");
+  if (!fs::is_directory(backup, code)) return no_backup(backup, "the directory does not exist");
   if (fs::is_symlink(backup / "db", code)) return no_backup(backup, "db is a link; give another one");
   if (!fs::exists(backup / store::kManifestName, code)) {
-    return no_backup(backup, "it has no manifest: it is no backup, or was not finished; give another one");
+    return no_backup(backup, "it has no manifest: it is not a backup, or was not finished; give another one");
   }
   const auto text = files::read_regular_file(backup / store::kManifestName, store::kMaxManifestBytes);
   if (!text) return tl::unexpected{text.error().message()};
@@ -204,16 +205,14 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup,
     if (!copied) return tl::unexpected{copied.error()};
     if (!copied->all || copied->bytes != file.bytes || copied->hash != file.hash) {
       return no_backup(
-          backup,
-          fmt::format("{} is damaged: it is not what its manifest says; give another one", file.name));
+          backup, fmt::format("{} is damaged: it differs from its manifest; give another one", file.name));
     }
   }
   {
     const auto store = store::ReadOnlyStore::open(*staging);
     if (!store) return tl::unexpected{store.error()};
     if ((*store)->meta().head != manifest->head) {
-      return no_backup(backup,
-                       "its database is not at the position that its manifest says; give another one");
+      return no_backup(backup, "its database is not at its manifest's position; give another one");
     }
   }
   const ContentHash id = store::random_store_id();

@@ -30,7 +30,7 @@ struct Behind {
 
 Behind measure(const store::StoreMeta& meta, const Cluster& settings, const ClusterTools& tools) {
   const auto unknown = [](const std::string& why) {
-    return Behind{false, 0, fmt::format("how far it is behind the stream cannot be said: {}", why)};
+    return Behind{false, 0, fmt::format("its distance behind the stream is unknown: {}", why)};
   };
   if (!settings.wanted()) return unknown("cluster.nats names no NATS server");
   const auto stream = tools.open(settings, meta.store_id, false);
@@ -38,7 +38,7 @@ Behind measure(const store::StoreMeta& meta, const Cluster& settings, const Clus
   const auto state = (*stream)->state();
   if (!state) return unknown(state.error().reason);
   if (state->created_ns != meta.stream.created_ns) {
-    return unknown("the stream there is now was made anew; it is not the one that this store has read");
+    return unknown("the stream was made anew; it is not the one that this store has read");
   }
   if (state->last < meta.stream.sequence) {
     return {true, 0,
@@ -57,7 +57,7 @@ Behind measure(const store::StoreMeta& meta, const Cluster& settings, const Clus
 tl::expected<store::StoreMeta, std::string> place_of_member(const store::DataDirectory& directory) {
   auto meta = join::read_place(directory.path());
   if (!meta || meta->stream.sequence != 0) return meta;
-  return tl::unexpected{fmt::format("data {}: its store is in no cluster", directory.path().string())};
+  return tl::unexpected{fmt::format("data {}: its store is not in a cluster", directory.path().string())};
 }
 
 std::string place_of(const store::StoreMeta& meta) {
@@ -159,15 +159,12 @@ Text fork_cluster(const store::DataDirectory& directory, const Cluster& settings
   if (!meta) return tl::unexpected{meta.error()};
   const Behind behind = measure(*meta, settings, tools);
   if (!confirmed) {
-    return tl::unexpected{
-        fmt::format("nothing is changed yet: this store, at {}, would become another one with a stream of "
-                    "its own; {}; every other "
-                    "server of the cluster has to take it from here with an empty data directory, and what "
-                    "players were told is "
-                    "done beyond this place is gone; do it where the old stream is lost for good, on the "
-                    "server whose \"talusd "
-                    "store stat\" has the greatest position, and give --yes",
-                    place_of(*meta), behind.text)};
+    return tl::unexpected{fmt::format(
+        "nothing is changed yet: this store, at {}, would become another one with a stream of its own; {}; "
+        "every other server of the cluster has to take it from here with an empty data directory, and edits "
+        "after this place, though acknowledged to players, are lost; do it only if the old stream is lost "
+        "for good, on the server whose \"talusd store stat\" has the greatest position, and give --yes",
+        place_of(*meta), behind.text)};
   }
   const ContentHash id = store::random_store_id();
   // Steps that may fail temporarily come first, while the store is unchanged.
@@ -177,8 +174,7 @@ Text fork_cluster(const store::DataDirectory& directory, const Cluster& settings
         fmt::format("nothing is changed: the new stream cannot be made: {}", stream.error())};
   }
   const std::string if_not = fmt::format(
-      "; the store is what it was, and the stream TALUS_{} is there for nothing: it may be deleted "
-      "in NATS",
+      "; the store is what it was, and the stream TALUS_{} is not used: it may be deleted in NATS",
       to_string(id));
   const auto staging = stage_with_id(directory.path(), id);
   if (!staging) return tl::unexpected{staging.error() + if_not};

@@ -82,10 +82,10 @@ std::string kept_line(const KeptRecords& kept) {
   if (kept.any()) {
     return fmt::format("records go back to entry {}, at {}\n", kept.first, moment(kept.first_time_ms));
   }
-  if (kept.last == 0) return "no records are kept: nobody has edited yet\n";
+  if (kept.last == 0) return "no records are kept: the store has no edits yet\n";
   return fmt::format(
       "no records up to entry {}, the last, are kept; a store that was imported or rebased begins without "
-      "any\n",
+      "records\n",
       kept.last);
 }
 
@@ -186,7 +186,7 @@ tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store,
   if (json) {
     document.end({});
   } else if (!any && kept->any()) {
-    pages.add("nobody has changed the voxel since\n");
+    pages.add("the voxel has not changed since\n");
   }
   pages.flush();
   return {};
@@ -224,7 +224,7 @@ tl::expected<void, std::string> print_history(const store::ReadOnlyStore& store,
   } else if (!read->met) {
     pages.add(others_line(query, *read));
   } else if (read->listed == 0) {
-    pages.add(fmt::format("{} has changed nothing since {}{}\n", subject_text(query.subject),
+    pages.add(fmt::format("{} has changed no voxel since {}{}\n", subject_text(query.subject),
                           moment(std::max(query.since_ms, kept->first_time_ms)),
                           query.after == 0 ? "" : fmt::format(", after entry {}", query.after)));
   } else if (read->more) {

@@ -21,10 +21,10 @@ tl::expected<std::unique_ptr<LocalWriter>, std::string> LocalWriter::open(
   auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
   if ((*database)->meta().stream.sequence != 0) {
-    return tl::unexpected{fmt::format(
-        "data {}: the store is one of a cluster, whose log has what comes next; start its talusd, "
-        "and run the command again: it gives the edits to the log",
-        directory.string())};
+    return tl::unexpected{
+        fmt::format("data {}: the store belongs to a cluster, whose log has the next edits; start its "
+                    "talusd, and run the command again: that talusd sends the edits to the log",
+                    directory.string())};
   }
   auto state = EditState::open(**database, {});
   if (!state) return tl::unexpected{std::move(state.error())};

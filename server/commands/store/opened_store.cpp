@@ -25,8 +25,8 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
     auto directory = store::DataDirectory::open_to_read(data);
     if (!directory) return tl::unexpected{std::move(directory.error())};
     if (!directory->has_edits()) {
-      return tl::unexpected{fmt::format(
-          "data {}: there are no edits in it yet; let a talusd run with it as its --data", data.string())};
+      return tl::unexpected{
+          fmt::format("data {}: it has no edits yet; run a talusd with it as its --data", data.string())};
     }
     opened.directory_.emplace(*std::move(directory));
     opened.path_ = data;
@@ -68,11 +68,11 @@ tl::expected<void, std::string> check_may_write(const std::filesystem::path& dat
 tl::expected<void, std::string> check_is_alone(const std::filesystem::path& data, std::string_view command) {
   const auto store = store::ReadOnlyStore::open(data);
   if (!store || (*store)->meta().stream.sequence == 0) return {};
-  return tl::unexpected{fmt::format(
-      "data {}: the store is one of a cluster, whose servers all have the same; stop all of them, take it "
-      "out "
-      "by talusd store leave-cluster, {} it, and begin a cluster with it by talusd store join-cluster",
-      data.string(), command)};
+  return tl::unexpected{
+      fmt::format("data {}: the store belongs to a cluster, whose servers all have the same store; stop all "
+                  "of them, take it out by talusd store leave-cluster, {} it, and begin a cluster with it by "
+                  "talusd store join-cluster",
+                  data.string(), command)};
 }
 
 }  // namespace talus::server

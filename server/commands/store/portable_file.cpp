@@ -125,7 +125,7 @@ Done PortableReader::read_block() {
   if (auto done = read(length); !done) return done;
   const std::uint32_t bytes = store::ByteReader{length}.fixed32();
   if (bytes == 0 || bytes > kMaxPortableBlock) {
-    return damaged(fmt::format("a block of {} bytes, where one has 1 to {}", bytes, kMaxPortableBlock));
+    return damaged(fmt::format("a block of {} bytes; it must have 1 to {}", bytes, kMaxPortableBlock));
   }
   block_.resize(bytes);
   at_ = 0;
@@ -144,7 +144,7 @@ tl::expected<PortableReader, std::string> PortableReader::open(Source source) {
   if (!got) return tl::unexpected{got.error()};
   const auto magic = std::as_bytes(std::span{kMagic});
   if (*got < first.size() || !std::ranges::equal(std::span{first}.first(magic.size()), magic)) {
-    return tl::unexpected{std::string{"it is no file of edits; give one that talusd store export wrote"}};
+    return tl::unexpected{std::string{"it is not a file of edits; give one that talusd store export wrote"}};
   }
   const std::uint32_t version = store::ByteReader{std::span{first}.subspan(magic.size())}.fixed32();
   if (version != kPortableVersion) {
@@ -174,7 +174,7 @@ tl::expected<PortableReader, std::string> PortableReader::open(Source source) {
     before = name;
     header.materials.emplace(std::move(name), MaterialId{id});
   }
-  if (!in.ended()) return damaged("its header is not one");
+  if (!in.ended()) return damaged("its header is invalid");
   std::vector<MaterialId> ids;
   for (const auto& [name, id] : header.materials) ids.push_back(id);
   std::ranges::sort(ids);
@@ -203,7 +203,7 @@ tl::expected<std::optional<PortableChunk>, std::string> PortableReader::next() {
     *at = of_zigzag(in.varint(UINT32_MAX));
   const auto runs = in.counted();
   auto voxels = edits::decode_runs(runs);
-  if (!in.ok() || !voxels || voxels->empty()) return damaged("a chunk is not one");
+  if (!in.ok() || !voxels || voxels->empty()) return damaged("a chunk is invalid");
   std::string key = store::chunk_key({next.chunk, Lod{}});
   if (!store::chunk_of_key(key) || key <= last_) return damaged("its chunks are not in order");
   last_ = std::move(key);
@@ -219,7 +219,7 @@ Done PortableReader::check_end() {
   store::ByteReader in{std::span{std::as_const(block_)}.subspan(1)};
   const bool same = in.varint() == chunks_ && in.varint() == voxels_ && in.fixed64() == hash_.low &&
                     in.fixed64() == hash_.high && in.ended();
-  if (!same || hash_ != header_.head.hash) return damaged("its edits are not those that its end names");
+  if (!same || hash_ != header_.head.hash) return damaged("its edits do not match the figures at its end");
   std::array<std::byte, 1> more{};
   const auto got = source_(more);
   if (!got) return tl::unexpected{got.error()};

@@ -46,10 +46,10 @@ std::string stat_lines(const OpenedStore& opened, const StoreFigures& figures) {
   line("store", to_string(meta.store_id));
   line("world", to_string(meta.fingerprint));
   line("format", fmt::format("{}, level rule {}", store::kStoreFormat, meta.level_rule));
-  line("server", opened.server() == nullptr   ? "none uses it"
+  line("server", opened.server() == nullptr   ? "not running"
                  : opened.read_only().empty() ? "runs"
                                               : "runs and takes no edits: " + opened.read_only());
-  line("position", meta.head.position == 0 ? "0: nobody has edited yet"
+  line("position", meta.head.position == 0 ? "0: no edits yet"
                                            : fmt::format("{}, revision {}, at {}", meta.head.position,
                                                          meta.head.revision, moment(meta.head.time_ms)));
   line("hash", edits::to_string(meta.head.hash));

@@ -53,7 +53,7 @@ int say(std::string_view name, const Answer& answer) {
 
 int store_command(int argc, const char* const* argv, const Environment& environment,
                   const LoadWorld& load_world, const ClusterTools& cluster) {
-  CLI::App app{"Looks at, backs up, restores and mends the store of edits in a data directory.",
+  CLI::App app{"Inspects, backs up, restores and repairs the store of edits in a data directory.",
                "talusd store"};
   app.require_subcommand(1);
   app.footer(
@@ -100,79 +100,74 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       store_commands::restore);
   restoring->add_option("DIR", flags.path, "the backup")->required();
   restoring->add_flag("--replace", flags.replace,
-                      "where the data directory holds a store, move that aside, to replaced-N in it");
-  add("compact", "writes the files anew, without what was replaced or deleted",
-      store_commands::compact_store);
+                      "if the data directory holds a store, move it aside, to replaced-N in the directory");
+  add("compact", "rewrites the files without replaced or deleted data", store_commands::compact_store);
   add("export", "all edits into one file that any talusd reads", store_commands::export_file)
       ->add_option("FILE", flags.path, "the file; one that is there is replaced when the new one is whole")
       ->required();
   CLI::App* const importing =
       add("import",
-          "adds the edits of a file that export wrote to the store, or makes one of them, of the file's "
-          "world, where "
-          "the directory holds none. The store gets a new id, and its history stays in replaced-N",
+          "adds the edits of a file that export wrote to the store; if the directory holds no store, makes "
+          "one of them, of the file's world. The store gets a new id, and its history stays in replaced-N",
           store_commands::import_file);
   importing->add_option("FILE", flags.path, "the file")->required();
   importing->add_flag("--keep", flags.keep,
-                      "voxels that both have stay as in the store; without it the file's win");
+                      "keep the store's voxel if both have one; without it the file's voxel wins");
   add_world(importing);
-  CLI::App* const rebasing = add(
-      "rebase",
-      "carries the edits over to another world, or to this one after its file has changed or lost a "
-      "[[placeable]]: what is unlike "
-      "the new ground stays, materials are those of the same names. The store gets a new id, and its history "
-      "stays in replaced-N",
-      store_commands::rebase);
+  CLI::App* const rebasing =
+      add("rebase",
+          "carries the edits over to another world, or to this one after its file has changed or lost a "
+          "[[placeable]]: edits that differ from the new ground stay, and materials keep their names. The "
+          "store gets a new id, and its history stays in replaced-N",
+          store_commands::rebase);
   rebasing
       ->add_option(
           "--world", flags.world,
           "the new world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
       ->type_name("FILE");
-  rebasing->add_flag(
-      "--drop-unknown", flags.drop_unknown,
-      "lose voxels of materials that the new world does not name; without it they are counted and "
-      "nothing happens");
-  CLI::App* const renaming =
-      add("rename",
-          "another name for a material that players have placed: what is built of it stays, and the world's "
-          "file then has that name for its [[placeable]]",
-          store_commands::rename);
+  rebasing->add_flag("--drop-unknown", flags.drop_unknown,
+                     "drop voxels of materials that the new world does not name; without it they are counted "
+                     "and nothing changes");
+  CLI::App* const renaming = add("rename",
+                                 "gives a material that players have placed another name: its voxels stay, "
+                                 "and the world's file must then use that name for its [[placeable]]",
+                                 store_commands::rename);
   renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
-  renaming->add_option("TO", flags.to, "the new one, which no material has")->required();
+  renaming->add_option("TO", flags.to, "the new name, which no material may have")->required();
   const auto add_yes = [&](CLI::App* command) {
     command->add_flag("--yes", flags.yes,
                       "do it; without it the command says what it would do, changes nothing, and ends with "
                       "status 1");
   };
-  add_world(
-      add("join-cluster",
-          "the store of one machine becomes that of a cluster: begins its stream in NATS, as [cluster] of "
-          "--config or the environment reaches it. Id, revisions and editors stay. A store that is in a "
-          "cluster already is left as it is, with status 1",
-          store_commands::join_stopped_store));
+  add_world(add("join-cluster",
+                "makes the store of one machine a cluster's store: begins its stream in NATS, as [cluster] "
+                "of --config or the environment reaches it. Id, revisions and editors stay. A store that is "
+                "in a cluster already is left as it is, with status 1",
+                store_commands::join_stopped_store));
   CLI::App* const leaving = add("leave-cluster",
-                                "the store becomes this machine's alone, at the place that it has reached; "
-                                "says what the cluster's stream "
-                                "has beyond it. Revisions and editors stay; the store gets a new id, as the "
-                                "cluster may go on under the old",
+                                "makes the store this machine's alone, at the place that it has reached; "
+                                "prints what the cluster's stream has beyond it. Revisions and editors stay; "
+                                "the store gets a new id, as the cluster may go on under the old",
                                 store_commands::leave_with_stopped_store);
   leaving->add_flag("--keep-id", flags.keep_id,
-                    "keep the id: only where no server of the cluster is ever started again");
+                    "keep the id: only if no server of the cluster is ever started again");
   add_yes(leaving);
-  CLI::App* const forking = add("fork",
-                                "where the cluster's stream is lost for good: the store gets a new id and "
-                                "begins a new stream, from the "
-                                "place that it has reached. All other servers have to take it from here",
-                                store_commands::fork_stopped_store);
+  CLI::App* const forking =
+      add("fork",
+          "if the cluster's stream is lost for good: gives the store a new id, and begins a new stream from "
+          "the place that it has reached. All other servers have to take it from here",
+          store_commands::fork_stopped_store);
   add_world(forking);
   add_yes(forking);
   CLI::App* const history = add("history",
-                                "who changed a voxel, when, from what to what; or what a subject changed, "
-                                "edit by edit, the oldest first",
+                                "prints the changes of a voxel: subject, time, material before and after; or "
+                                "a subject's changes, edit by edit, the oldest first",
                                 store_commands::show_history);
   CLI::Option_group* const whose = history->add_option_group("of what");
   CLI::Option* const at = whose->add_option("--at", flags.at, "the voxel")->type_name("X,Y,Z");
-  whose->add_option("--subject", flags.subject, "of the token, as history shows it; \"\" is all who had none")
+  whose
+      ->add_option("--subject", flags.subject,
+                   "of the token, as history prints it; \"\": all editors without one")
       ->type_name("NAME");
   whose->require_option(1);
   history
@@ -186,19 +181,19 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       ->type_name("ENTRY");
   history
       ->add_option("--count", flags.count,
-                   fmt::format("with --subject: so many edits at most; default: {}", flags.count))
+                   fmt::format("with --subject: maximum number of edits; default: {}", flags.count))
       ->excludes(at)
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000}))
       ->type_name("COUNT");
   add_json(history);
   CLI::App* const rolling =
       add("rollback",
-          "gives back what a subject changed: each voxel that still is as the subject left "
-          "it becomes what it was before. What others have changed since stays. Run twice "
-          "it does nothing the second time",
+          "undoes a subject's changes: each voxel that is still as the subject left it becomes what it was "
+          "before. Later changes by others stay. A second run changes nothing",
           store_commands::rollback);
   rolling
-      ->add_option("--subject", flags.subject, "of the token, as history shows it; \"\" is all who had none")
+      ->add_option("--subject", flags.subject,
+                   "of the token, as history prints it; \"\": all editors without one")
       ->required()
       ->type_name("NAME");
   rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z")
@@ -221,7 +216,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
     const std::string name = "talusd store " + command.app->get_name();
     if (auto done = complete(flags, environment); !done) return say(name, tl::unexpected{done.error()});
     if (flags.data.empty()) {
-      fmt::print(stderr, "{}: no data directory; give --data DIR, as talusd has it\n", name);
+      fmt::print(stderr, "{}: the data directory is not set; give --data DIR, as talusd has it\n", name);
       return kWrongUse;
     }
     return say(name, command.run(flags, {load_world, cluster}));

@@ -107,8 +107,7 @@ Answer restore(const Flags& flags, const Outside&) {
       fmt::format("{}: store {} at position {}, revision {}\n", flags.data, to_string(restored->store_id),
                   restored->manifest.head.position, restored->manifest.head.revision);
   if (!restored->replaced.empty()) {
-    text += fmt::format("{}: the store that was there; delete it when nobody wants it back\n",
-                        restored->replaced.string());
+    text += fmt::format("{}: the store before; delete it if it is not needed\n", restored->replaced.string());
   }
   return text;
 }
@@ -209,7 +208,7 @@ std::string unmet_subject_line(const RollbackRequest& request, const RollbackPla
   if (plan.others.size() > kNamed) there += fmt::format(", and {} more", plan.others.size() - kNamed);
   return fmt::format("{} changed nothing in that box since {}; {}\n", subject_text(request.subject),
                      moment(request.since_ms),
-                     there.empty() ? "neither did anybody else" : "who did: " + there);
+                     there.empty() ? "nor did any other subject" : "subjects that did: " + there);
 }
 
 }  // namespace
@@ -276,9 +275,8 @@ std::string rebuilt_lines(const std::string& data, const Rebuilt& rebuilt) {
   std::string text = fmt::format("{}: store {} with {} in {}\n", data, to_string(rebuilt.store_id),
                                  counted(rebuilt.voxels, "voxel"), counted(rebuilt.chunks, "chunk"));
   if (!rebuilt.replaced.empty()) {
-    text +=
-        fmt::format("{}: the store that was there, with its history; delete it when nobody wants it back\n",
-                    rebuilt.replaced.string());
+    text += fmt::format("{}: the store before, with its history; delete it if it is not needed\n",
+                        rebuilt.replaced.string());
   }
   return text;
 }
@@ -346,8 +344,8 @@ Answer import_file(const Flags& flags, const Outside& outside) {
   }
   if (!imported->compared) {
     text += fmt::format(
-        "the world ({}) is another than the file's: whether that generates the file's materials shows when "
-        "talusd starts with it, or at a rebase\n",
+        "the world ({}) differs from the file's; talusd at its start, or a rebase, checks that it generates "
+        "the file's materials\n",
         flags.world.empty() ? "default" : flags.world);
   }
   return text;
@@ -362,11 +360,10 @@ Answer rebase(const Flags& flags, const Outside& outside) {
   if (const auto alone = check_is_alone(flags.data, "rebase"); !alone) return tl::unexpected{alone.error()};
   const auto rebased = rebase_edits(*directory, **world, flags.drop_unknown);
   if (!rebased) return tl::unexpected{rebased.error()};
-  return rebuilt_lines(flags.data, *rebased) +
-         fmt::format(
-             "{} voxels are as the new world generates and are no edits any more; {} were of unknown "
-             "materials and are dropped\n",
-             rebased->as_base, rebased->unknown);
+  return rebuilt_lines(flags.data, *rebased) + fmt::format(
+                                                   "{} voxels are as the new world generates and no longer "
+                                                   "edits; {} were of unknown materials and are dropped\n",
+                                                   rebased->as_base, rebased->unknown);
 }
 
 Answer rename(const Flags& flags, const Outside&) {
@@ -379,7 +376,7 @@ Answer rename(const Flags& flags, const Outside&) {
   const auto renamed = rename_material(*directory, flags.from, flags.to);
   if (!renamed) return tl::unexpected{renamed.error()};
   return fmt::format(
-      "{} of \"{}\" {} called \"{}\" now; let the world's file call that [[placeable]] so, too\n",
+      "{} of \"{}\" {} called \"{}\" now; give that [[placeable]] the same name in the world's file\n",
       counted(*renamed, "voxel"), escaped(flags.from), *renamed == 1 ? "is" : "are", escaped(flags.to));
 }
 

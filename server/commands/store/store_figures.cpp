@@ -68,13 +68,13 @@ tl::expected<void, std::string> verify(const store::ReadOnlyStore& store, const 
   const store::StoreReader reader = store.reader();
   const store::StoreMeta& meta = store.meta();
   if (figures.levels[0].hash != meta.head.hash) {
-    return reader.failure(fmt::format("its overrides hash to {}, and it says {}; {}",
+    return reader.failure(fmt::format("its overrides hash to {}, and its record is {}; {}",
                                       edits::to_string(figures.levels[0].hash),
                                       edits::to_string(meta.head.hash), store::kStoreLost));
   }
   for (std::size_t level = 1; level < figures.levels.size(); ++level) {
     if (figures.levels[level].hash != figures.levels[level].expected) {
-      return reader.failure(fmt::format("level {} is not what level 0 says; {}", level, store::kStoreLost));
+      return reader.failure(fmt::format("level {} does not match level 0; {}", level, store::kStoreLost));
     }
   }
   std::uint64_t last = store.first_record() - 1;

@@ -202,8 +202,7 @@ tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& sto
       if (named.contains(voxel.material)) continue;
       added = tl::unexpected{fmt::format(
           "material {} has no name in the store; start talusd once with the store's world, which names what "
-          "it "
-          "generates; voxels of what that does not generate are lost by talusd store rebase --drop-unknown",
+          "it generates; voxels of other materials are dropped by talusd store rebase --drop-unknown",
           to_integer(voxel.material))};
       return false;
     }
@@ -287,8 +286,8 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
         return of_file(
             file, fmt::format(
                       "chunk {} has material {}, \"{}\", which its world does not generate; give the world's "
-                      "file as --world if that has it by now; else lose those voxels by talusd store "
-                      "rebase --drop-unknown where the file was exported, and export it again",
+                      "file as --world if that file has it by now; else drop these voxels by talusd store "
+                      "rebase --drop-unknown from the store of the export, and export it again",
                       to_string(next->chunk), to_integer(voxel.material), escaped(none->second)));
       }
       if (at == materials.to.end()) {
@@ -400,8 +399,8 @@ tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, R
     voxels += count;
   }
   return tl::unexpected{
-      fmt::format("the world names no {}: {} voxels; add them to the world as [[placeable]], rename "
-                  "them by talusd store rename, or give --drop-unknown to lose those voxels",
+      fmt::format("the world names no {}: {} voxels; add them to the world as [[placeable]], rename them by "
+                  "talusd store rename, or give --drop-unknown to drop these voxels",
                   list, voxels)};
 }
 
@@ -454,7 +453,7 @@ tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& dire
         store->materials(), [&](const auto& each) { return renaming.changes(each.second); });
     if (known && same_land && same_materials) {
       return tl::unexpected{
-          fmt::format("data {}: the store is of that world already, {}; nothing is to be done",
+          fmt::format("data {}: the store already belongs to that world, {}; there is nothing to do",
                       directory.path().string(), to_string(before.fingerprint))};
     }
   }

@@ -110,7 +110,7 @@ tl::expected<Keys, std::string> load_keys(const Access& settings) {
   if (without_token(settings, *keys.tokens) == Rights{} && !keys.any()) {
     return tl::make_unexpected(
         std::string{"access.without_token: \"none\" without access.secret_file or access.signing_key_file "
-                    "lets nobody in; set one of them, or \"read\""});
+                    "rejects every client; set one of them, or \"read\""});
   }
   return keys;
 }

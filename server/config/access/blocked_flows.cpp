@@ -29,8 +29,8 @@ std::string BlockedFlows::add(std::string_view line, std::size_t number) {
     if (rest.empty()) return "no NAME after subject";
     // A truncated display name would block no client.
     if (rest.ends_with("...")) {
-      return "\"...\" is where the name was cut; take the whole subject from /flows.json, or write the last "
-             "dot as \\x2e";
+      return "the name was cut at \"...\"; take the whole subject from /flows.json, or write the last dot as "
+             "\\x2e";
     }
     std::string subject{rest};
     if (rest.ends_with("..\\x2e")) subject.replace(subject.rfind('\\'), std::string::npos, ".");

@@ -103,7 +103,7 @@ tl::unexpected<TokenError> refused(std::string why) {
 tl::expected<std::optional<Boxes>, std::string> boxes_of(const Json& claims, const char* name) {
   if (!claims.contains(name)) return std::nullopt;
   const auto* const text = member<std::string>(claims, name);
-  if (text == nullptr) return tl::make_unexpected(fmt::format("its {} is no text", name));
+  if (text == nullptr) return tl::make_unexpected(fmt::format("its {} is not a string", name));
   auto boxes = Boxes::parse(*text);
   if (!boxes) return tl::make_unexpected(fmt::format("its {}: {}", name, boxes.error()));
   return *std::move(boxes);
@@ -126,9 +126,9 @@ std::string header_error(std::string_view part) {
 tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::string_view token,
                                                    sys_seconds now) {
   const auto parts = split(token);
-  if (!parts) return foreign("it is no signed token");
+  if (!parts) return foreign("it is not a signed token");
   if (!same(signature_of(key, parts->signed_text), parts->signature)) {
-    return foreign("its signature is not of this server's key, or it is no signed token");
+    return foreign("its signature does not match this server's key, or it is not a signed token");
   }
   if (auto error = header_error(parts->header); !error.empty()) return refused(std::move(error));
   const auto json = parse_object(parts->claims);
@@ -138,17 +138,17 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   const auto not_before = time_of(*json, "nbf");
   const auto* const subject = member<std::string>(*json, "sub");
   const auto* const words = member<std::string>(*json, "rights");
-  if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or no whole number from 0 on");
-  if (!not_before && json->contains("nbf")) return refused("its nbf is no whole number");
-  if (subject == nullptr && json->contains("sub")) return refused("its sub is no text");
+  if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or not a whole number");
+  if (!not_before && json->contains("nbf")) return refused("its nbf is not a whole number");
+  if (subject == nullptr && json->contains("sub")) return refused("its sub is not a string");
   const auto* const id = member<std::string>(*json, "jti");
-  if (id == nullptr && json->contains("jti")) return refused("its jti is no text");
-  if (words == nullptr && json->contains("rights")) return refused("its rights are no text");
+  if (id == nullptr && json->contains("jti")) return refused("its jti is not a string");
+  if (words == nullptr && json->contains("rights")) return refused("its rights are not a string");
   if (now - kClockSkew >= *expires) {
     return tl::make_unexpected(
         TokenError{true, true, fmt::format("it expired {} s ago", (now - *expires).count())});
   }
-  if (not_before && now + kClockSkew < *not_before) return refused("its time has not come: nbf");
+  if (not_before && now + kClockSkew < *not_before) return refused("it is not valid yet: nbf");
 
   Claims claims{subject == nullptr ? "" : *subject,
                 {Right::read},
@@ -158,7 +158,7 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   if (words != nullptr) {
     const auto rights = Rights::parse(*words);
     if (!rights || !rights->has(Right::read))
-      return refused("its rights are not of read, edit, admin, gateway, with read among them");
+      return refused("its rights must be read, with any of edit, admin and gateway");
     claims.rights = *rights;
   }
   auto edit_in = boxes_of(*json, "edit_in");

@@ -50,7 +50,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   CLI::App app{"Prints a signed token, with which a client may join until the token expires.",
                "talusd token"};
   app.footer(
-      "The key is that of access.signing_key_file. \"head -c 32 /dev/urandom | base64\" makes one.\n"
+      "The key is the server's access.signing_key_file. \"head -c 32 /dev/urandom | base64\" makes one.\n"
       "Exit status: 0 success, 1 failure, 2 wrong flags.");
   std::string key_file;
   std::string subject;
@@ -77,7 +77,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
          "boxes in which alone its holder may edit, as X,Z:X,Z for all rows or X,Y,Z:X,Y,Z, separated by "
          "semicolons; by default the whole world")
       ->type_name("BOXES");
-  app.add_option("--edit-not-in", edit_not_in, "boxes in which its holder may not edit, likewise")
+  app.add_option("--edit-not-in", edit_not_in, "boxes in which its holder may not edit, in the same form")
       ->type_name("BOXES");
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
@@ -86,7 +86,8 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   if (!rights->has(Right::read)) return usage_error("--rights: a token needs the right \"read\"", kWrongUse);
   if (rights->has(Right::edit) && on_one_line(subject) != subject) {
     return usage_error(
-        "--subject: who edits needs a name that can be printed: UTF-8 without control characters", kWrongUse);
+        "--subject: the right \"edit\" needs a printable subject: UTF-8 without control characters",
+        kWrongUse);
   }
   Claims claims{subject, *rights, now, id, now};
   for (const auto& [option, text] :
@@ -95,8 +96,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
     auto boxes = Boxes::parse(**text);
     if (!boxes) return usage_error(fmt::format("{}: {}", option, boxes.error()), kWrongUse);
     if (!rights->has(Right::edit)) {
-      return usage_error(fmt::format("{}: without the right \"edit\" there is nothing to bound", option),
-                         kWrongUse);
+      return usage_error(fmt::format("{}: has no effect without the right \"edit\"", option), kWrongUse);
     }
     if (text == &edit_in) {
       claims.edit_in = *std::move(boxes);
@@ -105,7 +105,7 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
     }
   }
   if (rights->has(Right::gateway) && !rights->has(Right::edit)) {
-    return usage_error("--rights: \"gateway\" needs \"edit\" beside it", kWrongUse);
+    return usage_error("--rights: \"gateway\" also needs \"edit\"", kWrongUse);
   }
   const auto validity = parse_validity(valid);
   if (!validity) return usage_error(fmt::format("--valid: {}", validity.error()), kWrongUse);

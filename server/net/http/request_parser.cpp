@@ -22,13 +22,13 @@ constexpr RequestError kTargetTooLong{414, "the request's target is too long"};
 constexpr RequestError kTooManyFields{431, "the request has too many header fields"};
 constexpr RequestError kFieldTooLarge{431, "a header field is too large"};
 constexpr RequestError kHeadTooLarge{431, "the request's header is too large"};
-constexpr RequestError kBody{413, "no request here has a body"};
-constexpr RequestError kExpectation{417, "no request here has a body to continue with"};
-constexpr RequestError kVersion{400, "only HTTP/1.0 and HTTP/1.1 are spoken here"};
+constexpr RequestError kBody{413, "a request may not have a body"};
+constexpr RequestError kExpectation{417, "a request may not have a body to continue with"};
+constexpr RequestError kVersion{400, "this server supports only HTTP/1.0 and HTTP/1.1"};
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
 constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
 constexpr RequestError kFolded{400, "a header line begins with white space"};
-constexpr RequestError kFieldName{400, "a header field's name is no token"};
+constexpr RequestError kFieldName{400, "a header field's name is not a token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
 // Debian's http_parser is compiled without its strict checks, so some are made here.

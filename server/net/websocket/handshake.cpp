@@ -33,7 +33,7 @@ http::Response answer_handshake(const http::Request& request) {
       version == nullptr || *version != "13") {
     return {426,
             http::kPlainText,
-            "only version 13 of the WebSocket protocol is spoken here\n",
+            "this server supports only version 13 of the WebSocket protocol\n",
             {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}}};
   }
   const std::string* const key = request.field("Sec-WebSocket-Key");

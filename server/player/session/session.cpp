@@ -19,7 +19,7 @@ using wire::ErrorCode;
 namespace {
 
 constexpr std::string_view kOperatorsOwn =
-    "the subject \"talusd store rollback\" is that of this server's operators; give another";
+    "the subject \"talusd store rollback\" is reserved for this server's operators; give another";
 
 /// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
@@ -82,7 +82,8 @@ void Session::receive(std::span<const std::byte> frame) {
       on(*verified.body_as_Ping());
       break;
     default:
-      fail(ErrorCode::unexpected, fmt::format("{} is a message of servers", wire::EnumNameBody(kind)));
+      fail(ErrorCode::unexpected,
+           fmt::format("{} is a message that only servers send", wire::EnumNameBody(kind)));
   }
   close_if_served();
 }
@@ -186,7 +187,7 @@ void Session::close_if_served() {
 
 std::size_t Session::pump() {
   if (!closing() && delivery_.has_lost_mail()) {
-    fail(ErrorCode::internal, "an answer was lost for want of memory", retry_after::kBusy);
+    fail(ErrorCode::internal, "an answer was lost: out of memory", retry_after::kBusy);
   }
   const Clock::time_point began = context_.clock.now();
   const std::size_t found = closing() ? 0 : delivery_.start_work();
@@ -310,7 +311,7 @@ void Session::on(const wire::Edit& edit) {
   }
   if (!editing_.stored()) {
     return replies_.error(subject, ErrorCode::unsupported,
-                          "this server stores no edits: it was started without a directory for data");
+                          "this server stores no edits: its data directory is not set");
   }
   if (!editing_.attached()) {
     return replies_.error(subject, ErrorCode::expired, "an Attach must be answered before the first Edit");
@@ -333,10 +334,9 @@ void Session::on(const wire::Edit& edit) {
   const Grant& grant = greeting_->grant;
   checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
   if (!checked->subject.empty() && !grant.rights.has(Right::gateway)) {
-    return replies_.error(
-        subject, ErrorCode::forbidden,
-        "Edit.subject says for whom a game server edits; this session's token does not give the "
-        "right \"gateway\"");
+    return replies_.error(subject, ErrorCode::forbidden,
+                          "Edit.subject needs the right \"gateway\" of a game server, which this session's "
+                          "token does not give");
   }
   if (checked->subject == edits::kOperatorSubject) {
     return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
@@ -362,7 +362,7 @@ void Session::on(const wire::Attach& attach) {
   }
   if (!editing_.stored()) {
     return replies_.error(subject, ErrorCode::unsupported,
-                          "this server stores no edits: it was started without a directory for data");
+                          "this server stores no edits: its data directory is not set");
   }
   if (state_ == State::leaving) {
     return replies_.error(subject, ErrorCode::overloaded, "this server is about to end",
@@ -370,13 +370,13 @@ void Session::on(const wire::Attach& attach) {
   }
   if (greeting_->grant.subject.size() > edits::kMaxSubjectBytes) {
     return replies_.error(subject, ErrorCode::forbidden,
-                          fmt::format("the token's subject has {} bytes; who edits may have one of {}",
+                          fmt::format("the token's subject has {} bytes; the limit for an editor is {}",
                                       greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
   }
   if (on_one_line(greeting_->grant.subject) != greeting_->grant.subject) {
     return replies_.error(
         subject, ErrorCode::forbidden,
-        "the token's subject has control characters; who edits may have one that can be printed");
+        "the token's subject has control characters; an editor's subject must be printable");
   }
   if (greeting_->grant.subject == edits::kOperatorSubject) {
     return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
@@ -404,7 +404,8 @@ void Session::say_refusal(const Subject& subject, const SessionRates::Refusal& r
   const auto retry_after = std::max(milliseconds{1}, std::chrono::ceil<milliseconds>(refusal.wait));
   if (refusal.abusive) {
     fail(ErrorCode::overloaded,
-         fmt::format("abusive: refused by rates.{} and still asking", name(refusal.kind)), retry_after);
+         fmt::format("abusive: refused by rates.{} and still sending requests", name(refusal.kind)),
+         retry_after);
   } else {
     replies_.error(subject, ErrorCode::overloaded, fmt::format("over rates.{}", name(refusal.kind)),
                    retry_after);

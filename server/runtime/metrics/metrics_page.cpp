@@ -154,7 +154,7 @@ const std::array kRows{
               "Time from when a session submits an edit to when it is stored and the session is notified.",
               histogram, {}, edit_latency},
     MetricRow{"talus_edits_refused_total",
-              "Edits and Attaches that did not happen. out_of_range: a bound, or an unknown material; ground: the "
+              "Edits and Attaches refused, by reason. out_of_range: a bound, or an unknown material; ground: the "
               "generated chunk failed; half_closed: the client sends no more and the ground is not generated yet; "
               "busy; unwritable: the store; cut_off: the cluster's log; index_full: too many chunks were edited; "
               "unreadable: a damaged chunk; conflict: a guard; not_applied; expired; invalid; of Attaches behind, "
@@ -168,8 +168,8 @@ const std::array kRows{
               "Size of the index from which on only chunks that were edited before may be edited.",
               gauge, {}, of_edits<&RuntimeGauges::Edits::index_limit_bytes>},
     MetricRow{"talus_edits_read_only",
-              "1 while no edits are taken, because the store cannot be written or the cluster's log not be reached, "
-              "else 0.",
+              "1 while no edits are taken, because the store cannot be written or the cluster's log cannot be "
+              "reached, else 0.",
               gauge, {}, edits_read_only},
     MetricRow{"talus_edits_history_bytes",
               "Bytes of the history of edits.",

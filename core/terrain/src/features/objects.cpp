@@ -484,7 +484,7 @@ class ObjectReader {
     if (form == kModelForms.end()) {
       std::string names;
       for (const ModelForm& each : kModelForms) names += std::string{each.name} + ", ";
-      table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "' is no model; " + names +
+      table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "' is not a model; " + names +
                               "or the name of a .vox file is needed");
       return;
     }
@@ -527,7 +527,7 @@ class ObjectReader {
         kind.parts[part_of[colour]] = read_part(*palette, number);
       } else {
         palette->fail(number, "is a colour of '" + shortened(kind.model, kMaxModelNameBytes) +
-                                  "' that names no material; { name = \"...\" } is needed");
+                                  "' without a material; { name = \"...\" } is needed");
       }
     }
     palette->only({numbers.begin(), numbers.end()});
@@ -543,7 +543,7 @@ class ObjectReader {
     const std::string name = part->text("name", kMaxNameBytes);
     const auto material = section_.material_named(name);
     if (!material) {
-      part->fail("name", "no material is named '" + name + "'; a colour beside it makes a new one");
+      part->fail("name", "no material is named '" + name + "'; give it a colour to make a new one");
       return kAir;
     }
     return *material;

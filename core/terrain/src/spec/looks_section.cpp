@@ -53,8 +53,8 @@ class LooksReader {
       const std::string name = table.text("shows", kMaxNameBytes);
       const Material* const material = material_named(name);
       if (material == nullptr || material->id == kWater) {
-        table.fail("shows",
-                   "no material is named '" + name + "'; that of a look, a layer or loose one is needed");
+        table.fail("shows", "no material is named '" + name +
+                                "'; the name of a look, layer or loose material is needed");
         continue;
       }
       tables_.shown_by[to_integer(looks_[look].of)]->by_look[looks_[look].number] = material->id;
@@ -88,7 +88,7 @@ class LooksReader {
       return table.fail("colour",
                         "missing; a colour of its own, or `shows` with another material's name, is needed");
     if (table.has("colour") && table.has("shows"))
-      return table.fail("shows", "with a colour beside it; leave one of them out");
+      return table.fail("shows", "together with a colour; leave one of them out");
     add(name, *of, std::move(one), table);
   }
 
@@ -149,7 +149,7 @@ class LooksReader {
     for (const std::string& rock : colours->keys()) {
       const Material* const of = material_named(rock);
       if (of == nullptr || to_integer(of->id) < 2 || to_integer(of->id) >= to_integer(rock_.end)) {
-        colours->fail(rock, "no [[stratified]] material is named so");
+        colours->fail(rock, "no [[stratified]] material has this name");
         continue;
       }
       if (of->id == rock_.lowest) {

@@ -58,7 +58,7 @@ std::optional<QuantityNumber> PlacesReader::quantity(TableReader& table, const s
   for (QuantityNumber i = 0; i < kQuantityNames.size(); ++i) {
     if (!of_looks || !decided_after_looks(i)) names += std::string{kQuantityNames[i]} + ", ";
   }
-  table.fail(name, "no quantity and no [[field]] is named so; known are " + names + "and fields by name");
+  table.fail(name, "no quantity and no [[field]] has this name; known are " + names + "and fields by name");
   return std::nullopt;
 }
 
@@ -75,7 +75,7 @@ void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) 
       const double none = i == 0 ? points[0] : points[3];
       const double all = i == 0 ? points[1] : points[2];
       if (std::abs(none - all) < kLeastRamp) {
-        table.fail(name, text_of("the same value for none and all, or nearly; ", kLeastRamp,
+        table.fail(name, text_of("the values for nothing and all are the same, or nearly; ", kLeastRamp,
                                  " between them is needed"));
         continue;
       }

@@ -78,8 +78,8 @@ FieldSpec read_field(TableReader& table, int resolution) {
     table.fail("name", "'" + field.name + "' begins with a dot, as the generator's own noises do");
   }
   if (is_quantity_alone(field.name)) {
-    table.fail("name", "'" + field.name +
-                           "' is a quantity, so nothing could ask for this field; another name is needed");
+    table.fail("name",
+               "'" + field.name + "' is a quantity, which would hide this field; another name is needed");
   }
   field.octaves = static_cast<int>(table.integer("octaves", 1, kMaxFieldOctaves));
   field.wavelength = wavelength_or(table, "wavelength", field.octaves, resolution, 0);
@@ -130,9 +130,11 @@ void RegionTables::mesas(TableReader& table) {
   spec_.mesas_anywhere = number_or(table, "anywhere", kShare, spec_.mesas_anywhere);
   spec_.mesa_coast = table.pair("coast", kFieldValues, spec_.mesa_coast);
   if (std::abs(spec_.mesa_coast[0] - spec_.mesa_coast[1]) < 0.001) {
-    table.fail("coast", text_of(spec_.mesa_coast[0],
-                                " twice, or nearly; a field's value where there are no mesas, and one"
-                                " where there are all, are needed"));
+    table.fail(
+        "coast",
+        text_of(
+            spec_.mesa_coast[0],
+            " twice, or nearly; the field's value without mesas and its value with all mesas are needed"));
   }
   spec_.mesa_roughness = number_or(table, "roughness", {0, 4}, spec_.mesa_roughness);
 }

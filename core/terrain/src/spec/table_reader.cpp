@@ -80,7 +80,7 @@ constexpr std::size_t kMaxShown = 60;  // bytes of a value
 std::string described(const toml::node& node) {
   if (const auto* text = node.as_string()) return "'" + shortened(text->get(), kMaxShown) + "' is a string";
   if (const auto* number = node.as_integer()) return text_of(number->get(), " is an integer");
-  if (const auto* number = node.as_floating_point()) return text_of(number->get(), " is no integer");
+  if (const auto* number = node.as_floating_point()) return text_of(number->get(), " is not an integer");
   if (const auto* truth = node.as_boolean()) return truth->get() ? "true is a boolean" : "false is a boolean";
   if (node.is_array()) return "an array";
   return node.is_table() ? "a table" : "a date or time";
@@ -200,7 +200,7 @@ Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t
     const auto refuse = [&](const auto&... what) {
       errors_->add(line_of(element), text_of(qualified(name_, key), "[", place, "]: ", what...));
     };
-    if (!knot) return refuse("is no knot; ", wanted, " is needed"), otherwise;
+    if (!knot) return refuse("is not a knot; ", wanted, " is needed"), otherwise;
     const double x = (*knot)[0];
     const double y = (*knot)[1];
     if (!within(x, xs)) {
@@ -302,7 +302,7 @@ std::size_t TableReader::choice(const std::string& key, std::initializer_list<st
   const std::string chosen = text(key, 64);
   const auto found = std::find(names.begin(), names.end(), chosen);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  fail(key, "'" + shortened(chosen, kMaxShown) + "' is none of: " + list_of(names));
+  fail(key, "'" + shortened(chosen, kMaxShown) + "' is not one of: " + list_of(names));
   return 0;
 }
 
@@ -319,7 +319,7 @@ void TableReader::take_material_name(const std::string& key, const std::string& 
   take_name(key, name, taken);
   if (taken.size() > kMaxMaterials) {
     fail(key, text_of("'", name, "' is one material too many: at most ", kMaxMaterials,
-                      " beside air and water, with those of looks, provinces, ores and objects"));
+                      " besides air and water, including materials of looks, provinces, ores and objects"));
   }
 }
 
@@ -341,7 +341,7 @@ Colour TableReader::colour(const std::string& key) {
                       text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!text) return wrong_type(*this, *node, key, kWanted), Colour{};
   if (!shaped) {
-    fail(key, text_of("'", shortened(*text, kMaxShown), "' is no colour; ", kWanted, " is needed"));
+    fail(key, text_of("'", shortened(*text, kMaxShown), "' is not a colour; ", kWanted, " is needed"));
     return {};
   }
   const auto channel = [&](std::size_t at) {

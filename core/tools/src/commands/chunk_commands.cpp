@@ -75,7 +75,7 @@ Command add_encode(CLI::App& app) {
       "F.npy is uint8 or uint16, [y][z][x], with y up and z south. F.vox is one MagicaVoxel model of at "
       "most\n"
       "32 voxels a side: x is east, y north and z up; palette indices are material ids, and what the model\n"
-      "does not fill is air. Prints the payload's size, and that of the same voxels under zstd -3.\n"
+      "does not fill is air. Prints the payload's size, and the size of the same voxels under zstd -3.\n"
       "core/voxel/FORMAT.md specifies the payload.");
   return {encode, [arguments] { return run_encode(*arguments); }};
 }

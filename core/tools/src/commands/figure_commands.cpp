@@ -99,7 +99,7 @@ Expected<void> run_lod_error(const LodErrorArguments& arguments) {
   if (!centre) return tl::make_unexpected(centre.error());
   if (arguments.size % kCoarsest != 0) {
     return wrong_use("--size: " + std::to_string(arguments.size) +
-                     " is no multiple of 64, level 6's columns");
+                     " is not a multiple of 64, level 6's columns");
   }
   const auto corner = [&](std::int64_t middle) {
     return floor_div(middle - arguments.size / 2, kCoarsest) * kCoarsest;
@@ -157,7 +157,7 @@ Command add_table1(CLI::App& app) {
   table->footer(
       "Measures seconds for the whole terrain on one thread. Terrains have 50 to 200 columns a side, and as\n"
       "many voxels a terrain unit, so each is one unit of the same terrain. Erosion runs on a bounded map\n"
-      "until nothing moves. The thesis' own seconds are printed beside.");
+      "until nothing moves. The thesis' own seconds are printed next to them.");
   return {table, [arguments] { return run_table1_command(*arguments); }};
 }
 

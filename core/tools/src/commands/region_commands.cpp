@@ -192,12 +192,10 @@ void add_size(CLI::App& command, Arguments& arguments, const char* meaning) {
 
 CLI::Option* add_store(CLI::App& command, Arguments& arguments) {
   return command
-      .add_option(
-          "--store", arguments.store,
-          "With the edits of this store: a directory that talusd was given as --data and that none uses "
-          "now, or a backup of one. It is only read. Give the server's --world, too: its file has the names "
-          "and "
-          "colours of placeable materials")
+      .add_option("--store", arguments.store,
+                  "With the edits of this store: a directory that talusd was given as --data and that no "
+                  "talusd uses now, or a backup of one. It is only read. Give the server's --world, too: its "
+                  "file has the names and colours of placeable materials")
       ->type_name("DIR");
 }
 
@@ -314,7 +312,7 @@ Command add_vox(CLI::App& app) {
   add_output(*vox, arguments->output, "File to write", "F.vox");
   add_common(*vox, *arguments);
   vox->footer(
-      "Writes the visible voxels: those with a face to air, to water or to one of the region's four sides.\n"
+      "Writes the visible voxels, which have a face to air, to water or to one of the region's four sides.\n"
       "Hidden voxels are left out, and the underside is open. Water has a glass material, so that its bed\n"
       "shows when the scene is rendered. East is x, north is y, up is z; the region's middle is at x = y = "
       "0,\n"

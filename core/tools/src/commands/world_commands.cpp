@@ -180,15 +180,13 @@ Command add_quality(CLI::App& app) {
       "than 16\n"
       "columns that touch no other water, not even at a corner. Slope: rise to the highest of eight "
       "neighbours or fall\n"
-      "to the lowest, over one column (thesis, equation 1). Heights are those of the rock's surface before "
+      "to the lowest, over one column (thesis, equation 1). Heights are heights of the rock's surface before "
       "talus and\n"
       "erosion move it, in voxels over the sea. Of regions also: steps that no terrace makes; how high beds "
-      "of "
-      "rivers\n"
-      "lie over their flood plain; heights at the lattice points of each noise beside those in the middles "
-      "of "
-      "its cells.\n"
-      "What the default world should have is printed with whether it is met.");
+      "of rivers\n"
+      "lie over their flood plain; heights at the lattice points of each noise next to heights in the "
+      "middles of its cells.\n"
+      "The default world's requirements are printed, each with its result.");
   return {quality, [arguments] { return run_quality(*arguments); }};
 }
 

@@ -39,7 +39,7 @@ namespace talus {
   const std::string_view near = meant(word, std::vector<std::string_view>{names.begin(), names.end()});
   const std::string hint = near.empty() ? std::string{} : "; did you mean " + std::string{near} + "?";
   if (!is_command) return "not expected: " + CLI::detail::join(words, " ") + hint;
-  return "there is no command " + words.front() +
+  return "unknown command " + words.front() +
          (near.empty() ? "; there are " + CLI::detail::join(names, ", ") : hint);
 }
 
