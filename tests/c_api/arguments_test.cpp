@@ -100,7 +100,7 @@ TEST_CASE("talus_connect checks its options") {
   }
 }
 
-TEST_CASE("a program of a newer header runs where it sets none of the newer fields") {
+TEST_CASE("a program built against a newer header runs if it sets none of the newer fields") {
   const TestClient client;
   Newer<talus_connect_options> options;
   options.known.host = "127.0.0.1";

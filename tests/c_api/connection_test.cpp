@@ -41,7 +41,7 @@ TEST_CASE("a server that is away closes a talus_client, which may try again") {
   }
 }
 
-TEST_CASE("a name that nobody has is unreachable to a talus_client") {
+TEST_CASE("an unknown host name is unreachable to a talus_client") {
   TestClient client;
   auto options = sized<talus_connect_options>();
   options.host = "nobody.invalid";
@@ -69,7 +69,7 @@ TEST_CASE("a wrong token closes a talus_client, the right one lets it in") {
   client.join(server.port(), options);
 }
 
-TEST_CASE("a talus_client hears that its server was killed") {
+TEST_CASE("a talus_client reports that its server was killed") {
   ServerProcess server;
   TestClient client;
   client.join(server.port());
@@ -115,7 +115,7 @@ TEST_CASE("open requests of a talus_client fail before it is closed") {
         std::map<std::uint32_t, talus_status>{{chunk, TALUS_DISCONNECTED}, {ping, TALUS_DISCONNECTED}});
 }
 
-TEST_CASE("talus_poll waits as long as it is told") {
+TEST_CASE("talus_poll waits for its timeout") {
   const ServerProcess server;
   TestClient client;
   client.join(server.port());
@@ -171,7 +171,7 @@ TEST_CASE("a talus_client may be destroyed while it connects") {
   }
 }
 
-TEST_CASE("talus_get_world tells what the C++ client hears") {
+TEST_CASE("talus_get_world returns what the C++ client receives") {
   const ServerProcess server;
   asio::io_context io;
   client::Client by_cpp{io.get_executor()};

@@ -199,7 +199,7 @@ TEST_CASE("an edit that was sent when its connection ends for good is of unknown
   CHECK(lost.status == TALUS_OUTCOME_UNKNOWN);
 }
 
-TEST_CASE("what is no edit is refused by name, and nothing is sent") {
+TEST_CASE("an invalid edit is rejected by name, and nothing is sent") {
   const ServerProcess server{{e2e::kClassicWorld}};
   TestClient client;
   auto edit = sized<talus_edit>();

@@ -5,7 +5,7 @@
 
 using namespace talus::e2e;
 
-TEST_CASE("the example in C tells what came around the spawn") {
+TEST_CASE("the example in C prints the chunks around the spawn") {
   const ServerProcess server;
   const Ended ended = run_program(TALUS_FLY_PATH, {"127.0.0.1", std::to_string(server.port())});
   INFO(ended.err);

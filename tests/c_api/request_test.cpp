@@ -20,7 +20,7 @@ int highest_solid(const Voxels& voxels, int x, int z) {
 
 }  // namespace
 
-TEST_CASE("talus_get_heights tells the ground that the voxels have") {
+TEST_CASE("talus_get_heights returns the ground of the voxels") {
   const ServerProcess server{{e2e::kClassicWorld}};
   TestClient client;
   client.join(server.port());
@@ -40,7 +40,7 @@ TEST_CASE("talus_get_heights tells the ground that the voxels have") {
   CHECK(std::abs(found - ground) <= 1);
 }
 
-TEST_CASE("talus_get_places tells looks and fields of columns") {
+TEST_CASE("talus_get_places returns looks and fields of columns") {
   const ServerProcess server{{{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/default.toml"}}};
   TestClient client;
   client.join(server.port());
@@ -115,7 +115,7 @@ TEST_CASE("every request of a talus_client is answered once, cancelled or not") 
   CHECK(cancelled == 100);
 }
 
-TEST_CASE("talus_ping tells a round trip") {
+TEST_CASE("talus_ping returns a round trip") {
   const ServerProcess server;
   TestClient client;
   client.join(server.port());

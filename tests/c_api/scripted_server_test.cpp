@@ -78,7 +78,7 @@ TEST_CASE("a talus_client does not come back to another world") {
   CHECK(client.await(TALUS_EVENT_CLOSED, {}, meanwhile).status == TALUS_WORLD_CHANGED);
 }
 
-TEST_CASE("a talus_client is told of a bad chunk, and stays") {
+TEST_CASE("a talus_client reports a bad chunk, and stays connected") {
   asio::io_context io;
   client::testing::Peer peer{io};
   const std::vector<std::byte> no_payload(1);

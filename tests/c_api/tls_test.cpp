@@ -9,7 +9,7 @@ namespace talus::c_api {
 
 using namespace testing;
 
-TEST_CASE("a talus_client by TLS trusts whom it is told to") {
+TEST_CASE("a talus_client by TLS trusts the configured authorities") {
   const ScratchDirectory scratch;
   const TestCertificate own = make_certificate(1, "talus.example");
   const std::string certificate = scratch.write("certificate.pem", own.certificate);
@@ -25,13 +25,13 @@ TEST_CASE("a talus_client by TLS trusts whom it is told to") {
     client.set_view(client.view(1, 0));
     CHECK(client.until_complete().size() == 9);
   }
-  SECTION("nobody whose certificate it does not know") {
+  SECTION("not a server with an unknown certificate") {
     client.connect(server.port(), options);
     const talus_event closed = client.await(TALUS_EVENT_CLOSED);
     CHECK(closed.status == TALUS_UNTRUSTED);
     CHECK_THAT(closed.message, Catch::Contains("certificate verify failed"));
   }
-  SECTION("anybody") {
+  SECTION("any server") {
     options.flags |= TALUS_TLS_NO_VERIFY;
     client.join(server.port(), options);
   }

@@ -67,7 +67,7 @@ std::string hash_of(const Voxels& voxels) {
 
 }  // namespace
 
-TEST_CASE("talus_decode writes every payload vector's voxels, and those that are none are bad chunks") {
+TEST_CASE("talus_decode writes every payload vector's voxels, and reports invalid payloads as bad chunks") {
   const std::vector<Vector> all = vectors();
   REQUIRE(all.size() > 25);
   asio::io_context io;

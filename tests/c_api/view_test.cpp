@@ -48,7 +48,7 @@ std::map<Key, Voxels> by_cpp(std::uint16_t port, const talus_view& view) {
 
 }  // namespace
 
-TEST_CASE("a talus_client's voxels are those of the C++ client") {
+TEST_CASE("a talus_client's voxels equal the C++ client's") {
   const ServerProcess server;
   TestClient client;
   client.join(server.port());

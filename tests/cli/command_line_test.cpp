@@ -19,7 +19,7 @@ void check_wrong_use(const std::vector<const char*>& words, const std::string& p
 
 }  // namespace
 
-TEST_CASE("a number that is none is wrong use") {
+TEST_CASE("an invalid number is wrong use") {
   for (const char* option : {"--seconds", "--speed", "--height"}) {
     for (const char* value : {"nan", "-nan", "inf", "-1", "x"})
       check_wrong_use({"fly", option, value}, option);
@@ -57,7 +57,7 @@ TEST_CASE("a flight begins where the user says") {
   CHECK(options.heading == 90);
 }
 
-TEST_CASE("mistyped words are told with what was meant") {
+TEST_CASE("mistyped words are reported with a suggestion") {
   check_wrong_use({"fli", "--seconds", "3"}, "no command fli; did you mean fly?");
   check_wrong_use({"--conect", "a:1", "fly"}, "not expected: --conect a:1; did you mean --connect?");
 }
@@ -88,7 +88,7 @@ TEST_CASE("a picture's name that is no PNG's is wrong use") {
   CHECK(read({"fly", "-o", "x.png", "--view", "y.png"}).has_value());
 }
 
-TEST_CASE("help is no failure") {
+TEST_CASE("help is not a failure") {
   const auto line = read({"get", "--help"});
   REQUIRE_FALSE(line.has_value());
   CHECK(line.error().status == 0);

@@ -8,7 +8,7 @@
 
 using namespace talus::cli;
 
-TEST_CASE("a course begins where it is told, along its heading") {
+TEST_CASE("a course begins at its start, along its heading") {
   const Course course{{100, -50}, 0, 1000};
   CHECK(course.at(0) == glm::dvec2{100, -50});
   CHECK(course.direction(0).x == Approx(1).margin(1e-3));

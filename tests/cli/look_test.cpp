@@ -33,7 +33,7 @@ TEST_CASE("turf is greyer under the sun than on a map, and snow darker; leaves a
   check_near(looks.colour_of(material("dark rock", 0x6FA845)), to_light(0x6FA845));
 }
 
-TEST_CASE("the light is that of the sun's height") {
+TEST_CASE("the light follows the sun's height") {
   const Sky sky{glm::vec3{0.0F, 0.5F, 0.866F}};
   check_near(sky.sunlight, {4.3F, 3.4026F, 2.3198F});
   check_near(sky.from_above, {0.5058F, 0.6874F, 1.0226F});

@@ -10,7 +10,7 @@ using namespace talus;
 using namespace talus::cli;
 using namespace talus::cli::testing;
 
-TEST_CASE("what no chunk has shown is hatched in dark grey, beside the ground in its colour") {
+TEST_CASE("land without chunks is hatched in dark grey, next to the ground in its colour") {
   SurfaceMap surface{materials()};
   surface.add(key_at(0, 0, 0), flat(kGrass, 8, kAir));
   const Picture picture = draw_map(surface, materials(), {0, 0, 64, 32}, {});

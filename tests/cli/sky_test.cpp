@@ -20,7 +20,7 @@ float brightness(const glm::vec3& light) {
 
 }  // namespace
 
-TEST_CASE("clouds cover between none and all of the sky, and nothing below the horizon") {
+TEST_CASE("clouds cover from zero to all of the sky, and nothing below the horizon") {
   CHECK(rc::check([] {
     const glm::vec3 direction = random_direction();
     const float cover = cloud_cover(direction);
@@ -30,7 +30,7 @@ TEST_CASE("clouds cover between none and all of the sky, and nothing below the h
   }));
 }
 
-TEST_CASE("light is finite and not negative, wherever one looks") {
+TEST_CASE("light is finite and not negative in every direction") {
   CHECK(rc::check([] {
     Sky sky;
     sky.to_sun = glm::normalize(glm::vec3{0.3F, 0.5F, 0.8F});

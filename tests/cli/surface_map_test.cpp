@@ -40,7 +40,7 @@ TEST_CASE("chunks may come in any order") {
   CHECK(map.at(-1, -1)->material == kGrass);
 }
 
-TEST_CASE("under water the surface tells the bed and the water's top") {
+TEST_CASE("under water the surface has the bed and the water's top") {
   SurfaceMap map{materials()};
   map.add(key_at(0, 0, 0), layered(kStone, 5, kWater, 20));
   const auto point = map.at(0, 0);
@@ -58,7 +58,7 @@ TEST_CASE("coarser chunks change nothing") {
   CHECK(map.extent().width == 0);
 }
 
-TEST_CASE("the extent is that of all chunks seen") {
+TEST_CASE("the extent covers all chunks seen") {
   SurfaceMap map{materials()};
   map.add(key_at(-2, 0, 1), Chunk::uniform(kAir));
   map.add(key_at(1, 5, 1), Chunk::uniform(kAir));

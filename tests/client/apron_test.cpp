@@ -134,7 +134,7 @@ TEST_CASE("a full store lets go of what was unused for longest") {
   CHECK(store.bytes() <= 3 * (sizeof(DenseVoxels) + 1024));
 }
 
-TEST_CASE("a store's bytes are those of what it holds") {
+TEST_CASE("a store's bytes equal the bytes of its contents") {
   const bool held = rc::check("empty is zero", [](const std::vector<std::uint8_t>& xs) {
     ChunkStore store{std::size_t{1} << 20};
     for (const auto x : xs) store.put(received({{x % 8, 0, 0}, Lod{}}, Chunk::uniform(MaterialId{x})));

@@ -58,7 +58,7 @@ TEST_CASE("after a reset failures count from the first again") {
   CHECK(backoff.next().has_value());
 }
 
-TEST_CASE("a server may ask for a longer wait, but for none without end") {
+TEST_CASE("a server may ask for a longer wait, but not for an endless one") {
   Backoff backoff{{2, milliseconds{10}, milliseconds{10}, 0}};
   const auto told = backoff.next(milliseconds{2'000});
   CHECK(told >= milliseconds{2'000});
@@ -66,7 +66,7 @@ TEST_CASE("a server may ask for a longer wait, but for none without end") {
   CHECK(backoff.next(milliseconds{4'294'967'295}) <= kLongestRetryAfter + milliseconds{10});
 }
 
-TEST_CASE("without attempts there is no delay to wait for") {
+TEST_CASE("without attempts the delay is zero") {
   CHECK_FALSE(Backoff{ReconnectPolicy{}}.next().has_value());
 }
 

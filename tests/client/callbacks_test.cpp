@@ -325,7 +325,7 @@ TEST_CASE("whatever a callback does to its client, the rest holds") {
   }
 }
 
-TEST_CASE("a client whose callbacks set Views at random hears of what is in the newest alone") {
+TEST_CASE("a client whose callbacks set Views at random receives only events of the newest View") {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
     std::mt19937 random{seed};

@@ -49,7 +49,9 @@ TEST_CASE("a client says Hello with its versions, codecs, token and window") {
       options);
 }
 
-TEST_CASE("an HTTP server that answers is told from one that breaks the protocol, however its bytes come") {
+TEST_CASE(
+    "an HTTP server that answers is distinguished from one that breaks the protocol, however its bytes "
+    "arrive") {
   for (const std::size_t first : {std::size_t{2}, std::size_t{4}, std::size_t{20}}) {
     CAPTURE(first);
     const std::string answer = "HTTP/1.1 400 Bad Request\r\n\r\n";
@@ -129,7 +131,7 @@ TEST_CASE("a server that never answers the Hello is given up") {
   CHECK(world.error().kind == ErrorKind::timed_out);
 }
 
-TEST_CASE("nobody at the port is one clear line") {
+TEST_CASE("a port without a server is one clear line") {
   asio::io_context io;
   std::string port;
   {

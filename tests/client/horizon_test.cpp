@@ -44,7 +44,7 @@ asio::awaitable<std::uint32_t> read_request(Peer& peer, std::size_t& views, std:
 
 }  // namespace
 
-TEST_CASE("a server that says nothing of horizons is asked for none") {
+TEST_CASE("a server without horizons is not asked for one") {
   asio::io_context io;
   Peer peer{io};
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -69,7 +69,7 @@ TEST_CASE("the horizon alone makes another View") {
   CHECK(view != plain);
 }
 
-TEST_CASE("a horizon's rows are those of the world, however many a run names") {
+TEST_CASE("a horizon's rows are the world's, whatever a run names") {
   asio::io_context io;
   Peer peer{io};
   std::multiset<ChunkKey> came;
@@ -101,7 +101,7 @@ TEST_CASE("a horizon's rows are those of the world, however many a run names") {
   CHECK(came == expected);
 }
 
-TEST_CASE("after a reconnect a horizon has the rows that the server tells then, or is not asked for") {
+TEST_CASE("after a reconnect a horizon has the rows of the new Welcome, or is not requested") {
   asio::io_context io;
   Peer peer{io};
   Options options;
@@ -144,7 +144,7 @@ TEST_CASE("after a reconnect a horizon has the rows that the server tells then, 
   CHECK(errors == std::vector{ErrorKind::out_of_range});
 }
 
-TEST_CASE("after a reconnect a View beyond the limits that the server tells then is kept, and not sent") {
+TEST_CASE("after a reconnect a View beyond the new limits is kept, and not sent") {
   asio::io_context io;
   Peer peer{io};
   Options options;

@@ -78,7 +78,7 @@ TEST_CASE("a client closed before the loop ran does not connect") {
   CHECK_FALSE(client.connected());
 }
 
-TEST_CASE("a client closed while its last answers fail hears no event") {
+TEST_CASE("a client closed while its last answers fail receives no event") {
   const int reconnects = GENERATE(0, 3);
   Interrupted m{reconnects};
   run(m.io, {[&] { return m.visit([&] { m.client->close(); }); }, [&] { return m.serve(); }});
@@ -86,7 +86,7 @@ TEST_CASE("a client closed while its last answers fail hears no event") {
   CHECK(m.disconnects == 0);
 }
 
-TEST_CASE("a client destroyed while its last answers fail hears no event") {
+TEST_CASE("a client destroyed while its last answers fail receives no event") {
   const int reconnects = GENERATE(0, 3);
   Interrupted m{reconnects};
   run(m.io, {[&] { return m.visit([&] { m.client.reset(); }); }, [&] { return m.serve(); }});
@@ -94,7 +94,7 @@ TEST_CASE("a client destroyed while its last answers fail hears no event") {
   CHECK(m.disconnects == 0);
 }
 
-TEST_CASE("a client destroyed by the answer to its request hears no event afterwards") {
+TEST_CASE("a client destroyed by the answer to its request receives no event afterwards") {
   asio::io_context io;
   Peer peer{io};
   std::optional<Client> client;

@@ -57,7 +57,7 @@ TEST_CASE("after a new connection edits go again with their sequences, before ot
   CHECK(send_all(edits) == std::vector<std::uint64_t>{2, 3, 4});
 }
 
-TEST_CASE("of edits that were sent nobody knows what became of them, of others that they did not happen") {
+TEST_CASE("sent edits end as unknown, unsent edits as not applied") {
   OpenEdits edits;
   add(edits, 3);
   edits.attach_sent();
@@ -73,7 +73,7 @@ TEST_CASE("of edits that were sent nobody knows what became of them, of others t
   CHECK(edits.empty());
 }
 
-TEST_CASE("of edits of an editor that is forgotten nobody knows whether they happened") {
+TEST_CASE("edits of a forgotten editor end as unknown") {
   OpenEdits edits;
   add(edits, 2);
   edits.attach_sent();
@@ -100,7 +100,7 @@ TEST_CASE("an edit that was refused for now goes again as it is, before others")
   CHECK(send_all(edits) == std::vector<std::uint64_t>{1, 2, 3});
 }
 
-TEST_CASE("edits that certainly did not happen go as new ones, in order, before those never sent") {
+TEST_CASE("edits that certainly were not applied are sent as new ones, in order, before unsent edits") {
   OpenEdits edits;
   std::string order;
   for (const char* const name : {"a", "b", "c"}) {

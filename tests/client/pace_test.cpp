@@ -113,7 +113,7 @@ TEST_CASE("requests, Views and pings beyond the rate wait in the client") {
   CHECK(answered == 2 * kCount);
 }
 
-TEST_CASE("a request that the server refuses for now is asked again at the time told") {
+TEST_CASE("a request that the server refuses for now is sent again at the given time") {
   Meeting m;
   m.make_client();
   const ChunkKey key = key_at(1, 2, 3);
@@ -264,7 +264,9 @@ TEST_CASE("a refused ping fails, the oldest first") {
   CHECK(answers == std::vector<std::string>{"first refused", "second came"});
 }
 
-TEST_CASE("a server that goes away is asked nothing more, and the next one is asked after the time told") {
+TEST_CASE(
+    "a server that goes away receives no more requests, and the next one receives them after the given "
+    "time") {
   Meeting m;
   m.make_client(3);
   const ChunkKey key = key_at(1, 2, 3);

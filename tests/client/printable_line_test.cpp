@@ -14,7 +14,7 @@ TEST_CASE("a text keeps its characters, and control characters become spaces") {
         "e   \xE2\x82\xAC \xF0\x9F\x8F\x94");
 }
 
-TEST_CASE("bytes that are no character are replaced one by one") {
+TEST_CASE("invalid characters are replaced one by one") {
   const std::string none{"\xEF\xBF\xBD"};
   CHECK(printable_line("a\xFF"
                        "b",

@@ -26,7 +26,7 @@ int taken(RequestPace& pace, Time now) {
 
 }  // namespace
 
-TEST_CASE("without a rate requests go at once, also where the server tells none") {
+TEST_CASE("without a rate requests are sent at once, also if the server announces no rate") {
   RequestPace unlimited{limits_of(0, 0, milliseconds{1'000}), kStart};
   CHECK(taken(unlimited, kStart) == 10'000);
   RequestPace untold{ServerLimits{}, kStart};
@@ -48,7 +48,7 @@ TEST_CASE("a bucket of less than one request still grants one at a time") {
   CHECK(taken(pace, kStart + milliseconds{1'000}) == 1);
 }
 
-TEST_CASE("after a refusal nothing goes until the time told, then as much as was refused") {
+TEST_CASE("after a refusal nothing is sent until the given time, then the refused requests") {
   const std::uint64_t rate = GENERATE(0U, 1'000U);
   RequestPace pace{limits_of(rate, 0, milliseconds{2'000}), kStart};
   for (int i = 0; i < 3; ++i) pace.refused(kStart, milliseconds{500 + i});

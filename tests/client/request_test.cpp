@@ -43,7 +43,7 @@ TEST_CASE("get brings the chunk that was asked for") {
   run(m.io, {visit, serve});
 }
 
-TEST_CASE("answers in any order reach those who asked, requests of one moment share a frame") {
+TEST_CASE("answers in any order reach their callers, requests of one moment share a frame") {
   Meeting m;
   constexpr int kCount = 20;
   int answered = 0;
@@ -215,7 +215,7 @@ TEST_CASE("heights come in the order asked") {
   run(m.io, {visit, serve});
 }
 
-TEST_CASE("places are told by the names of Welcome") {
+TEST_CASE("places have the names of Welcome") {
   Meeting m;
   const std::vector<Column> one{{1, 2}};
   const std::vector<Column> two{{1, 2}, {-3, 4}};

@@ -63,7 +63,7 @@ TEST_CASE("servers take turns, and each is left alone for as long as it asked") 
   CHECK(alone.leave(start, 1h) == kLongestRetryAfter);
 }
 
-TEST_CASE("of a name's addresses any may be first, those of the system's first family before others") {
+TEST_CASE("any address of a name may be first, with the system's first family before others") {
   const std::vector<std::string> addresses{"2001:db8::1", "2001:db8::2", "10.0.0.1", "10.0.0.2", "10.0.0.3"};
   std::set<std::string> first;
   std::set<std::string> third;
@@ -88,7 +88,7 @@ TEST_CASE("the address that was reached before is the last of its family") {
   }
 }
 
-TEST_CASE("a client that is told to go away goes to another server with its View and what is unanswered") {
+TEST_CASE("a client asked to leave goes to another server with its View and its unanswered requests") {
   asio::io_context io;
   Peer leaves{io};
   Peer stays{io};

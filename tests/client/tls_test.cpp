@@ -74,7 +74,7 @@ TEST_CASE("a client by TLS joins a server that proves who it is") {
   CHECK(world->fingerprint == ContentHash{42, 0});
 }
 
-TEST_CASE("a client by TLS does not trust a server that nobody vouches for") {
+TEST_CASE("a client by TLS does not trust a server with an untrusted certificate") {
   Secure secure;
   secure.options.tls.ca_file = secure.scratch.write("other.pem", make_certificate(2).certificate);
   check_failed(secure.visited(), ErrorKind::untrusted, "certificate verify failed: self-signed certificate");
@@ -82,7 +82,7 @@ TEST_CASE("a client by TLS does not trust a server that nobody vouches for") {
   check_failed(secure.visited(), ErrorKind::untrusted, "--ca FILE");
 }
 
-TEST_CASE("a client by TLS does not trust a server with another's name, unless it is told that name") {
+TEST_CASE("a client by TLS does not trust a server with another name, unless it expects that name") {
   Secure secure{make_certificate(1, "talus.example")};
   check_failed(secure.visited(), ErrorKind::untrusted, "--tls-name NAME");
   check_failed(secure.visited("localhost"), ErrorKind::untrusted, "--tls-name NAME");
@@ -95,14 +95,14 @@ TEST_CASE("a client by TLS does not trust a certificate that has ended") {
   check_failed(secure.visited(), ErrorKind::untrusted, "certificate has expired");
 }
 
-TEST_CASE("a client that is told not to verify joins anybody") {
+TEST_CASE("a client without verification joins any server") {
   Secure secure{make_certificate(1, "talus.example", -1)};
   secure.options.tls.ca_file.clear();
   secure.options.tls.verify = false;
   CHECK(secure.visited().has_value());
 }
 
-TEST_CASE("a file of authorities that is none is named") {
+TEST_CASE("an invalid file of authorities is named") {
   Secure secure;
   secure.options.tls.ca_file = secure.scratch.write("garbage", "no PEM\n");
   check_failed(secure.visited(), ErrorKind::untrusted, secure.options.tls.ca_file);

@@ -71,7 +71,7 @@ TEST_CASE("chunks of the View are delivered, others are not") {
   CHECK(seen.came == std::multiset<ChunkKey>{key_at(1, 1, -1)});
 }
 
-TEST_CASE("what was delivered and is no longer covered leaves the View") {
+TEST_CASE("a delivered chunk that is no longer covered leaves the View") {
   const auto seen =
       watch(view_at(0), {view_chunk(key_at(-1, 0, 0)), view_chunk(key_at(1, 0, 0))}, view_at(32));
   CHECK(seen.left == std::set<ChunkKey>{key_at(-1, 0, 0)});
@@ -170,7 +170,7 @@ TEST_CASE("a chunk that left is kept: coming back, its hash is said and its conf
   CHECK(seen.stats.chunk_frames == 1);
 }
 
-TEST_CASE("without room to keep it, or where nobody held it, nothing is said to be known") {
+TEST_CASE("without room to keep it, or without holders, nothing is announced as known") {
   const Habits habits = GENERATE(Habits{0, true}, Habits{1 << 20, false});
   const Return seen = walk_and_return(kKey, view_chunk(kKey), habits);
   CHECK(seen.said_known.empty());
@@ -303,7 +303,7 @@ TEST_CASE("a View of more chunks than the server allows is refused, and the one 
   CHECK(came == std::multiset<ChunkKey>{kept});
 }
 
-TEST_CASE("a client that is closed in on_left_view hears no more of it") {
+TEST_CASE("a client that is closed in on_left_view receives no more of it") {
   asio::io_context io;
   Peer peer{io};
   int left = 0;

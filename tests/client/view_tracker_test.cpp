@@ -21,7 +21,7 @@ ReceivedChunk chunk_at(int x, std::uint64_t revision = 0) {
 
 }  // namespace
 
-TEST_CASE("chunks that leave the View are told, those that stay are not") {
+TEST_CASE("chunks that leave the View are reported, chunks that stay are not") {
   ViewTracker tracker{1 << 20};
   CHECK(tracker.replace(around(0)).empty());
   for (const int x : {-1, 0, 1}) REQUIRE(tracker.deliver(chunk_at(x)));

@@ -82,7 +82,7 @@ TEST_CASE("a token comes from a file, a word or a variable, and flags win") {
   CHECK(token({"--token-file", file.c_str()}) == "from a file");
 }
 
-TEST_CASE("a token file that is none is one line") {
+TEST_CASE("an invalid token file is one line") {
   const ScratchDirectory scratch;
   for (const std::string& file :
        {std::string{"/nowhere"}, scratch.path().string(), scratch.write("empty", "\n"),
@@ -124,7 +124,7 @@ TEST_CASE("a WebSocket is asked for by --websocket or by its URL") {
   CHECK_FALSE(read_connect_options(parsed({"--connect", "ws://a"})).has_value());
 }
 
-TEST_CASE("a scheme that is none of the client's is named, with those that are") {
+TEST_CASE("an unknown scheme is named, with the known ones") {
   const auto told = [](const char* address) {
     const auto options = read_connect_options(parsed({"--connect", address}));
     REQUIRE_FALSE(options.has_value());
@@ -141,7 +141,7 @@ TEST_CASE("a scheme that is none of the client's is named, with those that are")
         "--connect a:1,ws://b:2: write ws:// once, before the first address: it is for all of them");
 }
 
-TEST_CASE("a server's address that is none names the option and what is wrong") {
+TEST_CASE("an invalid server address names the option and the fault") {
   for (const char* text : {"host", "host:0", "::1:80", ":80", "host:x"}) {
     CAPTURE(text);
     const auto address = read_server_address("--connect", text);
@@ -151,7 +151,7 @@ TEST_CASE("a server's address that is none names the option and what is wrong") 
   CHECK(read_server_address("--connect", "[::1]:4780") == protocol::Endpoint{"::1", 4780});
 }
 
-TEST_CASE("a range refuses what is no number") {
+TEST_CASE("a range rejects an invalid number") {
   CLI::App app;
   double value = 0;
   app.add_option("--value", value)->check(within(0, 5));

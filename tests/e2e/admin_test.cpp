@@ -99,7 +99,7 @@ TEST_CASE("a server that has more than its share sends sessions elsewhere, as it
   CHECK(value_of(get(admin, "/metrics"), "talus_sessions_sent_elsewhere_total") == 1);
 }
 
-TEST_CASE("whatever is no good request gets a 4xx, and harms nothing") {
+TEST_CASE("an invalid request gets a 4xx, and harms nothing") {
   ServerProcess server{{}, {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();
   const std::string metrics = "GET /metrics HTTP/1.1\r\nHost: a\r\n";

@@ -184,7 +184,7 @@ TEST_CASE("a session without the right may not edit") {
 // With sync off a kill loses nothing either: that edits outlive a power cut is shown in tests/server, under a
 // file system that drops what was not synced. Here it is the rest of talusd that dies: answers without edits,
 // edits done twice by clients that send them again.
-TEST_CASE("a server killed under its editors loses no edit that it has acknowledged, and does none twice") {
+TEST_CASE("a server killed under its editors loses no acknowledged edit, and applies none twice") {
   const char* const given = std::getenv("TALUS_KILLS");
   const int kills = given != nullptr ? std::atoi(given) : (kSanitized ? 2 : 6);
   const std::uint64_t seed = seed_of_run();

@@ -46,7 +46,7 @@ TEST_CASE("Welcome describes the world and the limits") {
   CHECK(welcome.materials()->Get(2)->name()->str() == world.materials()[2].name);
 }
 
-TEST_CASE("a client from another time is told both versions") {
+TEST_CASE("a client of another version receives both versions") {
   const ServerProcess server;
   const bool future = GENERATE(true, false);
   RawClient client{server.port()};
@@ -58,7 +58,7 @@ TEST_CASE("a client from another time is told both versions") {
   CHECK_THAT(text, Catch::Contains(future ? "versions 7 to 9" : "version 0"));
 }
 
-TEST_CASE("a client without a common codec is told both") {
+TEST_CASE("a client without a common codec receives both codecs") {
   const ServerProcess server;
   RawClient client{server.port()};
   REQUIRE(client.send(hello({.codecs = {99, 98}})));

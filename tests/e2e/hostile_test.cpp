@@ -114,14 +114,14 @@ TEST_CASE("a length too small for any message closes the connection") {
   CHECK(closing_code(client) == wire::ErrorCode::malformed);
 }
 
-TEST_CASE("a frame that is no message closes the connection") {
+TEST_CASE("an invalid frame closes the connection") {
   const ServerProcess server;
   RawClient client{server.port()};
   REQUIRE(client.send(bytes_of({8, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF, 1, 2, 3, 4})));
   CHECK(closing_code(client) == wire::ErrorCode::malformed);
 }
 
-TEST_CASE("a frame cut off by the end of its connection harms nobody") {
+TEST_CASE("a frame cut off by the end of its connection harms no other client") {
   const ServerProcess server;
   {
     RawClient cut{server.port()};
@@ -131,7 +131,7 @@ TEST_CASE("a frame cut off by the end of its connection harms nobody") {
   (void)greeted(server.port());
 }
 
-TEST_CASE("who asks and reads nothing is read no further, and dropped") {
+TEST_CASE("a client that sends requests and reads nothing is read no further, and dropped") {
   // Long enough for a server that reads on to take more than the bound below.
   const ServerProcess server{{{"TALUS_LIMITS_WRITE_TIMEOUT_MS", "2000"}}};
   RawClient client = greeted(server.port());

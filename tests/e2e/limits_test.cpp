@@ -36,7 +36,7 @@ void check_timeout(RawClient& client, const std::optional<Received>& received) {
 
 }  // namespace
 
-TEST_CASE("who says nothing is dropped") {
+TEST_CASE("a silent client is dropped") {
   const ServerProcess server{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "100"}}};
   RawClient client{server.port()};
   check_timeout(client, client.receive());
@@ -48,7 +48,7 @@ TEST_CASE("a Hello of one byte at a time is dropped") {
   check_timeout(client, drip(client, hello({.client = std::string(1000, 'x')})));
 }
 
-TEST_CASE("who falls silent after Hello is dropped") {
+TEST_CASE("a client that is silent after Hello is dropped") {
   const ServerProcess server{{{"TALUS_LIMITS_IDLE_TIMEOUT_MS", "100"}}};
   RawClient client = greeted(server.port());
   check_timeout(client, client.receive());
@@ -61,7 +61,7 @@ TEST_CASE("a frame of one byte at a time does not count as life") {
 }
 
 // By WebSocket it is told so by HTTP, and asking for one is a request itself.
-TEST_CASE("one connection too many from an address is told so", "[tcp]") {
+TEST_CASE("one connection too many from an address is refused with a reason", "[tcp]") {
   const ServerProcess server{{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "2"}}};
   RawClient first = greeted(server.port());
   RawClient second = greeted(server.port());
@@ -135,7 +135,7 @@ TEST_CASE("a View comes whole where the generators' queue holds one of its chunk
   CHECK(columns.size() == 9);
 }
 
-TEST_CASE("who asks faster than its rate is refused with a time, and served after it") {
+TEST_CASE("a client over its rate is refused with a time, and served after it") {
   const ServerProcess server{{{"TALUS_RATES_SESSION_REQUESTS", "20"}, {"TALUS_RATES_BURST_MS", "100"}}};
   RawClient client = greeted(server.port());
   REQUIRE(client.send(get_chunks(

@@ -36,7 +36,7 @@ TEST_CASE("talusd draws tiles of the map near and far, and the same again from m
   CHECK(client.get(root + "0/65536/0.png").status == 404);
 }
 
-TEST_CASE("who asks for many tiles and leaves keeps no generator from others") {
+TEST_CASE("a client that requests many tiles and leaves takes no generator from others") {
   ServerProcess server{{kClassicWorld, {"TALUS_THREADS_GENERATOR", "1"}}, kWithHttp};
   HttpClient client{server.http_port()};
   const std::string root = map_root(client);

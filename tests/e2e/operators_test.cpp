@@ -59,7 +59,7 @@ void check_blocked(RawClient& client) {
 
 }  // namespace
 
-TEST_CASE("who uses most is on the operators' port, and in talusd top") {
+TEST_CASE("the flow that uses most is on the operators' port, and in talusd top") {
   const ScratchDirectory scratch;
   const std::string key = scratch.write("key", "0123456789abcdef0123456789abcdef");
   ServerProcess server{{{"TALUS_ACCESS_SIGNING_KEY_FILE", key},

@@ -82,7 +82,8 @@ constexpr std::string_view kLoose = "gravel";  // of the classic world
 
 }  // namespace
 
-TEST_CASE("one's own edit is seen before the server hears of it, and goes where it refuses") {
+TEST_CASE(
+    "a client's own edit is visible before the server answers, and disappears if the server refuses it") {
   const ScratchDirectory scratch;
   const ServerProcess server{{kClassicWorld,
                               {"TALUS_DATA", (scratch / "data").string()},

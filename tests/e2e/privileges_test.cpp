@@ -50,7 +50,7 @@ TEST_CASE("a program that talusd runs gains nothing") {
   check_threads(server, "NoNewPrivs:", "1");
 }
 
-TEST_CASE("root's talusd becomes who it is told to, in all threads, and serves") {
+TEST_CASE("root's talusd becomes the configured user, in all threads, and serves") {
   if (root_is_needed()) return;
   const ScratchDirectory scratch;
   REQUIRE(::chmod(scratch.path().c_str(), 0755) == 0);
@@ -88,7 +88,7 @@ TEST_CASE("a data directory that its user may not use is one line") {
   CHECK_THAT(ended.err, Catch::Contains("Permission denied") && Catch::Contains("runs as user 4780:4781"));
 }
 
-TEST_CASE("root is warned, and root is no user to become") {
+TEST_CASE("root is warned, and root is not a user to switch to") {
   if (root_is_needed()) return;
   ServerProcess server;
   server.signal(SIGTERM);

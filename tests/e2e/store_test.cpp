@@ -289,8 +289,7 @@ TEST_CASE("backup, import, rebase and restore that are killed leave a sound stor
   const ServerProcess server{settings};
 }
 
-TEST_CASE(
-    "a pregen that is killed is taken up again, and the land that it leaves is that of a server without it") {
+TEST_CASE("a killed pregen is continued, and its land equals the land of a server without pregen") {
   const ScratchDirectory scratch;
   const Settings settings{{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/alpine.toml"},
                           {"TALUS_GENERATION_PATCH_TILES", "2"}};

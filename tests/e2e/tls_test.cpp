@@ -127,7 +127,7 @@ TEST_CASE("a TLS 1.2 client is refused") {
   CHECK_THAT(client.failure().message(), Catch::Contains("protocol version"));
 }
 
-TEST_CASE("after SIGHUP new connections get the new certificate, and those before go on") {
+TEST_CASE("after SIGHUP new connections get the new certificate, and older ones continue") {
   Secure secure;
   ServerProcess server{secure.settings()};
   TlsClient before{server.port()};
@@ -187,7 +187,7 @@ TEST_CASE("a client that does not answer the end of TLS cannot hold its connecti
   client.await_close();
 }
 
-TEST_CASE("who connects by TLS through a proxy counts and is logged as the address that the proxy gives") {
+TEST_CASE("a client by TLS through a proxy counts and is logged under the address from the proxy") {
   const Secure secure;
   ServerProcess server{secure.settings({{"TALUS_PROXIES", "127.0.0.1"}})};
   const std::string header{"\r\n\r\n\0\r\nQUIT\n\x21\x11\0\x0C\xCB\0\x71\x07\x7F\0\0\x01\xC0\x01\x12\xAC",
@@ -205,7 +205,7 @@ TEST_CASE("one of the proxies that sends no PROXY header is refused in one line"
   CHECK_THAT(server.await_line("refused 127.0.0.1:"), Catch::Contains("sent no PROXY header of version 2"));
 }
 
-TEST_CASE("a PROXY header from somebody who is no proxy is a broken frame") {
+TEST_CASE("a PROXY header from an address outside proxies is a broken frame") {
   const ServerProcess server;
   RawClient client{server.port()};
   const std::string header{"\r\n\r\n\0\r\nQUIT\n\x21\x11\0\x0C\xCB\0\x71\x07\x7F\0\0\x01\xC0\x01\x12\xAC",
@@ -214,7 +214,7 @@ TEST_CASE("a PROXY header from somebody who is no proxy is a broken frame") {
   CHECK(client.expect().as<wire::Error>().code() == wire::ErrorCode::too_large);
 }
 
-TEST_CASE("a draining server tells clients by TLS to go away") {
+TEST_CASE("a draining server asks clients by TLS to leave") {
   const Secure secure;
   ServerProcess server{secure.settings()};
   TlsClient client{server.port()};

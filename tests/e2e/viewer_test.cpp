@@ -11,7 +11,7 @@
 using namespace talus;
 using namespace talus::e2e;
 
-TEST_CASE("talusd serves a directory of files as it was when it started, beside /v1") {
+TEST_CASE("talusd serves a directory of files as of its start, next to /v1") {
   const ScratchDirectory dist;
   const std::string large(300'000, 'a');
   dist.write("index.html", "<!doctype html>");

@@ -32,7 +32,7 @@ std::string payload_of(const wire::Chunk& chunk) {
 
 }  // namespace
 
-TEST_CASE("chunks by HTTP and by WebSocket are those by TCP") {
+TEST_CASE("chunks by HTTP and by WebSocket equal chunks by TCP") {
   ServerProcess server{{kClassicWorld}, kWithHttp};
   RawClient by_tcp = greeted(server.port());
   RawClient by_socket{server.http_port(), kLoopback, Transport::websocket};
@@ -119,7 +119,7 @@ TEST_CASE("pipelined requests are answered in order, cold and hot") {
   }
 }
 
-TEST_CASE("heights by HTTP are those by TCP") {
+TEST_CASE("heights by HTTP equal heights by TCP") {
   ServerProcess server{{kClassicWorld}, kWithHttp};
   RawClient by_tcp = greeted(server.port());
   by_tcp.send(get_heights(1, {{10, -20}, {74, -20}, {10, 44}, {74, 44}}));

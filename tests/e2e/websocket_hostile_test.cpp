@@ -126,7 +126,7 @@ TEST_CASE("a million empty fragments are nothing") {
   });
 }
 
-TEST_CASE("fragments of nothing are no life: who sends them alone is dropped") {
+TEST_CASE("empty fragments do not keep a connection alive: a client that sends only these is dropped") {
   Bench bench{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "300"}}};
   RawClient bad = socket_of(bench.port);
   const Bytes some = repeated(bytes_of({0x89, 0x80, 1, 2, 3, 4, 0x82, 0x80, 1, 2, 3, 4}), 10);
@@ -178,7 +178,7 @@ TEST_CASE("a WebSocket that is shut inside a frame is closed") {
   bench.check_served();
 }
 
-TEST_CASE("request heads of one byte at a time are dropped, and nobody else is") {
+TEST_CASE("request heads of one byte at a time are dropped, and other clients stay") {
   constexpr std::size_t kSlow = 100;
   Bench bench{
       {{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "500"}, {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "1000"}}};

@@ -92,7 +92,7 @@ TEST_CASE("a batch that is dropped leaves nothing, and its entries may come agai
   CHECK(applied.front().revision == 1);
 }
 
-TEST_CASE("results are kept of the newest edits, and older ones are told apart as decided") {
+TEST_CASE("results of the newest edits are kept, and older edits are reported as decided") {
   Store store;
   store.apply({AttachEntry{{1, 1}, 1, ""}}, 5);
   for (std::uint64_t sequence = 1; sequence <= kKeptResults + 1; ++sequence) {
@@ -158,7 +158,7 @@ TEST_CASE("an editor that was idle for a day is forgotten at the next attach, by
   CHECK(applied[1].kind == Kind::attached);
 }
 
-TEST_CASE("a subject has so many bytes") {
+TEST_CASE("a subject has a maximum size") {
   Store store;
   CHECK(store.apply({AttachEntry{{1, 1}, 1, std::string(kMaxSubjectBytes + 1, 's')}}, 0).front().kind ==
         Kind::invalid);
@@ -186,7 +186,7 @@ Store full_store(std::uint64_t used) {
 
 }  // namespace
 
-TEST_CASE("of editors there are so many, and another finds a place where one was idle") {
+TEST_CASE("the number of editors is limited, and a new one replaces an idle one") {
   Store store = full_store(1);
   const Entry another = AttachEntry{{1, 9}, 1, ""};
   CHECK(store.apply({another}, 100'000).front().kind == Kind::editors_full);
@@ -203,7 +203,7 @@ TEST_CASE("of editors there are so many, and another finds a place where one was
   CHECK(store.editors.size() == 2 + kOperatorEditors);
 }
 
-TEST_CASE("where there are too many editors those go that never edited, however a log is cut into batches") {
+TEST_CASE("too many editors evict the ones that never edited, however a log is cut into batches") {
   const Store full = full_store(2);
   std::vector<Entry> entries;
   for (std::uint64_t i = 1; i <= 40; ++i) {
@@ -238,7 +238,7 @@ TEST_CASE("where there are too many editors those go that never edited, however 
   for (std::uint64_t i = 2; i <= kMaxEditors; i += 2) REQUIRE(result->editors.find({i, 0}) != nullptr);
 }
 
-TEST_CASE("where all never edited, those of the same batch go last") {
+TEST_CASE("if none edited, editors of the same batch are evicted last") {
   Store store;
   for (std::uint64_t first = 1; first <= kMaxEditors; first += 4'096) {
     std::vector<Entry> entries;

@@ -117,9 +117,7 @@ TEST_CASE("boxes that overlap touch each voxel once, in order, be they small or 
   }
 }
 
-TEST_CASE(
-    "the chunks that an edit touches are those that it may write and of its guards, or none where it is "
-    "refused") {
+TEST_CASE("an edit touches its writable chunks and its guards' chunks, or no chunk if it is refused") {
   Edit edit = filling({30, 0, 0}, {33, 0, 0});
   edit.writes.push_back({{-1, 5, 64}, kStone});
   edit.writes.push_back({{-2, 5, 64}, kStone});

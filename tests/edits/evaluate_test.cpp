@@ -54,7 +54,7 @@ TEST_CASE("an edit that changes nothing has changed nothing, though it wrote in 
   CHECK(outcome_of(edit, state) == Outcome{});
 }
 
-TEST_CASE("writes, fills and a paste are done in this order, each on what those before it left") {
+TEST_CASE("writes, fills and a paste are applied in this order, each on the result of the previous") {
   State state;
   Edit edit;
   edit.writes.push_back({{0, 0, 0}, kPlanks});
@@ -69,7 +69,7 @@ TEST_CASE("writes, fills and a paste are done in this order, each on what those 
   CHECK(outcome.chunks[0].voxels[0].after == MaterialId{202});
 }
 
-TEST_CASE("filling as generated takes edits away, where `only` says so") {
+TEST_CASE("filling as generated removes edits where `only` matches") {
   State state;
   Staging staging{state, state.hash};
   Edit build;

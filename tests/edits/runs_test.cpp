@@ -50,7 +50,7 @@ std::vector<Override> any_voxels() {
 
 }  // namespace
 
-TEST_CASE("the bytes of runs are those of FORMAT.md") {
+TEST_CASE("the bytes of runs are as in FORMAT.md") {
   const MaterialId three{3};
   const MaterialId large{300};
   const std::vector<Override> voxels{{5, three}, {6, three}, {7, three}, {8, large}, {40, large}};
@@ -79,7 +79,7 @@ TEST_CASE("every voxel of a material of its own comes back") {
   CHECK(decode_runs(encoded(voxels)).value() == voxels);
 }
 
-TEST_CASE("bytes that are read are those that would be written: one encoding of each set") {
+TEST_CASE("bytes that are read equal the bytes that would be written: one encoding of each set") {
   CHECK(rc::check([] {
     auto block = encoded(any_voxels());
     for (int flips = *rc::gen::inRange(0, 3); flips > 0; --flips) {

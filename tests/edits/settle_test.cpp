@@ -192,7 +192,7 @@ TEST_CASE("what stands on sand that is dug away falls, and rock and planks hold 
   }
 }
 
-TEST_CASE("whatever is dug and put: no loose voxel is lost, none lies too steep, the others stay") {
+TEST_CASE("random digging and building: no loose voxel is lost, none lies too steep, the others stay") {
   CHECK(rc::check([] {
     Land land;
     const int slope = *rc::gen::inRange(0, 300);
@@ -251,7 +251,7 @@ TEST_CASE("what an edit costs is bounded, however it is built") {
   CHECK(most > kSettleLooks / 4);  // hard enough to mean something
 }
 
-TEST_CASE("a dig where nothing is loose needs none of the box, and of base what it touches") {
+TEST_CASE("a dig without loose material needs no voxel of the box, and only the base that it touches") {
   testing::State state;
   Edit edit;
   edit.writes.push_back({{5, 5, 5}, kAir});
@@ -265,7 +265,7 @@ TEST_CASE("a dig where nothing is loose needs none of the box, and of base what 
   CHECK(outcome->changed == 1);
 }
 
-TEST_CASE("sand that somebody put slides where the land has none") {
+TEST_CASE("placed sand slides on land without sand") {
   testing::State state;
   Editors editors;
   Batch batch{state, editors, {}, 1};

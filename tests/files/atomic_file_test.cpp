@@ -44,7 +44,7 @@ TEST_CASE("a committed file replaces a longer one and leaves nothing else") {
   CHECK(scratch.file_count() == 1);
 }
 
-TEST_CASE("other files in the directory are left alone, those of another run too") {
+TEST_CASE("other files in the directory stay, another run's too") {
   const ScratchDirectory scratch;
   const std::string left = ".talus." + std::to_string(::getpid()) + ".0.partial";
   scratch.write(left, "not ours");
@@ -122,8 +122,7 @@ TEST_CASE("a file is whole where the system writes it in pieces") {
   CHECK(read_whole(scratch / "f") == "ten bytes!");
 }
 
-TEST_CASE(
-    "each call that fails leaves the old file or the whole new one, nothing beside it and no file open") {
+TEST_CASE("each call that fails leaves the old file or the whole new one, no other file and no open file") {
   const bool unnamed = GENERATE(true, false);
   const std::string text = "the new text";
   bool is_new = false;

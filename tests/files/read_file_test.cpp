@@ -39,7 +39,7 @@ TEST_CASE("what is not there or a directory is an error with the system's words"
   CHECK(read_file(scratch.path(), 9).error().code == std::errc::is_a_directory);
 }
 
-TEST_CASE("a secret is read from a regular file alone, and a pipe without a writer keeps nobody waiting") {
+TEST_CASE("a secret is read only from a regular file, and a pipe without a writer does not block") {
   const ScratchDirectory scratch;
   REQUIRE(::mkfifo((scratch / "pipe").c_str(), 0600) == 0);
   for (const auto& path : {scratch / "pipe", scratch.path(), std::filesystem::path{"/dev/zero"}}) {
@@ -47,7 +47,7 @@ TEST_CASE("a secret is read from a regular file alone, and a pipe without a writ
   }
 }
 
-TEST_CASE("what must be a regular file is refused where it is none, and keeps nobody waiting") {
+TEST_CASE("a file that must be regular is refused otherwise, and does not block") {
   const ScratchDirectory scratch;
   REQUIRE(::mkfifo((scratch / "pipe").c_str(), 0600) == 0);
   CHECK(read_regular_file(scratch / "pipe", 100).error().reason == "is not a regular file");
@@ -59,7 +59,7 @@ TEST_CASE("what must be a regular file is refused where it is none, and keeps no
   CHECK(read_regular_file(file, 3).error().code == std::errc::file_too_large);
 }
 
-TEST_CASE("a secret file tells its permissions") {
+TEST_CASE("a secret file reports its permissions") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("f", "secret");
   std::filesystem::permissions(file, std::filesystem::perms::owner_read);

@@ -195,9 +195,10 @@ TEST_CASE("replicas are compared by what they answer, and by nothing else") {
   }
   SECTION("one too many") {
     replicas[2][4] = "c";
-    CHECK(compared().value() == std::vector<std::string>{"one replica has message 4, and the leader ends at 3"});
+    CHECK(compared().value() ==
+          std::vector<std::string>{"one replica has message 4, and the leader ends at 3"});
   }
-  SECTION("one too few, where NATS calls it current") {
+  SECTION("one too few, though NATS calls it current") {
     replicas[2].erase(3);
     CHECK(compared().value() == std::vector<std::string>{"not all replicas have message 3"});
   }
@@ -211,7 +212,7 @@ TEST_CASE("replicas are compared by what they answer, and by nothing else") {
     questions.pause = [&] { replicas[2][3] = "c"; };
     CHECK(compared().value().empty());
   }
-  SECTION("nobody answers") {
+  SECTION("no answer") {
     questions.ask = [&](const std::string&) -> tl::expected<ReplicaAnswer, std::string> {
       ++asked;
       return tl::unexpected{std::string{"no replica answers (status 503)"}};
@@ -220,7 +221,7 @@ TEST_CASE("replicas are compared by what they answer, and by nothing else") {
     CHECK(compared().error() == "no replica answers (status 503)");
     CHECK(asked == 3);
   }
-  SECTION("there is no leader") {
+  SECTION("no leader") {
     replicas[2].erase(3);
     info.leader.clear();
     CHECK(compared().error() == "the stream has no leader");
@@ -340,7 +341,7 @@ TEST_CASE("check names each missing permission, and one too many") {
   }
 }
 
-TEST_CASE("check reads the newest messages, and names those that servers pass over or stop at") {
+TEST_CASE("check reads the newest messages, and names the messages that servers pass over or stop at") {
   NatsServers servers{{.servers = 1}};
   const Target target = target_at(servers.url_list(), 1);
   REQUIRE(init(target, genesis_of()));
@@ -519,7 +520,7 @@ TEST_CASE("metrics of the cluster are found in a page") {
   CHECK(found == std::map<std::string, double>{{"sequence", 12}, {"connected", 1}});
 }
 
-TEST_CASE("which store is meant: the one that is named, or that of the data directory") {
+TEST_CASE("the store is the named one, or the data directory's") {
   const ScratchDirectory scratch;
   Config config;
   config.cluster.nats = urls_of("nats://127.0.0.1:1");

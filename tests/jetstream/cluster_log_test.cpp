@@ -233,7 +233,7 @@ TEST_CASE("three servers over three hosts of a log agree, and go on when the log
   for (std::size_t i = 0; i < 3; ++i) CHECK_FALSE(cluster.node(i).log().status().differs);
 }
 
-TEST_CASE("servers that start beside a replica of other messages go on, and agree") {
+TEST_CASE("servers that start next to a replica with other messages continue, and agree") {
   Servers cluster{3};
   Editors editors{cluster, 12, 4};
   editors.run(300ms);

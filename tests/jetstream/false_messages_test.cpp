@@ -11,7 +11,7 @@ using namespace talus::server;
 using namespace talus::server::jetstream;
 using namespace std::chrono_literals;
 
-TEST_CASE("a publisher's headers do not stand for those of NATS") {
+TEST_CASE("a publisher's headers do not replace NATS' own") {
   OneServer one;
   make_stream(one.servers, one.names, 1);
   const auto log = open_log(one.servers.url_list(), one.names);
@@ -66,7 +66,7 @@ TEST_CASE("false messages on the tail subject do no harm after the true ones, an
     while (text == "b");  // twice, where its first acknowledgement did not come
     CHECK(text == "c");
   }
-  SECTION("in place of the next one, and it can be no message") {
+  SECTION("instead of the next one, and it may be invalid") {
     forge(one.names.stream, 2, "false");
     CHECK(read(*log, 1) == "false");
     log->ask_again();

@@ -88,7 +88,7 @@ TEST_CASE("a log without servers opens, and says so until they are there") {
   CHECK(read(*log, 0) == "a");
 }
 
-TEST_CASE("a NATS server that takes connections and says nothing refuses nobody") {
+TEST_CASE("a NATS server that accepts connections and sends nothing refuses no client") {
   OneServer one;
   make_stream(one.servers, one.names, 1);
   one.servers.freeze(0);

@@ -63,7 +63,7 @@ ServerUrls url_of(const std::string& url) {
 
 }  // namespace
 
-TEST_CASE("a server that never ends its handshake holds up the look, and nobody who waits for it") {
+TEST_CASE("a server that never ends its handshake delays the search, and no caller") {
   auto silent = std::make_unique<NeverShakesHands>();
   Credentials credentials;
   credentials.tls = true;

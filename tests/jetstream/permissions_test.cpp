@@ -17,7 +17,7 @@ using namespace talus::server;
 using namespace talus::server::jetstream;
 using namespace std::chrono_literals;
 
-TEST_CASE("who may not come in is told so, and comes in once he may") {
+TEST_CASE("a refused user gets the reason, and connects once permitted") {
   OneServer one("authorization { users = [ { user: talus, password: right } ] }");
   Credentials wrong;
   wrong.user = "talus";
@@ -174,7 +174,7 @@ struct Denials : ConnectionEvents {
 
 }  // namespace
 
-TEST_CASE("each of several refusals that come at once is told by its own words") {
+TEST_CASE("each of several refusals at once is reported with its own text") {
   OneServer one{talusd_permissions()};
   const auto denials = std::make_shared<Denials>();
   const auto connection =
@@ -276,7 +276,7 @@ TEST_CASE("TLS, of both sides") {
     }
     return made;
   };
-  SECTION("the server's certificate is that of cluster.ca, and of its name") {
+  SECTION("the server's certificate must match cluster.ca and the server's name") {
     NatsServers servers{{.servers = 1, .jetstream = false, .more = "tls { " + files + " }", .scheme = "tls"}};
     CHECK(opens(servers, who(server.certificate, nullptr)));
     CHECK_FALSE(opens(servers, who(stranger.certificate, nullptr)));

@@ -156,9 +156,7 @@ TEST_CASE("what is asked for together and not found makes one pause") {
   }
 }
 
-TEST_CASE(
-    "for a number that the tail claims the next message is asked for, until the leader says that it has "
-    "none") {
+TEST_CASE("the next message is requested for a number that the tail claims, until the leader denies it") {
   Reading reading{kStart, 7};
   reading.heard(1'000'000'000'000, bytes_of("false"), kStart);
   auto now = kStart;
@@ -241,7 +239,7 @@ TEST_CASE("two messages of one number are held against the stream") {
   }
 }
 
-TEST_CASE("what is no message is given again as the leader has it") {
+TEST_CASE("an invalid message is delivered again as the leader has it") {
   Reading reading{kStart, 7};
   reading.heard(1, bytes_of("damaged"), kStart);
   auto message = reading.take();
@@ -291,7 +289,7 @@ TEST_CASE("what is no message is given again as the leader has it") {
     answer(reading, 1, now);
     CHECK(taken(reading) == 1);
   }
-  SECTION("which has none yet") {
+  SECTION("which is still empty") {
     for (int i = 0; i < 8; ++i) {
       reading.not_found(1, kStart + i * 1s);
       CHECK(reading.wanted(kStart + i * 1s + 500ms) == Sequences{1});
@@ -370,7 +368,7 @@ TEST_CASE("whatever is lost, late or doubled, all messages are given out once, i
   CHECK(held);
 }
 
-TEST_CASE("whatever numbers somebody makes up, questions stay few and all true messages are given out") {
+TEST_CASE("whatever numbers a false publisher sends, requests stay few and all true messages are delivered") {
   const bool held = rc::check([](std::uint32_t seed) {
     std::mt19937 random{seed};
     const auto below = [&](std::uint64_t bound) { return std::uint64_t{random()} % bound; };
@@ -428,7 +426,7 @@ TEST_CASE("whatever numbers somebody makes up, questions stay few and all true m
   CHECK(held);
 }
 
-TEST_CASE("who is far behind catches up by ever more questions at once where no leader says how far") {
+TEST_CASE("a reader far behind sends ever more requests at once if no leader reports the distance") {
   constexpr std::uint64_t kLast = 10'000;
   Reading reading{kStart, 7};
   hear(reading, kLast, kStart);
@@ -450,7 +448,7 @@ TEST_CASE("who is far behind catches up by ever more questions at once where no 
   CHECK(reading.wanted(kStart + 1s) == Sequences{kLast + 1});
 }
 
-TEST_CASE("who is far behind catches up by many questions at once, whatever the tail claims") {
+TEST_CASE("a reader far behind sends many requests at once, whatever the tail claims") {
   Reading reading{kStart, 7};
   constexpr std::uint64_t kLast = 5000;
   auto now = kStart;
@@ -520,7 +518,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
     confirm(kLast / 2);
     CHECK(reading.forged() == kLast / 2);
   }
-  SECTION("or keeps some no more, and nobody can tell") {
+  SECTION("or has dropped some, undetectably") {
     reading.starts_at(kLast);
     CHECK(reading.unconfirmed() == kLast);
     CHECK_FALSE(reading.is_unconfirmed_after(0));
@@ -543,7 +541,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
     CHECK(taken(reading) == kLast + 1);
     CHECK(taken(reading) == 0);
   }
-  SECTION("what is no message of the log waits for it") {
+  SECTION("a message outside the log waits for it") {
     reading.answered_by_replica(kLast + 1, bytes_of("torn"), now);
     REQUIRE(reading.take());
     CHECK(reading.unconfirmed() == kLast + 1);

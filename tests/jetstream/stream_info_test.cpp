@@ -66,7 +66,8 @@ TEST_CASE("the format that the stream's settings enable is read") {
   CHECK(info->description == "log format 2 from message 7");
 }
 
-TEST_CASE("a leader that hears too few of the others has no majority, and without one there is none") {
+TEST_CASE(
+    "a leader that reaches too few servers has no majority, and neither has a stream without a leader") {
   StreamInfo info;
   CHECK(has_majority(info));  // one server alone
   info.leader = "n1";
@@ -98,7 +99,7 @@ TEST_CASE("a time is one that 64 bits of nanoseconds hold") {
   }
 }
 
-TEST_CASE("what is no answer of JetStream is an error") {
+TEST_CASE("an invalid answer of JetStream is an error") {
   for (std::size_t length = 0; length < kAnswer.size(); ++length) {
     CHECK_FALSE(parse_stream_info(kAnswer.substr(0, length)));
   }

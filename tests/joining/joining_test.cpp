@@ -162,7 +162,8 @@ TEST_CASE("a peer that dies in the middle leaves nothing half taken, and the nex
   servers.await_same("a", "b");
 }
 
-TEST_CASE("who has no right to the store, or wants another, says so and goes on asking, without a store") {
+TEST_CASE(
+    "a joiner without the right, or with another store's id, reports it and keeps asking, without a store") {
   JoiningServers servers;
   servers.begin("a");
   const auto a = servers.start(servers.settings("a"));
@@ -194,7 +195,7 @@ TEST_CASE("who has no right to the store, or wants another, says so and goes on 
     settings["TALUS_CLUSTER_STORE"] = servers.store_id;
     line = "this server wants " + servers.store_id;
   }
-  SECTION("nobody there") {
+  SECTION("no server") {
     settings = servers.joiner("b", {9});
     line = "no peer's store could be taken; all are asked again in 1000 ms";
   }

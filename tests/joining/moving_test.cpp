@@ -50,7 +50,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   CHECK(servers.stat("a")["revision"] == during["revision"].get<int>() + 3);
 }
 
-TEST_CASE("who leaves a cluster is told how far it is behind") {
+TEST_CASE("a server that leaves a cluster reports how far it is behind") {
   JoiningServers servers;
   servers.begin("a");
   const auto a = servers.start(servers.settings("a"));
@@ -74,7 +74,7 @@ TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins
   }
   const json before = servers.stat("a");
   servers.lose_stream();
-  SECTION("and there is none") {}
+  SECTION("and the stream is missing") {}
   SECTION("and another has its name") {
     const std::string& id = servers.store_id;
     nats_test::make_stream(*servers.nats, {"TALUS_" + id, "talus." + id + ".log", "talus." + id + ".tail"},
@@ -103,7 +103,7 @@ TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins
   servers.await_same("a", "b");
 }
 
-TEST_CASE("a stream with other settings is refused by name, by who starts and who enters") {
+TEST_CASE("a stream with other settings is refused by name, both at the start and when a store enters") {
   JoiningServers servers;
   servers.begin("a");
   servers.change_stream("max_msgs", 1'000'000);

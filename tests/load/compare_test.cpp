@@ -29,7 +29,7 @@ TEST_CASE("settings that differ are named") {
   CHECK_FALSE(has(*compare(run(20).dump(), run(20)), "setting"));
 }
 
-TEST_CASE("what is no result of this program is refused") {
+TEST_CASE("an invalid result file is refused") {
   for (const char* text : {"", "{", "[]", "{}", "{\"format\":1,\"settings\":{},\"figures\":{}}",
                            "{\"format\":2,\"figures\":[]}"}) {
     CAPTURE(text);

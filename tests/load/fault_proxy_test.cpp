@@ -125,7 +125,7 @@ TEST_CASE("a link that is late, and unevenly so, brings a whole View") {
   check_well(server);
 }
 
-TEST_CASE("a client that hears the server's end comes back") {
+TEST_CASE("a client that receives the server's end returns") {
   ServerProcess server;
   Faults half;
   half.half_close_after = 8001;
@@ -136,7 +136,7 @@ TEST_CASE("a client that hears the server's end comes back") {
   check_well(server);
 }
 
-TEST_CASE("a server that hears its client's end lets it go and serves the others") {
+TEST_CASE("a server that receives its client's end releases it and serves the others") {
   ServerProcess server;
   const auto hello = e2e::hello();
   Faults half;

@@ -41,7 +41,7 @@ TEST_CASE("a figure that was not measured fails its threshold") {
   CHECK(check("cpu_s_per_million>1", {}).size() == 1);
 }
 
-TEST_CASE("what is no threshold is refused with a reason") {
+TEST_CASE("an invalid threshold is refused with a reason") {
   for (const char* text : {"", "p99_ms", "p99_ms>", "p99_ms>x", "p99_ms>5x", "p99_ms=>5", "speed>5", ">5"}) {
     CAPTURE(text);
     const auto threshold = parse_threshold(text);
@@ -119,7 +119,7 @@ TEST_CASE("slow and greedy clients are not the players") {
   CHECK(figures.at("greedy_errors") == 7);
 }
 
-TEST_CASE("what anybody finds wrong is wrong") {
+TEST_CASE("a fault found by any player is a fault") {
   RunResult result;
   Tally& slow = of(result, Role::slow);
   slow.wrong(slow.bad_chunks, "slow 3: a chunk");

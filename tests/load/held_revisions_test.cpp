@@ -12,7 +12,7 @@ constexpr ChunkKey kOther{{1, 2, 4}, Lod{}};
 
 }  // namespace
 
-TEST_CASE("a chunk of a higher revision is news, the same again or an older one is none") {
+TEST_CASE("a chunk of a higher revision is new, the same or an older revision is not") {
   HeldRevisions held;
   CHECK_FALSE(held.raise(kChunk, 0));
   CHECK(held.raise(kChunk, 5));

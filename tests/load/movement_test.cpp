@@ -30,7 +30,7 @@ TEST_CASE("one seed is one way") {
   });
 }
 
-TEST_CASE("nobody is faster than told, but by jumping") {
+TEST_CASE("a player is never faster than its speed, except by jumping") {
   for (const Role model : {Role::stand, Role::walk, Role::fly, Role::swarm, Role::slow}) {
     CAPTURE(name_of(model));
     auto motion = make_motion(plan_of(model, 20), Random{7, 1});
@@ -49,7 +49,7 @@ TEST_CASE("a flight leads straight on") {
   CHECK(glm::length(motion->at(60).place - start) == Approx(1200));
 }
 
-TEST_CASE("who teleports is elsewhere after its stay, and stays there") {
+TEST_CASE("a teleporter moves after its stay, and stays at its new place") {
   auto motion = make_motion(plan_of(Role::teleport), Random{7, 1});
   const glm::dvec3 first = motion->at(6).place;
   CHECK(motion->at(6.0001).place == first);

@@ -64,7 +64,7 @@ TEST_CASE("a step into what is held waits for nothing") {
   CHECK(flyer.near == std::vector{10, 0});
 }
 
-TEST_CASE("each View whose rings were not there waits until those of the newest are") {
+TEST_CASE("each View without its rings waits until the newest View's rings arrive") {
   Flyer flyer;
   flyer.step(0, 0);
   flyer.step(1'000, 1);

@@ -39,7 +39,7 @@ TEST_CASE("one that is refused for now goes with its sequence, one that did not 
   CHECK(sent(open) == std::vector<std::uint64_t>{3});
 }
 
-TEST_CASE("where the server has forgotten who sent them, nobody knows what became of them") {
+TEST_CASE("if the server has forgotten their editor, writes end as unknown") {
   OpenWrites open;
   (void)open.add({.cell = 5});
   (void)sent(open);

@@ -145,7 +145,7 @@ TEST_CASE("a farther chunk before a nearer one is seen in the first View") {
   CHECK(pending.arrive({5, 0, 0}).ring_gap == -1);
 }
 
-TEST_CASE("a jump is told from a step") {
+TEST_CASE("a jump is distinguished from a step") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   CHECK(pending.jumped() == kStart);
@@ -156,7 +156,7 @@ TEST_CASE("a jump is told from a step") {
   CHECK(pending.arrive({100, 0, 0}).join);
 }
 
-TEST_CASE("giving up tells what never came, and wants nothing more") {
+TEST_CASE("giving up reports the chunks that never arrived, and expects nothing more") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   (void)pending.arrive({0, 0, 0});

@@ -14,7 +14,7 @@ std::size_t count(const std::vector<Role>& roles, Role role) {
 
 }  // namespace
 
-TEST_CASE("a single model is everybody's") {
+TEST_CASE("a single model applies to all players") {
   CHECK(count(deal(*parse_player_mix("fly"), 7), Role::fly) == 7);
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("a trace brings its file") {
   CHECK(parse_player_mix("trace:a=b.txt=3,walk=1")->trace_file == "a=b.txt");
 }
 
-TEST_CASE("what is no mix is refused with a reason") {
+TEST_CASE("an invalid mix is refused with a reason") {
   for (const char* text :
        {"", "run", "walk=0", "walk=-1", "walk=x", "walk=3x", "trace", "walk=1,,fly=1", "idle", "slow"}) {
     CAPTURE(text);

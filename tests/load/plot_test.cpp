@@ -5,7 +5,7 @@
 using namespace talus::load;
 using std::chrono::milliseconds;
 
-TEST_CASE("a plot names its curves and escapes what it is told") {
+TEST_CASE("a plot names its curves and escapes its texts") {
   talus::measure::Histogram waits;
   for (int i = 1; i <= 1000; ++i) waits.record(milliseconds{i});
   const std::string svg = plot("a < b", "c & d", {{"travel", &waits}});
@@ -15,7 +15,7 @@ TEST_CASE("a plot names its curves and escapes what it is told") {
   CHECK(svg.find("p99 990 ms, max 1 s") != std::string::npos);
 }
 
-TEST_CASE("a plot of one wait has no number that is none") {
+TEST_CASE("a plot of one wait has only finite numbers") {
   talus::measure::Histogram waits;
   waits.record(milliseconds{0});
   const std::string svg = plot("", "", {{"one", &waits}});

@@ -26,7 +26,7 @@ RateModel observed(double wanted_per_second, double full) {
 
 }  // namespace
 
-TEST_CASE("a rate that is more than what is wanted holds nobody") {
+TEST_CASE("a rate above the demand delays no player") {
   CHECK(observed(900, 10'000).held() == 0);
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("time that does not count fills and empties the bucket all the same") 
   CHECK(model.held() == Approx(0.1));
 }
 
-TEST_CASE("no limit holds nobody") {
+TEST_CASE("no limit delays no player") {
   RateModel model{0, milliseconds{0}};
   model.add(1, 1e9, true);
   CHECK(model.held() == 0);

@@ -131,11 +131,11 @@ TEST_CASE("requests get what is right") {
   check_clean({"--players", "8", "--in-flight", "16", "--set", "64", "--duration", "2"}, kNoRates);
 }
 
-TEST_CASE("a greedy client and a slow one beside players leave them what is right") {
+TEST_CASE("a greedy client and a slow one leave players their share") {
   check_clean(twenty({"--greedy", "1", "--slow", "2"}));
 }
 
-TEST_CASE("idle connections from several addresses beside players are kept") {
+TEST_CASE("idle connections from several addresses are kept next to players") {
   check_clean(twenty({"--idle", "200", "--from-addresses", "4"}));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("a threshold that holds ends the program with 1 and one line") {
   CHECK(ended.err == "talus-load: --fail-if joins>0: joins is 1\n");
 }
 
-TEST_CASE("the results are written, and compared with those before") {
+TEST_CASE("the results are written, and compared with earlier ones") {
   const ServerProcess server;
   const ScratchDirectory scratch;
   const std::string json = (scratch.path() / "run.json").string();

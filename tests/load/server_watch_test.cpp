@@ -38,7 +38,7 @@ TEST_CASE("a process that is not there is named") {
   CHECK(sample.error().find("--server-pid 1073741823") == 0);
 }
 
-TEST_CASE("metrics that nobody gives are named") {
+TEST_CASE("missing metrics are named") {
   const auto sample = ServerWatch{talus::protocol::Endpoint{"127.0.0.1", 1}, 0}.sample();
   REQUIRE_FALSE(sample.has_value());
   CHECK(sample.error().find("--metrics: http://127.0.0.1:1/metrics") == 0);

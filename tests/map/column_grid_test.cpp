@@ -10,7 +10,7 @@
 using namespace talus;
 using namespace talus::map;
 
-TEST_CASE("A grid's samples are those of its columns one by one") {
+TEST_CASE("A grid's samples equal its columns' samples") {
   const terrain::World world = test::world_with_looks();
   const std::vector<std::string> names{"temperature", "height"};
   CHECK(rc::check([&] {
@@ -40,7 +40,7 @@ TEST_CASE("A grid past the world's end repeats the last columns") {
   CHECK(samples.heights_fx.at(0, 0) == samples.heights_fx.at(0, 1));
 }
 
-TEST_CASE("Provinces are no looks") {
+TEST_CASE("Provinces are not looks") {
   std::string text = test::text_of_world_with_looks();
   text.resize(text.find("[[look]]"));
   text +=

@@ -29,11 +29,11 @@ TEST_CASE("a frozen nats-server answers nothing until it goes on") {
   CHECK_FALSE(servers.page(0, "/varz").empty());
 }
 
-TEST_CASE("a wrong configuration is told by what nats-server says") {
+TEST_CASE("a wrong configuration is reported with nats-server's text") {
   CHECK_THROWS_WITH(NatsServers({.servers = 1, .more = "no_such_key: 1"}), Catch::Contains("no_such_key"));
 }
 
-TEST_CASE("a killed nats-server's port is given to nobody else who looks for a free one") {
+TEST_CASE("a killed nats-server's port is not given out as a free one") {
   NatsServers servers{{.servers = 1}};
   servers.kill(0);
   asio::io_context io;

@@ -32,7 +32,7 @@ TEST_CASE("a channel's light comes back as that channel") {
   }
 }
 
-TEST_CASE("light grows with the channel, from none to all") {
+TEST_CASE("light grows with the channel, from zero to all") {
   CHECK(light_of(0) == 0);
   CHECK(light_of(255) == 1);
   CHECK(light_of(188) == Approx(0.5).margin(0.01));  // half the light is far more than half the channel

@@ -53,7 +53,7 @@ TEST_CASE("a progress line stays a line before the beginning and past the end") 
   CHECK(progress_line(1.7, 10, 10.0, "rows") == "[########################] 100 %  1.0 rows/s  0 s left");
 }
 
-TEST_CASE("where there is no terminal, a line every ten seconds says how far it is") {
+TEST_CASE("without a terminal, a line every ten seconds reports the progress") {
   using namespace std::chrono_literals;
   Output output;
   ProgressBar bar{"map", "columns", output.place(false, true)};
@@ -67,7 +67,7 @@ TEST_CASE("where there is no terminal, a line every ten seconds says how far it 
         "map: 50 %, 10.0 columns/s, 20 s left\n");
 }
 
-TEST_CASE("what a log tells is said on a terminal alone") {
+TEST_CASE("log lines appear only on a terminal") {
   using namespace std::chrono_literals;
   for (const bool terminal : {false, true}) {
     Output output;

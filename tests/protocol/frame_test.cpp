@@ -145,7 +145,7 @@ TEST_CASE("a reader that holds a frame takes nothing more") {
   CHECK(reader.feed(framed(Bytes(20))) == 0U);
 }
 
-TEST_CASE("mid_frame tells an early end from a clean one") {
+TEST_CASE("mid_frame distinguishes an early end from a clean one") {
   FrameReader reader{1000};
   CHECK_FALSE(reader.mid_frame());
   const Bytes frame = framed(Bytes(20));

@@ -14,7 +14,7 @@ TEST_CASE("names are the same in any case, of ASCII alone") {
   CHECK_FALSE(same_name("\xC4", "\xE4"));
 }
 
-TEST_CASE("spaces and tabs around a value are none of it") {
+TEST_CASE("spaces and tabs around a value are not part of it") {
   CHECK(trimmed(" \t a b\t ") == "a b");
   CHECK(trimmed("a") == "a");
   CHECK(trimmed(" \t").empty());

@@ -51,7 +51,7 @@ TEST_CASE("fields come back as they were set") {
   CHECK(error->request_id() == 77);
 }
 
-TEST_CASE("a frame cut short or with bytes after its end is no message") {
+TEST_CASE("a frame cut short or with bytes after its end is invalid") {
   for (const auto& sample : sample_frames()) {
     for (std::size_t size = 0; size < sample.frame.size(); ++size) {
       const Frame cut{sample.frame.begin(), sample.frame.begin() + static_cast<std::ptrdiff_t>(size)};

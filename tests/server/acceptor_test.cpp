@@ -68,7 +68,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("connections that are reset before they are accepted take nothing from those that come after") {
+TEST_CASE("connections that are reset before they are accepted take nothing from later ones") {
   Bench bench;
   for (int i = 0; i < 100; ++i) {
     tcp::socket gone = bench.connect();
@@ -200,7 +200,7 @@ TEST_CASE("what a new connection's handler throws does not end the acceptor") {
   while (came < 2) io.run_one();
 }
 
-TEST_CASE("an address that is taken is an error, and so is one that is nobody's") {
+TEST_CASE("an address in use is an error, and so is a foreign address") {
   Bench bench;
   asio::io_context io;
   Acceptor other{io, std::make_shared<spdlog::logger>("silent"), bench.clock};

@@ -149,7 +149,7 @@ TEST_CASE("a key file that other users may read or change is a warning") {
   }
 }
 
-TEST_CASE("a configuration that lets nobody in is refused") {
+TEST_CASE("a configuration that rejects every client is refused") {
   CHECK_THAT(load_error({{}, "read", {}, "none"}), Catch::StartsWith("access.without_token"));
 }
 
@@ -242,7 +242,7 @@ TEST_CASE("talusd token makes tokens that the server accepts") {
   CHECK(claims->expires == kNow + 12h);
 }
 
-TEST_CASE("talusd token names nobody who edits by what cannot be printed") {
+TEST_CASE("talusd token refuses an unprintable subject for an editor") {
   const Files files;
   const std::string key = files.settings.signing_key_file.string();
   for (const char* subject : {"a\nb", "\x1b[2J", "\xff"}) {

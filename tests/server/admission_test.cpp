@@ -52,7 +52,7 @@ TEST_CASE("connections of one address share its rates, also over a time without 
   CHECK(admission.enter(asio::ip::make_address("192.0.2.2"))->rates() != rates);
 }
 
-TEST_CASE("limits that change count for those who come next, and rates for all") {
+TEST_CASE("changed limits count for new connections, and rates for all") {
   ManualClock clock;
   Admission admission{{2, 2, std::chrono::hours{1}, {{}, {}, {1, 10}}}, clock};
   const auto here = asio::ip::make_address("192.0.2.1");

@@ -33,7 +33,7 @@ TEST_CASE("listed origins are allowed, and * means all") {
   CHECK(all->allow("https://anything", ""));
 }
 
-TEST_CASE("what is no origin is refused by name") {
+TEST_CASE("an invalid origin is refused by name") {
   for (const auto* text :
        {"a.example", "https://", "https://a.example/path", "https://A.example", "ftp://a", "https://a b"}) {
     const auto parsed = AllowedOrigins::parse(text);

@@ -73,7 +73,7 @@ TEST_CASE("answers wait for the interval or the end, and wake their owner once")
   CHECK(owner.woken == 2);
 }
 
-TEST_CASE("what was not told is told at the end") {
+TEST_CASE("pending answers are delivered at the end") {
   Bench bench;
   Owner owner{1};
   {
@@ -85,7 +85,7 @@ TEST_CASE("what was not told is told at the end") {
   CHECK(owner.take() == Xs{0});
 }
 
-TEST_CASE("an owner that cannot be woken keeps nobody else waiting") {
+TEST_CASE("an owner that cannot be woken delays no other owner") {
   Bench bench;
   const auto broken = std::make_shared<Mailbox>(ClientId{1}, [] { throw std::bad_alloc{}; });
   Owner owner{2};

@@ -183,7 +183,7 @@ TEST_CASE("a View far outside the world is empty, not undefined") {
   CHECK(chunks_in_view({{farthest, -farthest, farthest}, {}, 3, 3, {{Lod::of(6), 100}}}).empty());
 }
 
-TEST_CASE("a direction that is no number is no preference") {
+TEST_CASE("an invalid direction is no preference") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   const View plain{{0, 0, 0}, {}, 2, 1, {}};

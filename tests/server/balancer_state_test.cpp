@@ -23,7 +23,7 @@ TEST_CASE("a balancer says how many sessions it has, here and in all") {
   CHECK(read_balancer_state("UP; weight=2/3; scur=0/0") == BalancerState{2, 3, 0, 0});
 }
 
-TEST_CASE("what is no state of a server that is up says nothing") {
+TEST_CASE("an invalid state of a running server has no effect") {
   for (const std::string& text :
        {std::string{}, std::string{"UP"}, with("UP 1/2", "DOWN"), with("UP 1/2", "NOLB 1/2"),
         with("weight=1/3", "weight=0/3"), with("weight=1/3", "weight=4/3"), with("weight=1/3", "weight=1"),

@@ -34,7 +34,7 @@ TEST_CASE("boxes are read with corners in any order, and written as they are rea
   CHECK(Boxes::parse(" ")->empty());
 }
 
-TEST_CASE("what is no box is named in one line") {
+TEST_CASE("an invalid box is named in one line") {
   for (const char* text : {"1,2", "1,2:3", "1,2:3,4,5", "1,2,3,4:1,2,3,4", "a,2:3,4", "1,2:3,4;", ";1,2:3,4",
                            "1,,2:3,4", "1.5,2:3,4", "68719476736,0:0,0", "99999999999999999999,0:0,0"}) {
     CAPTURE(text);

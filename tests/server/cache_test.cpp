@@ -184,7 +184,7 @@ TEST_CASE("a smaller capacity is fitted a slice a call, and the rest is found th
   CHECK(cache.size() == 100);
 }
 
-TEST_CASE("who puts something into a cache that is too large makes room for that alone") {
+TEST_CASE("an insert into a cache that is too large frees room for the new entry only") {
   constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
   ClockCache<int, int> cache{1000 * kEntry};
   for (int key = 0; key < 1000; ++key) cache.put(key, key, 100);

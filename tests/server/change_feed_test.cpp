@@ -50,7 +50,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("those are told whose boxes have the chunk") {
+TEST_CASE("a change is sent to the clients whose boxes have the chunk") {
   Bench bench;
   Client near{1};
   Client far{2};
@@ -75,7 +75,7 @@ TEST_CASE("those are told whose boxes have the chunk") {
   CHECK(near.take().size() == 1);
 }
 
-TEST_CASE("each is told of its own chunks alone") {
+TEST_CASE("each client receives only its own chunks") {
   Bench bench;
   Client west{1};
   Client east{2};
@@ -98,7 +98,7 @@ TEST_CASE("each is told of its own chunks alone") {
   CHECK(keys(both) == std::set{at(0), at(1), at(100)});
 }
 
-TEST_CASE("who expects an answer finds its changes beside it, or is woken for them after all") {
+TEST_CASE("a client with a pending answer receives its changes with it, or is woken for them") {
   Bench bench;
   Client answered{1};
   Client waits{2};
@@ -121,7 +121,7 @@ TEST_CASE("who expects an answer finds its changes beside it, or is woken for th
   CHECK(waits.take().size() == 1);
 }
 
-TEST_CASE("several edits of a chunk are told as one change") {
+TEST_CASE("several edits of a chunk are sent as one change") {
   Bench bench;
   Client client{1};
   bench.feed.watch(client.mailbox, boxes_around(0, 2));
@@ -137,7 +137,7 @@ TEST_CASE("several edits of a chunk are told as one change") {
   CHECK(client.take().empty());
 }
 
-TEST_CASE("new boxes stand in place of those before, and none forgets the client") {
+TEST_CASE("new boxes replace the old ones, and empty boxes forget the client") {
   Bench bench;
   Client client{1};
   bench.feed.watch(client.mailbox, boxes_around(0, 2));
@@ -170,7 +170,7 @@ TEST_CASE("more chunks than are gathered are any chunk") {
   CHECK(client.take().empty());
 }
 
-TEST_CASE("who is told is who a look at every box would find") {
+TEST_CASE("the clients found equal the result of a search in every box") {
   CHECK(rc::check([] {
     Bench bench;
     std::vector<std::unique_ptr<Client>> clients;
@@ -198,7 +198,7 @@ TEST_CASE("who is told is who a look at every box would find") {
   }));
 }
 
-TEST_CASE("the thread tells what comes, without being asked") {
+TEST_CASE("the thread delivers changes without a request") {
   std::mutex mutex;
   std::condition_variable woken;
   int wakes = 0;

@@ -29,7 +29,7 @@ const OnJoining kNobodyAsks = [](std::uint64_t, std::uint64_t) {};
 
 }  // namespace
 
-TEST_CASE("a server without keys gives its store to nobody, and says which key to set") {
+TEST_CASE("a server without keys refuses its store to every peer, and names the key to set") {
   Peer peer{7, 1U << 30U, false};
   CHECK_THAT(peer.error_with(""),
              Catch::Contains("answers 403") && Catch::Contains("access.signing_key_file"));
@@ -146,7 +146,7 @@ TEST_CASE("of servers that have all put their stores aside the one that has read
   CHECK_FALSE(goes_on(own, {1, 1, {}}, false));
 }
 
-TEST_CASE("the third at once is told to come back") {
+TEST_CASE("the third at once is refused for now") {
   Peer peer;
   peer.store.grow();
   peer.service.set_rate(262'144);
@@ -168,7 +168,7 @@ TEST_CASE("the third at once is told to come back") {
   CHECK(peer.error_with(peer.admin().token) == "");
 }
 
-TEST_CASE("who hangs up pins no checkpoint") {
+TEST_CASE("a peer that hangs up pins no checkpoint") {
   Peer peer;
   peer.service.set_rate(262'144);
   peer.store.grow();

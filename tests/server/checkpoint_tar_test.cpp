@@ -267,7 +267,7 @@ TEST_CASE("a checkpoint of more files than a store of its size has is refused wh
              Catch::Contains("it has over 300 files, more than its size needs"));
 }
 
-TEST_CASE("no more is taken than was announced, and none where the disk has not as much") {
+TEST_CASE("no more is read than was announced, and nothing if the disk is too small") {
   CheckpointStore peer{7, 40};
   const std::string tar = peer.tar();
   TextSource small{tar};
@@ -288,7 +288,7 @@ TEST_CASE("a store of another world or of another id is refused by its first fil
              Catch::Contains("this server wants 00000000000000090000000000000009"));
 }
 
-TEST_CASE("edits that are not those of the state's hash are refused, though every checksum is right") {
+TEST_CASE("edits that do not match the state's hash are refused, though every checksum is right") {
   CheckpointStore peer{7, 40};
   const fs::path at = peer.scratch / "checkpoint";
   fs::create_directory(at);

@@ -22,7 +22,7 @@ TEST_CASE("the last request that leaves a chunk cancels it") {
   CHECK_FALSE(waits.contains(kKey));
 }
 
-TEST_CASE("the View that leaves chunks does not cancel those for which a request waits") {
+TEST_CASE("the View that leaves chunks does not cancel chunks that a request waits for") {
   ChunkWaits waits;
   auto& waiters = waits.add(kKey, kNow);
   waiters.view = true;
@@ -55,7 +55,7 @@ TEST_CASE("a request that leaves a chunk does not cancel it for the View") {
   CHECK(waits.leave_view_where([](ChunkKey) { return true; }) == std::vector{kKey});
 }
 
-TEST_CASE("leaving a chunk for which nobody waits cancels nothing") {
+TEST_CASE("leaving a chunk without waiting clients cancels nothing") {
   ChunkWaits waits;
   CHECK_FALSE(waits.leave(kKey, 1));
   CHECK_FALSE(waits.end_view(kKey));

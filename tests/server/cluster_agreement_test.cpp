@@ -47,7 +47,7 @@ TEST_CASE("a server is ready when it is within a second of the log's end, until 
   CHECK(end.lag() == 0);
 }
 
-TEST_CASE("a server that hears nothing of the leader stays ready, and one that never heard is not") {
+TEST_CASE("a server that loses contact with the leader stays ready, and one that never had it is not") {
   LogEnd end;
   end.applied(7);
   CHECK_FALSE(end.is_ready());
@@ -57,7 +57,7 @@ TEST_CASE("a server that hears nothing of the leader stays ready, and one that n
   CHECK(end.is_ready());
 }
 
-TEST_CASE("the time in which the leader does not answer is no time that a server is behind") {
+TEST_CASE("a leader's silence does not count as time behind") {
   LogEnd end;
   const LogEnd::TimePoint start{};
   end.applied(7);
@@ -119,7 +119,7 @@ TEST_CASE("a server that is far behind for hours remembers few looks") {
   CHECK(end.is_ready());
 }
 
-TEST_CASE("who says the same is no matter, and what is not remembered is not compared") {
+TEST_CASE("an equal state has no effect, and a forgotten one is not compared") {
   StateComparison own{of(1)};
   const StateComparison::TimePoint now{};
   CHECK_FALSE(own.heard({of(2), 5, kWrong}, now).has_value());
@@ -130,7 +130,7 @@ TEST_CASE("who says the same is no matter, and what is not remembered is not com
   CHECK(own.judge(now + 10s) == Verdict::same);
 }
 
-TEST_CASE("who stands where this server never did, at the end of no message of its, has another state") {
+TEST_CASE("a server at a revision that this server never had, inside a message, has another state") {
   const StateComparison::TimePoint now{};
   StateComparison own{of(1)};
   own.stands(5, kRight);
@@ -219,7 +219,7 @@ TEST_CASE("a server that is wrong and starts again has no second vote") {
     CHECK_FALSE(own.heard({of(2), 5, kRight}, now).has_value());
     CHECK(own.judge(now + 2s) == Verdict::same);
   }
-  SECTION("and of two none is out") {
+  SECTION("and of two servers neither is out") {
     CHECK(own.judge(now + 2s) == Verdict::undecided);
   }
   SECTION("and one that has taken another store since is right again") {

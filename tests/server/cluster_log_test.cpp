@@ -301,7 +301,7 @@ TEST_CASE(
   CHECK(node.database().meta().head.position == last);
 }
 
-TEST_CASE("a server that is behind tells who is new to come again soon, not that all editors are there") {
+TEST_CASE("a server that is behind asks new editors to return soon, and does not report a full table") {
   ClusterInMemory cluster{1};
   cluster.nodes[0]->state_settings.editor_bytes = EditState::kNewEditorBytes;
   cluster.open();

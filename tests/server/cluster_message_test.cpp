@@ -109,7 +109,7 @@ edits::EditEntry any_edit(std::mt19937_64& random) {
 
 }  // namespace
 
-TEST_CASE("messages of the shared log are those of FORMAT.md, byte by byte") {
+TEST_CASE("messages of the shared log are as in FORMAT.md, byte by byte") {
   const auto genesis = encode(small_genesis());
   REQUIRE(genesis.has_value());
   CHECK(hex_of(*genesis) ==
@@ -147,7 +147,7 @@ TEST_CASE("a genesis is read back, and damage is seen") {
   CHECK(refused.error().find("message has at most 523264") != std::string::npos);
 }
 
-TEST_CASE("a batch is read back by those whose store and world it is of, and damage is seen") {
+TEST_CASE("a batch is read by servers of its store and world, and damage is detected") {
   const std::vector<store::Bytes> entries{bytes_of_entry(edits::AttachEntry{{5, 6}, 2, "bob"}),
                                           bytes_of_entry(small_edit())};
   const store::Bytes bytes = encode_batch(small_head(), sand_slides(), entries);
@@ -275,7 +275,7 @@ TEST_CASE("a description that speaks of formats otherwise lets no message be pas
   }
 }
 
-TEST_CASE("entries that are newer are told from those that are damaged") {
+TEST_CASE("newer entries are distinguished from damaged ones") {
   store::Bytes bytes = bytes_of_entry(small_edit());
   CHECK(decode_entry(bytes, nullptr).error() == EntryFault::damaged);  // it settles, and nothing says how
   bytes[0] = std::byte{kEntryFormat + 1};

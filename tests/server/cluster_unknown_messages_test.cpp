@@ -196,7 +196,7 @@ TEST_CASE("a message that no talusd wrote is passed over by all servers alike") 
   SECTION("nothing") {
     bad.clear();
   }
-  SECTION("a word of somebody's") {
+  SECTION("an unknown word") {
     bad.assign(5, std::byte{'h'});
   }
   SECTION("of no format") {

@@ -191,7 +191,7 @@ TEST_CASE("the same column put again takes no room") {
   CHECK(cache->status().kept == 2);
 }
 
-TEST_CASE("a damaged column is none, and others are found") {
+TEST_CASE("a damaged column is missing, and others are found") {
   Bench bench;
   {
     const auto cache = bench.open();

@@ -86,7 +86,7 @@ TEST_CASE("talusd.toml says the defaults") {
   CHECK(settings.warnings.empty());
 }
 
-TEST_CASE("what is wrong with the flags of a command is told under its name") {
+TEST_CASE("wrong flags of a command are reported under its name") {
   const auto told = [](std::vector<const char*> flags) {
     CLI::App app{"", "talusd store"};
     app.require_subcommand(1);
@@ -106,7 +106,7 @@ TEST_CASE("what is wrong with the flags of a command is told under its name") {
   CHECK(told({}).starts_with("talusd store: A subcommand is required: history; see talusd store --help"));
 }
 
-TEST_CASE("mistyped words of the command line are told with what was meant") {
+TEST_CASE("mistyped words of the command line are reported with a suggestion") {
   const auto told = [](std::vector<const char*> flags) {
     const auto refused = command(std::move(flags));
     REQUIRE_FALSE(refused.has_value());
@@ -183,7 +183,7 @@ TEST_CASE("an unknown key names its line and the nearest one") {
   CHECK_THAT(toml_error("[limit]\nconnections = 5\n"), Catch::StartsWith("file.toml:1: limit:"));
 }
 
-TEST_CASE("a number that the server chooses by default is auto, and any that is given is told from that") {
+TEST_CASE("a number that the server chooses by default is auto, which differs from every given number") {
   CHECK_FALSE(Config{}.rates.address_editors);
   CHECK(settings_of("[rates]\naddress_editors = 512\n").config.rates.address_editors == 512);
   CHECK_FALSE(settings_of("[rates]\naddress_editors = \"auto\"\n").config.rates.address_editors);
@@ -206,7 +206,7 @@ TEST_CASE("a number out of range names the range and the unit") {
   CHECK_THAT(toml_error("[limits]\nframe_bytes = -1\n"), Catch::Contains("-1"));
 }
 
-TEST_CASE("the edge of a patch is a power of two, or 0; what is none is refused with the nearest two") {
+TEST_CASE("the edge of a patch is a power of two, or 0; other values are refused with the nearest two") {
   for (std::uint64_t tiles = 0; tiles <= 17; ++tiles) {
     const std::string toml = "[generation]\npatch_tiles = " + std::to_string(tiles);
     CAPTURE(toml);
@@ -359,7 +359,7 @@ TEST_CASE("an unknown variable is a warning with the nearest name") {
   CHECK_THAT(read->warnings[0], Catch::Contains("TALUS_LISTEN?"));
 }
 
-TEST_CASE("variables that clients read are no warning") {
+TEST_CASE("variables for clients cause no warning") {
   const auto read = command({}, {{"TALUS_TOKEN", "x"}, {"TALUS_TOKEN_FILE", "x"}});
   REQUIRE(read.has_value());
   CHECK(read->warnings.empty());

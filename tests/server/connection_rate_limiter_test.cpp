@@ -44,7 +44,7 @@ TEST_CASE("addresses of one IPv6 /64 network share a rate") {
   CHECK(takes(limiter, asio::ip::make_address("2001:db8:0:1::2"), kNow));
 }
 
-TEST_CASE("who waits as long as it is told gets in, and not before") {
+TEST_CASE("a client that waits for the given time is accepted, and not before") {
   ConnectionRateLimiter limiter{10, 1, 1};
   REQUIRE(takes(limiter, kHere, kNow));
   const auto wait = limiter.admit(kHere, kNow);
@@ -77,7 +77,7 @@ TEST_CASE("in any time t an address begins at most burst + rate * t") {
   CHECK(holds);
 }
 
-TEST_CASE("however many addresses come, none is refused for the others, and who owes most is remembered") {
+TEST_CASE("however many addresses connect, each is served, and the one that owes most is remembered") {
   ConnectionRateLimiter limiter{10, 5, 1};
   (void)taken(limiter, kHere, kNow, 20);
   constexpr std::uint32_t kMany = 4 * ConnectionRateLimiter::kSets * ConnectionRateLimiter::kEntriesPerSet;

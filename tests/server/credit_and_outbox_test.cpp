@@ -213,7 +213,7 @@ TEST_CASE("a chunk is written as write() leaves it") {
   CHECK(outbox.chunk_bytes() == 0);
 }
 
-TEST_CASE("a frame in a chunk's place is written instead, and is no chunk") {
+TEST_CASE("a frame in a chunk's place is written instead, and does not count as a chunk") {
   Outbox outbox;
   Credit credit{1};
   outbox.push_chunk(entry(1, 100));

@@ -90,7 +90,7 @@ TEST_CASE("players are sent away evenly over the time, the longest connected fir
   }
 }
 
-TEST_CASE("who comes when all were sent away is told at once") {
+TEST_CASE("a client that connects after all were sent away is sent away at once") {
   Bench bench;
   bench.departures.send_all(0s);
   bench.join(1);
@@ -145,7 +145,7 @@ TEST_CASE("of several ways through a balancer that which has too many players he
   CHECK(bench.departures.balancer_says(of_balancer(5, 5), kSettings, PortRange{0, 0}) == 0);
 }
 
-TEST_CASE("players who came directly are never sent away for those of a balancer's ports") {
+TEST_CASE("players without a proxy are never sent away for a balancer's ports") {
   Bench bench;
   bench.join(20, std::nullopt);
   bench.clock.advance(1s);
@@ -166,7 +166,7 @@ TEST_CASE("players who came directly are never sent away for those of a balancer
   CHECK(says(std::nullopt) == 9);
 }
 
-TEST_CASE("a balancer that says nothing of use sends nobody away") {
+TEST_CASE("a balancer's useless check sends no player away") {
   Bench bench;
   bench.join(20);
   bench.clock.advance(61s);

@@ -112,7 +112,7 @@ TEST_CASE("a store that was interrupted when it entered, enters") {
   SECTION("without an answer") {
     single.faults.unacked = 256;
   }
-  SECTION("where its message comes later than anybody waits") {
+  SECTION("where its message arrives after the wait") {
     single.faults.delayed = 256;
   }
   SECTION("with few answers") {

@@ -8,7 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 using Queue = EntryQueue<int>;
 
-TEST_CASE("what wakes a queue wakes who waits, however often somebody takes without waiting before") {
+TEST_CASE("a wake-up reaches the waiting thread, however many takes without waiting precede it") {
   Queue queue{{}};
   queue.wake();
   CHECK(queue.take(10, 10, Queue::TimePoint::min()).empty());

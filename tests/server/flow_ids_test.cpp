@@ -22,6 +22,6 @@ TEST_CASE("an address and a subject of the same bytes are two flows") {
   CHECK(ids.of_address(address) != ids.of_subject("abcd"));
 }
 
-TEST_CASE("each process has ids of its own, so that nobody can choose one") {
+TEST_CASE("each process has its own ids, so that a client cannot choose one") {
   CHECK(FlowIds{}.of_subject("player") != FlowIds{}.of_subject("player"));
 }

@@ -79,7 +79,7 @@ TEST_CASE("a flow that comes back between two looks stays the same") {
   CHECK(flows.of_subject("alice") == back);
 }
 
-TEST_CASE("a flood of flows that come once takes no more memory than those that stay") {
+TEST_CASE("a flood of flows that come once takes no more memory than flows that stay") {
   FlowUses flows;
   for (int flow = 0; flow < 200'000; ++flow) {
     flows.of_subject(std::to_string(flow))->add(FlowMeasure::refusals, 1);

@@ -49,14 +49,14 @@ TEST_CASE("the table is aligned, has units, and names who") {
         "all flows                   600.0         600.0   100 %           42\n");
 }
 
-TEST_CASE("who used a quiet server last is still named") {
+TEST_CASE("the last user of a quiet server is still named") {
   FlowsReport quiet;
   quiet.top[0] = {{figures(FlowName::Kind::subject, "alice", 1000, 5000, 1'500'000)},
                   {nullptr, 1000, 5000, 1'500'000}};
   CHECK_THAT(flows_text(quiet), Catch::Contains("subject alice                 0.0           0.0   100 %"));
 }
 
-TEST_CASE("the table of a server that nobody uses has no shares of nothing") {
+TEST_CASE("the table of an unused server has no shares") {
   CHECK_THAT(flows_text({}), Catch::Contains("all flows                     0.0           0.0     0 %"));
 }
 

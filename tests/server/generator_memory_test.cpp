@@ -27,7 +27,7 @@ TEST_CASE("a patch in the making takes what its halo does") {
   CHECK(patch_size(4, 1ms, 0).bytes_in_the_making() == 128 * 128 * 64);
 }
 
-TEST_CASE("so many patches may be put back as are an eighth of the budget, before any was made, too") {
+TEST_CASE("returned patches are limited to an eighth of the budget, also before any was made") {
   MemoryBudget budget{256 * kMebibyte};
   GeneratorMemory memory{budget, 2, silent(), 10 * kMebibyte};
   CHECK(memory.max_begun() == 3);
@@ -57,7 +57,7 @@ TEST_CASE("what was put back is in the budget as long as it is") {
   CHECK(budget.used(MemoryUse::generators) == at_work);
 }
 
-TEST_CASE("that what ended is told before what began harms nothing") {
+TEST_CASE("an end that is reported before its begin is harmless") {
   MemoryBudget budget{256 * kMebibyte};
   GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
   memory.note_patch(1);

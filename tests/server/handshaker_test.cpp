@@ -237,7 +237,7 @@ TEST_CASE("a client by TLS 1.2 is refused") {
   CHECK(bench.metrics.tls_failed.total() == 1);
 }
 
-TEST_CASE("who does not speak TLS where it is wanted is closed") {
+TEST_CASE("a client that does not speak TLS where it is required is closed") {
   Bench bench{settings(), true};
   Client client{bench};
   client.say(std::string(64, 'x'));
@@ -245,7 +245,7 @@ TEST_CASE("who does not speak TLS where it is wanted is closed") {
   CHECK(bench.metrics.tls_failed.total() == 1);
 }
 
-TEST_CASE("who does not finish TLS in time is closed, and its place is free") {
+TEST_CASE("a client that does not finish TLS in time is closed, and its place is free") {
   Bench bench{in_no_time(), true};
   Client client{bench};
   client.say("\x16\x03\x01");  // the beginning of a ClientHello
@@ -254,7 +254,7 @@ TEST_CASE("who does not finish TLS in time is closed, and its place is free") {
   CHECK(bench.admission.connections() == 0);
 }
 
-TEST_CASE("who begins connections faster than its rate is told so, and when to come again") {
+TEST_CASE("a client that connects faster than its rate is refused with a time to retry") {
   Bench bench{one_a_second()};
   Client first{bench};
   (void)first.line();
@@ -288,7 +288,7 @@ TEST_CASE("limits that change count for the next connection") {
   CHECK_THAT(third.line(), Catch::StartsWith("127.0.0.1:"));
 }
 
-TEST_CASE("where TLS is wanted, who is beyond its rate is closed without a word") {
+TEST_CASE("with TLS, a client over its rate is closed without an answer") {
   Bench bench{one_a_second(), true};
   Client first{bench};
   CHECK_FALSE(TlsClient(first, bench.own.certificate).failed);
@@ -299,7 +299,7 @@ TEST_CASE("where TLS is wanted, who is beyond its rate is closed without a word"
   CHECK(bench.metrics.tls_failed.total() == 0);
 }
 
-TEST_CASE("who is blocked is told so and counted, whatever speaks for him, and the log says it once") {
+TEST_CASE("a blocked client is refused and counted, whatever proxy names it, and logged once") {
   const bool proxied = GENERATE(true, false);
   Bench bench{settings(proxied ? "127.0.0.1" : "")};
   bench.block(proxied ? "203.0.113.0/24" : "127.0.0.1");
@@ -322,7 +322,7 @@ TEST_CASE("who is blocked is told so and counted, whatever speaks for him, and t
   CHECK_FALSE(client.line().empty());
 }
 
-TEST_CASE("where the server's memory is all in use nobody comes in, and is told so") {
+TEST_CASE("a server whose memory is all in use refuses new clients with a reason") {
   Bench bench;
   bench.memory.set(MemoryUse::jobs, bench.memory.limit_bytes());
   Client client{bench};
@@ -330,7 +330,7 @@ TEST_CASE("where the server's memory is all in use nobody comes in, and is told 
   CHECK(bench.refused(Refusal::memory) == 1);
 }
 
-TEST_CASE("where only spare descriptors are left nobody comes in, and is told so") {
+TEST_CASE("a server with only spare descriptors refuses new clients with a reason") {
   for (const char* const proxies : {"", "127.0.0.1"}) {
     Bench bench{settings(proxies)};
     {
@@ -346,7 +346,7 @@ TEST_CASE("where only spare descriptors are left nobody comes in, and is told so
   }
 }
 
-TEST_CASE("there are only so many handshakes in flight") {
+TEST_CASE("the number of handshakes in flight is limited") {
   HandshakeSettings one = settings();
   one.max_in_flight = 1;
   Bench bench{one, true};
@@ -376,7 +376,8 @@ TEST_CASE("a proxy that speaks for itself comes in under its own address") {
   CHECK(bench.proxy_port.load() == 0);
 }
 
-TEST_CASE("who comes directly comes by no port of a proxy, and who comes by one without a header by port 0") {
+TEST_CASE(
+    "a client without a proxy has no port of a proxy, and one through a proxy without a header has port 0") {
   Bench direct{settings("192.0.2.0/24")};
   Client player{direct};
   CHECK_THAT(player.line(), Catch::StartsWith("127.0.0.1:"));
@@ -447,7 +448,7 @@ TEST_CASE("slots are counted by the address behind the proxy") {
   CHECK(other.line() == "203.0.113.8:49153");
 }
 
-TEST_CASE("a PROXY header from anybody else is no header, but what the client says") {
+TEST_CASE("a PROXY header from another address is not a header, but the client's own bytes") {
   Bench bench{settings("192.0.2.1")};
   Client client{bench};
   client.say(kProxyTcp4);

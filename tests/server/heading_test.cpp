@@ -14,7 +14,7 @@ std::vector<LevelBox> around(std::int64_t x, std::int64_t z) {
 
 }  // namespace
 
-TEST_CASE("a View that never moved has nothing ahead of it, wherever it stands") {
+TEST_CASE("a View that never moved has nothing ahead of it, wherever it is") {
   for (const std::int64_t x : {3, 1000}) {
     Heading heading;
     heading.move_to({x, 0, 2}, 8);
@@ -34,7 +34,7 @@ TEST_CASE("what a ring comes to have lies ahead of it, and where the finer level
   CHECK(ahead.inner_z == ChunkRange{-5, 3 - Heading::kAhead});
 }
 
-TEST_CASE("a View has more ahead of it where it moves, and no less behind") {
+TEST_CASE("a View has more ahead of it in its direction, and no less behind") {
   Heading heading;
   heading.move_to({0, 0, 0}, 8);
   heading.move_to({1, 0, 0}, 8);
@@ -58,7 +58,7 @@ TEST_CASE("a View that moves aslant keeps both directions between its steps") {
   }
 }
 
-TEST_CASE("a View that stands or rises keeps its heading; after a jump it has none") {
+TEST_CASE("a View that stands or rises keeps its heading; after a jump it has no heading") {
   Heading heading;
   heading.move_to({0, 0, 0}, 8);
   heading.move_to({0, 0, 1}, 8);

@@ -166,7 +166,7 @@ TEST_CASE("whichever allocation fails while flows are added and cut, each has it
   }
 }
 
-TEST_CASE("a cut allocates nothing, and the places of those that stay are theirs") {
+TEST_CASE("a cut allocates nothing, and flows that stay keep their places") {
   HeavyHitters hitters{3};
   for (std::uint64_t id = 1; id <= 9; ++id) use(hitters, id, 10 * id);
   {

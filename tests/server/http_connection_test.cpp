@@ -100,8 +100,8 @@ TEMPLATE_TEST_CASE("what follows the last request of a connection is not answere
   CHECK(statuses(client->text()) == "200 ");
 }
 
-TEMPLATE_TEST_CASE("a connection that asked for an upgrade and got none ends with the answer", "",
-                   LoopbackStream, EagerLoopbackStream) {
+TEMPLATE_TEST_CASE("a connection whose upgrade was refused ends with the answer", "", LoopbackStream,
+                   EagerLoopbackStream) {
   Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, get("/a", "Connection: Upgrade\r\nUpgrade: websocket\r\n") + get("/b"));
@@ -118,8 +118,8 @@ TEMPLATE_TEST_CASE("HEAD gets the length of GET's body and no body", "", Loopbac
              Catch::Contains("Content-Length: 6\r\n") && Catch::EndsWith("\r\n\r\n"));
 }
 
-TEMPLATE_TEST_CASE("a request that is no request gets its error, and the connection ends when the client has",
-                   "", LoopbackStream, EagerLoopbackStream) {
+TEMPLATE_TEST_CASE("an invalid request gets its error, and the connection ends when the client closes", "",
+                   LoopbackStream, EagerLoopbackStream) {
   Bench<TestType> bench;
   const auto client = bench.connect();
   bench.send(*client, "nonsense\r\n\r\n" + get("/a"));
@@ -140,8 +140,8 @@ TEMPLATE_TEST_CASE("a handler that throws is a 500, and the next request is answ
   CHECK(statuses(client->text()) == "500 200 ");
 }
 
-TEMPLATE_TEST_CASE("who has asked no whole request in time is closed, however steadily its bytes come", "",
-                   LoopbackStream, EagerLoopbackStream) {
+TEMPLATE_TEST_CASE("a client without a whole request in time is closed, however steadily its bytes arrive",
+                   "", LoopbackStream, EagerLoopbackStream) {
   Bench<TestType> bench;
   const auto client = bench.connect();
   for (const char* const byte : {"G", "E", "T", " ", "/"}) {
@@ -165,7 +165,8 @@ TEMPLATE_TEST_CASE("a response begins the time for the next request anew", "", L
   CHECK(client->closed);
 }
 
-TEMPLATE_TEST_CASE("who takes no response in time is closed", "", LoopbackStream, EagerLoopbackStream) {
+TEMPLATE_TEST_CASE("a client that reads no response in time is closed", "", LoopbackStream,
+                   EagerLoopbackStream) {
   Bench<TestType> bench;
   const auto client = bench.connect();
   client->room = 10;

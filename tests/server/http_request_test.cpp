@@ -74,7 +74,7 @@ TEST_CASE("a request gives its method, target, path and fields") {
   CHECK(request.keep_alive);
 }
 
-TEST_CASE("a bearer token's scheme is one in any case, and other credentials are none") {
+TEST_CASE("a bearer token's scheme is accepted in any case, and other credentials are ignored") {
   const auto token = [](std::string credentials) {
     Request request;
     request.fields.push_back({"Authorization", std::move(credentials)});
@@ -114,7 +114,7 @@ TEST_CASE("however its bytes are cut a request is the same") {
   }
 }
 
-TEST_CASE("requests of one connection that are alike are told apart") {
+TEST_CASE("equal requests of one connection are distinguished") {
   // Of which each comes whole, and some differ from the one before in their target alone.
   const std::string fields = " HTTP/1.1\r\nHost: a\r\nX: y\r\n\r\n";
   const std::vector<std::string> all{"GET /a" + fields,
@@ -160,7 +160,7 @@ TEST_CASE("a request takes no byte of the next one") {
   CHECK(parser.feed(std::as_bytes(std::span{text})).value() == 0);
 }
 
-TEST_CASE("half a request is no request and no error") {
+TEST_CASE("half a request is neither a request nor an error") {
   const Parsed parsed = parse(kGet.substr(0, kGet.size() - 1));
   CHECK(parsed.requests.empty());
   CHECK(parsed.error == 0);
@@ -188,7 +188,7 @@ TEST_CASE("an HTTP/1.1 request without one Host is a 400") {
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == 400);
 }
 
-TEST_CASE("another version of HTTP, and none, is a 400") {
+TEST_CASE("another version of HTTP, or a missing one, is a 400") {
   for (const char* const version :
        {" HTTP/2.0", " HTTP/0.9", " HTTP/11.1", " HTTP/1", " HTTPS/1.1", " http/1.1", ""})
     CHECK(error_of(std::string{"GET /"} + version + "\r\nHost: a\r\n\r\n") == 400);

@@ -40,7 +40,7 @@ TEST_CASE("a tag and leave for every page stand in the head, and only where they
   CHECK_THAT(head_of(response, true, {}), !Catch::Contains("Access-Control"));
 }
 
-TEST_CASE("a request that is no request gets its error as one line") {
+TEST_CASE("an invalid request gets its error as one line") {
   const Response response = response_to({431, "too much"});
   CHECK(response.status == 431);
   CHECK(response.body == "too much\n");

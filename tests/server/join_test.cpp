@@ -216,7 +216,7 @@ TEST_CASE("an empty disk begins from a stream that goes back to nothing, and onl
   CHECK(store::read_store_identity(joiner.path / "store.toml")->store_id == ContentHash{8, 8});
 }
 
-TEST_CASE("an empty disk never begins empty where the cluster's store is not") {
+TEST_CASE("an empty disk never begins empty if the cluster's store is not") {
   Joiner joiner;
   joiner.id = ContentHash{8, 8};
   joiner.script.first = genesis({8, 8}, {1, 2}, 5);
@@ -230,7 +230,7 @@ TEST_CASE("an empty disk never begins empty where the cluster's store is not") {
   CHECK_FALSE(fs::exists(joiner.path / "store.toml"));
 }
 
-TEST_CASE("an empty disk takes a peer's store, also where nobody said which") {
+TEST_CASE("an empty disk takes a peer's store, also if no store is named") {
   Peer peer;
   peer.store.enter(place_at(60));
   Joiner joiner;
@@ -256,7 +256,7 @@ TEST_CASE("a peer's store is not taken where it is in no cluster, of another str
   joiner.id = peer.store.id();
   joiner.script.state = {40, 90, kMade};
   joiner.peers = {{peer.url}, peer.admin()};
-  SECTION("in none") {}
+  SECTION("in no store") {}
   SECTION("another") {
     peer.store.enter(place_at(60, kMade + 1));
   }
@@ -293,7 +293,7 @@ TEST_CASE("a store that was away for too long is replaced, and one that is wrong
   CHECK(joiner.meta()->stream.sequence == 60);
 }
 
-TEST_CASE("a store whose last message the stream has not is replaced by nobody's, however far it is behind") {
+TEST_CASE("a store whose last message is not in the stream is not replaced, however far it is behind") {
   Peer peer;
   peer.store.enter(place_at(60));
   Joiner joiner;

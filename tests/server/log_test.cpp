@@ -84,7 +84,7 @@ TEST_CASE("a log line is one JSON object, whatever its text") {
   CHECK(object.at("time").get<std::string>().size() == std::string{"2026-01-01T00:00:00.000Z"}.size());
 }
 
-TEST_CASE("a line with fields has them where lines are JSON, and its text alone where they are text") {
+TEST_CASE("a line with fields has them if lines are JSON, and only its text if they are text") {
   spdlog::details::log_msg line{spdlog::source_loc{"http", 1, R"({"status":200})"}, "talusd",
                                 spdlog::level::info, "GET /"};
   spdlog::memory_buf_t json;

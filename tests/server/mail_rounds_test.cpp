@@ -44,7 +44,7 @@ TEST_CASE("all who enter are read by one handler, and who enters later by anothe
   CHECK(reader->reads == 3);
 }
 
-TEST_CASE("who enters while others are read is read by the same handler") {
+TEST_CASE("a session that enters during a round is read by the same handler") {
   Bench bench;
   const auto late = std::make_shared<Reader>();
   bench.enter(std::make_shared<Reader>([&] { bench.enter(late); }));
@@ -52,7 +52,7 @@ TEST_CASE("who enters while others are read is read by the same handler") {
   CHECK(late->reads == 1);
 }
 
-TEST_CASE("a handler reads for so many and no more, also for those who enter meanwhile") {
+TEST_CASE("a handler reads for a limited number of sessions, also for ones that enter meanwhile") {
   Bench bench;
   int left = 3 * static_cast<int>(MailRounds::kAtOnce);
   const auto again = std::make_shared<Reader>();

@@ -59,7 +59,7 @@ TEST_CASE("connections are refused before work is, and neither flaps") {
   CHECK(budget.takes_connections());
 }
 
-TEST_CASE("what edits take for good keeps nobody out once all sessions have ended") {
+TEST_CASE("permanent memory of edits refuses no client once all sessions have ended") {
   MemoryBudget budget{kBudget};
   budget.set(MemoryUse::edits, 450 * kMebibyte);
   budget.set(MemoryUse::sessions, 50 * kMebibyte);
@@ -73,7 +73,7 @@ TEST_CASE("what edits take for good keeps nobody out once all sessions have ende
 }
 
 TEST_CASE(
-    "the cache of edits is a cache: it gives way, the others leave it its place, and it refuses nobody") {
+    "the cache of edits is a cache: it shrinks, the others leave it its place, and it refuses no client") {
   MemoryBudget budget{kBudget};
   budget.set(MemoryUse::edit_cache, 600 * kMebibyte);
   CHECK(budget.takes_connections());
@@ -88,7 +88,7 @@ TEST_CASE(
   CHECK(MemoryBudget{0}.for_edit_cache(kMebibyte) == kMebibyte);
 }
 
-TEST_CASE("where no job is left nobody waits for memory that nothing gives back") {
+TEST_CASE("without jobs no client waits for memory that is not returned") {
   MemoryBudget budget{kBudget};
   int resumed = 0;
   budget.when_jobs_resume([&] { ++resumed; });
@@ -133,7 +133,7 @@ TEST_CASE("while work is taken, it and the caches together are below the budget"
   }));
 }
 
-TEST_CASE("what a holder told is given back with it, whatever other threads do") {
+TEST_CASE("memory that a holder reports is returned with it, whatever other threads do") {
   MemoryBudget budget{kBudget};
   std::vector<std::thread> threads;
   for (int thread = 0; thread < 4; ++thread) {
@@ -149,7 +149,7 @@ TEST_CASE("what a holder told is given back with it, whatever other threads do")
   CHECK(budget.used(MemoryUse::sessions) == 0);
 }
 
-TEST_CASE("work resumes once each time that enough memory is given back, whoever gives it") {
+TEST_CASE("work resumes once each time that enough memory is returned, by any holder") {
   MemoryBudget budget{kBudget};
   budget.set(MemoryUse::jobs, 1);
   int resumed = 0;

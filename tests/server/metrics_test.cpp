@@ -230,7 +230,7 @@ TEST_CASE("TLS handshakes are counted by their result") {
   CHECK(value_of(text, "talus_tls_certificate_expiry_timestamp_seconds") == "1900000000");
 }
 
-TEST_CASE("without a certificate there is no series of its expiry") {
+TEST_CASE("without a certificate the series of its expiry is absent") {
   CHECK(text_of({}, {}).find("certificate") == std::string::npos);
 }
 
@@ -255,7 +255,7 @@ TEST_CASE("the log that servers share is shown where it is") {
   CHECK(text_of(metrics, {}).find("talus_cluster") == std::string::npos);
 }
 
-TEST_CASE("edits are shown where they are stored: how many wait where, who edits, and how long it takes") {
+TEST_CASE("edits have metrics if they are stored: waiting edits, editors and latencies") {
   Metrics metrics;
   metrics.edit_latency.add(3ms);
   metrics.edits_refused[Reason::broken].add(4);

@@ -42,7 +42,7 @@ TEST_CASE("a network of length 0 is all of its kind") {
   CHECK(networks("::/0").contain(address("203.0.113.1")));
 }
 
-TEST_CASE("no networks contain nobody") {
+TEST_CASE("an empty list of networks contains no address") {
   CHECK_FALSE(networks("").contain(address("127.0.0.1")));
   CHECK(networks("  ").empty());
 }

@@ -54,7 +54,7 @@ class LoggedPipe {
   std::unique_ptr<spdlog::logger> logger_;
 };
 
-TEST_CASE("a log that nobody reads does not block, and says how many lines were dropped once it is read") {
+TEST_CASE("an unread log does not block, and reports the number of dropped lines once it is read") {
   LoggedPipe pipe;
   for (int i = 0; i < 5000; ++i) pipe.log().warn("{:0>100}", i);
   const std::string before = pipe.read_all();

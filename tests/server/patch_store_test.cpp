@@ -104,7 +104,7 @@ TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each ma
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
 }
 
-TEST_CASE("of a patch in a View the chunks that somebody wants are made, no others, and it is let go") {
+TEST_CASE("of a patch in a View only the requested chunks are made, and it is released") {
   Bench bench;
   const ChunkRange any{-100, 100};
   // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.
@@ -129,7 +129,7 @@ TEST_CASE("what is extracted for Views ends with the server, and the patch stays
   CHECK(bench.store.holds({0, 0, Lod{}}));
 }
 
-TEST_CASE("a patch stays of which somebody asked for what no View has") {
+TEST_CASE("a patch stays if a request wants chunks outside every View") {
   Bench bench;
   const ChunkRange any{-100, 100};
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, {3, 9}, any, {}, {}}});
@@ -267,7 +267,7 @@ TEST_CASE("whichever allocation fails while evicted patches are extracted, what 
   }
 }
 
-TEST_CASE("whichever allocation fails while the rows of a patch are noted, those noted are exact") {
+TEST_CASE("if any allocation fails while the rows of a patch are noted, the noted rows are exact") {
   const FakeGenerator generator{[] {
     auto work = std::make_shared<FakeWork>();
     work->first_mixed = 2;
@@ -353,7 +353,7 @@ TEST_CASE("a patch deeper than what would be extracted stays, whatever is cached
   CHECK(bench.store.holds({0, 0, Lod{}}));
 }
 
-TEST_CASE("a patch that could not be made is none, and may be made the next time") {
+TEST_CASE("a patch that could not be made is absent, and may be made the next time") {
   Bench bench;
   bench.work->out_of_memory = true;
   const auto failed = bench.obtain(0);

@@ -38,7 +38,7 @@ TEST_CASE("a chunk in memory is answered at once, for every cache to keep") {
   CHECK(head.field("Content-Length") == "100");
 }
 
-TEST_CASE("a chunk that is not in memory is waited for, and those before it are not") {
+TEST_CASE("a request waits for a chunk that is not in memory, and earlier chunks do not wait") {
   PlayerSite site;
   site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
   const auto client = site.connect();
@@ -53,7 +53,7 @@ TEST_CASE("a chunk that is not in memory is waited for, and those before it are 
   for (const Answer& each : all) CHECK(each.status == 200);
 }
 
-TEST_CASE("who closes waits for nothing any more") {
+TEST_CASE("a closed connection no longer waits") {
   PlayerSite site;
   const auto client = site.connect();
   client->send("GET " + kChunks + "/0/5/0/5 HTTP/1.1\r\nHost: a\r\n\r\n");

@@ -9,7 +9,7 @@
 using namespace talus;
 using namespace talus::server;
 
-TEST_CASE("a chunk with edits is kept by every cache, and its path is that of its revision alone") {
+TEST_CASE("a chunk with edits is kept by every cache, and its path depends only on its revision") {
   PlayerSite site;
   site.land.newest = 8;
   const ChunkKey key = key_at(1, -2, 3);
@@ -49,7 +49,7 @@ void check_passing(const Answer& answer, const std::string& revision) {
 
 }  // namespace
 
-TEST_CASE("whoever edits a chunk, and however fast, who asks for it is redirected three times at most") {
+TEST_CASE("a request for a chunk is redirected three times at most, however fast the chunk is edited") {
   for (const bool column : {false, true}) {
     for (const auto between : {1ms, 100ms, 1000ms, 4900ms}) {
       PlayerSite site;
@@ -88,7 +88,7 @@ TEST_CASE("whoever edits a chunk, and however fast, who asks for it is redirecte
   }
 }
 
-TEST_CASE("a chunk of just now has the fields of one that needs a token, and a 304 for who has its bytes") {
+TEST_CASE("a new chunk has the fields of one that needs a token, and a 304 for a client with its bytes") {
   const ScratchDirectory scratch;
   PlayerSite site{with_secret(scratch)};
   const ChunkKey key = key_at(1, -2, 3);
@@ -202,7 +202,7 @@ TEST_CASE("a square with edits is of the greatest revision of its columns") {
   CHECK(site.ask(kEdited + "/0/2/-2/1x1@3").field("Location") == "1x1@0");
 }
 
-TEST_CASE("the edited columns of a region are told, to be asked for again each time") {
+TEST_CASE("the edited columns of a region are listed, to be requested again each time") {
   PlayerSite site;
   CHECK(site.ask(kStore + "/edits/0/-1/0").body == std::string("\x01\x00\x00\x00", 4));
   site.land.region = {{5, 7}, {1023, 0x1'0000'0001}};
@@ -236,7 +236,7 @@ TEST_CASE("the edited columns of a region count in the rates of bytes, however o
   CHECK(site.ask(*client, kStore + "/edits/0/-1/0").status == 200);
 }
 
-TEST_CASE("paths of another store of edits are none, as all of them where none are stored") {
+TEST_CASE("paths of another store of edits are not found, and all such paths if no edits are stored") {
   for (const bool stored : {false, true}) {
     PlayerSite site;
     site.has_store = stored;
@@ -252,7 +252,7 @@ TEST_CASE("paths of another store of edits are none, as all of them where none a
   }
 }
 
-TEST_CASE("who gets chunks as generated gets those with edits") {
+TEST_CASE("a client that may read chunks as generated may read chunks with edits") {
   const ScratchDirectory scratch;
   for (const bool chunks_are_public : {false, true}) {
     PlayerSite site{with_secret(scratch)};
@@ -271,7 +271,7 @@ TEST_CASE("who gets chunks as generated gets those with edits") {
   }
 }
 
-TEST_CASE("the world tells of its edits") {
+TEST_CASE("the world's document describes its edits") {
   PlayerSite site;
   const auto told = [&] { return nlohmann::json::parse(site.ask("/v1/world").body)["edits"]; };
   CHECK(told() == nlohmann::json{{"taken", true}, {"revision", "0"}});

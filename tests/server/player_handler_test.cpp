@@ -26,7 +26,7 @@ TEST_CASE("the world is described, and its description has a tag") {
   CHECK(site.ask("/v1/world", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
 }
 
-TEST_CASE("a stream that is asked for in HTTP/1.0 is none: 426, and the connection closes") {
+TEST_CASE("a stream requested in HTTP/1.0 is refused: 426, and the connection closes") {
   PlayerSite site;
   const auto client = site.connect();
   client->send(
@@ -64,7 +64,7 @@ TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are pub
   }
 }
 
-TEST_CASE("who has no right token is told what is wrong with it, and how one is sent") {
+TEST_CASE("a client without a valid token gets the reason, and how to send one") {
   const ScratchDirectory scratch;
   Access settings;
   settings.signing_key_file = scratch.write("key", kKeyText);
@@ -102,7 +102,7 @@ TEST_CASE("who has no right token is told what is wrong with it, and how one is 
   CHECK_THAT(blocked.text(), Catch::Contains("blocked you; only the operator can let you in again"));
 }
 
-TEST_CASE("requests over the rate are told when there is room") {
+TEST_CASE("requests over the rate get the time to retry") {
   PlayerSite site;
   site.rates.set({{{}, {}, {2, 2}}, {}, 1s});
   const auto client = site.connect();
@@ -116,7 +116,7 @@ TEST_CASE("requests over the rate are told when there is room") {
   CHECK(site.ask(*client, "/v1/world").status == 200);
 }
 
-TEST_CASE("a proxy's requests count as those whom it names") {
+TEST_CASE("a proxy's requests count for the clients that it names") {
   PlayerSite site;
   site.through_proxy = true;
   site.settings.proxies = *Networks::parse("127.0.0.1");
@@ -139,7 +139,7 @@ TEST_CASE("a proxy's requests count as those whom it names") {
   CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 200);
 }
 
-TEST_CASE("what a client writes itself before a proxy's X-Forwarded-For names nobody") {
+TEST_CASE("a client's own values before a proxy's X-Forwarded-For name no client") {
   PlayerSite site;
   site.through_proxy = true;
   site.settings.proxies = *Networks::parse("127.0.0.1");
@@ -175,7 +175,7 @@ TEST_CASE("whatever is answered counts as a request") {
   CHECK(site.ask(*client, "/v1/world", "Authorization: Bearer wrong\r\n").status == 429);
 }
 
-TEST_CASE("who hangs up while its chunk is made waits for nothing any more") {
+TEST_CASE("a client that hangs up while its chunk is made no longer waits") {
   PlayerSite site;
   const auto client = site.connect();
   client->send("GET " + kChunks + "/0/5/0/5 HTTP/1.1\r\nHost: a\r\n\r\n");
@@ -221,7 +221,7 @@ TEST_CASE("where origins are listed, every answer of /v1 is theirs and the own h
   }
 }
 
-TEST_CASE("no cache keeps a copy for an origin that anybody can make up") {
+TEST_CASE("no cache keeps a copy for an arbitrary origin") {
   PlayerSite site;
   site.settings.origins = *AllowedOrigins::parse("https://play.example");
   site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
@@ -268,7 +268,7 @@ TEST_CASE("pages of other hosts read only where they are listed") {
   CHECK(all.field("Vary").empty());
 }
 
-TEST_CASE("files beside /v1 need no token, and count in the rates as all requests and bytes do") {
+TEST_CASE("files next to /v1 need no token, and count in the rates as all requests and bytes do") {
   const ScratchDirectory scratch;
   const ScratchDirectory dist;
   const std::string page(100'000, 'x');
@@ -344,7 +344,7 @@ TEST_CASE("a tile of the map is drawn once in the client's turn, and kept by eve
   CHECK(site.ask("/v1/ffff/map/8/-1/2.png").status == 404);
 }
 
-TEST_CASE("who leaves has no map drawn, and a map counts for what it costs") {
+TEST_CASE("a client that leaves has no map drawn, and a map counts with its cost") {
   PlayerSite site;
   site.rates.set({{{100, 100}, {}, {}}, {}, 1s});
   const std::string path = "/v1/00000000000000020000000000000001/map/8/0/0.png";

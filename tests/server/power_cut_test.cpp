@@ -266,7 +266,7 @@ int cuts_from_environment(int normal) {
 
 }  // namespace
 
-TEST_CASE("after power cuts every acknowledged edit is there, none twice, none torn") {
+TEST_CASE("after power cuts every acknowledged edit is present, never twice, never torn") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   const int cuts = cuts_from_environment(80);

@@ -90,7 +90,7 @@ TEST_CASE("squares at the world's ends are all within it") {
   }
 }
 
-TEST_CASE("every mixed chunk of the plan is made, and a second run makes none") {
+TEST_CASE("every mixed chunk of the plan is made, and a second run makes no chunk") {
   Bench bench;
   const PregenPlan plan = around(0, 0, 200);
   std::uint64_t reported = 0;

@@ -29,13 +29,13 @@ int ended_by(int number, void (*what)()) {
 
 }  // namespace
 
-TEST_CASE("while nobody is served, signals end the process as done, and SIGHUP does nothing") {
+TEST_CASE("before the server serves, signals end the process as done, and SIGHUP does nothing") {
   CHECK(ended_by(SIGTERM, end_at_once_on_signals) == 0);
   CHECK(ended_by(SIGINT, end_at_once_on_signals) == 0);
   CHECK(ended_by(SIGHUP, end_at_once_on_signals) == 77);
 }
 
-TEST_CASE("commands that serve nobody end by a signal as any other does") {
+TEST_CASE("commands without clients end by a signal as other programs do") {
   const auto both = [] {
     end_at_once_on_signals();
     end_by_default_on_signals();

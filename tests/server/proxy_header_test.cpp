@@ -79,7 +79,7 @@ TEST_CASE("what proxies add to a PROXY header after the addresses is passed over
   CHECK(read(header(0x21, 0x11, body)).value() == read(header(0x21, 0x11, kTcp4Body)).value());
 }
 
-TEST_CASE("a proxy that speaks for itself, or for nobody it names, is its own client") {
+TEST_CASE("a proxy that sends LOCAL, or names no client, is its own client") {
   CHECK(read(header(0x20, 0x00, {})).value() == Client{});
   CHECK(read(header(0x20, 0x11, kTcp4Body)).value() == Client{});
   CHECK(read(header(0x21, 0x00, {1, 2, 3})).value() == Client{});

@@ -51,7 +51,7 @@ TEST_CASE("a refused request learns when one is granted") {
   CHECK_FALSE(rates.refuse_request(kStart + 100ms));
 }
 
-TEST_CASE("each refused request is told when it has room behind those refused before it") {
+TEST_CASE("each refused request gets the time at which it has room behind earlier refusals") {
   const RateLimits limits = requests({10, 2});
   SessionRates rates{limits, nullptr, kInFlight};
   CHECK(refused(rates, 2) == 0);
@@ -62,7 +62,7 @@ TEST_CASE("each refused request is told when it has room behind those refused be
   }
 }
 
-TEST_CASE("new chunks are an address's, by the hour, and an edit that its voxels hold up costs none") {
+TEST_CASE("new chunks count for an address, by the hour, and an edit delayed by its voxels pays for none") {
   RateLimits limits;
   limits.session.voxels = {10, 20};
   limits.address.new_chunks = {2, 3 * kNewChunkTokens};  // two an hour, three saved up
@@ -181,7 +181,7 @@ Crowd any_crowd() {
 
 }  // namespace
 
-TEST_CASE("a client that waits as it is told is never abusive, whatever it had on its way") {
+TEST_CASE("a client that waits for the given time is never abusive, whatever is in flight") {
   CHECK(rc::check([] {
     const Crowd crowd = any_crowd();
     const auto in_flight = *rc::gen::inRange(1U, 1025U);

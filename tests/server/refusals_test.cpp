@@ -49,7 +49,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("a client that is refused is told so") {
+TEST_CASE("a refused client gets the reason") {
   Bench bench;
   for (std::size_t i = 0; i < 2 * Refusals::kMax; ++i) REQUIRE(bench.bytes_of_refusal() > 0);
 }
@@ -70,7 +70,7 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   CHECK(bench.bytes_of_refusal() > 0);
 }
 
-TEST_CASE("on spare descriptors only a few are told, and others are closed at once") {
+TEST_CASE("on spare descriptors only a few clients get a reason, and others are closed at once") {
   Bench bench;
   const DescriptorsLeft few{kSpareDescriptors};
   std::vector<tcp::socket> clients;

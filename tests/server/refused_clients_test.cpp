@@ -16,7 +16,7 @@ constexpr auto kRoom = [](FlowId) { return true; };
 
 }  // namespace
 
-TEST_CASE("of a flow those refused first are taken first, each once, however often it was refused") {
+TEST_CASE("the earliest refused clients of a flow are taken first, each once, however often it was refused") {
   RefusedClients refused;
   const auto one = box(1, 7);
   const auto two = box(2, 7);
@@ -29,7 +29,7 @@ TEST_CASE("of a flow those refused first are taken first, each once, however oft
   CHECK(refused.empty());
 }
 
-TEST_CASE("flows with room are told in turns, one client of each") {
+TEST_CASE("flows with room are notified in turns, one client of each") {
   RefusedClients refused;
   const auto one = box(1, 7);
   const auto two = box(2, 7);
@@ -43,7 +43,7 @@ TEST_CASE("flows with room are told in turns, one client of each") {
   CHECK(refused.take_all() == std::vector{without_room});
 }
 
-TEST_CASE("a client that is gone takes nobody's place") {
+TEST_CASE("a client that is gone takes no other client's place") {
   RefusedClients refused;
   refused.remember(box(1, 7));
   const auto two = box(2, 7);

@@ -19,7 +19,7 @@ struct FakePeer final : Peer {
 
 }  // namespace
 
-TEST_CASE("all peers are told to go, and those that come later") {
+TEST_CASE("all peers are asked to leave, and later ones too") {
   Registry registry;
   const auto before = std::make_shared<FakePeer>();
   const auto gone = std::make_shared<FakePeer>();
@@ -48,7 +48,7 @@ TEST_CASE("all open peers learn that tokens were revoked or flows blocked, and o
   CHECK(gone->told.empty());
 }
 
-TEST_CASE("of some that are told to go the longest connected are first, and nobody is told twice") {
+TEST_CASE("the longest connected of some peers are asked to leave first, and each only once") {
   Registry registry;
   std::vector<std::shared_ptr<FakePeer>> peers;
   for (const ConnectionId id : {30, 10, 20}) {
@@ -79,7 +79,7 @@ TEST_CASE("of some that are told to go the longest connected are first, and nobo
   CHECK(web->told.size() == 1);
 }
 
-TEST_CASE("who waits for the last peer is told once, at once where there is none") {
+TEST_CASE("a waiter for the last peer is notified once, at once if there is no peer") {
   Registry registry;
   int told = 0;
   registry.when_empty([&] { ++told; });

@@ -69,7 +69,7 @@ TEST_CASE("a bad line is named by its number") {
   CHECK(error_of(std::string(100'000, '\x01')).size() < 600);
 }
 
-TEST_CASE("a revoked token is refused, and nobody else's") {
+TEST_CASE("a revoked token is refused, and no other") {
   Files files;
   files.revoke("jti one\nsub " + kAfterNow + " alice\n");
   const AccessControl access{files.settings, *load_keys(files.settings)};
@@ -78,7 +78,7 @@ TEST_CASE("a revoked token is refused, and nobody else's") {
   CHECK(access.admit(token(claims("bob", "two")), kNow).has_value());
 }
 
-TEST_CASE("a reload revokes the tokens of those who are in, and a bad list changes nothing") {
+TEST_CASE("a reload revokes the tokens of connected clients, and a bad list changes nothing") {
   Files files;
   AccessControl access{files.settings, *load_keys(files.settings)};
   const Grant grant = access.admit(token(claims("alice", "one")), kNow).value();

@@ -96,7 +96,7 @@ TEST_CASE("fewer connections by SIGHUP leave the limit of open files as it is") 
   CHECK(wrong == 0);
 }
 
-TEST_CASE("signals that come when nobody is served any more do not make a failure of the end") {
+TEST_CASE("signals after the last client has left do not make the end a failure") {
   const Config config = on_any_port();
   AccessControl access{config.access, *load_keys(config.access)};
   const SystemClock clock;

@@ -108,7 +108,7 @@ TEST_CASE("a session whose subject or address is blocked ends, and another goes 
   CHECK(bench.metrics.denied(AuthFailure::blocked).total() == 1);
 }
 
-TEST_CASE("who comes with a blocked subject is refused, and the log knows from the second time on") {
+TEST_CASE("a client with a blocked subject is refused, and logged from the second time on") {
   Bench shared;
   (void)shared.scratch.write("blocked", "# the flood of Monday\nsubject a\n");
   REQUIRE(shared.bench.access.reload(shared.settings).has_value());

@@ -71,7 +71,7 @@ TEST_CASE("a leaving session answers an Edit as a joined one does") {
   CHECK(said[1].id == 9);
 }
 
-TEST_CASE("before Welcome a session that is told to go away says an Error instead") {
+TEST_CASE("before Welcome a session that is asked to leave sends an Error instead") {
   SessionBench bench{{.greet = false}};
   bench.session.go_away("ending", 5000ms);
   CHECK(bench.session.state() == State::closed);
@@ -123,7 +123,7 @@ TEST_CASE("ViewComplete is the last that a client gets that sends no more") {
   CHECK(bench.session.state() == State::closed);
 }
 
-TEST_CASE("a client that sends no more may be told to go away") {
+TEST_CASE("a client that sends no more may be asked to leave") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));
   bench.look_at(0, 1);

@@ -28,7 +28,7 @@ TEST_CASE("of a View the two nearest rings are wanted soon") {
   CHECK(bench.source.wanted_soon == near);
 }
 
-TEST_CASE("what is asked for beside a near chunk is wanted soon with it, and nothing else") {
+TEST_CASE("chunks requested next to a near chunk are urgent with it, and no others") {
   SessionBench bench;
   bench.source.together = 4;
   bench.look_at(1, 8);

@@ -46,7 +46,7 @@ TEST_CASE("a refused request is counted by its rate") {
   CHECK(bench.metrics.throttled(RateKind::session_requests).total() == 1);
 }
 
-TEST_CASE("a client with a thousand requests in flight that waits as it is told is never thrown out") {
+TEST_CASE("a client with a thousand requests in flight that waits for the given times is never closed") {
   const bool for_the_last = GENERATE(true, false);  // or each request as its own Error says
   SessionBench bench{{.rates = requests({50, 60})}};
   using Due = std::multimap<Clock::time_point, std::uint32_t>;
@@ -97,7 +97,7 @@ TEST_CASE("a request over the rate whose id is in use is refused as what it is")
   CHECK(said[0].id == 0);
 }
 
-TEST_CASE("Welcome tells the rates of the session and of its address, where one applies") {
+TEST_CASE("Welcome has the rates of the session and of its address, if they apply") {
   const bool has_address = GENERATE(true, false);
   SessionBench bench{
       {.rates = {{{10, 20}, {30, 60}, {50, 100}}, {}, 2000ms},
@@ -168,7 +168,7 @@ TEST_CASE("a View over the rate is refused without id") {
   CHECK(said.back().view_number == 6);
 }
 
-TEST_CASE("an abusive client is told so and closed") {
+TEST_CASE("an abusive client gets the reason and is closed") {
   SessionBench bench{{.rates = requests({10, 20})}};
   // Its burst, what it may have in flight, and what goes in a second without an answer.
   const std::uint32_t patience = 20 + bench.limits.requests_in_flight + 10;
@@ -213,7 +213,7 @@ TEST_CASE("rates of chunks and bytes do not delay a Pong") {
   CHECK(kinds(bench.output()) == Kinds{Body::Pong});
 }
 
-TEST_CASE("a burst smaller than a frame keeps nobody from asking") {
+TEST_CASE("a burst smaller than a frame blocks no client") {
   SessionBench bench{{.rates = {{{}, {1000, 10}, {}}, {}}}};
   for (int ask = 0; ask < 10; ++ask) {
     bench.ping();

@@ -65,7 +65,7 @@ TEST_CASE("a client that ends inside a frame is closed at once") {
   bench.check_gone(*client);
 }
 
-TEST_CASE("who says no Hello in time is told so and closed") {
+TEST_CASE("a client without Hello in time gets the reason and is closed") {
   Bench bench;
   const auto client = bench.connect();
   bench.advance(10s - 1ms);
@@ -79,7 +79,7 @@ TEST_CASE("who says no Hello in time is told so and closed") {
   bench.check_gone(*client);
 }
 
-TEST_CASE("who is silent after Hello is told so; a frame begins the time anew") {
+TEST_CASE("a client that is silent after Hello gets the reason; a frame begins the time anew") {
   Bench bench;
   const auto client = bench.greeted();
   bench.advance(59s);
@@ -91,7 +91,7 @@ TEST_CASE("who is silent after Hello is told so; a frame begins the time anew") 
   CHECK_THAT(bench.error(*client), Catch::Contains("no whole frame for 60000 ms"));
 }
 
-TEST_CASE("who reads nothing while it is sent something is closed") {
+TEST_CASE("a client that reads nothing while frames are sent is closed") {
   Bench bench;
   const auto client = bench.greeted();
   client->room = 10;
@@ -102,7 +102,7 @@ TEST_CASE("who reads nothing while it is sent something is closed") {
   bench.check_gone(*client);
 }
 
-TEST_CASE("who closes its WebSocket and reads nothing is closed in the end") {
+TEST_CASE("a client that closes its WebSocket and reads nothing is closed at last") {
   using WebSocketStream = server::websocket::WebSocketStream<LoopbackStream>;
   Bench bench;
   const auto client = std::make_shared<Loopback>(bench.io);
@@ -186,7 +186,7 @@ TEST_CASE("where memory is short little is read from a client that does not read
   CHECK(bench.frames(*client).size() == 3001);
 }
 
-TEST_CASE("a session that is told to go away answers what is pending, then closes") {
+TEST_CASE("a session that is asked to leave answers pending requests, then closes") {
   Bench bench;
   const auto client = bench.greeted();
   bench.send(*client, get_chunks(1, 1));

@@ -178,7 +178,7 @@ TEST_CASE("Views of one session are applied twenty milliseconds apart at least")
   CHECK_FALSE(bench.frames(*client).empty());
 }
 
-TEST_CASE("a client whose View waits to be applied is heard, until it sends another") {
+TEST_CASE("a client whose View waits to be applied is read, until it sends another") {
   Bench bench;
   bench.source.rows = {0, -1, MaterialId{1}};
   const auto client = bench.greeted();

@@ -41,7 +41,7 @@ TEST_CASE("a client that decodes only an older codec is refused") {
   CHECK(bench.session.state() == State::closed);
 }
 
-TEST_CASE("a client that decodes none of this server's codecs is told which, and the first 16 of its own") {
+TEST_CASE("a client without a codec of this server gets the server's codec, and the first 16 of its own") {
   const auto told = [](const std::vector<std::uint8_t>& codecs) {
     SessionBench bench{{.greet = false}};
     bench.receive([&](auto& builder) {
@@ -71,7 +71,7 @@ TEST_CASE("a message of servers closes the session") {
   CHECK(bench.session.state() == State::closed);
 }
 
-TEST_CASE("bytes that are no message close the session") {
+TEST_CASE("bytes that are not a message close the session") {
   SessionBench bench;
   const std::vector<std::byte> noise(64, std::byte{0xFF});
   bench.session.receive(noise);

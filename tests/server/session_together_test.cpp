@@ -70,7 +70,7 @@ TEST_CASE("a chunk that a request waits for is not asked for again for the View"
   CHECK(to_request == 1);
 }
 
-TEST_CASE("uniform chunks of a square are told by columns, and not asked for") {
+TEST_CASE("uniform chunks of a square are sent as columns, and not requested") {
   Bench bench;
   bench.source.rows = {0, 0, MaterialId{2}};
   bench.look_at(0, 1, 2);
@@ -80,7 +80,8 @@ TEST_CASE("uniform chunks of a square are told by columns, and not asked for") {
   CHECK(columns == 9);
 }
 
-TEST_CASE("a chunk that waits for the client is not told by its column as well, whoever else waits for it") {
+TEST_CASE(
+    "a chunk that waits for the client is not sent in its column as well, whichever clients wait for it") {
   Bench bench;
   bench.look_at(0, 0);
   bench.answer_all();               // the View's chunk waits to be written

@@ -44,7 +44,7 @@ TEST_CASE("each chunk of a View is sent once, for request id 0") {
   CHECK(sent.size() == 9);
 }
 
-TEST_CASE("the source is told what a View has, and what it comes to have if it moves on") {
+TEST_CASE("the source receives the chunks of a View, and its next chunks if it moves on") {
   SessionBench bench;
   CHECK(bench.source.wanted.empty());
   bench.look_at(0, 2);
@@ -188,7 +188,7 @@ TEST_CASE("what was in flight when it left in a View that was never applied is s
   CHECK(bench.run_dry().size() == 1);
 }
 
-TEST_CASE("a chunk of the View that could not be generated is told without id, and not tried again") {
+TEST_CASE("a failed chunk of the View is reported without id, and not tried again") {
   SessionBench bench;
   bench.look_at(0, 0);
   bench.source.fail(chunk_at(0));
@@ -461,7 +461,7 @@ TEST_CASE("air that is known without generating comes as one UniformColumn of re
   CHECK(bench.source.waiting.size() == 4);
 }
 
-TEST_CASE("a column that becomes known while its chunks wait is told in one message") {
+TEST_CASE("a column that becomes known while its chunks wait is sent in one message") {
   SessionBench bench;
   bench.look_at(0, 0, 3);  // rows -3 to 3, all mixed for all that is known
   bench.source.rows = {-1, 0, kRock};

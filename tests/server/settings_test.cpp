@@ -71,7 +71,7 @@ TEST_CASE("the world's limit of height tiles is the session's") {
   CHECK(session_limits(Config{}, eroded(32), {}, 100ms).height_tiles_per_request == 10);
 }
 
-TEST_CASE("the configuration's patch_tiles are kept, and chosen where it has none") {
+TEST_CASE("the configuration's patch_tiles are kept, and chosen if absent") {
   class FreeTime final : public Clock {
     [[nodiscard]] time_point now() const override { return {}; }
     [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
@@ -311,7 +311,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "an index larger than its share is served, and one that would keep everybody out is refused in a line") {
+    "an index larger than its share is accepted, and one that would refuse every client is an error of one "
+    "line") {
   Config config;
   config.data = "/srv/talus";
   config.threads = {4, 4};
@@ -389,7 +390,7 @@ TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") 
   CHECK(descriptors_wanted(secured) == descriptors_wanted(plain) + secured.limits.handshakes_in_flight);
 }
 
-TEST_CASE("the least memory budget opens again when everybody has left, whatever a load took") {
+TEST_CASE("the least memory budget opens again when all clients have left, whatever a load took") {
   MemoryBudget budget{kMinMemoryBytes};
   GeneratorMemory generators{budget, 64, std::make_shared<spdlog::logger>("silent")};
   generators.note_patch(std::size_t{1} << 30);

@@ -174,7 +174,7 @@ TEST_CASE("claims and headers of a wrong type or value are not accepted") {
   CHECK(read(raw_token(kHs256, R"({"exp": 9223372036854775807})")).has_value());
 }
 
-TEST_CASE("base64url is that of RFC 4648, without padding") {
+TEST_CASE("base64url is as in RFC 4648, without padding") {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kExamples{
       {{"", ""}, {"f", "Zg"}, {"fo", "Zm8"}, {"foo", "Zm9v"}, {"\xfb\xef\xff", "--__"}}};
   for (const auto& [bytes, text] : kExamples) {

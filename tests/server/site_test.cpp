@@ -76,7 +76,7 @@ TEST_CASE("a site has its files by their paths, and a folder's page at the folde
   CHECK(site->find("/" + kHashed + ".gz") == nullptr);
 }
 
-TEST_CASE("a name with a hash is one whose last eight letters are no word") {
+TEST_CASE("a name has a hash if its last eight letters are not a word") {
   const Dist dist;
   for (const std::string name : {"assets/icon-settings.svg", "assets/index.js", "assets/a-1234567.js"})
     dist.scratch.write(name, "x");
@@ -97,7 +97,7 @@ TEST_CASE("a name with a hash is one whose last eight letters are no word") {
   }
 }
 
-TEST_CASE("a directory that is no site is refused in one line that says why") {
+TEST_CASE("a directory that is not a site is refused in one line with the reason") {
   SECTION("no page") {
     const ScratchDirectory empty;
     CHECK_THAT(Site::read(empty.path()).error(), Catch::Contains("has no index.html"));
@@ -145,7 +145,7 @@ TEST_CASE("a link inside the directory is followed") {
   CHECK(dist.read()->find("/same.html") != nullptr);
 }
 
-TEST_CASE("who can decompress gets the smallest form, and each form has its own tag") {
+TEST_CASE("a client that can decompress gets the smallest form, and each form has its own tag") {
   const Dist dist;
   const auto site = dist.read();
   const auto ask = [&](const std::string& accepts) {

@@ -165,7 +165,8 @@ TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused an
     CHECK(restore_error(backup, target).find("was not finished") != std::string::npos);
   }
   SECTION("no directory") {
-    CHECK(restore_error(data.scratch / "none", target).find("the directory does not exist") != std::string::npos);
+    CHECK(restore_error(data.scratch / "none", target).find("the directory does not exist") !=
+          std::string::npos);
   }
   SECTION("a file that changed, is short, or is gone") {
     for (const store::BackupManifest::File& file : manifest.files) {
@@ -193,7 +194,7 @@ TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused an
     CHECK(restore_error(backup, target).find(manifest.files.front().name + " is damaged") !=
           std::string::npos);
   }
-  SECTION("what is no regular file") {
+  SECTION("a file that is not regular") {
     const fs::path path = backup / manifest.files.front().name;
     fs::rename(path, data.scratch / "kept");
     REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
@@ -250,7 +251,7 @@ TEST_CASE("a manifest is read back, and any other text is refused") {
   CHECK(store::decode_manifest(newer).error().find("use a newer talusd") != std::string::npos);
 }
 
-TEST_CASE("a swap that was interrupted after any step is ended by who opens the directory next") {
+TEST_CASE("an interrupted swap is finished at the next opening of the directory, after any step") {
   for (int steps = 0; steps <= 8; ++steps) {
     CAPTURE(steps);
     const ScratchDirectory scratch;
@@ -281,7 +282,7 @@ TEST_CASE("a swap that was interrupted after any step is ended by who opens the 
   }
 }
 
-TEST_CASE("what was not finished is removed by who opens the directory next, and nothing else is") {
+TEST_CASE("unfinished files are removed at the next opening of the directory, and nothing else is") {
   const ScratchDirectory scratch;
   for (const char* const name : {"talus-staging/db", "talus-checkpoint-3/db", "staging", "checkpoint-1"}) {
     fs::create_directories(scratch.path() / name);
@@ -293,8 +294,7 @@ TEST_CASE("what was not finished is removed by who opens the directory next, and
   CHECK(fs::exists(scratch / "checkpoint-1"));
 }
 
-TEST_CASE(
-    "verify finds a chunk that is not what the hash says, and coarse levels that are not those of level 0") {
+TEST_CASE("verify finds a chunk that differs from the hash, and coarse levels that differ from level 0") {
   const Data data;
   const auto store = store::ReadOnlyStore::open(data.path);
   ProgressBar progress{"", ""};

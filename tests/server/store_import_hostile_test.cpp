@@ -130,7 +130,8 @@ TEST_CASE("a generated material that the store's world has not is refused where 
   CHECK(import_into(scratch / "data", rock) == "");
 }
 
-TEST_CASE("of an import into an empty directory the file's world says what it generates, where it is given") {
+TEST_CASE(
+    "an import into an empty directory takes the generated materials from the file's world, if it is given") {
   const ScratchDirectory scratch;
   const auto world = terrain::World::parse(
       read_whole(fs::path{TALUS_SOURCE_DIR} / "core/worlds/classic.toml"), "classic.toml");

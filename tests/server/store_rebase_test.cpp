@@ -193,7 +193,8 @@ TEST_CASE("a world that lost a placeable is refused with the count of its voxels
   CHECK((*store)->materials().at("glass") == MaterialId{257});
 }
 
-TEST_CASE("a placed material that the same land generates now becomes that, where the ground is not of it") {
+TEST_CASE(
+    "a placed material that the same land now generates becomes that material, where the ground differs") {
   const terrain::World world = world_of(1, placeable("glass"));
   const MaterialId granite = id_of(world, "granite");
   // What is generated was called something else, and players placed a material of its name of today.

@@ -132,7 +132,7 @@ std::uint64_t roll_back_locally(const Griefed& griefed, const RollbackPlan& plan
 
 }  // namespace
 
-TEST_CASE("a rollback gives back what one subject changed last, and touches nobody else's work") {
+TEST_CASE("a rollback undoes a subject's last changes, and leaves other subjects' work") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   for (std::uint64_t round = 0; round < 8; ++round) {
@@ -157,7 +157,7 @@ TEST_CASE("a rollback gives back what one subject changed last, and touches nobo
 }
 
 TEST_CASE(
-    "where the subject changed nothing there since then, a rollback names those who did, the busiest first") {
+    "if the subject has no changes since then, a rollback names the subjects that do, the busiest first") {
   Griefed griefed{11};
   const auto write = [&](std::size_t who, std::int64_t x) {
     edits::Edit edit;

@@ -257,7 +257,7 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
   CHECK(said.starts_with("the running server: "));
 }
 
-TEST_CASE("a socket at the end of a long path, and one that a killed process left, are no trouble") {
+TEST_CASE("a socket at the end of a long path works, and so does one that a killed process left") {
   const ScratchDirectory scratch;
   const fs::path data = scratch.path() / std::string(120, 'd');
   {
@@ -280,7 +280,7 @@ TEST_CASE("a socket at the end of a long path, and one that a killed process lef
   CHECK(connected(data).checkpoint().has_value());
 }
 
-TEST_CASE("a peer that says nonsense is told so, and nobody else notices") {
+TEST_CASE("a peer that sends nonsense gets the reason, and other peers continue") {
   const ScratchDirectory scratch;
   Served served{scratch / "data"};
   struct Case {

@@ -172,7 +172,7 @@ TEST_CASE("memory does not grow with the chunks of an export, an import, a verif
   std::cout << "file: " << fs::file_size(scratch / "file") << " bytes\n";
 }
 
-TEST_CASE("an imported file's materials are those of the same names") {
+TEST_CASE("an imported file's materials match by name") {
   const ScratchDirectory scratch;
   make_store(scratch / "a", {{{{0, 0, 0}, 1}, MaterialId{256}}, {{{0, 0, 0}, 2}, MaterialId{257}}});
   REQUIRE(export_to(scratch / "a", scratch / "file") == "");
@@ -254,7 +254,7 @@ TEST_CASE("an export whose names no import would read is refused") {
   CHECK_FALSE(fs::exists(scratch / "file"));
 }
 
-TEST_CASE("the portable file's bytes are those of FORMAT.md") {
+TEST_CASE("the portable file's bytes are as in FORMAT.md") {
   std::string bytes;
   PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
     bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());

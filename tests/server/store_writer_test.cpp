@@ -167,7 +167,7 @@ TEST_CASE("a flush that a fault ended is not taken for synced by what it waited 
   CHECK(written.state->editor(kEditor)->last_sequence == 2);
 }
 
-TEST_CASE("who waits for a sync is woken when it ends") {
+TEST_CASE("a waiter for a sync is woken when it ends") {
   Written written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
   written.writer->look();
@@ -195,7 +195,7 @@ TEST_CASE("a sync that fails where the writer is broken already does not put off
   CHECK(written.writer->read_only() == reason);
 }
 
-TEST_CASE("errors of syncs that were begun before the database was opened again are not told") {
+TEST_CASE("errors of syncs that began before the database was opened again are not reported") {
   Written written{with_intervals(1h, 1h)};
   LogSyncer syncer{*written.database};
   written.disk->hold_syncs(true);

@@ -102,7 +102,7 @@ TEST_CASE("a store is read as its server left it, flushed or not, and stays as i
   }
 }
 
-TEST_CASE("a store that a server uses is not read, and its backup's name is told") {
+TEST_CASE("a store in use by a server is not read, and the error names its backup") {
   const ScratchDirectory scratch;
   EditStore store{scratch.path()};
   make_directory(scratch.path(), store);
@@ -121,7 +121,7 @@ TEST_CASE("a store that a server uses is not read, and its backup's name is told
   CHECK(store::StoredEdits::open(scratch.path(), kWorld));          // but others may read
 }
 
-TEST_CASE("what is no store, another world's, damaged or cut short is refused in one line") {
+TEST_CASE("an invalid, foreign, damaged or truncated store is refused in one line") {
   const ScratchDirectory scratch;
   const auto refused = [&](const std::string& part, ContentHash world = kWorld) {
     const auto opened = store::StoredEdits::open(scratch.path(), world);

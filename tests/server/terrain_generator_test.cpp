@@ -74,7 +74,7 @@ TEST_CASE("outside a column's mixed rows a chunk is the uniform one of their mat
   });
 }
 
-TEST_CASE("what is known of every column holds for those of a patch") {
+TEST_CASE("facts about every column hold for a patch's columns") {
   const Bench bench;
   const MixedRows anywhere = bench.generator.mixed_rows_anywhere(Lod{});
   for_each_column(bench.patch, kTiles, [&](ChunkKey column) {
@@ -152,7 +152,7 @@ TEST_CASE("heights are the surface's") {
   CHECK(found.values.empty());
 }
 
-TEST_CASE("looks and fields are those of the places") {
+TEST_CASE("looks and fields match the places") {
   const terrain::World& land = *world();
   const TerrainGenerator generator{world(), kTiles};
   std::mt19937_64 random{20'261'123};

@@ -69,7 +69,7 @@ TEST_CASE("a missing file is named, with why") {
   CHECK_THAT(files.refusal(files.certificate, pipe), Catch::Contains("not a regular file"));
 }
 
-TEST_CASE("a certificate with a passphrase is refused, and nobody is asked for it") {
+TEST_CASE("a certificate with a passphrase is refused without a prompt") {
   const Files files;
   std::string locked = files.own.certificate;
   locked.insert(locked.find('\n') + 1,
@@ -98,7 +98,7 @@ TEST_CASE("garbage is refused, and what would be right is said") {
   CHECK_THAT(files.refusal(chain, files.key), Catch::Contains("certificate 2 in it is damaged"));
 }
 
-TEST_CASE("a key with a passphrase is refused, and nobody is asked for it") {
+TEST_CASE("a key with a passphrase is refused without a prompt") {
   const Files files;
   const std::string locked = files.scratch.write(
       "locked",

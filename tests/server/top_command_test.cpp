@@ -118,7 +118,7 @@ TEST_CASE("talusd top takes no part of an answer for the whole, and no answer wi
   CHECK_THAT(page.error(), Catch::StartsWith("http://127.0.0.1:") && Catch::Contains(part));
 }
 
-TEST_CASE("talusd top prints nothing that commands a terminal, whoever answers") {
+TEST_CASE("talusd top prints no terminal commands, whatever the answer") {
   CHECK(fetched(with_length(12, "\x1b[2J\r\n\xc2\x9bm\xff\t\n")) == "\\x1b[2J\\x0d\n\\xc2\\x9bm\\xff\\x09\n");
 }
 

@@ -58,7 +58,7 @@ ChunkRange hull(const std::map<int, std::vector<LevelBox>>& clients, ChunkKey co
 
 }  // namespace
 
-TEST_CASE("a column's rows are those that the boxes of all clients say") {
+TEST_CASE("a column's rows are the union of all clients' boxes") {
   CHECK(rc::check([] {
     WantedChunks wanted;
     std::map<int, std::vector<LevelBox>> clients;
@@ -106,7 +106,7 @@ TEST_CASE("a client without boxes wants nothing") {
   CHECK(wanted.empty());
 }
 
-TEST_CASE("whichever allocation fails while boxes are set, the client has none, and others keep theirs") {
+TEST_CASE("if any allocation fails while boxes are set, the client has no boxes, and others keep theirs") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);

@@ -35,7 +35,7 @@ TEST_CASE("after Hello each frame begins the idle time anew") {
   check_ends(dog, kStart + 30s, kStart + 90s, Verdict::silent);
 }
 
-TEST_CASE("while nothing is read nobody is idle") {
+TEST_CASE("while nothing is read no session is idle") {
   Watchdog dog{kTimeouts, kStart};
   dog.greeted();
   dog.reading_pauses();

@@ -57,7 +57,7 @@ TEST_CASE("a column and squares of columns") {
   }
 }
 
-TEST_CASE("a path of a store without a revision is told that it is missing") {
+TEST_CASE("a path of a store without a revision gets an error that asks for it") {
   for (const auto* path : {"/v1/abc/def/4/2/-12/4/7", "/v1/abc/def/4/2/-12/8/4x4"}) {
     const auto wrong = route_of(path);
     REQUIRE_FALSE(wrong);
@@ -134,7 +134,7 @@ TEST_CASE("heights of a list and of a grid") {
   }
 }
 
-TEST_CASE("the client behind proxies is the rightmost that is no proxy") {
+TEST_CASE("the client behind proxies is the rightmost address that is not a proxy") {
   const Networks proxies = *Networks::parse("10.0.0.0/8, 2001:db8::7");
   const auto client = [&](std::string_view list) {
     const auto address = forwarded_for(list, proxies);

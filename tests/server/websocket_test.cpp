@@ -77,7 +77,7 @@ TEST_CASE("Payloads of frames are bytes one after the other, however they are cu
   }));
 }
 
-TEST_CASE("A client that breaks the protocol is told how") {
+TEST_CASE("A client that breaks the protocol gets the reason") {
   const auto [input, end] = GENERATE(table<std::vector<int>, End>({
       {{0x82, 0x01, 'a'}, End::not_masked},
       {{0xC2, 0x80, 0, 0, 0, 0}, End::reserved_bit},
@@ -284,7 +284,7 @@ TEST_CASE("A Close that comes while a frame is being written is answered behind 
   }
 }
 
-TEST_CASE("Who waits to tell a client of its end waits no longer than the stream") {
+TEST_CASE("A session that sends a client its end waits no longer than the stream") {
   Bytes input;
   append_client_frame(input, 8, {}, 3);
   for (const bool fails : {false, true}) {

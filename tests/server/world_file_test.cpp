@@ -11,7 +11,7 @@
 
 using namespace talus::server;
 
-TEST_CASE("what is no regular file is refused as a world, and not waited for") {
+TEST_CASE("a file that is not regular is refused as a world, without waiting") {
   const ScratchDirectory scratch;
   const std::filesystem::path pipe = scratch / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);

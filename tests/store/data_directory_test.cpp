@@ -51,7 +51,7 @@ TEST_CASE("a store in use is refused") {
   CHECK_FALSE(DataDirectory::open(scratch.path(), kWorld).has_value());
 }
 
-TEST_CASE("commands open a store of any world, and make nothing where there is none") {
+TEST_CASE("commands open a store of any world, and never create one") {
   const ScratchDirectory scratch;
   CHECK_FALSE(DataDirectory::open_store(scratch / "none").has_value());
   CHECK_FALSE(fs::exists(scratch / "none"));
@@ -66,7 +66,7 @@ TEST_CASE("commands open a store of any world, and make nothing where there is n
   CHECK(opened->has_store());
 }
 
-TEST_CASE("who only reads writes nothing, and keeps writers out alone") {
+TEST_CASE("a reader writes nothing, and only keeps writers out") {
   const ScratchDirectory scratch;
   CHECK_FALSE(DataDirectory::open_to_read(scratch.path()).has_value());
   const ContentHash id = id_of(scratch.path());
@@ -92,7 +92,7 @@ TEST_CASE("who only reads writes nothing, and keeps writers out alone") {
   CHECK_FALSE(fs::exists(scratch / "lock"));
 }
 
-TEST_CASE("a reader may write once nobody else reads") {
+TEST_CASE("a reader may write once it is the only reader") {
   const ScratchDirectory scratch;
   (void)id_of(scratch.path());
   auto reader = DataDirectory::open_to_read(scratch.path());
@@ -126,7 +126,7 @@ TEST_CASE("a lock that is a link or a pipe is refused, and nothing waits") {
   }
 }
 
-TEST_CASE("a database without its store.toml is refused, and gets none") {
+TEST_CASE("a database without its store.toml is refused, and does not get one") {
   const ScratchDirectory scratch;
   fs::create_directory(scratch / "db");
   const auto refused = DataDirectory::open(scratch.path(), kWorld);
@@ -144,7 +144,7 @@ TEST_CASE("a store.toml that cannot be looked at is refused, not replaced") {
   CHECK(std::filesystem::is_symlink(scratch / "store.toml"));
 }
 
-TEST_CASE("a store.toml of somebody else is refused, not replaced") {
+TEST_CASE("another program's store.toml is refused, not replaced") {
   const ScratchDirectory scratch;
   for (const char* text :
        {"", "not toml at all [", "store_id = \"12\"\nfingerprint = \"34\"\n", "store_id = 5"}) {

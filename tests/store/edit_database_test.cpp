@@ -103,7 +103,7 @@ TEST_CASE("a database without the store's state is refused") {
   CHECK(store.open().find("its record of the store's state is missing") != std::string::npos);
 }
 
-TEST_CASE("pipes, devices and links among a store's files are refused by name, and nobody waits for them") {
+TEST_CASE("pipes, devices and links among a store's files are refused by name, without waiting") {
   Store store;
   REQUIRE(store.open() == "");
   const auto path = store.settings.path;
@@ -171,7 +171,7 @@ TEST_CASE("names of materials are bound to ids for ever") {
                                                                       {"stone", MaterialId{1}}});
 }
 
-TEST_CASE("names of what the world generates follow the world, and may not be those of what is placed") {
+TEST_CASE("names of generated materials follow the world, and may not be names of placed ones") {
   Store store;
   const auto database = EditDatabase::open(store.settings).value().release();
   const std::unique_ptr<EditDatabase> owner{database};
@@ -183,8 +183,7 @@ TEST_CASE("names of what the world generates follow the world, and may not be th
   CHECK(database->materials() == names);
   const auto refused = database->name_generated({{"planks", MaterialId{2}}});
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().find("material planks is placeable in the store, with id 300") !=
-        std::string::npos);
+  CHECK(refused.error().find("material planks is placeable in the store, with id 300") != std::string::npos);
   CHECK(owner->settle().has_value());
 }
 
@@ -242,7 +241,7 @@ TEST_CASE("a checkpoint is a store of its own, and the first goes on") {
   CHECK(ReadOnlyStore::open(store.scratch / "copy").has_value());
 }
 
-TEST_CASE("what RocksDB has in memory is told, and bounded by the settings however much is written") {
+TEST_CASE("RocksDB's memory is reported, and bounded by the settings however much is written") {
   Store store;
   store.settings.memory = {std::size_t{128} << 10U, std::size_t{128} << 10U};
   const auto database = EditDatabase::open(store.settings);

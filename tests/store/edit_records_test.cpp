@@ -204,7 +204,7 @@ TEST_CASE("what a batch applied has the bytes of its records") {
   CHECK(value == of_record);
 }
 
-TEST_CASE("a batch's bytes are those of FORMAT.md") {
+TEST_CASE("a batch's bytes are as in FORMAT.md") {
   Bytes value;
   (void)encode(batch_of_all_kinds(), 42, value);
   CHECK(hex_of(value) ==

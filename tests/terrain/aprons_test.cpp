@@ -382,7 +382,7 @@ TEST_CASE("Two columns less than the halo are too few for aprons, and for cliffs
   CHECK(broken > 0);
 }
 
-TEST_CASE("An apron leans on its wall and falls outward at repose, and there is none on a mere slope") {
+TEST_CASE("An apron leans on its wall and falls outward at repose, and a mere slope has no apron") {
   ApronNumbers numbers;
   numbers.wall_fx = 284;
   numbers.c_fx = 179;

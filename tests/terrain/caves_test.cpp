@@ -89,7 +89,7 @@ int hanging_voxels(const Place& at) {
   return hanging;
 }
 
-TEST_CASE("What caves leave standing is connected with the ground") {
+TEST_CASE("Rock left by caves is connected with the ground") {
   for (const int steps : {0, 8}) {
     for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
       for (const int level : {0, 1, 2}) {
@@ -112,7 +112,7 @@ TEST_CASE("Caves open to the sky") {
   }
 }
 
-TEST_CASE("No loose voxel lies over air, and none hangs over an entrance") {
+TEST_CASE("No loose voxel lies over air or hangs over an entrance") {
   for (const int steps : {0, 8}) {
     for (const int level : {0, 1, 2}) {
       const Place at = place(test::small_caves(2, steps), Lod::of(level));
@@ -131,7 +131,7 @@ TEST_CASE("No loose voxel lies over air, and none hangs over an entrance") {
   }
 }
 
-TEST_CASE("Loose material does not end in a wall beside an entrance") {
+TEST_CASE("Loose material does not end in a wall next to an entrance") {
   const World world = test::small_caves(2);
   Terrain terrain;
   Generator{world}.generate({-96, -96, kSide, kSide, Lod{}}, terrain);
@@ -193,7 +193,7 @@ TEST_CASE("Entrances are bare until material slides into them") {
   CHECK(entered > 0);
 }
 
-TEST_CASE("No water stands beside a cave or over one") {
+TEST_CASE("No water stands next to a cave or over one") {
   for (const int steps : {0, 8}) {
     for (const int level : {0, 1, 2}) {
       for (const std::uint64_t seed : {1U, 5U}) {
@@ -294,7 +294,7 @@ TEST_CASE("The height of a column is where its topmost solid voxel ends") {
   }
 }
 
-TEST_CASE("Nobody comes to the world in an entrance") {
+TEST_CASE("No player enters the world in an entrance") {
   CHECK(rc::check([] {
     const World world = test::small_caves(*rc::gen::arbitrary<std::uint64_t>());
     const VoxelPos feet = find_spawn(world);

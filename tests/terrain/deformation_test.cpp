@@ -79,7 +79,7 @@ TEST_CASE("Deformed strata are the level ones, lifted or sunk whole and cut at t
   }));
 }
 
-TEST_CASE("Deformed strata fill the ground: planes in order, none under y = 0, the last at the surface") {
+TEST_CASE("Deformed strata fill the ground: planes in order, not under y = 0, the last at the surface") {
   CHECK(rc::check([] {
     const World deformed = world_with(*rc::gen::arbitrary<std::uint64_t>(), test::underground_text());
     const Terrain terrain = generate_terrain(deformed, {any_column(), any_column(), 40, 40, Lod{}});
@@ -103,7 +103,7 @@ TEST_CASE("Sunk strata do not run out before the highest surface") {
   CHECK(level_sum < sum);
 }
 
-TEST_CASE("How far strata are lifted is a function of the column alone") {
+TEST_CASE("The lift of strata is a function of the column alone") {
   CHECK(rc::check([] {
     const World world = world_with(*rc::gen::arbitrary<std::uint64_t>(), test::underground_text());
     const std::int64_t x = any_column();

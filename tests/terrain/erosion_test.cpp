@@ -91,7 +91,7 @@ TEST_CASE("Setting loose keeps the surface and takes the lightest first") {
   }));
 }
 
-TEST_CASE("Erosion keeps every material to the last subvoxel and takes none that is not there") {
+TEST_CASE("Erosion keeps every material to the last subvoxel and takes only existing material") {
   CHECK(rc::check([] {
     const auto rules = any_rules(3);
     LooseGround ground;
@@ -126,7 +126,7 @@ TEST_CASE("With each step of one material the squared heights fall by at least w
   }));
 }
 
-TEST_CASE("A map that ends comes to rest, where no loose column exceeds a neighbour by more than repose") {
+TEST_CASE("A map with edges comes to rest, with no loose column above a neighbour by more than repose") {
   CHECK(rc::check([] {
     const auto rules = any_rules(2);
     LooseGround ground;
@@ -240,7 +240,7 @@ double mean_change(int steps, Lod lod) {
   return std::ldexp(sum_fx / static_cast<double>(after.values.size()) / kSubvoxels, lod.value());
 }
 
-TEST_CASE("What erosion changes of far ground grows less than its columns' width") {
+TEST_CASE("Erosion's changes of far ground grow less than its columns' width") {
   constexpr int kSteps = 16;
   const double at_base = mean_change(kSteps, Lod{});
   REQUIRE(at_base > 0.1);
@@ -265,7 +265,7 @@ TEST_CASE("Only worlds of two or more steps have generator version 3") {
   }
 }
 
-TEST_CASE("Heights of single columns are those of the eroded surface") {
+TEST_CASE("Heights of single columns equal the eroded surface") {
   const auto world = World::parse(eroding(9, 12), "w.toml");
   REQUIRE(world.has_value());
   const Terrain terrain = generate_terrain(*world, {-40, -10, 90, 50, Lod{}});

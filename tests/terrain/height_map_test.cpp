@@ -162,7 +162,7 @@ TEST_CASE("Samples of every type come to the range between low and high") {
   CHECK((*scaled(real))->values == Field::Values{0, 1000, 500, 0});
 }
 
-TEST_CASE("Samples that are no heights are refused by their place") {
+TEST_CASE("Samples that are not heights are refused by their place") {
   const auto error = [](HeightMap map, std::optional<double> low = {}, std::optional<double> high = {}) {
     const auto heights = scaled(map, low, high);
     return heights ? "accepted" : heights.error().key + ": " + heights.error().what;

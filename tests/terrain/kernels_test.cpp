@@ -319,7 +319,7 @@ TEST_CASE("The thickness before settling is exact where floats are just enough f
   }
 }
 
-TEST_CASE("Where nothing slopes the thickness before settling is the whole, in 16 bits and in 32") {
+TEST_CASE("Without slopes the thickness before settling is the whole, in 16 bits and in 32") {
   for (const std::int32_t thickness : {1, 32766, 32767, 32768, 1000003, 1 << 20}) {
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
@@ -357,7 +357,7 @@ std::int32_t stacked(float noise, const LayerShape& shape, std::int32_t below, s
                   limit);
 }
 
-TEST_CASE("A layer is laid by every instruction set as by the definition, where ground is open") {
+TEST_CASE("A layer is laid by every instruction set as by the definition, on open ground") {
   CHECK(rc::check([] {
     const auto xs = any_line();
     const auto width = static_cast<int>(xs.size());

@@ -31,8 +31,7 @@ double from_whole(double cells) {
 }
 
 TEST_CASE(
-    "Heights of the parts of land are those of the surface, and beds of whole rivers lie in their flood "
-    "plain") {
+    "Heights of the parts of land equal the surface, and beds of whole rivers lie in their flood plain") {
   const World& world = default_world();
   auto land = LandPartsSampler::make(world);
   auto places = PlaceSampler::make(world, {});

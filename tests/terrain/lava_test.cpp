@@ -290,7 +290,7 @@ TEST_CASE("At a level a feature is level 0's at the base columns, until it is th
   }
 }
 
-TEST_CASE("What a feature puts at the top of the rock is what its chunks hold there") {
+TEST_CASE("The top of the rock that a feature reports is in its chunks") {
   const World world = lava_world(3);
   const Stacks stacks = generate_stacks(world, {0, 0, 256, 256, Lod{}});
   const auto exposed = exposed_overlays(world, stacks);

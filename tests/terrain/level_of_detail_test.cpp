@@ -32,7 +32,7 @@ TEST_CASE("Heights, strata and slope of a coarse level are level 0's at its colu
   }));
 }
 
-TEST_CASE("The halo of a coarse level is that of its thinner layers") {
+TEST_CASE("The halo of a coarse level is the halo of its thinner layers") {
   const World& world = test::sample_world("classic");
   int previous = world.halo();
   CHECK(halo_columns(world, Lod{}) == world.halo());

@@ -224,7 +224,7 @@ TEST_CASE("An author's model stands as it was drawn, turned, and its lowest laye
   CHECK(variants.size() == 2);
 }
 
-TEST_CASE("What is wrong about models of files") {
+TEST_CASE("Errors of models of files") {
   const auto [from, to, message] = GENERATE(values<test::Wrong>({
       {"hut.vox", "tower.vox", "object[0].model: 'tower.vox': is not there"},
       {"spacing = 24", "spacing = 9", "object[0].spacing: 9 is out of range; 10 to 64"},
@@ -293,7 +293,7 @@ TEST_CASE("A model's voxels are found by where a level looks") {
   }
 }
 
-TEST_CASE("What would be single cubes from afar is left out there") {
+TEST_CASE("Objects that would be single cubes from afar are left out there") {
   for (std::size_t kind = 0; kind < kModelKinds; ++kind) {
     std::vector<ObjectModel> models;
     for (std::uint64_t seed = 0; seed < 32; ++seed) {
@@ -417,7 +417,7 @@ TEST_CASE("A column of a coarse level shows at most 32 objects, of the kinds tha
   CHECK(kinds_seen.contains(0));
 }
 
-TEST_CASE("Where decides how many objects there are") {
+TEST_CASE("The condition `where` decides the number of objects") {
   const auto count = [](const std::string& where) {
     const std::string kind = test::replaced(kWood, "chance = 1\n", "chance = 0.5\n" + where);
     const auto world = World::parse(test::small_world_text(7) + kind, "wood.toml");
@@ -431,7 +431,7 @@ TEST_CASE("Where decides how many objects there are") {
   CHECK((gentle > 0 && gentle < all));
 }
 
-TEST_CASE("What is wrong about objects") {
+TEST_CASE("Errors of objects") {
   const auto [from, to, message] = GENERATE(values<test::Wrong>({
       {"model = \"broadleaf\"", "model = \"palm\"", "object[0].model: 'palm'"},
       {"spacing = 6", "spacing = 3", "object[0].spacing: 3 is out of range; 4 to 64"},

@@ -282,7 +282,7 @@ TEST_CASE("Veins are thin and long, pockets are lumps") {
   CHECK(pocket_columns < 10 * pocket_rows);
 }
 
-TEST_CASE("What shows on bare rock is the ore of its topmost voxel") {
+TEST_CASE("Bare rock shows the ore of its topmost voxel") {
   for (const int level : {0, 1}) {
     const World world = veined_world(9);
     const Stacks stacks = generate_stacks(world, {-320, 640, 320, 320, Lod::of(level)});

@@ -90,7 +90,7 @@ std::vector<std::vector<float>> quantities_of(const World& world, const Region& 
   return all;
 }
 
-TEST_CASE("Looks are those of the first case that holds, at every level") {
+TEST_CASE("Looks follow the first case that holds, at every level") {
   const World world = parsed_places(places_text());
   CHECK(rc::check("looks by quantities", [&] {
     const Region region = any_region(Lod::of(*rc::gen::inRange(0, 7)));
@@ -227,7 +227,7 @@ TEST_CASE("A column's look is the ground's, whatever stands first in the file") 
   CHECK(iced.shown_by(kWater)->looks != 0);
 }
 
-TEST_CASE("What is wrong about talus, its halo and its defaults") {
+TEST_CASE("Errors of talus, its halo and its defaults") {
   const auto error = [](const std::string& repose, const std::string& talus) {
     // 40 voxels a unit.
     const std::string scree =
@@ -263,7 +263,7 @@ TEST_CASE("Ores have no colours of provinces") {
   CHECK_THAT(test::error_of(text), Catch::Contains("colours.coal: no [[stratified]] material has this name"));
 }
 
-TEST_CASE("What is wrong about places") {
+TEST_CASE("Errors of places") {
   const auto [from, to, message] = GENERATE(values<std::array<std::string, 3>>({
       {"below = { height = -7 }", "below = { depth = -7 }", "no quantity and no [[field]] has this name"},
       {"below = { height = -7 }", "below = { depth = -7 }", "base, terraces, and fields by name"},
@@ -374,7 +374,7 @@ TEST_CASE("Place kernels of every instruction set agree") {
   }));
 }
 
-TEST_CASE("What a row leaves of a list of cases does not depend on the rows before") {
+TEST_CASE("The cases that a row keeps do not depend on the rows before") {
   CHECK(rc::check([] {
     std::vector<Places::Case> cases(6);
     for (std::size_t c = 0; c < cases.size(); ++c) {

@@ -84,7 +84,7 @@ TEST_CASE("Every key of regions decides the fingerprint") {
   CHECK(parsed(with(from, to)).fingerprint() != parsed(test::regions_world_text()).fingerprint());
 }
 
-TEST_CASE("A field that nothing uses changes nothing, wherever it stands") {
+TEST_CASE("An unused field changes nothing, at any position") {
   const std::string more = "[[field]]\nname = \"magic\"\nwavelength = 5000\noctaves = 2\ngain = 0.4\n";
   const World world = parsed(test::regions_world_text());
   CHECK(parsed(with("[[field]]", more + "[[field]]")).fingerprint() == world.fingerprint());

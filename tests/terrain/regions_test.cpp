@@ -197,7 +197,7 @@ TEST_CASE("A coarse level has level 0's land but for rivers, and slopes near its
   CHECK(others < columns);
 }
 
-TEST_CASE("What bears another name has another seed") {
+TEST_CASE("A feature with another name has another seed") {
   CHECK(named_seed(1, "rivers") == named_seed(1, "rivers"));
   CHECK(named_seed(1, "rivers") != named_seed(1, "ranges"));
   CHECK(named_seed(1, "rivers") != named_seed(2, "rivers"));

@@ -36,7 +36,7 @@ TEST_CASE("In a world full of bushes the spawn is near all the same") {
   CHECK(std::max(std::abs(feet.x), std::abs(feet.z)) < 4096);
 }
 
-TEST_CASE("Where forests grow the spawn has trees in sight, not in its face, and level ground around") {
+TEST_CASE("If forests grow the spawn has trees in sight, not in its face, and level ground around") {
   const auto name = GENERATE(as<std::string>{}, "default", "alpine", "archipelago");
   CAPTURE(name);
   const World& world = test::sample_world(name);

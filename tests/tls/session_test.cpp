@@ -82,7 +82,7 @@ TEST_CASE("with nothing to read a session waits for its socket") {
   CHECK(ends.server.read(into).result == Step::Result::wait_to_read);
 }
 
-TEST_CASE("a session tells of bytes that the socket does not") {
+TEST_CASE("a session reports bytes that the socket does not") {
   Connected ends;
   REQUIRE(ends.client.write(bytes_of("0123456789")).bytes == 10);
   CHECK_FALSE(ends.server.has_more());

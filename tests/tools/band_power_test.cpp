@@ -72,7 +72,7 @@ TEST_CASE("A plane has no waves") {
   CHECK_FALSE(band_power(plane));
 }
 
-TEST_CASE("The error of a ratio is none where all windows agree, and unknown of one") {
+TEST_CASE("The error of a ratio is zero if all windows agree, and unknown for one window") {
   const std::vector<BandPower> alike(5, BandPower{1.1, 1.0});
   CHECK(ratio_of(alike).ratio == Approx(1.1));
   CHECK(ratio_of(alike).error == Approx(0).margin(1e-12));

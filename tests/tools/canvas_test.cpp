@@ -17,7 +17,7 @@ constexpr terrain::Colour kRed{200, 0, 0};
 
 }  // namespace
 
-TEST_CASE("What is put on a canvas beyond its edges is cut off") {
+TEST_CASE("Drawings beyond a canvas' edges are cut off") {
   Canvas canvas{20, 10, kBlack};
   canvas.fill({-5, -5, 8, 8}, kRed);
   canvas.fill({18, 8, 100, 100}, kRed, 0.5F);

@@ -101,7 +101,7 @@ TEST_CASE("A MagicaVoxel model stands in the chunk with its z up and its y north
   CHECK(chunk->at({1, 1, 1}) == kAir);
 }
 
-TEST_CASE("What is no chunk is one line that names the file, and nothing is written") {
+TEST_CASE("A file that is not a chunk is one line that names it, and nothing is written") {
   const ScratchDirectory scratch;
   const auto refused = [&](const std::string& bytes, const std::string& command, const std::string& why) {
     put_bytes(scratch / "in", bytes);

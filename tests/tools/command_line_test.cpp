@@ -75,7 +75,7 @@ TEST_CASE("Wrong use is one line and exit code 2") {
   CHECK(scratch.file_count() == 0);
 }
 
-TEST_CASE("A world with a height map is read with the file beside it, and eroded files are such files") {
+TEST_CASE("A world with a height map is read with the file next to it, and eroded files are such files") {
   const ScratchDirectory scratch;
   using talus::tools::write_height_map;
   const auto made = talus::test::made_height_map();
@@ -151,7 +151,7 @@ TEST_CASE("likeness and lod-error print their figures and write them as JSON") {
   check_refused("likeness --seeds 0", 2, "--seeds");
 }
 
-TEST_CASE("find prints a column and its height, and says in one line why there is none") {
+TEST_CASE("find prints a column and its height, and the reason in one line if there is no column") {
   const ScratchDirectory scratch;
   scratch.write("world.toml", talus::test::text_of_world_with_looks());
   const std::string find = "find --near -300,40 --world " + in(scratch, "world.toml");
@@ -178,7 +178,7 @@ TEST_CASE("find prints a column and its height, and says in one line why there i
                 "this world has no looks");
 }
 
-TEST_CASE("A map of every Nth column is written for any N from 1 to 4096, and not beside --lod") {
+TEST_CASE("A map of every Nth column is written for any N from 1 to 4096, and not with --lod") {
   const ScratchDirectory scratch;
   const std::string map = "map --center 0,0 --size 20,10 -o " + in(scratch, "a.png");
   for (const char* every : {"1", "7", "64", "1000", "4096"}) {
@@ -224,7 +224,7 @@ TEST_CASE("quality prints a table or JSON") {
   check_refused("quality --threads -1", 2, "--threads");
 }
 
-TEST_CASE("What cannot be done is one line and exit code 1") {
+TEST_CASE("A command that fails is one line and exit code 1") {
   const ScratchDirectory scratch;
   const std::string map = "map --center 0,0 --size 8,8 ";
   check_refused(map + "-o " + in(scratch, "missing/a.png"), 1, "a.png: cannot write: No such file");
@@ -242,7 +242,7 @@ TEST_CASE("What cannot be done is one line and exit code 1") {
   CHECK(scratch.file_count() == 1);
 }
 
-TEST_CASE("A pipe that nobody writes to is refused, and keeps nobody waiting") {
+TEST_CASE("A pipe without a writer is refused, and does not block") {
   const ScratchDirectory scratch;
   REQUIRE(::mkfifo((scratch / "pipe").c_str(), 0600) == 0);
   const std::string pipe = in(scratch, "pipe");

@@ -42,7 +42,7 @@ double sum_of(const HeightGrid& grid) {
 
 }  // namespace
 
-TEST_CASE("Droplets carry ground away and make none") {
+TEST_CASE("Droplets carry ground away and create no ground") {
   CHECK(rc::check([] {
     HeightGrid grid = cone(*rc::gen::inRange(2, 60), *rc::gen::inRange(2, 60));
     const HeightGrid before = grid;

@@ -345,7 +345,7 @@ std::uint16_t solid_voxel(const std::vector<Plane>& planes, std::int32_t row, bo
 
 }  // namespace
 
-TEST_CASE("Exported voxels follow from the arrays beside them, near and far") {
+TEST_CASE("Exported voxels follow from the arrays next to them, near and far") {
   std::set<std::uint16_t> seen;
   std::size_t wet = 0;
   for (const Place& place : places()) {

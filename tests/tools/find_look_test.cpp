@@ -31,7 +31,7 @@ std::int64_t square(std::int64_t x, std::int64_t z) {
 
 }  // namespace
 
-TEST_CASE("What is found has the look, and within 256 columns nothing is nearer") {
+TEST_CASE("The column found has the look, and within 256 columns no column is nearer") {
   const terrain::World world = test::world_with_looks();
   CHECK(rc::check([&] {
     const std::string look = *rc::gen::element<std::string>("desert", "meadow", "sea floor");

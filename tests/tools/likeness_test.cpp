@@ -19,7 +19,7 @@ terrain::Field row(const terrain::Field::Values& values) {
 
 }  // namespace
 
-TEST_CASE("Cover, overlap and correlation are those of two small rows") {
+TEST_CASE("Cover, overlap and correlation are right for two small rows") {
   const Alike rows = alike(row({4, 2, 0, 0}), row({2, 0, 1, 0}));
   CHECK(rows.cover_a == 0.5);
   CHECK(rows.cover_b == 0.5);

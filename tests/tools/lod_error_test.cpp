@@ -27,7 +27,7 @@ std::int64_t ground_row(const terrain::World& world, std::int64_t x, std::int64_
 
 }  // namespace
 
-TEST_CASE("Errors of the levels are those of their chunks' voxels") {
+TEST_CASE("Errors of the levels match their chunks' voxels") {
   const terrain::World& world = terrain::default_world();
   const terrain::Region region{-64, 640, 64, 64, Lod{}};
   const LodError error = measured(region);

@@ -14,7 +14,7 @@ TEST_CASE("Every pair of 64-bit numbers reads back as written") {
   }));
 }
 
-TEST_CASE("What is no pair is refused by name") {
+TEST_CASE("An invalid pair is refused by name") {
   for (const char* text :
        {"", "5", "5,", ",5", "5,6,7", "5;6", "1.5,2", " 1,2", "1,2 ", "+1,2", "x,z", "0x10,0"}) {
     const auto pair = parse_pair("--center", text);
@@ -70,7 +70,7 @@ TEST_CASE("A seed is a whole number of 64 bits") {
   CHECK_THAT(fault_of_seed(wrong), Catch::Contains("'" + wrong + "'") && Catch::Contains("from 0 to"));
 }
 
-TEST_CASE("A number that is none is outside every range") {
+TEST_CASE("An invalid number is outside every range") {
   CHECK(fault_of_number("0.5", 0, 1).empty());
   CHECK(fault_of_number("1", 0, 1).empty());
   const std::string wrong = GENERATE(as<std::string>{}, "", "nan", "inf", "-0.1", "1.01", "half", "0.5x");

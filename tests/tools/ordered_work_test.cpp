@@ -50,7 +50,7 @@ TEST_CASE("An exception of a producer reaches the caller") {
                     "no more");
 }
 
-TEST_CASE("No work is no error") {
+TEST_CASE("No work is not an error") {
   CHECK(work_in_order(
       0, 4, [](std::size_t i) { return i; }, [](std::size_t, std::size_t) { return true; }));
 }

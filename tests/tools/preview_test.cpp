@@ -84,7 +84,7 @@ TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
   CHECK(again.most_bytes == cost.most_bytes);
 }
 
-TEST_CASE("The cost of chunks is that of mixed ones alone") {
+TEST_CASE("The cost of chunks covers only mixed ones") {
   // Caves and objects widen the range of rows in which chunks may be mixed.
   const terrain::World& world = terrain::default_world();
   const map::ColumnGrid grid = map::grid_around(-2496, -2240, 8, 616, 616);

@@ -81,7 +81,7 @@ TEST_CASE("Of a world of another kind the figures of regions are left out") {
   CHECK_THAT(to_text(quality), !Catch::Contains("Lattices"));
 }
 
-TEST_CASE("A wish that a world does not meet is told so") {
+TEST_CASE("A requirement that a world does not meet is reported") {
   const terrain::World world = test::world_with_looks();
   const auto verdict = [](const Quality& quality, const std::string& of) {
     for (const QualityWish& wish : quality.wishes) {

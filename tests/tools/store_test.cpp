@@ -194,7 +194,7 @@ TEST_CASE("water that was put or taken is seen from above") {
   CHECK(found[0].water_row == top + 5);
 }
 
-TEST_CASE("What --store names is a store of the world") {
+TEST_CASE("The store of --store must be of the world") {
   const ScratchDirectory scratch;
   const std::string store = " --store '" + scratch.path().string() + "'";
   const std::string out = " -o '" + (scratch / "a.png").string() + "'";

@@ -34,7 +34,7 @@ TEST_CASE("Pieces of water meet at corners, and go on beyond the edge") {
   CHECK(pieces.lone == 4);
 }
 
-TEST_CASE("Two pieces of eight columns that meet at a corner, on either side, are no lone pieces") {
+TEST_CASE("Two pieces of eight columns that meet at a corner, on either side, are not lone pieces") {
   const std::vector<std::string> leftward{
       "............",  //
       "......~~~~..",  //

@@ -39,14 +39,14 @@ TEST_CASE("Resolution, exponent and roughness are changed where they stand") {
   CHECK(rough.spec().resolution == test::sample_world("classic").spec().resolution);
 }
 
-TEST_CASE("A change that leads out of bounds is told in one line") {
+TEST_CASE("A change that leads out of bounds is reported in one line") {
   const auto world = world_variant(classic_text(), {.resolution = 4000});
   REQUIRE_FALSE(world);
   CHECK_THAT(world.error().message, Catch::StartsWith("here.toml: at resolution 4000: "));
   CHECK(world.error().message.find('\n') == std::string::npos);
 }
 
-TEST_CASE("A text that is wrong is told by its own line") {
+TEST_CASE("A wrong text is reported by its own line") {
   const auto world = world_variant({"seed = ", "here.toml"}, {.resolution = 100});
   REQUIRE_FALSE(world);
   CHECK_THAT(world.error().message, Catch::StartsWith("here.toml:1: "));

@@ -55,7 +55,7 @@ TEST_CASE("a layered payload gives layers") {
   }));
 }
 
-TEST_CASE("materials whose ids take up to sixteen bytes are told by how the states end") {
+TEST_CASE("materials whose ids take up to sixteen bytes are distinguished by the end of the states") {
   // Nine materials, of ids of one byte or of two.
   for (std::size_t large = 0; large <= 8; ++large) {
     Layers layers;

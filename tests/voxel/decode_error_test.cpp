@@ -215,7 +215,7 @@ TEST_CASE("a state that no encoder begins with") {
   CHECK(fault_of(payload) == DecodeError::bad_ending);
 }
 
-TEST_CASE("materials that the states tell") {
+TEST_CASE("materials in the states") {
   const Chunk chunk = Chunk::from_layers(hill(1));
   const Layers& layers = *chunk.layers();
   const Payload payload = encoded(chunk);
@@ -228,7 +228,7 @@ TEST_CASE("materials that the states tell") {
       CHECK(fault_of(other) == DecodeError::bad_materials);
     }
   }
-  SECTION("are no more than sixteen bytes tell") {
+  SECTION("are at most sixteen bytes of the states") {
     Payload other = payload;
     other[2] = std::byte{81};
     CHECK(fault_of(other) == DecodeError::bad_materials);
@@ -270,7 +270,7 @@ Payload ended_with(const std::array<std::uint16_t, codec::kLanes>& states,
   return payload;
 }
 
-TEST_CASE("states that tell nothing end at 256") {
+TEST_CASE("states without materials end at 256") {
   std::array<std::uint16_t, codec::kLanes> states;
   states.fill(codec::kMinState);
   REQUIRE(decode(ended_with(states, {3, 0, 2, 7, 9})).has_value());
@@ -288,7 +288,7 @@ TEST_CASE("states that end at no materials") {
   states[1] += 9;
   REQUIRE(decode(ended_with(states)).has_value());
   CHECK(decode(ended_with(states))->layers()->materials == std::vector{MaterialId{7}, MaterialId{9}});
-  SECTION("a state that is no byte past its beginning") {
+  SECTION("a state whose last byte is missing") {
     states[1] = 2 * codec::kMinState;
   }
   SECTION("an id that is too long") {

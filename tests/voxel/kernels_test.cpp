@@ -153,7 +153,7 @@ TEST_CASE("volumes are analysed and written alike by every instruction set") {
   }));
 }
 
-TEST_CASE("materials that share a byte are told apart by every instruction set") {
+TEST_CASE("materials that share a byte are distinguished by every instruction set") {
   CHECK(rc::check([] {
     // Cubes of 4 x 4 x 4 voxels, of up to 299 materials, where a volume has at most 256. Many share their low
     // byte, and in some chunks every other cube has the high byte 255. Sizes are full from the first case on:

@@ -212,7 +212,7 @@ TEST_CASE("every place of the world's heights within the last ring is in some ch
   }));
 }
 
-TEST_CASE("heights beyond the world, or upside down, are no overflow") {
+TEST_CASE("heights beyond the world, or upside down, do not overflow") {
   constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   ViewExtent view{{0, 0, 0}, 0, 0, {{Lod::of(1), 1}, {Lod::of(6), 65'535}}, HeightRange{kLeast, kMost}};

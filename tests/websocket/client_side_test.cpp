@@ -49,7 +49,7 @@ Failure failure_of(const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("The accept key is that of the RFC's example") {
+TEST_CASE("The accept key is as in the RFC's example") {
   CHECK(accept_key("dGhlIHNhbXBsZSBub25jZQ==") == "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=");
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("Payloads follow the answer, however they are cut") {
   }));
 }
 
-TEST_CASE("What a client sends a server reads, and masked") {
+TEST_CASE("A server reads a client's frames, which are masked") {
   Bytes sent;
   const std::string text(70'000, 'x');
   ClientSide::append(sent, bytes_of("abc"), kMask);
@@ -110,7 +110,7 @@ TEST_CASE("A Ping is answered by its own Pong, a Close by a Close, masked") {
                          std::byte{0xE8} ^ kMask[1]});
 }
 
-TEST_CASE("What answers must be a WebSocket server that knows the key") {
+TEST_CASE("The peer must be a WebSocket server that knows the key") {
   for (const std::string& answer :
        {kSwitching + kUpgrade + "\r\n", kSwitching + kAccept + "Upgrade: websocket\r\n\r\n",
         kSwitching + kAccept + "Connection: Upgrade\r\n\r\n",
@@ -136,7 +136,7 @@ TEST_CASE("A server that refuses is quoted in one printable line, and may say wh
   CHECK(failure_of("HTTP/1.1 404 Not Found\r\nRetry-After: soon\r\n\r\n").retry_after_seconds == 0);
 }
 
-TEST_CASE("A server that masks its frames breaks the protocol, and is told so") {
+TEST_CASE("A server that masks its frames breaks the protocol, and gets the reason") {
   ClientSide side = new_side();
   CHECK(take(side, bytes_of(kGoodAnswer + std::string{"\x82\x81\0\0\0\0x", 7}), 1).empty());
   REQUIRE(side.failure());

@@ -181,7 +181,7 @@ TEST_CASE("Any header of an array is read or refused") {
   }));
 }
 
-TEST_CASE("A spec's file is looked for beside the spec") {
+TEST_CASE("A spec's file is searched for next to the spec") {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch / "maps");
   scratch.write("maps/m.png", png_of(4, 4, 16, PNG_COLOR_TYPE_GRAY));

@@ -107,7 +107,7 @@ TEST_CASE("Any .vox file is read or refused") {
   }));
 }
 
-TEST_CASE("A spec's models are looked for beside the spec") {
+TEST_CASE("A spec's models are searched for next to the spec") {
   const ScratchDirectory scratch;
   scratch.write("tree.vox", vox(model({1, 1, 1}, {{0, 0, 0, 7}})));
   const auto load = beside(scratch / "world.toml").models;
