@@ -162,7 +162,7 @@ TEST_CASE("edits happen once each, though the server is killed under them") {
   CHECK(asked.empty());
 }
 
-TEST_CASE("of several servers the next is gone to where the first is killed") {
+TEST_CASE("a client goes to the next of several servers when the first is killed") {
   auto first = std::make_unique<ServerProcess>();
   const ServerProcess second;
   const std::string more = "127.0.0.1:" + std::to_string(second.port());

@@ -33,7 +33,7 @@ TEST_CASE("a ray meets the top of the ground, face up") {
   CHECK(hit->voxel.y + scene.origin().y == 9);
 }
 
-TEST_CASE("where no chunk is known, and beyond its reach, a ray meets nothing") {
+TEST_CASE("a ray meets nothing without known chunks, and beyond its reach") {
   client::ChunkStore store{1 << 20};
   store.put(received(key_at(0, 0, 0), flat(kStone, 10, kAir)));
   const Scene scene{store, materials(), {5, 20, 5}};

@@ -306,7 +306,7 @@ void perform(Session& session, What what) {
 
 }  // namespace
 
-TEST_CASE("whatever a callback does to its client, the rest holds") {
+TEST_CASE("a callback may do anything to its client, and the rest holds") {
   for (const Where place : kPlaces) {
     for (const What what : kActions) {
       for (const int time : {1, 3}) {  // the callback's first call, or a later one

@@ -142,7 +142,7 @@ TEST_CASE("an edit is seen at once, goes where it is refused, and stays where it
   CHECK(player.sees({1, 2, 3}) == kBrick);
 }
 
-TEST_CASE("where another's edit came before, the guards decide here as they do there") {
+TEST_CASE("if another's edit came first, the guards decide here as they do there") {
   Server server;
   Player player{server};
   const Edit edit = write_of({1, 2, 3}, kBrick, kAir);
@@ -186,7 +186,7 @@ TEST_CASE("an edit that changed less than was seen here does not leave a trace")
   CHECK(player.own.open() == 0);
 }
 
-TEST_CASE("what was dug and filled from a neighbour chunk does not stay dug here") {
+TEST_CASE("a voxel dug and filled from a neighbour chunk does not stay dug here") {
   Server server;
   std::set<ChunkCoord> changed;
   REQUIRE(server.apply(write_of({0, 2, 3}, kStone), changed));
@@ -228,7 +228,7 @@ TEST_CASE("a chunk that was away since the answer shows as it comes back, dug an
   CHECK(player.sees({0, 2, 3}) == kStone);
 }
 
-TEST_CASE("what is answered when the prediction is gone or cleared changes nothing") {
+TEST_CASE("an answer after the prediction is gone or cleared changes nothing") {
   Server server;
   Player player{server};
   const auto id = player.own.begin(write_of({1, 2, 3}, kBrick));

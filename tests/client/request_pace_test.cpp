@@ -63,7 +63,7 @@ TEST_CASE("no wait that a server asks for is without end") {
   CHECK(taken(pace, kStart + std::chrono::minutes{1}) > 0);
 }
 
-TEST_CASE("what is spent all the same is paid back before more goes") {
+TEST_CASE("requests spent beyond the pace are paid back before more are sent") {
   RequestPace pace{limits_of(10, 0, milliseconds{1'000}), kStart};
   for (int i = 0; i < 18; ++i) pace.spend(kStart);  // 8.75 were there
   CHECK(taken(pace, kStart + milliseconds{1'000}) == 0);

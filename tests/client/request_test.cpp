@@ -258,7 +258,7 @@ TEST_CASE("places have the names of Welcome") {
   run(m.io, {visit, serve});
 }
 
-TEST_CASE("what the server cannot answer is refused before it is asked") {
+TEST_CASE("a request that the server cannot answer is refused before it is sent") {
   Meeting m;
   const auto visit = [&]() -> asio::awaitable<void> {
     const auto early = co_await m.client.get(key_at(0, 0, 0));

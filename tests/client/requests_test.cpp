@@ -65,7 +65,7 @@ TEST_CASE(
   CHECK_FALSE(requests.send_next(9));
 }
 
-TEST_CASE("what a server refused for now waits again in its order, unless it was cancelled") {
+TEST_CASE("a request that a server refused for now waits again in its order, unless it was cancelled") {
   Requests requests;
   const auto first = requests.add(request(1));
   const auto second = requests.add(request(2));

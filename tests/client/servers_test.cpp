@@ -126,7 +126,7 @@ TEST_CASE("a client asked to leave goes to another server with its View and its 
   CHECK(back == 1);
 }
 
-TEST_CASE("where the first server cannot be reached the next is tried, once each") {
+TEST_CASE("if the first server cannot be reached the next is tried, once each") {
   asio::io_context io;
   Peer away{io};
   Peer there{io};

@@ -90,7 +90,7 @@ TEST_CASE("a View is complete when its server says so, once, and under its numbe
   CHECK(told == Told{"0", "complete 0", "1", "complete 1"});
 }
 
-TEST_CASE("what is missing when a View is said to be complete is fetched first") {
+TEST_CASE("chunks that are missing when a View is complete are fetched first") {
   const bool bad = GENERATE(true, false);  // a bad chunk came, or none
   const Told told = visit_all(
       1,

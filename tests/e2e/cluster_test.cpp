@@ -196,7 +196,7 @@ class Builders {
 
 }  // namespace
 
-TEST_CASE("what one player builds at one server another sees at another, and all servers are ready") {
+TEST_CASE("a player's build at one server reaches players at another, and all servers are ready") {
   World world{3};
   Player digger;
   Player viewer;
@@ -290,7 +290,7 @@ TEST_CASE("subscriptions that NATS takes away are said, and subscribed to again 
   CHECK(player.put(at, kAir)->revision == 2);
 }
 
-TEST_CASE("what an operator rolls back at one server is undone at all") {
+TEST_CASE("an operator's rollback at one server is undone at all servers") {
   World world{2};
   Player digger;
   Player viewer;

@@ -73,8 +73,7 @@ TEST_CASE("a token's boxes and the server's protect what they name, and admin pa
   CHECK_THAT(forbidden(stranger.put({120, y, 120}, kStone)), Catch::Contains("no right to edit"));
 }
 
-TEST_CASE(
-    "where a gateway is required it alone edits, once for each sequence, and its players see what it did") {
+TEST_CASE("if a gateway is required only it edits, once for each sequence, and its players see the edits") {
   World world;
   world.settings["TALUS_EDITS_GATEWAY"] = "required";
   const ServerProcess server{world.settings};

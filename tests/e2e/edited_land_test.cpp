@@ -98,7 +98,7 @@ MaterialId solid(const client::WorldInfo& world) {
 
 }  // namespace
 
-TEST_CASE("what is built comes by HTTP under its revision, at every level, and the base stays") {
+TEST_CASE("a build comes by HTTP under its revision, at every level, and the base stays") {
   const ScratchDirectory scratch;
   ServerProcess server{editable(scratch / "data"), kWithHttp};
   Player player;

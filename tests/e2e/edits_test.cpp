@@ -48,7 +48,7 @@ std::uint64_t seed_of_run() {
 
 }  // namespace
 
-TEST_CASE("what one player builds another sees at once, at every level, and it outlives the server") {
+TEST_CASE("a player's build reaches others at once, at every level, and outlives the server") {
   const ScratchDirectory scratch;
   VoxelPos at;
   std::uint64_t revision = 0;
@@ -107,7 +107,7 @@ TEST_CASE("what one player builds another sees at once, at every level, and it o
   late.until([&] { return late.sees(at) == kAir; });
 }
 
-TEST_CASE("where loose material settles a hole fills from its edges, for all who look, and nothing is lost") {
+TEST_CASE("if loose material settles a hole fills from its edges, for all viewers, and nothing is lost") {
   const ScratchDirectory scratch;
   Settings settings = editable(scratch / "data");
   settings["TALUS_EDITS_SETTLE"] = "true";

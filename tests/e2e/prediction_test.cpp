@@ -113,7 +113,7 @@ TEST_CASE(
   CHECK(two.own.open() == 0);
 }
 
-TEST_CASE("where loose material slides over the borders of chunks, what one sees comes to be what is") {
+TEST_CASE("loose material that slides over the borders of chunks is predicted as the server settles it") {
   const ScratchDirectory scratch;
   const ServerProcess server{{kClassicWorld,
                               {"TALUS_DATA", (scratch / "data").string()},

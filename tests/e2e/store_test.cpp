@@ -156,7 +156,7 @@ TEST_CASE("a backup under edits has all that was acknowledged before it, and is 
   }
 }
 
-TEST_CASE("what a griefer did is found and given back while players look, and others' work stays") {
+TEST_CASE("a griefer's edits are found and undone while players watch, and others' work stays") {
   const ScratchDirectory scratch;
   const fs::path data = scratch / "data";
   const ServerProcess server{editable(data)};

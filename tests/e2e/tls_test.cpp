@@ -140,7 +140,7 @@ TEST_CASE("after SIGHUP new connections get the new certificate, and older ones 
   ask_for_chunk(before);
 }
 
-TEST_CASE("what cannot be read again is one line, and the certificate before stays") {
+TEST_CASE("a certificate that cannot be read again is one line, and the old one stays") {
   Secure secure;
   ServerProcess server{secure.settings()};
   secure.write({make_certificate(2).certificate, make_certificate(3).key});

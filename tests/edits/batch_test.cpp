@@ -102,7 +102,7 @@ TEST_CASE("results of the newest edits are kept, and older edits are reported as
   CHECK(store.apply({EditEntry{{1, 1}, 1, 2, {}, {}}}, 5).front().kind == Kind::repeat);
 }
 
-TEST_CASE("which results are kept does not depend on how a log is cut into batches") {
+TEST_CASE("the set of kept results does not depend on how a log is cut into batches") {
   const EditorId id{1, 2};
   const auto edit = [&](std::uint64_t epoch, std::uint64_t sequence) {
     EditEntry entry{id, epoch, sequence, {}, {}};

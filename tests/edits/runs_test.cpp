@@ -100,7 +100,7 @@ TEST_CASE("cut runs are truncated, runs with more behind them too long") {
   }));
 }
 
-TEST_CASE("what is not canonical is refused by name") {
+TEST_CASE("a block that is not canonical is refused by name") {
   CHECK(fault(bytes({1, 5, 1, 0, 0})) == std::nullopt);
   CHECK(fault(bytes({0x81, 0x00, 5, 1, 0, 0})) == RunsError::bad_number);     // 1 in two bytes
   CHECK(fault(bytes({1, 5, 1, 0, 0x80, 0x00})) == RunsError::bad_number);     // 0 in two bytes

@@ -125,7 +125,7 @@ TEST_CASE("sand that is put on a heap runs down, and scree lies steeper") {
   CHECK(high[kSand] <= high[kScree]);
 }
 
-TEST_CASE("what is steep as generated stays until something under it goes, and then the hollow wanders up") {
+TEST_CASE("a slope steep as generated stays until something under it goes, and then the hollow wanders up") {
   Land land;
   for (int z = 0; z < 15; ++z) {
     for (int x = 0; x < 15; ++x) land.generate(x, z, 1 + 2 * x, 3 + 2 * x - (x == 14 ? 1 : 0));  // 63 degrees
@@ -143,7 +143,7 @@ TEST_CASE("what is steep as generated stays until something under it goes, and t
   }
 }
 
-TEST_CASE("what stands on sand that is dug away falls, and rock and planks hold what leans on them") {
+TEST_CASE("material on dug sand falls, and rock and planks hold material that leans on them") {
   Land land;
   flat(land, 4, 12);
   SECTION("a tunnel falls in") {
@@ -225,7 +225,7 @@ TEST_CASE("random digging and building: no loose voxel is lost, none lies too st
   }));
 }
 
-TEST_CASE("what an edit costs is bounded, however it is built") {
+TEST_CASE("the cost of an edit is bounded, whatever its shape") {
   // Towers with gaps and shelves, where much is moved far, and little at a time.
   std::mt19937 random{5};
   int most = 0;

@@ -58,7 +58,7 @@ TEST_CASE("S is the sum modulo 2^128, in any order") {
   }));
 }
 
-TEST_CASE("what was added can be removed, first or last") {
+TEST_CASE("an added chunk can be removed, first or last") {
   CHECK(rc::check([] {
     const auto all = any_overrides();
     StateHash hash;

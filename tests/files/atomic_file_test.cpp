@@ -89,7 +89,7 @@ TEST_CASE("a file is written where its symlinks lead, also to a file that is not
   CHECK(fs::is_symlink(scratch / "inner" / "second"));
 }
 
-TEST_CASE("what is not a regular file is refused in one line and left as it is") {
+TEST_CASE("a file that is not regular is refused in one line and left as it is") {
   const ScratchDirectory scratch;
   REQUIRE(::mkfifo((scratch / "fifo").c_str(), 0600) == 0);
   fs::create_symlink("fifo", scratch / "link");

@@ -31,7 +31,7 @@ TEST_CASE("a file over the bound is refused without being read to its end") {
   CHECK(SecretFile::read(file, 3).error().reason == "has over 3 bytes");
 }
 
-TEST_CASE("what is not there or a directory is an error with the system's words") {
+TEST_CASE("a missing file or a directory is an error with the system's words") {
   const ScratchDirectory scratch;
   CHECK(read_file(scratch / "none", 9).error().message() ==
         (scratch / "none").string() + ": cannot be read: No such file or directory");

@@ -416,7 +416,7 @@ TEST_CASE("check says of a genesis that a newer talusd wrote to upgrade this one
              Catch::Contains("message 1: it has format 9; this talusd reads up to 1; upgrade it"));
 }
 
-TEST_CASE("of three servers, one lost is a note and two are a fault") {
+TEST_CASE("one lost server of three is a note and two are a fault") {
   NatsServers servers;
   const Target target = target_at(servers.url_list(), 3);
   REQUIRE(init(target, genesis_of()));
@@ -485,7 +485,7 @@ TEST_CASE("check says what answers in place of NATS") {
              Catch::Contains("not a NATS server: it sent \"HTTP/1.0 200 OK\"") && Catch::Contains("4222"));
 }
 
-TEST_CASE("what keeps TLS from coming about names the key that is concerned") {
+TEST_CASE("an error of TLS names the setting at fault") {
   using jetstream::Credentials;
   Greeting greeting;
   greeting.tls = greeting.tls_verify = true;

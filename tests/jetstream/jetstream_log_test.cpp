@@ -15,7 +15,7 @@ using namespace talus::server;
 using namespace talus::server::jetstream;
 using namespace std::chrono_literals;
 
-TEST_CASE("what one server publishes another reads, in order, from the first on") {
+TEST_CASE("a server's messages are read by another, in order, from the first on") {
   OneServer one;
   make_stream(one.servers, one.names, 1);
   const auto writer = open_log(one.servers.url_list(), one.names);
@@ -172,7 +172,7 @@ TEST_CASE("a message of any size reaches all who read, cut where no talusd would
   CHECK(read(*log, 2) == "c");
 }
 
-TEST_CASE("of three servers the leader dies: nothing that was acknowledged is lost, and it goes on") {
+TEST_CASE("the leader of three servers dies: no acknowledged message is lost, and the log continues") {
   NatsServers servers;
   const StreamNames names = test_names();
   make_stream(servers, names, 3);

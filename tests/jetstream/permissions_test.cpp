@@ -195,7 +195,7 @@ TEST_CASE("each of several refusals at once is reported with its own text") {
   }
 }
 
-TEST_CASE("of several permissions that are taken away at once all come back") {
+TEST_CASE("all of several permissions removed at once come back") {
   OneServer one{talusd_permissions()};
   make_stream(one.servers, one.names, 1);
   const auto log = open_log(one.servers.url_list(), one.names, as_talusd());

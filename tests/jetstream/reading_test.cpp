@@ -72,7 +72,7 @@ TEST_CASE("an answer is waited for until it comes, or what it would bring has co
   CHECK_FALSE(reading.asks());
 }
 
-TEST_CASE("what a gap of the tail lacks is asked for at once, and once") {
+TEST_CASE("a message in a gap of the tail is requested at once, and once") {
   Reading reading{kStart, 7};
   hear(reading, 4, kStart);
   CHECK(reading.claims_more());
@@ -141,7 +141,7 @@ TEST_CASE("a lagging replica is asked again soon, then less and less often") {
   CHECK(taken(reading) == 1);
 }
 
-TEST_CASE("what is asked for together and not found makes one pause") {
+TEST_CASE("requests that are sent together and not found make one pause") {
   Reading reading{kStart, 7};
   reading.learned(1000, kStart);
   auto now = kStart + Reading::kOnItsWay;
@@ -301,7 +301,7 @@ TEST_CASE("an invalid message is delivered again as the leader has it") {
   }
 }
 
-TEST_CASE("which of two messages was the stream's is not asked once it keeps neither") {
+TEST_CASE("which of two messages was the stream's is not asked after it keeps neither") {
   Reading reading{kStart, 7};
   hear(reading, 1, kStart);
   CHECK(taken(reading) == 1);
@@ -315,7 +315,7 @@ TEST_CASE("which of two messages was the stream's is not asked once it keeps nei
   CHECK(reading.wanted(kStart + 900ms).empty());
 }
 
-TEST_CASE("what is kept ahead is bounded, and the next message has room") {
+TEST_CASE("the number of messages kept ahead is bounded, and the next message has room") {
   Reading reading{kStart, 7};
   const std::string large(1U << 20U, 'x');
   for (std::uint64_t sequence = 2; sequence <= 100; ++sequence) {
@@ -329,7 +329,7 @@ TEST_CASE("what is kept ahead is bounded, and the next message has room") {
   CHECK_FALSE(reading.wanted(kStart).empty());
 }
 
-TEST_CASE("whatever is lost, late or doubled, all messages are given out once, in order") {
+TEST_CASE("lost, late or doubled messages are all delivered once, in order") {
   const bool held = rc::check([](std::uint32_t seed) {
     std::mt19937 random{seed};
     const auto below = [&](std::uint64_t bound) { return std::uint64_t{random()} % bound; };

@@ -78,7 +78,7 @@ TEST_CASE("without a leader a replica's messages are read, and count once the le
   CHECK(publish(*log, "b") > kMessages);
 }
 
-TEST_CASE("what replicas gave is held against what the leader has, before anything else counts") {
+TEST_CASE("a replica's messages are compared with the leader's before anything else counts") {
   ScriptedStream stream{test_names()};
   stream.set({true, messages(2), messages(2)});
   const auto log = open_log(stream.url(), stream.names());

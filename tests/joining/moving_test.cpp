@@ -65,7 +65,7 @@ TEST_CASE("a server that leaves a cluster reports how far it is behind") {
   CHECK_THAT(servers.store("a", {"leave-cluster", "--yes"}).err, Catch::Contains("a talusd uses it"));
 }
 
-TEST_CASE("where the stream is lost a server refuses to go on, and a fork begins anew from its store") {
+TEST_CASE("if the stream is lost a server refuses to continue, and a fork begins anew from its store") {
   JoiningServers servers;
   servers.begin("a");
   {

@@ -79,6 +79,6 @@ TEST_CASE("the option whose address is wrong is named") {
   CHECK(read({"--metrics", "x"}).error().text.find("--metrics x:") == 0);
 }
 
-TEST_CASE("of an option given twice the last counts") {
+TEST_CASE("the last value of an option given twice counts") {
   CHECK(read({"--players", "7", "--players", "8"})->players == 8);
 }

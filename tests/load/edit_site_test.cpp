@@ -35,7 +35,7 @@ TEST_CASE("every voxel of a site belongs to one builder and to one chunk") {
   CHECK(cells == site.size());
 }
 
-TEST_CASE("what lies below the ground is dug first, what lies above is built first, and then in turn") {
+TEST_CASE("voxels below the ground are dug first, voxels above are built first, and then in turn") {
   EditSite site{{0, 102, 0}, 2, kBrick};
   CHECK(site.voxel(0).y == 99);
   CHECK(site.next(0) == kAir);

@@ -127,7 +127,7 @@ TEST_CASE("a fault found by any player is a fault") {
   CHECK(result.all().first_wrong == "slow 3: a chunk");
 }
 
-TEST_CASE("what is resident grows by the means of the first tenth and the last") {
+TEST_CASE("resident memory grows by the means of the first tenth and the last") {
   RunResult result;
   for (int second = 0; second < 30; ++second) {
     // Up and down by a tenth, from second to second; 20 % more in the end.

@@ -22,7 +22,7 @@ TEST_CASE("a chunk of a higher revision is new, the same or an older revision is
   CHECK(held.raise(kOther, 1));
 }
 
-TEST_CASE("of a chunk that left the View no revision is held") {
+TEST_CASE("a chunk that left the View holds no revision") {
   HeldRevisions held;
   (void)held.raise(kChunk, 5);
   (void)held.raise(kOther, 5);

@@ -75,7 +75,7 @@ TEST_CASE("each View without its rings waits until the newest View's rings arriv
   CHECK(flyer.near == std::vector{1'500, 500});
 }
 
-TEST_CASE("what never comes counts with the time for which it was waited") {
+TEST_CASE("a ring that never arrives counts with the time waited for it") {
   Flyer flyer;
   flyer.step(0, 0);
   flyer.waits.stop(at(700));

@@ -64,7 +64,7 @@ TEST_CASE("boxes meet where they have a chunk in common") {
   CHECK_FALSE(box.meets({}));
 }
 
-TEST_CASE("what comes for a View is right after its program was stopped, and has caught up") {
+TEST_CASE("a chunk of a View is right after its program was stopped, and has caught up") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   const Time now = kStart + seconds{100};
@@ -87,7 +87,7 @@ TEST_CASE("a chunk comes once") {
   CHECK(pending.arrive({1, 1, 1}).verdict == Verdict::duplicate);
 }
 
-TEST_CASE("what stays in the View is not pending again") {
+TEST_CASE("a chunk that stays in the View is not pending again") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   CHECK(take_all(pending) == kAll);
@@ -96,7 +96,7 @@ TEST_CASE("what stays in the View is not pending again") {
   CHECK(pending.arrive({0, 0, 0}).verdict == Verdict::duplicate);
 }
 
-TEST_CASE("what was never asked for is outside; what just left is only late") {
+TEST_CASE("a chunk never requested is outside; a chunk that just left is only late") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   (void)go(pending, 1, seconds{1});
@@ -105,7 +105,7 @@ TEST_CASE("what was never asked for is outside; what just left is only late") {
   CHECK(pending.arrive({0, 2, 0}).verdict == Verdict::outside);
 }
 
-TEST_CASE("what left long ago is outside again") {
+TEST_CASE("a chunk that left long ago is outside again") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   (void)go(pending, 50, seconds{1});
@@ -114,7 +114,7 @@ TEST_CASE("what left long ago is outside again") {
   CHECK(pending.arrive({0, 0, 0}).verdict == Verdict::outside);
 }
 
-TEST_CASE("what left before it came is missed, with its wait") {
+TEST_CASE("a chunk that left before it came is missed, with its wait") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   CHECK(pending.arrive({-2, 0, 0}).verdict == Verdict::came);
@@ -123,7 +123,7 @@ TEST_CASE("what left before it came is missed, with its wait") {
   CHECK(missed.front().since == kStart);
 }
 
-TEST_CASE("what leaves and comes back may come again, or not, and both may cross") {
+TEST_CASE("a chunk that leaves and returns may come again, or not, and both may cross") {
   PendingChunks pending;
   (void)go(pending, 0, {});
   CHECK(take_all(pending) == kAll);
@@ -164,7 +164,7 @@ TEST_CASE("giving up reports the chunks that never arrived, and expects nothing 
   CHECK(pending.waiting() == 0);
 }
 
-TEST_CASE("what waits is what did not come, whatever the way") {
+TEST_CASE("pending chunks are the ones that did not come, by any way") {
   rc::prop("for any steps", [](const std::vector<bool>& right) {
     PendingChunks pending;
     std::int64_t x = 0;

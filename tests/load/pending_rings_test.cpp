@@ -36,7 +36,7 @@ TEST_CASE("a ring's chunks come once each, from the lowest row to the highest") 
   CHECK(pending.waiting() == kAll - 2);
 }
 
-TEST_CASE("what a ring left behind may come late, and again when it is back, but need not") {
+TEST_CASE("a chunk that a ring left may come late, and again when the ring returns, but need not") {
   PendingRings pending;
   pending.move_to(shape_at(0));
   CHECK(pending.arrive(ring(-2, 0)) == Verdict::came);
@@ -50,7 +50,7 @@ TEST_CASE("what a ring left behind may come late, and again when it is back, but
   CHECK(pending.waiting() == kAll - 4 * 5);
 }
 
-TEST_CASE("what stays in a ring stays held") {
+TEST_CASE("a chunk that stays in a ring stays held") {
   PendingRings pending;
   pending.move_to(shape_at(0));
   CHECK(pending.arrive(ring(1, 2)) == Verdict::came);

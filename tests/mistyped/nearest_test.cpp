@@ -24,7 +24,7 @@ TEST_CASE("a very long word is compared by its beginning") {
   CHECK(nearest("b" + std::string(1'000'000, 'x'), kNames) == "b");
 }
 
-TEST_CASE("what is far from all names was not meant to be one") {
+TEST_CASE("a word far from all names has no suggestion") {
   constexpr std::array<std::string_view, 2> kNames{"check", "status"};
   CHECK(meant("chek", kNames) == "check");
   CHECK(meant("satus", kNames) == "status");

@@ -14,7 +14,7 @@ TEST_CASE("an endpoint is read back from its text") {
   }
 }
 
-TEST_CASE("what is not HOST:PORT is refused") {
+TEST_CASE("an address other than HOST:PORT is refused") {
   for (const char* text : {"", ":", "host", "host:", ":80", "host:65536", "host:-1", "host:8 0", "::1:80",
                            "[::1]", "[]:80", "h\nst:80", "ho st:80", "host:80x"}) {
     CAPTURE(text);

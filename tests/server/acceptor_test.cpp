@@ -180,7 +180,7 @@ TEST_CASE("an acceptor that finds no memory for anything leaves its thread to ot
   bench.run_until_accepted(1);
 }
 
-TEST_CASE("what a new connection's handler throws does not end the acceptor") {
+TEST_CASE("an exception of a new connection's handler does not end the acceptor") {
   asio::io_context io{1};
   const ManualClock clock;
   Acceptor acceptor{io, std::make_shared<spdlog::logger>("silent"), clock};

@@ -117,7 +117,7 @@ TEST_CASE("HEAD gets the head of GET's answer, and no body") {
   }
 }
 
-TEST_CASE("however many connections are reset or held open, the next one is answered") {
+TEST_CASE("the next connection is answered after any number of resets or open connections") {
   Bench bench;
   std::vector<tcp::socket> held;
   for (std::size_t i = 0; i < 3 * AdminServer::kMaxConnections; ++i) {

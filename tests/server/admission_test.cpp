@@ -124,7 +124,7 @@ TEST_CASE("an address that took new land is remembered until it has saved that u
   CHECK(edited() == 1);
 }
 
-TEST_CASE("however many addresses come and go, few are remembered") {
+TEST_CASE("few addresses are remembered, however many come and go") {
   ManualClock clock;
   Admission admission{{10, 10, std::chrono::hours{1}}, clock};
   const auto here = admission.enter(asio::ip::make_address("192.0.2.1"));

@@ -148,7 +148,7 @@ TEST_CASE("ClockCache keeps what a row of entries and a hand would keep, and nev
   }));
 }
 
-TEST_CASE("what is used stays, what is not goes") {
+TEST_CASE("a used entry stays, an unused one goes") {
   constexpr std::size_t kEntry = 1000 + ClockCache<int, int>::kEntryOverheadBytes;
   ClockCache<int, int> cache{8 * kEntry};
   for (int key = 0; key < 1000; ++key) {
@@ -196,7 +196,7 @@ TEST_CASE("an insert into a cache that is too large frees room for the new entry
   CHECK(cache.size() == 1000);
 }
 
-TEST_CASE("whichever allocation of a put() fails, it has changed nothing and can be tried again") {
+TEST_CASE("a put() with any failed allocation changes nothing and can be repeated") {
   constexpr std::size_t kEntry = 100 + ClockCache<int, int>::kEntryOverheadBytes;
   ClockCache<int, int> cache{60 * kEntry};
   std::map<int, int> held;  // by what the cache said of its evictions
@@ -270,7 +270,7 @@ TEST_CASE("nothing is allocated to evict, to erase or to replace") {
   CHECK_FALSE(failed);
 }
 
-TEST_CASE("whichever allocation of a sharded put() fails, every shard is whole") {
+TEST_CASE("a sharded put() with any failed allocation leaves every shard whole") {
   using Cache = ShardedCache<ChunkKey, int>;
   constexpr std::size_t kEntry = 100 + ClockCache<ChunkKey, int>::kEntryOverheadBytes;
   Cache cache{1000 * kEntry};

@@ -120,7 +120,7 @@ TEST_CASE("a peer that sends next to nothing is left for the next one") {
   slow.join();
 }
 
-TEST_CASE("of servers that have all put their stores aside the one that has read most goes on") {
+TEST_CASE("if all servers have put their stores aside the one that has read most continues") {
   const AsideStore own{40, 77, 5};
   CHECK(to_string(own) == "40 77 00000005");
   CHECK(parse_aside("40 77 00000005") == own);

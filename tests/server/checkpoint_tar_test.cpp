@@ -202,7 +202,7 @@ TEST_CASE("a tar is refused by one line where it is cut, damaged, or ends with t
   CHECK(harmless < 200);
 }
 
-TEST_CASE("what a store does not have is refused before it is written") {
+TEST_CASE("a file that does not belong to a store is refused before it is written") {
   CheckpointStore peer{7, 40};
   const std::vector<TarFile> files = unpack(peer.tar());
   const fs::path staging = peer.scratch / "staging";

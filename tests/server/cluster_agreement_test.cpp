@@ -153,7 +153,7 @@ TEST_CASE("a server at a revision that this server never had, inside a message, 
   }
 }
 
-TEST_CASE("of three the one that says otherwise is wrong") {
+TEST_CASE("one of three servers with another state is wrong") {
   const StateComparison::TimePoint now{};
   const auto verdict = [&](std::uint32_t self, edits::StateHash hash) {
     StateComparison own{of(self)};

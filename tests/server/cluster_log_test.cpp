@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 using cluster::Lost;
 using Kind = edits::Applied::Kind;
 
-TEST_CASE("what one server takes all apply, and it is answered where it was taken") {
+TEST_CASE("an edit taken at one server is applied at all, and answered where it was taken") {
   ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;

@@ -104,7 +104,7 @@ TEST_CASE("a publisher writes nothing more into a stream that is another, and an
   CHECK(cluster.stream.attempts == before + 1);
 }
 
-TEST_CASE("what waits when a server stops for good is answered, and not published any more") {
+TEST_CASE("edits that wait when a server stops for good are answered, and not published any more") {
   ClusterInMemory cluster{1};
   cluster.open();
   Answers answers;
@@ -198,7 +198,7 @@ TEST_CASE("a server has one number, however often it starts") {
   CHECK(cluster::server_number(scratch.path()) == other);
 }
 
-TEST_CASE("of three servers the one whose state is another takes itself out, and the others go on") {
+TEST_CASE("one of three servers with another state takes itself out, and the others continue") {
   ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
@@ -229,7 +229,8 @@ TEST_CASE("of three servers the one whose state is another takes itself out, and
 }
 
 TEST_CASE(
-    "what a power cut takes of a server's end is read from the log again, and what was synced is missed") {
+    "the end that a power cut takes from a server is read from the log again, and lost synced entries are "
+    "noticed") {
   ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;

@@ -60,7 +60,7 @@ TEST_CASE("a message of a format that the stream has not enabled is passed over 
   CHECK(cluster.log(2).status().head.hash == cluster.log(0).status().head.hash);
 }
 
-TEST_CASE("of several formats that are enabled the first that this talusd does not read stops it") {
+TEST_CASE("the first enabled format that this talusd cannot read stops it") {
   ClusterInMemory cluster{1};
   cluster.stream.describe(fmt::format("log format {} from message 5, {} from message 9",
                                       cluster::kLogFormat + 1, cluster::kLogFormat + 2));

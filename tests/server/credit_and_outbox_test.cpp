@@ -102,7 +102,7 @@ TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
   CHECK_FALSE(credit.taken(3 * frame_bytes + 1).has_value());
 }
 
-TEST_CASE("what an output would copy is all that waits, but of large chunks their heads alone") {
+TEST_CASE("an output copies all waiting bytes, but only the heads of large chunks") {
   Outbox outbox;
   CHECK(outbox.bytes_to_copy(Output::kCopyAll) == 0);
   CHECK(outbox.bytes_to_copy(0) == 0);
@@ -172,7 +172,7 @@ TEST_CASE("requests and the View share by bytes, within one chunk, while both ha
   }));
 }
 
-TEST_CASE("what a lane was sent while the other was empty is not held against it") {
+TEST_CASE("bytes sent by a lane while the other was empty do not count against it") {
   Outbox outbox;
   Credit credit{kAll};
   for (int chunk = 0; chunk < 50; ++chunk) outbox.push_chunk(entry(1, 1000));
@@ -306,7 +306,7 @@ struct EditedLand {
 
 }  // namespace
 
-TEST_CASE("however much of the land is edited, half of what goes is the View's while it has chunks") {
+TEST_CASE("half of the bytes are the View's while it has chunks, however much of the land is edited") {
   const std::size_t broadcast_bytes = GENERATE(std::size_t{0}, std::size_t{40}, std::size_t{4000});
   const std::size_t chunk_bytes = GENERATE(std::size_t{0}, std::size_t{25'000});
   const std::int32_t edited = chunk_bytes == 0 ? 1 : 60;  // one: broadcasts alone

@@ -129,7 +129,7 @@ TEST_CASE("sessions that leave are not counted twice, and young ones stay") {
   CHECK(bench.players.back()->told == 0);
 }
 
-TEST_CASE("of several ways through a balancer that which has too many players here sends some of its own") {
+TEST_CASE("a way through a balancer with too many players here sends some of its own") {
   Bench bench;
   bench.join(20, 4780);
   bench.join(20, 4810);

@@ -50,7 +50,7 @@ TEST_CASE("each measure has its own top") {
   CHECK(flows.refusals() == 3);
 }
 
-TEST_CASE("what a flow adds before it leaves counts, and then it is forgotten") {
+TEST_CASE("a flow's use before it leaves counts, and then it is forgotten") {
   FlowUses flows;
   auto leaving = flows.of_address(kAddress, "192.0.2.1");
   flows.collect(Clock::time_point{1s});
@@ -118,7 +118,7 @@ TEST_CASE("a long name is cut, and says so") {
   }
 }
 
-TEST_CASE("whichever allocation fails in a look, the next one collects what it did not") {
+TEST_CASE("if any allocation fails during collection, the next collection has the rest") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);

@@ -44,7 +44,7 @@ TEST_CASE("small patches are put back up to a number, and without a limit of mem
   CHECK(GeneratorMemory{none, 2, silent(), kMebibyte << 10}.max_begun() == GeneratorMemory::kMostBegun);
 }
 
-TEST_CASE("what was put back is in the budget as long as it is") {
+TEST_CASE("returned patches count in the budget as long as they exist") {
   MemoryBudget budget{256 * kMebibyte};
   GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
   memory.note_patch(1);
@@ -69,7 +69,7 @@ TEST_CASE("an end that is reported before its begin is harmless") {
 }
 
 // Else connections may be refused for good: nothing else would tell the budget of what is no more.
-TEST_CASE("what threads put back and take at once is in the budget as it is when they are done") {
+TEST_CASE("patches that threads return and take at once count in the budget at the end") {
   MemoryBudget budget{256 * kMebibyte};
   GeneratorMemory memory{budget, 2, silent(), 2 * kMebibyte};
   memory.note_patch(1);

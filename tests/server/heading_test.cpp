@@ -22,7 +22,7 @@ TEST_CASE("a View that never moved has nothing ahead of it, wherever it is") {
   }
 }
 
-TEST_CASE("what a ring comes to have lies ahead of it, and where the finer level leaves it") {
+TEST_CASE("chunks that a ring will reach lie ahead of it, also where the finer level leaves it") {
   Heading heading;
   heading.move_to({0, 0, 0}, 64);
   heading.move_to({12, 0, -1}, 64);
@@ -69,7 +69,7 @@ TEST_CASE("a View that stands or rises keeps its heading; after a jump it has no
   CHECK(heading.ahead(around(0, 500)).front().z == ChunkRange{492, 508});
 }
 
-TEST_CASE("what is ahead ends at the world's edge") {
+TEST_CASE("the area ahead ends at the world's edge") {
   constexpr std::int64_t kEnd = std::int64_t{1} << 31;
   Heading heading;
   heading.move_to({kEnd - 4, 0, 0}, 8);

@@ -63,7 +63,7 @@ TEST_CASE("a flow that uses little each time, and often, is listed in the end, t
   CHECK(std::find(listed.begin(), listed.end(), "99") != listed.end());
 }
 
-TEST_CASE("what a flow may have used long ago does not keep it listed") {
+TEST_CASE("a flow's possible use long ago does not keep it listed") {
   HeavyHitters hitters{2};
   for (std::uint64_t id = 1; id <= 3; ++id) use(hitters, id, 1'000'000);
   hitters.cut();
@@ -79,7 +79,7 @@ TEST_CASE("what a flow may have used long ago does not keep it listed") {
   CHECK(listed == std::vector<std::string>{"6", "7"});
 }
 
-TEST_CASE("of many flows the heaviest stay, however they come") {
+TEST_CASE("the heaviest of many flows stay, in any order of arrival") {
   // Few use much, many use little, and each little one comes once: what a table that forgets what it cuts
   // off, or that favours who came last, does not survive.
   REQUIRE(rc::check("the heaviest flows are listed, and none is overestimated", [] {
@@ -138,7 +138,7 @@ TEST_CASE("the ten heaviest of a skewed stream of 100,000 flows are the ten show
         std::vector<std::string>{"1", "2", "3", "4", "5", "6", "7", "8", "9", "10"});
 }
 
-TEST_CASE("whichever allocation fails while flows are added and cut, each has its own figures then") {
+TEST_CASE("if any allocation fails while flows are added and cut, each keeps its own figures") {
   constexpr std::uint64_t kFlows = 12;
   std::deque<FlowUse> flows;
   for (std::uint64_t id = 1; id <= kFlows; ++id) {

@@ -92,7 +92,7 @@ TEMPLATE_TEST_CASE("pipelined requests are answered in their order, however they
   }
 }
 
-TEMPLATE_TEST_CASE("what follows the last request of a connection is not answered", "", LoopbackStream,
+TEMPLATE_TEST_CASE("bytes after the last request of a connection are not answered", "", LoopbackStream,
                    EagerLoopbackStream) {
   Bench<TestType> bench;
   const auto client = bench.connect();

@@ -93,7 +93,7 @@ TEST_CASE("fields of one name are one list, in their order") {
   CHECK(request.list("c").empty());
 }
 
-TEST_CASE("however its bytes are cut a request is the same") {
+TEST_CASE("a request is the same however its bytes are cut") {
   const std::string text = kGet + "HEAD /-/ready HTTP/1.0\r\nConnection: keep-alive\r\n\r\n" + kGet;
   const Parsed whole = parse(text);
   REQUIRE(whole.requests.size() == 3);
@@ -168,7 +168,7 @@ TEST_CASE("half a request is neither a request nor an error") {
   CHECK_FALSE(parse(kGet).mid_request);
 }
 
-TEST_CASE("what keeps a connection open follows the version and the field") {
+TEST_CASE("the version and the field decide if a connection is kept open") {
   const auto keeps = [](const std::string& text) { return parse(text).requests.at(0).keep_alive; };
   CHECK(keeps("GET / HTTP/1.1\r\nHost: a\r\n\r\n"));
   CHECK_FALSE(keeps("GET / HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n"));
@@ -176,7 +176,7 @@ TEST_CASE("what keeps a connection open follows the version and the field") {
   CHECK(keeps("GET / HTTP/1.0\r\nConnection: keep-alive\r\n\r\n"));
 }
 
-TEST_CASE("what is not HTTP is a 400") {
+TEST_CASE("a request that is not HTTP is a 400") {
   CHECK(error_of("\x16\x03\x01 this is not HTTP\r\n\r\n") == 400);
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nNo colon\r\n\r\n") == 400);
   CHECK(error_of("GET / HTTP/1.1\r\nHost: a\r\nX: a\x01\r\n\r\n") == 400);

@@ -7,7 +7,7 @@
 
 using namespace talus::server;
 
-TEST_CASE("what a handler throws ends no thread") {
+TEST_CASE("an exception of a handler ends no thread") {
   constexpr int kThreads = 3;
   IoPool pool{kThreads, std::make_shared<spdlog::logger>("silent")};
   std::atomic<int> still_served = 0;

@@ -309,7 +309,7 @@ TEST_CASE("a store whose last message is not in the stream is not replaced, howe
   CHECK_FALSE(joiner.kept_the_old_one());
 }
 
-TEST_CASE("of stores that were replaced by joining two are kept, and all that a person had replaced") {
+TEST_CASE("two stores replaced by joining are kept, and all that an operator replaced") {
   Peer peer;
   peer.store.enter(place_at(60));
   Joiner joiner;
@@ -367,7 +367,7 @@ struct AsidePeer {
   std::string url;
 };
 
-TEST_CASE("where all have put their stores aside the one that has read most uses its own again") {
+TEST_CASE("if all servers have put their stores aside the one that has read most uses its own again") {
   Peer before;
   before.store.enter(place_at(20));
   Joiner joiner;

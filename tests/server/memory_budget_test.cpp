@@ -172,7 +172,7 @@ TEST_CASE("work resumes once each time that enough memory is returned, by any ho
   CHECK(resumed == 3);
 }
 
-TEST_CASE("whatever threads take and give at once, the gate is in the end where the level puts it") {
+TEST_CASE("the gate ends where the level puts it, whatever threads take and give at once") {
   MemoryBudget budget{kBudget};
   std::atomic<int> resumed{0};
   budget.when_jobs_resume([&] { ++resumed; });

@@ -58,7 +58,7 @@ TEST_CASE("a patch has the most tiles with which it takes no longer than 50 ms")
   }
 }
 
-TEST_CASE("where the halo is most of the work, a patch may take twice as long as a lone tile") {
+TEST_CASE("a patch may take twice as long as a lone tile if the halo is most of the work") {
   // 64 steps: 288 x 288 columns for one tile, 320 x 320 for four, 384 x 384 for sixteen.
   const PatchSize size = choose_patch_size(300ms, 128);
   CHECK(size.tiles == 4);

@@ -119,7 +119,7 @@ TEST_CASE("of a patch in a View only the requested chunks are made, and it is re
   CHECK(bench.store.bytes() == 0);
 }
 
-TEST_CASE("what is extracted for Views ends with the server, and the patch stays") {
+TEST_CASE("extraction for Views ends with the server, and the patch stays") {
   Bench bench;
   const ChunkRange any{-100, 100};
   bench.wanted.set(ClientId{1}, std::array{LevelBox{Lod{}, any, any, any, {}, {}}});
@@ -212,7 +212,7 @@ TEST_CASE("chunks of a dear patch are kept on disk when it goes, and read instea
   CHECK_FALSE(later->store.read_columns({0, 0, Lod{}}, asked));  // cutting it is cheaper
 }
 
-TEST_CASE("whichever allocation fails while a patch is obtained, the store is whole and used on") {
+TEST_CASE("if any allocation fails while a patch is obtained, the store is whole and usable") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -245,7 +245,7 @@ TEST_CASE("whichever allocation fails while a patch is obtained, the store is wh
   }
 }
 
-TEST_CASE("whichever allocation fails while evicted patches are extracted, what was cached is whole") {
+TEST_CASE("if any allocation fails while evicted patches are extracted, cached chunks are whole") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -312,7 +312,7 @@ TEST_CASE("if any allocation fails while the rows of a patch are noted, the note
   }
 }
 
-TEST_CASE("of a deep column only the lowest rows are extracted") {
+TEST_CASE("only the lowest rows of a deep column are extracted") {
   Bench bench;
   bench.work->first_mixed = -100;
   bench.work->last_mixed = 100;

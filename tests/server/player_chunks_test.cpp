@@ -147,7 +147,7 @@ TEST_CASE("a square holds its columns row by row") {
   CHECK(site.ask(kChunks + "/0/3/-2/2x2").status == 404);
 }
 
-TEST_CASE("what is over 4 MiB has to be asked for chunk by chunk, a column as a square") {
+TEST_CASE("an answer over 4 MiB must be requested chunk by chunk, a column as a square") {
   PlayerSite site;
   site.source.rows = {0, 39, MaterialId{3}};
   const auto fill = [&](std::size_t payload_bytes) {

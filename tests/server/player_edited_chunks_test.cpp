@@ -148,7 +148,7 @@ TEST_CASE("a column with edits has the rows that were edited, and the greatest r
   CHECK(site.source.submitted == 0);
 }
 
-TEST_CASE("where nothing is known of a column with edits, it has all rows that were edited") {
+TEST_CASE("a column with edits but unknown rows has all rows that were edited") {
   PlayerSite site;
   site.edited.rows = {};
   for (std::int32_t y = -30; y <= 30; ++y) {

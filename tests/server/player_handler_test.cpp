@@ -42,7 +42,7 @@ TEST_CASE("a stream requested in HTTP/1.0 is refused: 426, and the connection cl
   CHECK(client->shut);
 }
 
-TEST_CASE("where a token is needed, no cache keeps a chunk unless chunks are public") {
+TEST_CASE("if a token is required, no cache keeps a chunk unless chunks are public") {
   const ScratchDirectory scratch;
   for (const bool chunks_are_public : {false, true}) {
     PlayerSite site{with_secret(scratch)};
@@ -157,7 +157,7 @@ TEST_CASE("a client's own values before a proxy's X-Forwarded-For name no client
   CHECK(site.ask(*site.connect(), "/v1/world", forging(3)).status == 503);
 }
 
-TEST_CASE("whatever is answered counts as a request") {
+TEST_CASE("every answer counts as a request") {
   const std::string region = kStore + "/edits/0/-1/0";
   for (const std::string& target : {std::string{"/v1/world"}, std::string{"/v1/nothing"},
                                     std::string{"/v1/heights?columns=x"}, std::string{"/"}, region}) {
@@ -188,7 +188,7 @@ TEST_CASE("a client that hangs up while its chunk is made no longer waits") {
   CHECK(site.admission.connections() == 0);
 }
 
-TEST_CASE("what every cache may keep is one copy that any page may read") {
+TEST_CASE("an answer for every cache is one copy that any page may read") {
   PlayerSite site;
   site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
   for (const char* const fields : {"", "Origin: https://b.example\r\n"}) {
@@ -198,7 +198,7 @@ TEST_CASE("what every cache may keep is one copy that any page may read") {
   }
 }
 
-TEST_CASE("where origins are listed, every answer of /v1 is theirs and the own host's alone") {
+TEST_CASE("if origins are listed, only they and the server's own host may read answers of /v1") {
   PlayerSite site;
   site.settings.origins = *AllowedOrigins::parse("https://play.example");
   site.source.rows = {0, 0, MaterialId{3}};

@@ -73,7 +73,7 @@ TEST_CASE("a PROXY header says which IPv6 address and port it speaks for") {
   CHECK(client.value() == asio::ip::tcp::endpoint{asio::ip::make_address("2001:db8::9"), 80});
 }
 
-TEST_CASE("what proxies add to a PROXY header after the addresses is passed over") {
+TEST_CASE("extra bytes after the addresses of a PROXY header are passed over") {
   Bytes body = kTcp4Body;
   body.insert(body.end(), {0x04, 0x00, 0x03, 1, 2, 3});  // PP2_TYPE_NOOP
   CHECK(read(header(0x21, 0x11, body)).value() == read(header(0x21, 0x11, kTcp4Body)).value());
@@ -105,8 +105,7 @@ TEST_CASE("every byte of a PROXY header's signature counts") {
   }
 }
 
-TEST_CASE(
-    "whatever a proxy sends, a header is bounded and has the bytes of its addresses, or it is refused") {
+TEST_CASE("a PROXY header is bounded and has the bytes of its addresses, or is refused") {
   const auto holds = rc::check([] {
     // Half of them almost right, or none would get past the signature.
     Bytes bytes = *rc::gen::container<Bytes>(kProxyPrefixBytes, rc::gen::arbitrary<std::uint8_t>());

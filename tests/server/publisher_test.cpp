@@ -95,7 +95,7 @@ TEST_CASE("messages are apart by some times what acknowledgements take, and neve
   CHECK(pace.now() < 1500us);
 }
 
-TEST_CASE("what comes while a message is in flight is in the next, when the pace allows it") {
+TEST_CASE("edits that come while a message is in flight are in the next, when the pace allows it") {
   SlowStream stream;
   const ManualClock clock;
   Publisher publisher{{stream, clock, kOwnStore, 1, nullptr, [] { return Publisher::Stand{}; }, [] {}}};

@@ -262,7 +262,7 @@ TEST_CASE("the smaller of the allowances counts") {
   CHECK(rates.allowance(kStart).bytes == 500);
 }
 
-TEST_CASE("what one session of an address sends, another may not") {
+TEST_CASE("chunks sent to one session of an address count for another") {
   const RateLimits limits{{}, {{10, 3}, {}, {}}};
   const auto address = std::make_shared<AddressBuckets>();
   SessionRates one{limits, address, kInFlight};
@@ -273,7 +273,7 @@ TEST_CASE("what one session of an address sends, another may not") {
   CHECK(one.chunks_due(kStart).throttled == RateKind::address_chunks);
 }
 
-TEST_CASE("what a session has reserved of its address's rates is others' when it ends") {
+TEST_CASE("a session's reservation of its address's rates is free for others when it ends") {
   const RateLimits limits{{}, {{1000, 100}, {100'000, 10'000}, {}}};
   const auto address = std::make_shared<AddressBuckets>();
   SessionRates one{limits, address, kInFlight};

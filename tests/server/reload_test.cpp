@@ -24,7 +24,7 @@ TEST_CASE("settings that differ are named with both values, and when they count"
                      "rates.session_bytes: 2097152 -> 1000", "rates.burst_ms: 32000 -> 500"});
 }
 
-TEST_CASE("what needs a restart stays, and is named again the next time") {
+TEST_CASE("a setting that needs a restart stays, and is named again the next time") {
   Config before;
   Config after;
   after.threads.io = 7;

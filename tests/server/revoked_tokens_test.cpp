@@ -50,7 +50,7 @@ TEST_CASE("a list names tokens by jti, or by subject and the time before which t
   CHECK_FALSE(revoked->contains("", "alice", kNow));
 }
 
-TEST_CASE("of two lines of one subject the later time counts") {
+TEST_CASE("the later time of two lines of one subject counts") {
   for (const auto& [first, second] : {std::pair{kBeforeNow, kAfterNow}, std::pair{kAfterNow, kBeforeNow}}) {
     const auto revoked = RevokedTokens::parse("sub " + first + " a\nsub " + second + " a");
     CHECK(revoked.value().contains("", "a", kNow));

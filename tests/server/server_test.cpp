@@ -69,7 +69,7 @@ std::string log_of_reload(const Config& config, const ReadSettings& read_setting
 
 }  // namespace
 
-TEST_CASE("what goes wrong while settings are read again does not end the server") {
+TEST_CASE("an error while settings are read again does not end the server") {
   const auto lines =
       log_of_reload(on_any_port(), []() -> tl::expected<Config, std::string> { throw std::bad_alloc{}; });
   CHECK_THAT(lines, Catch::Contains("SIGHUP: std::bad_alloc; the old settings stay in use") &&

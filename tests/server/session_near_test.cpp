@@ -17,7 +17,7 @@ bool is_near(ChunkKey key, std::int32_t centre_x = 0) {
 
 }  // namespace
 
-TEST_CASE("of a View the two nearest rings are wanted soon") {
+TEST_CASE("the two nearest rings of a View are wanted soon") {
   SessionBench bench;
   bench.look_at(0, 3, 3);
   std::set<ChunkKey> near;
@@ -47,7 +47,7 @@ TEST_CASE("a near chunk for which a request waits already is hastened") {
   CHECK(bench.source.wanted_soon.contains(chunk_at(0)));
 }
 
-TEST_CASE("what is asked for by id is wanted later") {
+TEST_CASE("a chunk requested by id is wanted later") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(0));
   CHECK(bench.source.waiting.size() == 1);

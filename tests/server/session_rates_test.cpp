@@ -115,7 +115,7 @@ TEST_CASE("Welcome has the rates of the session and of its address, if they appl
   CHECK(limits->address_rates()->requests() == (has_address ? 90 : 0));
 }
 
-TEST_CASE("what is refused as too fast or too many is added to the flow, and no other Error") {
+TEST_CASE("refusals as too fast or too many count for the flow, and no other Error") {
   SessionBench bench{{.rates = requests({10, 4})}};
   bench.get_chunk(1, chunk_at(0));
   bench.get_chunk(1, chunk_at(0));  // duplicate_id

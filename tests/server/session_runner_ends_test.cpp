@@ -170,7 +170,7 @@ TEST_CASE("nothing more is read from a client that does not read its answers") {
   CHECK(bench.frames(*client).size() == 1001);
 }
 
-TEST_CASE("where memory is short little is read from a client that does not read its answers") {
+TEST_CASE("if memory is short little is read from a client that does not read its answers") {
   Bench bench{256U << 20};
   const auto client = bench.greeted();
   client->room = 0;

@@ -130,7 +130,7 @@ TEST_CASE("an error of the stream ends its session") {
   bench.check_gone(*client);
 }
 
-TEST_CASE("what a session's work throws ends it and no other") {
+TEST_CASE("an exception of a session's work ends only that session") {
   struct ThrowingSource final : ChunkSource {
     EncodedChunkPtr find(ChunkKey) override { throw std::bad_alloc{}; }
     EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
@@ -196,7 +196,7 @@ TEST_CASE("a client whose View waits to be applied is read, until it sends anoth
   CHECK(std::count(kinds.begin(), kinds.end(), wire::Body::Pong) == 1);
 }
 
-TEST_CASE("of many Views that come at once no chunk that stayed in all of them comes twice") {
+TEST_CASE("a chunk that stays in many Views at once is not sent twice") {
   Bench bench;
   const auto client = bench.greeted();
   std::map<std::int32_t, int> came;  // by x
@@ -239,7 +239,7 @@ TEST_CASE("a View that waits when its client shuts its sending side is applied a
   bench.check_gone(*client);
 }
 
-TEST_CASE("however much one client takes, another's Pong waits for two of its batches at most") {
+TEST_CASE("a Pong waits for two batches of another client at most") {
   Bench bench;
   bench.source.payload_bytes = 20'000;
   const auto greedy = bench.greeted();
@@ -291,7 +291,7 @@ protocol::Frame guarded_edit(std::uint32_t id, std::size_t guards) {
 
 }  // namespace
 
-TEST_CASE("of a client whose edits wait no more is read once they take a quarter of what may be queued") {
+TEST_CASE("a client's waiting edits are read until they take a quarter of the queue's bytes") {
   WaitingTaker taker;
   Access who_may;
   who_may.without_token = "read,edit";

@@ -108,7 +108,7 @@ TEST_CASE("a frame in progress is in the budget, before Hello too") {
   CHECK(bench.memory.used(MemoryUse::sessions) <= before + 4096);
 }
 
-TEST_CASE("where memory is short a large frame ends its session, and a common one does not") {
+TEST_CASE("if memory is short a large frame ends its session, and a common one does not") {
   constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
   SessionBench bench{{.memory_bytes = kLimit}};
   bench.memory.set(MemoryUse::jobs, kLimit);
@@ -132,7 +132,7 @@ TEST_CASE("a View that waits is in the budget with what it comes to take") {
   CHECK(bench.memory.used(MemoryUse::sessions) <= promised + Delivery::kMaxViewInFlight * 256 + kPage);
 }
 
-TEST_CASE("where memory is short a View may move, and a larger one is refused with a time to retry after") {
+TEST_CASE("if memory is short a View may move, and a larger one is refused with a time to retry after") {
   constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
   SessionBench bench{{.memory_bytes = kLimit}};
   bench.look_at(0, 2);
@@ -448,7 +448,7 @@ TEST_CASE("no more than kMaxWaits chunks of a session wait for the source") {
   CHECK(bench.source.waiting.size() == Delivery::kMaxWaits);
 }
 
-TEST_CASE("what may be written at once may be written whenever the caller looked at the clock") {
+TEST_CASE("frames that may be written at once may be written at any reading of the clock") {
   SessionBench bench;
   const auto before = bench.clock.now();
   bench.clock.advance(1s);

@@ -22,7 +22,7 @@ bool same_square(ChunkKey a, ChunkKey b) {
 
 }  // namespace
 
-TEST_CASE("of each square of columns the chunks are asked for at once, the nearest first") {
+TEST_CASE("the chunks of each square of columns are requested at once, the nearest first") {
   Bench bench;
   bench.look_at(1, 3);
   REQUIRE_FALSE(bench.source.submissions.empty());
@@ -41,7 +41,7 @@ TEST_CASE("of each square of columns the chunks are asked for at once, the neare
   CHECK(bench.source.submissions.size() <= 9);  // 3 x 3 squares, none asked twice
 }
 
-TEST_CASE("what is much farther away than the nearest of its square is asked for in its turn") {
+TEST_CASE("a chunk much farther away than the nearest of its square is requested in its turn") {
   Bench bench;
   bench.look_at(0, 1, 9);
   const auto& first = bench.source.submissions.front();
@@ -51,7 +51,7 @@ TEST_CASE("what is much farther away than the nearest of its square is asked for
   CHECK(bench.source.submitted == 9 * 19);
 }
 
-TEST_CASE("what a full queue refuses of a square is asked for again") {
+TEST_CASE("a chunk of a square that a full queue refuses is requested again") {
   Bench bench;
   bench.source.queue_places = 5;
   bench.look_at(0, 2);

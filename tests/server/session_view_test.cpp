@@ -58,7 +58,7 @@ TEST_CASE("the source receives the chunks of a View, and its next chunks if it m
   CHECK(bench.source.wanted.empty());
 }
 
-TEST_CASE("what was sent and stays in the View is not sent again") {
+TEST_CASE("a sent chunk that stays in the View is not sent again") {
   SessionBench bench;
   bench.look_at(0, 1);
   (void)bench.run_dry();
@@ -161,7 +161,7 @@ TEST_CASE("a chunk that left the View is still made for the request that waits f
   CHECK(said[0].id + said[1].id == 1);
 }
 
-TEST_CASE("what left in a View that was never applied is sent again") {
+TEST_CASE("a chunk that left in a View that was never applied is sent again") {
   SessionBench bench;
   bench.look_at(0, 0);
   CHECK(bench.run_dry().size() == 1);
@@ -180,7 +180,7 @@ TEST_CASE("any number of Views of the same chunks between two looks has nothing 
   CHECK(bench.run_dry().empty());
 }
 
-TEST_CASE("what was in flight when it left in a View that was never applied is sent once") {
+TEST_CASE("a chunk in flight that left in a View that was never applied is sent once") {
   SessionBench bench;
   bench.look_at(0, 0);
   bench.say_view(1000, 0);

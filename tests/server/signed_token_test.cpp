@@ -111,7 +111,7 @@ TEST_CASE("the type of a token is JWT, in any case, or missing") {
   CHECK_FALSE(read(raw_token(R"({"alg":"HS256","typ":"at+jwt"})", kGoodClaims)).has_value());
 }
 
-TEST_CASE("of a claim that appears twice the last counts") {
+TEST_CASE("the last of a claim that appears twice counts") {
   CHECK(read(raw_token(kHs256, R"({"exp": 5, "exp": 1800009999})"))->expires == sys_seconds{1'800'009'999s});
   CHECK_FALSE(read(raw_token(kHs256, R"({"exp": 1800009999, "exp": 5})")).has_value());
 }

@@ -196,7 +196,7 @@ TEST_CASE("pages may compile WebAssembly where the site has some") {
   }
 }
 
-TEST_CASE("what is not there says where the viewer is, from wherever it was looked for") {
+TEST_CASE("a missing page names the viewer's place, for any path") {
   const Dist dist;
   const auto site = dist.read();
   const http::Response missing = site_answer(site.get(), request_of("/a/b/c"));

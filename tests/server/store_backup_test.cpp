@@ -316,7 +316,7 @@ TEST_CASE("a compacted store is the same store") {
   CHECK(store::ReadOnlyStore::open(data.path).value()->meta() == before);
 }
 
-TEST_CASE("what does not fit on the disk is not begun") {
+TEST_CASE("a backup that does not fit on the disk is not begun") {
   const ScratchDirectory scratch;
   CHECK(store::check_space(scratch.path(), 1'000).has_value());
   const auto refused = store::check_space(scratch.path(), std::uint64_t{1} << 60U);

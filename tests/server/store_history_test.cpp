@@ -84,7 +84,7 @@ TEST_CASE("a store that was just imported has no records, and history says so") 
   CHECK(voxel.at("changes") == HistoryJson::array());
 }
 
-TEST_CASE("where a subject has no entries, history says so and names who has") {
+TEST_CASE("if a subject has no entries, history says so and names subjects that have") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   const fs::path path = scratch / "data";
   {
@@ -148,7 +148,7 @@ TEST_CASE("a long history is printed in pages, and as JSON it is one document") 
   }
 }
 
-TEST_CASE("what is not flushed yet counts among a store's editors and history") {
+TEST_CASE("unflushed entries count among a store's editors and history") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "data"};
   store.log_settings.flush_interval = std::chrono::hours{1};

@@ -196,7 +196,7 @@ TEST_CASE("an import that is refused leaves nothing of a directory that it made"
   }
 }
 
-TEST_CASE("what a rebase that drops unknown materials leaves can be exported") {
+TEST_CASE("a store after a rebase that drops unknown materials can be exported") {
   const ScratchDirectory scratch;
   const auto world = terrain::World::parse(
       read_whole(fs::path{TALUS_SOURCE_DIR} / "core/worlds/classic.toml"), "classic.toml");

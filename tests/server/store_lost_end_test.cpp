@@ -102,7 +102,7 @@ constexpr std::array kCommands{&Killed::backup, &Killed::export_again, &Killed::
 
 }  // namespace
 
-TEST_CASE("of a store whose log lost its end nothing is made") {
+TEST_CASE("commands refuse a store whose log lost its end") {
   const Killed store;
   store.lose_end();
   for (const auto command : kCommands) {

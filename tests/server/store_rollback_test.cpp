@@ -225,7 +225,7 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
   CHECK(std::ranges::find(after, ChunkKey{{1, 0, 0}, Lod{}}) != after.end());
 }
 
-TEST_CASE("what changes between a rollback's plan and its edits stays as it is") {
+TEST_CASE("a voxel that changes between a rollback's plan and its edits stays") {
   Griefed griefed{5};
   const std::int64_t since = griefed.next_moment();
   griefed.edit(100, true);

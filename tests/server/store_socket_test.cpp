@@ -140,7 +140,7 @@ TEST_CASE("a checkpoint under edits is one moment of the store, and goes with it
   edits.join();
 }
 
-TEST_CASE("where the disk has no place for a checkpoint the files are read and backed up as they lie") {
+TEST_CASE("if the disk has no place for a checkpoint the files are read and backed up as they lie") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   Served served{scratch / "data", {}, UINT64_MAX};
   TestEditor editor;

@@ -55,7 +55,7 @@ TEST_CASE("subjects are shown as they are where that is seen, and all other byte
   }
 }
 
-TEST_CASE("whatever bytes a subject has, its text is on one line, its own, and read back") {
+TEST_CASE("a subject's text is unique, on one line, and read back, whatever its bytes") {
   std::mt19937_64 random{20260131};
   std::set<std::string> texts;
   std::set<std::string> subjects;
@@ -86,7 +86,7 @@ TEST_CASE("a subject may be given with its other bytes as \\xNN too, but no half
   }
 }
 
-TEST_CASE("what history calls a subject gives its edits back") {
+TEST_CASE("a subject as history prints it selects its edits for a rollback") {
   const std::string subject = GENERATE(as<std::string>{}, "", "J\u00fcrgen \\ \"M\"", "\xff\n (no token)");
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   const std::string path = scratch / "data";

@@ -185,7 +185,7 @@ TEST_CASE("looks and fields match the places") {
   CHECK(looks.size() > 3);
 }
 
-TEST_CASE("what is given up or waits halfway leaves the next patch right") {
+TEST_CASE("a patch that is given up or waits halfway leaves the next patch right") {
   const TerrainGenerator generator{world(), kTiles};
   const PatchKey patch{3, -2, Lod{}};
   const auto given_up = generator.start_patch(patch, {});

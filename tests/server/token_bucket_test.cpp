@@ -98,7 +98,7 @@ TEST_CASE("a bucket that is always emptied at once gives its rate for ever, to t
   }));
 }
 
-TEST_CASE("what is overdrawn is waited for") {
+TEST_CASE("an overdrawn bucket makes later requests wait") {
   const Rate rate{10, 5};
   TokenBucket bucket;
   bucket.spend(rate, at(0), 25);

@@ -56,7 +56,7 @@ TEST_CASE("a chunk that could not be had comes again, in its place") {
   CHECK(next(stream) != second);
 }
 
-TEST_CASE("what was sent and is still wanted is not sent again") {
+TEST_CASE("a sent chunk that is still wanted is not sent again") {
   ViewStream stream;
   stream.replace(only(1));
   stream.done(*next(stream));
@@ -64,7 +64,7 @@ TEST_CASE("what was sent and is still wanted is not sent again") {
   CHECK(next(stream) == std::nullopt);
 }
 
-TEST_CASE("what left and comes back is sent again") {
+TEST_CASE("a chunk that left and returns is sent again") {
   ViewStream stream;
   stream.replace(only(1));
   stream.done(*next(stream));

@@ -55,7 +55,7 @@ TEST_CASE("a View with a horizon is another than that without") {
   CHECK_FALSE(view.stream().wants(above));
 }
 
-TEST_CASE("what was in flight and left is so no more") {
+TEST_CASE("a chunk in flight that left is no longer in flight") {
   ViewSubscription view;
   view.request(around(1));
   view.apply();
@@ -65,7 +65,7 @@ TEST_CASE("what was in flight and left is so no more") {
   CHECK_FALSE(view.stream().in_flight(at(1)));
 }
 
-TEST_CASE("what left in a View that was never applied is to be sent again") {
+TEST_CASE("a chunk that left in a View that was never applied must be sent again") {
   const int away = GENERATE(1, 7, 8, 9, 100);
   ViewSubscription view;
   view.request(around(1));
@@ -77,7 +77,7 @@ TEST_CASE("what left in a View that was never applied is to be sent again") {
   CHECK(send_next(view) == at(1));
 }
 
-TEST_CASE("what stayed in every View is not sent again") {
+TEST_CASE("a chunk that stayed in every View is not sent again") {
   const int views = GENERATE(1, 7, 8);
   ViewSubscription view;
   view.request(around(0));
@@ -98,7 +98,7 @@ TEST_CASE("the client knows a chunk by its hash") {
   CHECK_FALSE(view.knows(at(2), kHash));
 }
 
-TEST_CASE("what the client knows is forgotten when the chunk is done") {
+TEST_CASE("a chunk that the client has is forgotten when the chunk is done") {
   ViewSubscription view;
   view.request(around(1));
   view.add_known(at(1), kHash);
@@ -107,7 +107,7 @@ TEST_CASE("what the client knows is forgotten when the chunk is done") {
   CHECK(view.known_chunks() == 0);
 }
 
-TEST_CASE("what the client knows outside its View is forgotten by apply()") {
+TEST_CASE("a chunk that the client has outside its View is forgotten by apply()") {
   ViewSubscription view;
   for (std::int32_t x = 0; x < 100; ++x) view.add_known(at(x), kHash);
   view.request(around(5));
@@ -115,7 +115,7 @@ TEST_CASE("what the client knows outside its View is forgotten by apply()") {
   CHECK(view.known_chunks() == 1);
 }
 
-TEST_CASE("what the client knows by a View that was never applied stays known while later Views have it") {
+TEST_CASE("a chunk known by a View that was never applied stays known while later Views have it") {
   ViewSubscription view;
   view.request(around(1, 1));
   view.add_known(at(1), kHash);
@@ -124,7 +124,7 @@ TEST_CASE("what the client knows by a View that was never applied stays known wh
   CHECK(view.knows(at(1), kHash));
 }
 
-TEST_CASE("what left in a View that was never applied is not known when it comes back") {
+TEST_CASE("a chunk that left in a View that was never applied is not known when it returns") {
   ViewSubscription view;
   view.request(around(1));
   view.add_known(at(1), kHash);
@@ -136,7 +136,7 @@ TEST_CASE("what left in a View that was never applied is not known when it comes
   CHECK_FALSE(view.knows(at(1), kHash));
 }
 
-TEST_CASE("what Views that were never applied knew takes no room from the newest") {
+TEST_CASE("chunks known by Views that were never applied take no room from the newest") {
   ViewSubscription view;
   view.request(around(0, 100));
   for (std::int32_t x = 0; x < 20'000; ++x) view.add_known({{x % 100, 0, x / 100}, Lod{}}, kHash);
@@ -146,7 +146,7 @@ TEST_CASE("what Views that were never applied knew takes no room from the newest
   CHECK(view.knows(at(5000), kHash));
 }
 
-TEST_CASE("what the client knows is bounded") {
+TEST_CASE("the number of chunks known to the client is bounded") {
   ViewSubscription view;
   for (std::int32_t x = 0; x < 20'000; ++x) view.add_known(at(x), kHash);
   CHECK(view.known_chunks() == ViewSubscription::kMaxKnownChunks);

@@ -66,7 +66,7 @@ TEST_CASE("a path of a store without a revision gets an error that asks for it")
   }
 }
 
-TEST_CASE("what has edits has the store behind the fingerprint, and a revision") {
+TEST_CASE("a path with edits has the store after the fingerprint, and a revision") {
   const auto chunk = std::get<ChunkRoute>(*route_of("/v1/abc/def/4/2/-12/4/7@31"));
   CHECK(chunk.fingerprint == "abc");
   CHECK(chunk.codec == "4");

@@ -187,7 +187,7 @@ TEST_CASE("a batch with an entry that no log has is refused") {
   CHECK(refused());
 }
 
-TEST_CASE("what a batch applied has the bytes of its records") {
+TEST_CASE("the application of a batch has the bytes of its records") {
   edits::Applied applied;
   applied.kind = Kind::done;
   const LogRecord record = done_record();

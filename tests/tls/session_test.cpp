@@ -125,7 +125,7 @@ TEST_CASE("the other side's end is an end and no error, said or not") {
   CHECK(ends.server.read(into).result == Step::Result::closed);
 }
 
-TEST_CASE("what is not TLS fails with OpenSSL's words") {
+TEST_CASE("a peer without TLS fails with OpenSSL's words") {
   const Sockets sockets;
   Session server{server_context(), Role::server, sockets.server()};
   REQUIRE(::write(sockets.client(), "plain text", 10) == 10);

@@ -72,7 +72,7 @@ TEST_CASE("Figures of a world agree with each other and with its bounds") {
   CHECK(quality.wishes.size() == 7);
 }
 
-TEST_CASE("Of a world of another kind the figures of regions are left out") {
+TEST_CASE("A world of another kind has no figures of regions") {
   const auto world = terrain::World::parse(terrain::classic_world_toml(), "classic.toml");
   REQUIRE(world);
   const Quality quality = measured(*world, 2);
