@@ -172,7 +172,7 @@ int main() {
     std::ifstream file{std::string{TALUS_SOURCE_DIR "/core/worlds/"} + name + ".toml"};
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
     const auto world = terrain::World::parse(text, name);
-    if (!world) return std::fprintf(stderr, "core/worlds/%s.toml is no world\n", name.c_str()), 1;
+    if (!world) return std::fprintf(stderr, "core/worlds/%s.toml is not a world\n", name.c_str()), 1;
     for (int level = 0; level <= 4; ++level) {
       std::fprintf(stderr, "%s, level %d\n", name.c_str(), level);
       add_world(*world, Lod::of(level), level == 0 ? 16 : 5, level == 0 ? 1 : 0.3, found);

@@ -20,13 +20,13 @@ class Dependencies(unittest.TestCase):
         lines = (ROOT / "docker/packages.txt").read_text().splitlines()
         return list(dict.fromkeys(line.partition(":")[0] for line in lines))
 
-    def test_an_unknown_group_is_named_with_those_there_are(self):
+    def test_an_unknown_group_is_named_with_the_known_ones(self):
         expected = f"deps: 'bild' is no group of packages; there are {', '.join(self.groups())}\n"
         self.assertEqual(self.refused("bild"), expected)
         # Before those that are known are installed.
         self.assertEqual(self.refused("build", "bild"), expected)
 
-    def test_what_only_looks_like_a_group(self):
+    def test_a_word_that_only_resembles_a_group(self):
         for group in ["build:", "buil", "build, runtime", ".*"]:
             self.assertIn(f"deps: '{group}' is no group", self.refused(group))
 

@@ -45,7 +45,7 @@ std::string fault_of(const json& value, const json& reference, const std::string
   if (!fits) return at + " is no " + type;
   if (schema.contains("enum") &&
       std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) {
-    return at + " is none of the listed: " + value.dump();
+    return at + " is not one of the listed: " + value.dump();
   }
   if (schema.contains("minimum") && value < schema["minimum"]) return at + " is too small";
   if (schema.contains("pattern") &&

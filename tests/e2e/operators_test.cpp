@@ -96,7 +96,7 @@ TEST_CASE("the flow that uses most is on the operators' port, and in talusd top"
 
 TEST_CASE("an address is blocked and let in again while the server runs") {
   const ScratchDirectory scratch;
-  const std::string list = scratch.write("blocked", "# nobody yet\n");
+  const std::string list = scratch.write("blocked", "# empty\n");
   ServerProcess server{{{"TALUS_ACCESS_BLOCKED_FILE", list}}, {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();
   RawClient inside = greeted(server.port());

@@ -234,7 +234,7 @@ std::size_t ServerProcess::most_resident_bytes() const {
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with(kField)) return std::stoull(line.substr(kField.size())) * 1024;
   }
-  FAIL("the system tells no VmHWM");
+  FAIL("the system reports no VmHWM");
   return 0;
 }
 

@@ -20,11 +20,11 @@ refused() {
 }
 refused '1 2 3 4 256\n2 2 3 4 25' 'line 2 is cut'
 refused '1 2 3 4 256\n2 2 3' 'line 2 is cut'
-refused '1 2 3 4 256\n2 2 3\n' 'line 2 is no edit, which is five numbers'
-refused '1 2 3 4\n256 2 2 3 4 5\n' 'line 1 is no edit, which is five numbers'
-refused '1 2 3 4 256 7\n' 'line 1 is no edit, which is five numbers'
-refused '1 2 3 4 stone\n' 'line 1 is no edit, which is five numbers'
-refused '1 2 3 4 256\n\n' 'line 2 is no edit, which is five numbers'
+refused '1 2 3 4 256\n2 2 3\n' 'line 2 is not an edit, which is five numbers'
+refused '1 2 3 4\n256 2 2 3 4 5\n' 'line 1 is not an edit, which is five numbers'
+refused '1 2 3 4 256 7\n' 'line 1 is not an edit, which is five numbers'
+refused '1 2 3 4 stone\n' 'line 1 is not an edit, which is five numbers'
+refused '1 2 3 4 256\n\n' 'line 2 is not an edit, which is five numbers'
 # Whole, but not all edits.
 printf '1 2 3 4 256\n4 2 3 4 0\n2 2 3 4 5\n' >"$scratch/edits"
 if said="$("$program" "$scratch/edits" 127.0.0.1 1 2>&1)" ||

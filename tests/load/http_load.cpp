@@ -77,7 +77,7 @@ class Load {
     address.sin_port = htons(plan_.port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     if (::connect(connection.socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
-      fail("nobody listens on 127.0.0.1:" + std::to_string(plan_.port));
+      fail("no server listens on 127.0.0.1:" + std::to_string(plan_.port));
     }
     const int on = 1;
     ::setsockopt(connection.socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));

@@ -37,7 +37,7 @@ class Vectors(unittest.TestCase):
                     count += 1
         self.assertGreater(count, 9)
 
-    def test_what_is_no_payload_is_refused_by_its_name(self):
+    def test_an_invalid_payload_is_refused_by_its_name(self):
         count = 0
         for kind, name, expected, payload in vectors():
             if kind == "error":
@@ -67,7 +67,7 @@ class Vectors(unittest.TestCase):
         volume = talus.decode(by_name["example_volume"])
         self.assertEqual([volume[20, 7, 5], volume[11, 31, 31], volume[12, 0, 0]], [300, 1, 0])
 
-    def test_trained_numbers_are_those_of_format_md(self):
+    def test_trained_numbers_are_as_in_format_md(self):
         text = (ROOT / "core/voxel/FORMAT.md").read_text()
         for name, block in decoder.BLOCKS.items():
             expected = re.findall(rf"```{name}\n(.*?)```", text, re.DOTALL)

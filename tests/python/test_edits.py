@@ -109,13 +109,13 @@ class Edits(Scripted):
             with self.assertRaises(talus.OutcomeUnknown):
                 world.edit(*WRITE)
 
-    def test_where_the_server_has_forgotten_who_sent_it_nobody_knows(self):
+    def test_if_the_server_has_forgotten_the_editor_the_outcome_is_unknown(self):
         self.forgotten(greeting())
 
-    def test_in_another_store_nobody_knows(self):
+    def test_in_another_store_the_outcome_is_unknown(self):
         self.forgotten(greeting(store=4))
 
-    def test_what_is_refused_for_now_is_sent_again_and_what_did_not_happen_as_new(self):
+    def test_a_refused_edit_is_sent_again_and_one_not_applied_as_new(self):
         def script(peer):
             peer.greet(greeting())
             self.attach(peer)

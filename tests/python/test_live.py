@@ -123,7 +123,7 @@ class Live(unittest.TestCase):
                 if key[0] == export.x and key[2] == export.z:
                     np.testing.assert_array_equal(column.chunk(key[1]).voxels, export.chunk(*key), str(key))
 
-    def test_what_the_server_refuses_is_said(self):
+    def test_a_refusal_of_the_server_is_reported(self):
         for world in self.both_ways():
             with self.assertRaisesRegex(talus.ServerError, "level of detail is 7") as raised:
                 world.chunk(0, 0, 0, lod=7)

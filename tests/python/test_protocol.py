@@ -42,7 +42,7 @@ class Vectors(unittest.TestCase):
                 self.assertEqual(type(message).__name__, frame["kind"])
                 self.assertEqual(plain(message), frame["message"])
 
-    def test_what_is_written_is_read_as_the_same(self):
+    def test_a_written_message_is_read_as_the_same(self):
         for frame in FRAMES:
             with self.subTest(frame["kind"]):
                 message = protocol.read(bytes.fromhex(frame["hex"]))
@@ -50,7 +50,7 @@ class Vectors(unittest.TestCase):
                 empty = type(message)()
                 self.assertEqual(protocol.read(protocol.write(empty)), empty)
 
-    def test_fields_and_their_order_are_those_of_the_schema(self):
+    def test_fields_and_their_order_match_the_schema(self):
         schema = re.sub(r"//.*", "", (ROOT / "protocol/schema/talus.fbs").read_text())
         for kind, name, body in re.findall(r"(table|struct) (\w+) \{(.*?)\}", schema, re.DOTALL):
             names = re.findall(r"(\w+):", body)
@@ -109,7 +109,7 @@ class Hostile(unittest.TestCase):
                     raise AssertionError(f"{frame['kind']}, turn {turn}, seed {seed}: {hostile.hex()}") from error
         self.assertGreater(refused, 100)
 
-    def test_what_is_not_aligned_is_refused(self):
+    def test_a_misaligned_message_is_refused(self):
         frame = bytearray(protocol.write(protocol.Ping(nonce=5)))
         table = Inside(frame).body()
         slot = table - int.from_bytes(frame[table : table + 4], "little", signed=True) + 4

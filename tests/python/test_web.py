@@ -87,7 +87,7 @@ class Scripted(unittest.TestCase):
                 with self.assertRaisesRegex(NotImplementedError, "edits need a connection"):
                     call()
 
-    def test_what_is_overloaded_is_asked_for_again(self):
+    def test_an_overloaded_request_is_sent_again(self):
         path = f"{self.PATH}/0/0/0/0"
         later = self.refusal("overloaded", retry_after_ms=1)
         with talus.connect(self.serve({path: [(503, later), (429, later), (200, UNIFORM)]})) as world:
@@ -163,7 +163,7 @@ class Scripted(unittest.TestCase):
                     world.column(0, 3)
                 self.assertEqual(len(self.requests), 3)
 
-    def test_edited_columns_that_are_none(self):
+    def test_invalid_edited_columns(self):
         good = self.edits((1, 1, 5))
         for wrong in (b"", good[:-1], b"\2" + good[1:], good[:4] + b"\0\4" + good[6:]):
             answers = {**self.WITH_STORE, f"{self.EDITED}/edits/0/0/0": [(200, wrong)]}
@@ -176,7 +176,7 @@ class Scripted(unittest.TestCase):
             with self.assertRaisesRegex(talus.ProtocolError, "over 4194304 bytes"):
                 world.column(0, 0)
 
-    def test_an_answer_that_is_no_http(self):
+    def test_an_answer_that_is_not_http(self):
         listener = socket.create_server(("127.0.0.1", 0))
         self.addCleanup(listener.close)
 
@@ -197,7 +197,7 @@ class Scripted(unittest.TestCase):
         with self.assertRaisesRegex(talus.ProtocolError, "heights from 0 to 131073"):
             talus.connect(self.serve({"/v1/world": [(200, world)]}))
 
-    def test_an_answer_that_is_no_json(self):
+    def test_an_answer_that_is_not_json(self):
         with self.assertRaisesRegex(talus.ProtocolError, "not answered by JSON"):
             talus.connect(self.serve({"/v1/world": [(200, b"<html>")]}))
 

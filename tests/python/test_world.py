@@ -113,7 +113,7 @@ class Requests(Scripted):
         with talus.connect(self.serve(script)) as world:
             self.assertEqual([tuple(chunk.key) for chunk in world.chunks(keys)], keys)
 
-    def test_voxels_that_are_not_those_of_the_hash_are_refused(self):
+    def test_voxels_that_do_not_match_the_hash_are_refused(self):
         def script(peer):
             peer.greet()
             peer.send(self.chunk(peer.ids()[0], (0, 0, 0, 0), hash=protocol.Hash128(1, 1)))
@@ -123,7 +123,7 @@ class Requests(Scripted):
                 world.chunk(0, 0, 0).voxels
             self.assertEqual(raised.exception.reason, "wrong_hash")
 
-    def test_what_is_overloaded_is_asked_for_again(self):
+    def test_an_overloaded_request_is_sent_again(self):
         def script(peer):
             peer.greet()
             for id in peer.ids():
@@ -147,7 +147,7 @@ class Requests(Scripted):
                 world.chunk(0, 0, 0, lod=7)
             self.assertEqual(int(world.chunk(1, 1, 1).voxels[0, 0, 0]), 300)
 
-    def test_requests_that_nobody_waits_for_are_cancelled(self):
+    def test_requests_without_a_waiting_caller_are_cancelled(self):
         seen = queue.Queue()
 
         def script(peer):
@@ -376,7 +376,7 @@ class Welcomes(Scripted):
         with self.assertRaisesRegex(protocol.ProtocolError, text):
             talus.connect(self.serve(lambda peer: peer.greet(welcome(fields)))).close()
 
-    def test_one_that_this_client_cannot_use_is_refused(self):
+    def test_a_welcome_that_this_client_cannot_use_is_refused(self):
         self.refuses("16 voxels along an edge", chunk_size=16)
         for protocol_version in (1, 3):
             self.refuses(f"protocol version {protocol_version}, which was not offered", protocol=protocol_version)
@@ -390,7 +390,7 @@ class Welcomes(Scripted):
         with talus.connect(self.serve(lambda peer: peer.greet(welcome(dict(max_y=1 << 17))))) as world:
             self.assertEqual(world.welcome.max_y, 1 << 17)
 
-    def test_where_no_request_is_allowed_one_is_asked_at_once(self):
+    def test_if_no_request_is_allowed_one_is_sent_at_once(self):
         def script(peer):
             peer.greet(welcome(requests_in_flight=0))
             for x in range(2):
@@ -412,7 +412,7 @@ class Broken(Scripted):
             with self.assertRaisesRegex(error, text):
                 world.chunk(0, 0, 0)
 
-    def test_bytes_that_are_no_frames(self):
+    def test_bytes_that_are_not_frames(self):
         self.fails(b"HTTP/1.1 400 Bad Request\r\n\r\n", talus.ProtocolError, "a frame of 1347703884 bytes")
 
     def test_a_frame_that_is_cut_off(self):
@@ -462,7 +462,7 @@ class Broken(Scripted):
             seen = [tuple(chunk.key) for chunk in world.view(0, 0, 1, y=0, vertical_radius=0)]
         self.assertEqual((len(seen), len(set(seen)), seen[0]), (9, 9, (0, 0, 0, 0)))
 
-    def test_where_the_first_server_is_away_the_next_is_asked(self):
+    def test_if_the_first_server_is_away_the_next_is_tried(self):
         with socket.create_server(("127.0.0.1", 0)) as gone:
             port = gone.getsockname()[1]
         with talus.connect(f"127.0.0.1:{port},{self.serve(lambda peer: peer.greet())}"):
@@ -475,7 +475,7 @@ class Broken(Scripted):
         with self.assertRaisesRegex(talus.ServerError, "unauthorized: no token"):
             talus.connect(address)
 
-    def test_an_address_that_is_none(self):
+    def test_an_invalid_address(self):
         with self.assertRaisesRegex(ValueError, "address 'localhost' is not HOST:PORT"):
             talus.connect("localhost")
 

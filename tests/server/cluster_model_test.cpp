@@ -320,8 +320,8 @@ class ClusterModel {
           }
         }
       }
-      if (voxels != model.overrides()) return "a server's voxels are not those of the log";
-      if (hash != status.head.hash) return "a server's S is not that of its voxels";
+      if (voxels != model.overrides()) return "a server's voxels differ from the log";
+      if (hash != status.head.hash) return "a server's S differs from its voxels";
       for (const Player& player : players_) {
         const auto held = node->state().editor(player.id);
         const Editor& editor = editors[player.id];

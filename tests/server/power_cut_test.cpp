@@ -166,7 +166,7 @@ class PowerCuts {
              " was acknowledged and is lost";
     }
     const edits::Head& head = store_.state().head();
-    if (head.position != compared_ || head.revision != revision_) return "the head is not that of the log";
+    if (head.position != compared_ || head.revision != revision_) return "the head differs from the log";
     std::map<VoxelPos, MaterialId> voxels;
     edits::StateHash hash;
     for (const ChunkCoord& chunk : touched_) {
@@ -182,8 +182,8 @@ class PowerCuts {
       }
     }
     if (voxels != (rules_ == nullptr ? model_.overrides() : settled_.overrides(Lod{})))
-      return "the voxels are not those of the log";
-    if (hash != head.hash) return "S is not that of the voxels";
+      return "the voxels differ from the log";
+    if (hash != head.hash) return "S differs from the voxels";
     for (const Player& player : players_) {
       const auto editor = store_.state().editor(player.id);
       if (player.decided > 0 && (!editor || editor->last_sequence != player.decided)) {

@@ -51,7 +51,7 @@ class Killed {
       fs::resize_file(entry.path(), entry.file_size() - 1);
       return;
     }
-    FAIL("there is no log");
+    FAIL("the log is missing");
   }
 
   [[nodiscard]] fs::path path() const { return scratch_ / "killed"; }

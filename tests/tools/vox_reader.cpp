@@ -105,12 +105,12 @@ void read_material(Bytes& content, File& file) {
   const auto properties = content.dictionary();
   const std::set<std::string> types{"_diffuse", "_metal", "_glass", "_emit", "_blend", "_media", "_cloud"};
   const auto type = properties.find("_type");
-  require(type != properties.end() && types.contains(type->second), "MATL: no type, or none that is known");
+  require(type != properties.end() && types.contains(type->second), "MATL: no type, or an unknown one");
   for (const auto& [key, value] : properties) {
     if (key == "_type") continue;
     std::size_t end = 0;
     const double number = std::stod(value, &end);
-    require(end == value.size() && number >= 0, "MATL: " + key + " is no number");
+    require(end == value.size() && number >= 0, "MATL: " + key + " is not a number");
   }
   require(file.materials.emplace(index, properties).second, "MATL: a palette index twice");
 }
@@ -162,7 +162,7 @@ void read_chunk(Bytes& chunks, File& file) {
   if (kind == "nTRN") read_transform(content, file);
   if (kind == "nGRP") read_group(content, file);
   if (kind == "nSHP") read_shape(content, file);
-  require(content.empty(), kind + ": bytes left over, or a chunk that nobody expects");
+  require(content.empty(), kind + ": bytes left over, or an unexpected chunk");
   file.kinds.insert(kind);
 }
 
