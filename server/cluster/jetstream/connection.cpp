@@ -152,9 +152,9 @@ struct Connection::Callbacks {
     const bool was_there = link.was_connected.load(std::memory_order_relaxed);
     if (is_refusal(status) || (forgotten && (was_there || is_refusal(link.at_first)))) {
       link.events->closed({StreamFailure::Kind::refused,
-                           "no server of cluster.nats lets this one in: the credentials are not right "
-                           "(Authorization Violation), or cluster.ca, certificate and key are not, or the "
-                           "peer is not a NATS server; \"talusd cluster check\" says which"});
+                           "no server of cluster.nats accepts this one: the credentials are wrong "
+                           "(Authorization Violation), or cluster.ca, certificate or key is, or the peer is "
+                           "not a NATS server; \"talusd cluster check\" says which"});
     } else {
       const char* const said = forgotten ? natsStatus_GetText(link.at_first) : text;
       link.events->closed(

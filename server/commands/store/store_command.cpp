@@ -117,7 +117,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   CLI::App* const rebasing =
       add("rebase",
           "carries the edits over to another world, or to this one after its file has changed or lost a "
-          "[[placeable]]: edits that differ from the new ground stay, and materials keep their names. The "
+          "[[placeable]]: edits that differ from the new ground stay, and materials are matched by name. The "
           "store gets a new id, and its history stays in replaced-N",
           store_commands::rebase);
   rebasing
