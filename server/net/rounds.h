@@ -1,6 +1,6 @@
-// Lets many readers of one io_context read by one posted handler: one each would cost the thread that wakes
-// them an allocation, a lock that the context's thread wants too, and mostly a system call. Sessions read
-// their mail so, as a batch of edits is answered to many at once, and HTTP connections their next request.
+// Lets many readers of one io_context read by one posted handler. One handler for each would cost the thread
+// that wakes them an allocation, a lock that the context's thread also takes, and usually a system call.
+// Sessions read their mail so, as one batch of edits answers many, and HTTP connections their next requests.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@ template <typename Reader>
 class Rounds final : public asio::execution_context::service {
  public:
   static inline asio::execution_context::id id;
-  /// Maximum number of readers of one handler; then other handlers of the context have their turn.
+  /// Readers served by one handler before other handlers of the context run.
   static constexpr std::size_t kAtOnce = 32;
 
   explicit Rounds(asio::execution_context& context) : service{context} { now_.reserve(kAtOnce); }
 
-  /// From any thread: reader->read() is called soon, on `executor`, which is of the context, after the
-  /// handlers that wait there. Throws std::bad_alloc, and then it is not, and a reader that entered at the
-  /// same moment reads with the next.
+  /// From any thread: calls reader->read() soon, after the handlers that wait there, on `executor`, which
+  /// belongs to the context. Throws if out of memory; then `reader` is not entered, and one entered by
+  /// another thread at that moment is served with the next.
   void enter(std::shared_ptr<Reader> reader, const asio::any_io_executor& executor) {
     const Reader* const entered = reader.get();
     {
@@ -37,7 +37,7 @@ class Rounds final : public asio::execution_context::service {
       readers_.push_back(std::move(reader));
       if (std::exchange(posted_, true)) return;
     }
-    // Without the lock: it is the first thing that the thread takes which this wakes.
+    // Without the lock, which is the first thing that the woken thread takes.
     try {
       post(executor);
     } catch (...) {
@@ -63,7 +63,7 @@ class Rounds final : public asio::execution_context::service {
       throw;
     }
   }
-  /// Lets all readers read that have entered, also since it began, so that these need no handler of their
+  /// Serves all entered readers, including readers entered meanwhile, which then need no handler of their
   /// own.
   void go_round(const asio::any_io_executor& executor) {
     for (std::size_t left = kAtOnce; take(left); left -= now_.size()) {
@@ -74,8 +74,8 @@ class Rounds final : public asio::execution_context::service {
     }
     now_.clear();
   }
-  /// Moves at most `most` readers, the first that entered, to now_. False if there are none: the next that
-  /// enters posts.
+  /// Moves at most `most` readers to now_, in the order in which they entered. Returns false if there are no
+  /// more; the next to enter posts a handler.
   [[nodiscard]] bool take(std::size_t most) {
     now_.clear();
     const std::lock_guard lock{mutex_};
@@ -89,7 +89,7 @@ class Rounds final : public asio::execution_context::service {
 
   std::mutex mutex_;
   std::vector<std::shared_ptr<Reader>> readers_;
-  bool posted_ = false;                       // a handler that takes them
+  bool posted_ = false;                       // true while a handler waits or runs
   std::vector<std::shared_ptr<Reader>> now_;  // of go_round(); has memory for kAtOnce
 };
 

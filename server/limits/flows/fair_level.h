@@ -24,6 +24,7 @@ struct FairEntry {
   /// Is added to the clock for the order alone, divided by the share. The cost of the piece, if it is known:
   /// small pieces then go before large ones. Negative: the cost by which this work may be ahead of its share.
   double offset = 0;
+  /// When it began to wait, for drop_older_than(), which never drops it by default.
   Clock::time_point since = Clock::time_point::max();
 };
 
@@ -31,8 +32,8 @@ struct FairEntry {
 struct FairRule {
   /// It goes before others for this cost. It gets no more by it in all.
   double lead = 0;
-  /// It has saved up the share that it did not use, at most this much. An entrant that is not a class, and is
-  /// new, has saved up all of it.
+  /// It has saved up the share that it did not use, at most this much. An entrant that is not a class, and
+  /// comes for the first time, has saved up all of it.
   double saved = 0;
 };
 
