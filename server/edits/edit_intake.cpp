@@ -132,8 +132,8 @@ void EditIntake::work() {
       lanes_.clear();
       taken_in_.clear();
       attaching_as_.clear();
-      small_ = {};
-      large_ = {};
+      small_.clear();
+      large_.clear();
       const std::lock_guard lock{mutex_};
       waiting_ = came_.size();
     }

@@ -40,7 +40,7 @@
 #include "edits/edit_log.h"
 #include "edits/edit_refusals.h"
 #include "edits/edit_taker.h"
-#include "edits/edit_turns.h"
+#include "limits/flows/fair_queue.h"
 #include "runtime/clock.h"
 #include "runtime/log/logger.h"
 #include "runtime/metrics/metrics.h"
@@ -138,10 +138,14 @@ class EditIntake final : public EditTaker {
     std::optional<Attaching> attaching;  // before all edits
     bool attach_waits = false;           // and is not in the log
     bool entered = false;                // its turn comes
+    std::size_t cost = 0;                // of that turn
     bool input_ended = false;
     /// Edits of it that the log has not answered.
     std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
+  /// Flows have equal shares by what their edits cost, and so have the sessions of a flow. Costs are known,
+  /// so that a small edit does not wait for large ones.
+  using Turns = FairQueue<FlowId, ClientId>;
   using Came = std::pair<MailboxPtr, std::variant<AttachRequest, Editing>>;
   /// An Attach that the log has answered.
   struct Attached {
@@ -161,6 +165,7 @@ class EditIntake final : public EditTaker {
   /// Lets whose turn it is go on. False where it is nobody's, or the log has no room.
   bool take_turn();
   [[nodiscard]] std::optional<ClientId> next();
+  [[nodiscard]] std::optional<ClientId> next(Turns& turns);
   [[nodiscard]] bool log_has_room() const;
 
   Lane& lane_of(const MailboxPtr& session);
@@ -228,8 +233,8 @@ class EditIntake final : public EditTaker {
   std::vector<Came> taken_in_;  // and has no lane yet
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
-  EditTurns small_;
-  EditTurns large_;
+  Turns small_;
+  Turns large_;
   bool small_went_ = false;  // last
   DecodedBases bases_{kBaseBytes};
 

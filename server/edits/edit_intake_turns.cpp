@@ -7,7 +7,8 @@
 namespace talus::server {
 namespace {
 
-/// In voxels: what it costs to decode a chunk, if it comes to that.
+/// In voxels: the cost of an edit in addition to its voxels, and of decoding a chunk, if it comes to that.
+constexpr std::size_t kEditCost = 64;
 constexpr std::size_t kDecodeCost = 256;
 
 }  // namespace
@@ -18,20 +19,29 @@ bool EditIntake::log_has_room() const {
 }
 
 std::optional<ClientId> EditIntake::next() {
-  const bool has_small = small_.entered() > 0;
-  if (!has_small && large_.entered() == 0) {
-    small_.rest();
-    large_.rest();
+  if (small_.empty() && large_.empty()) {
+    // Only here: the session that goes mostly enters again, and meanwhile others would lose what they owe.
+    small_.clear();
+    large_.clear();
     return std::nullopt;
   }
-  // By turns, so that neither kind starves the other; but the small ones do not wait for room in the log.
-  small_went_ = has_small && (!small_went_ || large_.entered() == 0 || !log_has_room());
-  if (small_went_) return small_.next();
+  // By turns, so that neither kind starves the other; but small edits do not wait for room in the log.
+  small_went_ = !small_.empty() && (!small_went_ || large_.empty() || !log_has_room());
+  if (small_went_) return next(small_);
   if (!log_has_room()) {
     wants_room_ = true;
     if (!log_has_room()) return std::nullopt;  // else it came just now, and who made it need not call
   }
-  return large_.next();
+  return next(large_);
+}
+
+std::optional<ClientId> EditIntake::next(Turns& turns) {
+  const auto path = turns.next();
+  if (!path) return std::nullopt;
+  const auto [flow, client] = *path;
+  turns.leave(flow, client);
+  if (const Lane* const lane = find_lane(client)) turns.charge(static_cast<double>(lane->cost), flow, client);
+  return client;
 }
 
 bool EditIntake::take_turn() {
@@ -84,8 +94,9 @@ void EditIntake::enter(Lane& lane) {
     chunks = named_chunks(request.edit);
   }
   const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
-  EditTurns& turns = is_small ? small_ : large_;
-  turns.enter(lane.session->flow(), lane.session->owner(), voxels + kDecodeCost * chunks);
+  lane.cost = kEditCost + voxels + kDecodeCost * chunks;
+  Turns& turns = is_small ? small_ : large_;
+  turns.enter({.offset = static_cast<double>(lane.cost)}, lane.session->flow(), lane.session->owner());
   lane.entered = true;
 }
 

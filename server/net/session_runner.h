@@ -19,8 +19,8 @@
 #include <talus/protocol/frame.h>
 
 #include "net/accepted_connection.h"
-#include "net/mail_rounds.h"
 #include "net/registry.h"
+#include "net/rounds.h"
 #include "net/stream.h"
 #include "net/timed_event.h"
 #include "net/view_throttle.h"

@@ -31,12 +31,12 @@ inline constexpr std::string_view kClosedByClient = "closed by the client";
 
 /// The mailbox is made before the runner and refers to it weakly.
 template <Stream S>
-struct SessionRunner<S>::Owner final : MailRounds::Reader {
+struct SessionRunner<S>::Owner {
   explicit Owner(asio::any_io_executor of)
       : executor{std::move(of)},
-        rounds{asio::use_service<MailRounds>(asio::query(executor, asio::execution::context))} {}
+        rounds{asio::use_service<Rounds<Owner>>(asio::query(executor, asio::execution::context))} {}
 
-  void read_mail() override {
+  void read() {
     if (const auto alive = runner.lock()) {
       alive->dispatch([](Session& session) { session.take_mail(); });
     }
@@ -47,7 +47,7 @@ struct SessionRunner<S>::Owner final : MailRounds::Reader {
   }
 
   asio::any_io_executor executor;
-  MailRounds& rounds;
+  Rounds<Owner>& rounds;
   std::weak_ptr<SessionRunner> runner;
 };
 

@@ -1,16 +1,15 @@
 // Decides whose View a thread applies next. A View may take milliseconds, during which the thread serves no
-// other session. So all Views together get a quarter of its time, which flows share in turns. Sending chunks
+// other session. So all Views together get a quarter of its time, which flows share. Sending chunks
 // that a View finds in memory is bounded by rates: its cost is not charged to that View, but to the next one
 // if it drops them.
 #pragma once
 
 #include <chrono>
-#include <deque>
 #include <unordered_map>
 
 #include <asio/execution_context.hpp>
 
-#include "limits/flows/deficit_round_robin.h"
+#include "limits/flows/fair_queue.h"
 #include "limits/flows/flow_ids.h"
 #include "net/timed_event.h"
 #include "runtime/clock.h"
@@ -24,8 +23,8 @@ class ViewTurns final : public asio::execution_context::service {
 
   /// The next View begins no earlier than this many times the cost after the last began.
   static constexpr int kIntervalPerCost = 4;
-  /// Time that a flow may spend in one turn. The last View may exceed it.
-  static constexpr std::chrono::nanoseconds kTurn = std::chrono::milliseconds{5};
+  /// A flow that had no View queued goes first for this time.
+  static constexpr std::chrono::nanoseconds kLead = std::chrono::milliseconds{5};
 
   explicit ViewTurns(asio::execution_context& context) : service{context} {}
 
@@ -45,8 +44,7 @@ class ViewTurns final : public asio::execution_context::service {
   void choose() noexcept;
 
   std::unordered_map<const TimedEvent*, FlowId> flow_of_;
-  std::unordered_map<FlowId, std::deque<TimedEvent*>> waiting_;  // without empty queues
-  DeficitRoundRobin<FlowId> turns_{Newcomers::first};
+  FairQueue<FlowId, TimedEvent*> turns_{{FairRule{static_cast<double>(kLead.count())}, FairRule{}}};
   TimedEvent* next_ = nullptr;
   Clock::time_point free_at_{};
 };

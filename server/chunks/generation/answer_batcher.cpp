@@ -7,8 +7,8 @@
 namespace talus::server {
 namespace {
 
-// One client's trouble must not keep the answers from the others, nor end the thread. What failed for want of
-// memory is tried again, as much may be free a moment later; the mailbox learns of what is lost then.
+// A failure of one client must not keep the answers from the others, nor end the thread. What failed for lack
+// of memory is tried again, as much may be free a moment later; the mailbox records what is lost then.
 template <typename Step>
 void do_or_lose(Mailbox& mailbox, const Logger& log, Step&& step) {
   try {

@@ -1,4 +1,4 @@
-// Answers on their way from a generator thread to those who wait.
+// Answers on their way from a generator thread to the clients that wait for them.
 #pragma once
 
 #include <chrono>
@@ -15,10 +15,10 @@ namespace talus::server {
 
 /// Puts answers into their mailboxes and wakes the owners, in batches: waking a thread costs as much as
 /// generating many a chunk, and on a busy core it takes the generator's place. For one thread and one piece
-/// of work, whose last answers it tells when it is destroyed.
+/// of work. The destructor sends the last answers.
 class AnswerBatcher {
  public:
-  /// From one wake-up to the next: some fifty chunks. No player sees it.
+  /// Time from one wake-up to the next: about fifty chunks. Players do not notice it.
   static constexpr std::chrono::microseconds kInterval{1000};
 
   AnswerBatcher(const Logger& log, const Clock& clock) : log_{log}, clock_{clock}, woke_{clock.now()} {}
@@ -26,9 +26,9 @@ class AnswerBatcher {
   AnswerBatcher(const AnswerBatcher&) = delete;
   AnswerBatcher& operator=(const AnswerBatcher&) = delete;
 
-  /// A waiter for whom there is no memory goes without, which its mailbox and the log say.
+  /// If memory is lacking for a waiter, it gets no answer; its mailbox and the log record that.
   void add(std::span<const MailboxPtr> waiters, ChunkKey key, const ChunkAnswer& answer);
-  /// Tells all that was added since the last time.
+  /// Sends all answers that were added since the last call.
   void wake();
 
  private:
@@ -38,7 +38,7 @@ class AnswerBatcher {
   Clock::time_point woke_;
 };
 
-/// Puts one piece of mail into the box and wakes its owner. A failure goes into the log.
+/// Puts one piece of mail into the box and wakes its owner. A failure is logged.
 void deliver(const MailboxPtr& mailbox, Mail mail, const Logger& log);
 
 }  // namespace talus::server

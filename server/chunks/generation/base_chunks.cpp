@@ -6,7 +6,8 @@
 namespace talus::server {
 namespace {
 
-// Of the bytes for chunks, what goes to rows of columns: a column takes less than the smallest chunk.
+// The part of the chunk cache's bytes that goes to rows of columns: a column takes less than the smallest
+// chunk.
 constexpr std::size_t kRowsShare = 16;
 
 std::size_t bytes_of_rows(const GenerationSettings& settings) {
@@ -107,7 +108,7 @@ PicturePtr BaseChunks::find_map(const map::Tile& tile) {
 bool BaseChunks::fit_caches() {
   pool_.jobs_resume();
   const std::unique_lock lock{fitting_, std::try_to_lock};
-  if (!lock) return true;  // another thread is at it
+  if (!lock) return true;  // another thread is doing it
   const std::uint64_t configured = settings_.chunk_cache_bytes + settings_.patch_cache_bytes;
   const std::uint64_t allowed = memory_.for_caches(configured);
   const std::uint64_t change = allowed > fitted_bytes_ ? allowed - fitted_bytes_ : fitted_bytes_ - allowed;

@@ -1,4 +1,4 @@
-// A patch that was begun, and waits for a thread to go on with it.
+// A patch that was begun and waits for a thread to continue it.
 #pragma once
 
 #include <chrono>
@@ -12,10 +12,10 @@ namespace talus::server {
 
 struct BegunPatch {
   std::unique_ptr<PatchMaking> making;
-  std::unique_ptr<terrain::Stacks> stacks;  // where it goes when it is made
+  std::unique_ptr<terrain::Stacks> stacks;  // filled when it is made
   std::chrono::nanoseconds spent{};         // thread time so far
 };
-/// Null where nothing was begun.
+/// Null if nothing was begun.
 using BegunPatchPtr = std::unique_ptr<BegunPatch>;
 
 }  // namespace talus::server

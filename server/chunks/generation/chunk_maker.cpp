@@ -30,7 +30,7 @@ tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
                                                               const AskAfterStep& after_step) {
   try {
     const bool keeps = task.tile() && maps_ != nullptr;
-    // Another may have asked for it too, and have it drawn since.
+    // Another client may have asked for it too, and it may have been drawn since.
     if (const PicturePtr drawn = keeps ? maps_->find(*task.tile()) : nullptr) {
       task.add({.picture = drawn});
       return AfterStep::go_on;

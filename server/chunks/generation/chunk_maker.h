@@ -1,4 +1,4 @@
-// Makes chunks, heights and maps by a Generator: counted, with failures as answers. Callable from any thread.
+// Makes chunks, heights and maps by a Generator: counts them, and answers failures. Callable from any thread.
 #pragma once
 
 #include <talus/terrain/extraction.h>
@@ -18,7 +18,7 @@ namespace talus::server {
 
 class ChunkMaker {
  public:
-  /// All but the log outlive this. `maps`: where drawn tiles are kept; null: nowhere.
+  /// All but the log outlive this. `maps` keeps drawn tiles; null: nothing is kept.
   ChunkMaker(const Generator& generator, ChunkCache& cache, ColumnRows& rows, Metrics& metrics, Logger log,
              MapCache* maps = nullptr)
       : generator_{generator},
@@ -28,14 +28,14 @@ class ChunkMaker {
         log_{std::move(log)},
         maps_{maps} {}
 
-  /// The chunk where it costs nothing to know it, is in the cache, or is uniform as its column's rows say;
-  /// else null.
+  /// Returns the chunk if it is known at no cost, is in the cache, or is uniform by its column's rows; else
+  /// null.
   [[nodiscard]] EncodedChunkPtr known(ChunkKey key) const;
 
-  /// The chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the patch
-  /// could not be made.
+  /// Returns the chunk over its patch's stacks, which is in the cache when this returns. Null `stacks`: the
+  /// patch could not be made.
   [[nodiscard]] ChunkAnswer chunk(const terrain::Stacks* stacks, ChunkKey key);
-  /// Goes on with the task's next piece, as far as after_step() lets it: AfterStep::go_on once it is added.
+  /// Makes the task's next piece, as far as after_step() lets it. Returns AfterStep::go_on when it is added.
   [[nodiscard]] tl::expected<AfterStep, GenerationFailed> heights(HeightsTask& task,
                                                                   const AskAfterStep& after_step);
 

@@ -1,5 +1,5 @@
-// Which rows of chunks of a column are mixed, of columns whose terrain was generated. Bounded in bytes;
-// callable from any thread, a call locks one shard.
+// Stores for columns whose terrain was generated which rows of chunks are mixed. Bounded in bytes; callable
+// from any thread, a call locks one shard.
 #pragma once
 
 #include <cstddef>
@@ -20,23 +20,23 @@ class ColumnRows {
   ColumnRows(const Generator& generator, int patch_tiles, std::size_t capacity_bytes)
       : generator_{generator}, patch_tiles_{patch_tiles}, rows_{capacity_bytes} {}
 
-  /// Exactly, of the key's column; none where it was not generated, or was evicted.
+  /// Returns the exact rows of the key's column; nullopt if it was not generated, or was evicted.
   [[nodiscard]] std::optional<MixedRows> exact(ChunkKey key) { return rows_.find(column_of(key)); }
-  /// For all that is known of the key's column.
+  /// Returns the rows of the key's column as far as they are known.
   [[nodiscard]] MixedRows known(ChunkKey key) {
     const auto rows = exact(key);
     return rows ? *rows : generator_.mixed_rows_anywhere(key.lod);
   }
-  /// Notes all columns of the patch. Throws std::bad_alloc, and then has noted some.
+  /// Stores all columns of the patch. Throws std::bad_alloc, and then has stored some.
   void note(const PatchKey& patch, const terrain::Stacks& stacks) {
     for_each_column(patch, patch_tiles_,
                     [&](ChunkKey column) { rows_.put(column, generator_.mixed_rows(stacks, column), 0); });
   }
 
-  /// Of one column, from where they are kept. `column` is a column_of().
+  /// Returns the rows of one column from the cache. `column` is a column_of().
   void note(ChunkKey column, const MixedRows& rows) { rows_.put(column, rows, 0); }
 
-  /// As those of ShardedCache.
+  /// As in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { rows_.set_capacity(capacity_bytes); }
   [[nodiscard]] bool fit(std::size_t& looks) { return rows_.fit(looks); }
   [[nodiscard]] std::size_t bytes() const { return rows_.bytes(); }
@@ -44,7 +44,7 @@ class ColumnRows {
  private:
   const Generator& generator_;
   const int patch_tiles_;
-  ShardedCache<ChunkKey, MixedRows> rows_;  // by column_of()
+  ShardedCache<ChunkKey, MixedRows> rows_;  // keys are column_of()
 };
 
 }  // namespace talus::server

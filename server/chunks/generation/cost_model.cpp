@@ -5,7 +5,7 @@
 namespace talus::server {
 namespace {
 
-// Before any was measured, in nanoseconds.
+// Guesses before any was measured, in nanoseconds.
 constexpr std::uint64_t kGuessedPatch = 2'000'000;
 constexpr std::uint64_t kGuessedChunk = 20'000;
 constexpr std::uint64_t kGuessedHeight = 500;

@@ -1,4 +1,4 @@
-// What work for the generators costs, as measured so far. For one thread; GenerationPool locks.
+// Measured costs of work for the generators. For one thread; GenerationPool locks.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace talus::server {
 
-/// Thread time that one piece of work took, and what it made in it.
+/// Thread time that one piece of work took, and the number of things that it made.
 struct MeasuredWork {
   std::chrono::nanoseconds patch_time{};
   std::chrono::nanoseconds chunk_time{};
@@ -23,7 +23,7 @@ class CostModel {
  public:
   void add(const MeasuredWork& work);
 
-  /// Means of all that was added, in nanoseconds and never 0; guesses where nothing of a kind was.
+  /// Means of all that was added, in nanoseconds and never 0; guesses if nothing of a kind was added.
   [[nodiscard]] WorkCosts costs() const;
 
  private:

@@ -13,22 +13,23 @@
 namespace talus::server {
 namespace {
 
-// A job with its place in each map, one waiter.
+// A job with its place in each map, and one waiter.
 constexpr std::int64_t kJobBytes = 384;
 
-// A thread works on one thing for so long before it gives way to others.
+// Maximum time that a thread works on one thing before it yields to others.
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
-// While something dear is made, so long passes between looks at whether anybody still wants it.
+// While something expensive is made, time between checks whether it is still wanted.
 constexpr std::chrono::milliseconds kLookAgain{5};
 
-// Jobs that are begun and ended under one lock: a lock costs little beside so many, and few wait for long.
+// Maximum number of jobs begun and ended under one lock: for that many a lock costs little, and few wait for
+// long.
 constexpr std::size_t kChunksAtOnce = 8;
 
-// Of those that were refused, so many flows are looked at whenever a piece of work ends.
+// Number of refused flows that are considered when a piece of work ends.
 constexpr std::size_t kFlowsToTell = 16;
 
-// After no memory was left to begin anything.
+// Pause after memory was lacking to begin anything.
 constexpr std::chrono::milliseconds kMemoryRetry{100};
 
 const GenerationFailed kOutOfMemory{"out of memory"};
@@ -189,7 +190,7 @@ void GenerationPool::end(WorkQueue::Work& work, const MeasuredWork& measured, st
     with_room = clients_with_room();
   }
   parts_.generator_memory.add_begun(begun);
-  // What could not be begun until now: jobs that came for this patch meanwhile, and its client's next.
+  // Work that could not begin until now: jobs that came for this patch meanwhile, and its client's next.
   work_waits_.notify_one();
   parts_.memory.add(MemoryUse::jobs, job_bytes);
   tell_of_room(with_room);
@@ -244,7 +245,7 @@ void GenerationPool::run(WorkQueue::Batch& batch, const WorkQueue::Work& work, M
     if (dropped) parts_.metrics.jobs_cancelled.add(batch.keys.size());
     return !dropped;
   });
-  // Those that were made since they were asked for wait for nothing.
+  // Chunks that were made since they were asked for wait for nothing.
   std::vector<ChunkKey> to_make = answer_known(batch.keys);
   if (begun == nullptr && parts_.patches.read_columns(batch.patch, to_make)) to_make = answer_known(to_make);
   if (to_make.empty()) return;
@@ -301,7 +302,7 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
     }
     std::size_t made = 0;
     for (Answered& each : some) {
-      if (stopping_) break;  // a chunk may take long, and nobody waits for it any more
+      if (stopping_) break;  // a chunk may take long, and no client waits for it any more
       each.answer = chunk(each.index);
       ++made;
     }
@@ -345,7 +346,7 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
     if (!next || *next != AfterStep::go_on) break;
   } while (task.left() > 0 && took() < kLongestPiece && !stopping_);
   if (task.tile()) {
-    measured.map_time += took();  // counts for no mean: what a map costs is put right when it is made
+    measured.map_time += took();  // counts for no mean: the cost of a map is corrected when it is made
   } else {
     measured.height_time += took();
     measured.heights += left - task.left();
@@ -371,7 +372,7 @@ AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chr
     const std::lock_guard lock{mutex_};
     if (!is_wanted()) return AfterStep::give_up;
     if (!long_enough) return AfterStep::go_on;
-    piece += kLongestPiece;  // a look at all who wait is not for nothing
+    piece += kLongestPiece;  // checking all waiting clients costs time
     const auto all = static_cast<std::uint64_t>((spent + took).count());
     return queue_.should_give_way(work.turn, all, costs()) ? AfterStep::pause : AfterStep::go_on;
   };
@@ -390,7 +391,7 @@ WorkCosts GenerationPool::costs() const {
   costs.longest_piece = std::chrono::nanoseconds{kLongestPiece}.count();
   costs.max_begun = parts_.generator_memory.max_begun();
   costs.max_begun_of_flow = (costs.max_begun + 3) / 4;  // so that several flows find room
-  // One flow gets all threads only while nobody else asks: whoever asks next should find one.
+  // A flow gets all threads only while no other asks: the next flow that asks should find one.
   const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
   costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
   return costs;
@@ -407,9 +408,10 @@ std::int64_t GenerationPool::job_bytes_change() {
   return (static_cast<std::int64_t>(jobs_told_) - static_cast<std::int64_t>(before)) * kJobBytes;
 }
 
-// While jobs wait, each piece of work that ends comes by here again. Where none does all are told, and the
-// first who come fill the queue. But where memory is so short that one after the other is served, so few are
-// told that the others need not be refused again; housekeeping comes by for those who had nothing to ask.
+// While jobs wait, each piece of work that ends gets here again. Otherwise all refused clients are
+// notified, and the first that come fill the queue. But if memory is so short that they are served one after
+// the other, only a few are notified, so that the others need not be refused again; housekeeping calls this
+// for clients that had nothing to ask.
 std::vector<MailboxPtr> GenerationPool::clients_with_room() {
   if (refused_.empty() || !parts_.memory.takes_jobs()) return {};
   try {
@@ -417,7 +419,7 @@ std::vector<MailboxPtr> GenerationPool::clients_with_room() {
     if (queue_.jobs() == 0) return refused_.take(kFlowsToTell, [](FlowId) { return true; });
     return refused_.take(kFlowsToTell, [this](FlowId flow) { return queue_.has_room(flow); });
   } catch (const std::bad_alloc&) {
-    return {};  // they are told when the next piece of work ends
+    return {};  // they are notified when the next piece of work ends
   }
 }
 

@@ -1,10 +1,9 @@
-// The generator threads: what is submitted, in whose turn it is made, and who is told. Callable from any
-// thread.
+// The generator threads: take what is submitted, make it in turns, and answer. Callable from any thread.
 //
-// Why no chunk is made twice: a thread puts a chunk into the cache before it ends the chunk's job, and looks
-// there before it makes one, which a patch's chunks are by one thread at a time. A chunk as generated never
-// changes, so nothing in that cache is ever invalidated. Edits are laid over a chunk when it is made, for
-// those alone who see edits: the overlay keeps a cache of its own.
+// No chunk is made twice: a thread puts a chunk into the cache before it ends the chunk's job, and looks
+// there before it makes one; the chunks of a patch are made by one thread at a time. A chunk as generated
+// never changes, so nothing in that cache is ever invalidated. Edits are applied to a chunk when it is made,
+// for clients that see edits only: the overlay has a cache of its own.
 #pragma once
 
 #include <atomic>
@@ -36,7 +35,7 @@ namespace talus::server {
 
 class GenerationPool {
  public:
-  /// What a pool works with; all of it outlives the pool.
+  /// The parts that a pool works with; all of them outlive the pool.
   struct Parts {
     ChunkMaker& maker;
     PatchStore& patches;
@@ -44,16 +43,16 @@ class GenerationPool {
     Metrics& metrics;
     MemoryBudget& memory;
     const Clock& clock;
-    ChunkOverlay* overlay = nullptr;  // null: no edits
+    ChunkOverlay* overlay = nullptr;  // null: there are no edits
   };
   struct Settings {
     std::size_t threads = 1;
     int patch_tiles = 4;
-    std::size_t max_jobs = 0;  // as WorkQueue's
+    std::size_t max_jobs = 0;  // WorkQueue's max_jobs
     std::size_t own_jobs = 0;
   };
   GenerationPool(const Parts& parts, const Settings& settings, Logger log);
-  /// Waits for the threads; what still waits is not answered.
+  /// Waits for the threads; requests that still wait are not answered.
   ~GenerationPool();
   GenerationPool(const GenerationPool&) = delete;
   GenerationPool& operator=(const GenerationPool&) = delete;
@@ -69,63 +68,64 @@ class GenerationPool {
   void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
-  /// With fewer for each thread the threads may have no job left before clients ask for more. So many are
-  /// those of two patches whose rows are not known yet.
+  /// With fewer for each thread the threads may have no job left before clients ask for more. It is the
+  /// number of jobs of two patches whose rows are not known yet.
   static constexpr std::size_t kFewJobs = 512;
   [[nodiscard]] bool has_little_to_do() const {
     return jobs_.load(std::memory_order_relaxed) < kFewJobs * settings_.threads;
   }
 
-  /// Tells clients that were refused for want of memory; call it when the budget takes jobs again, and now
+  /// Notifies clients that were refused for lack of memory. Call it when the budget takes jobs again, and now
   /// and then.
   void jobs_resume();
 
   struct Status {
     std::size_t jobs = 0;
-    std::size_t clients = 0;  // with something waiting
+    std::size_t clients = 0;  // clients with something waiting
   };
   [[nodiscard]] Status status();
 
  private:
   void work();
-  /// Each goes on for a bounded time while others wait, and leaves the rest in `work`.
+  /// Each works for a bounded time while others wait, and leaves the rest in `work`.
   void run(WorkQueue::Batch& batch, const WorkQueue::Work& work, MeasuredWork& measured);
   void run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured);
-  /// Those of a batch's keys that are still waited for, by chunk(their index).
+  /// Answers the batch's keys that are still waited for by chunk(index of the key).
   template <typename Chunk>
   void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
-  /// Those that are in memory; returns the others.
+  /// Answers the chunks that are in memory; returns the other keys.
   [[nodiscard]] std::vector<ChunkKey> answer_known(std::span<const ChunkKey> keys);
-  /// Puts those waiters that see edits behind the others, and returns the first of them.
+  /// Moves waiters that see edits behind the others, and returns the first of them.
   [[nodiscard]] std::size_t edits_seen_from(std::vector<MailboxPtr>& waiters) const;
   [[nodiscard]] ChunkAnswer with_edits(ChunkKey key, const ChunkAnswer& base) const;
-  /// Answers by a failure what of it was not answered.
+  /// Answers by a failure what was not answered of the batch.
   void fail(const WorkQueue::Batch& batch);
   void fail(HeightsTask& task);
   void count(const MeasuredWork& measured);
-  /// Without the mutex, as all of these.
+  /// Called without the mutex, as all of these.
   void end(WorkQueue::Work& work, const MeasuredWork& measured, std::chrono::nanoseconds took);
 
-  /// For a piece of work: it is given up once the pool stops, or is_wanted() is false, which is called under
-  /// the mutex; and gives way to other clients' cheaper work after kLongestPiece. `spent`: before this piece.
+  /// Returns what a piece of work asks after each step: the piece is given up if the pool stops or
+  /// is_wanted(), which is called under the mutex, returns false; it yields to other clients' cheaper work
+  /// after kLongestPiece. `spent`: time before this piece.
   [[nodiscard]] AskAfterStep after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
                                            std::function<bool()> is_wanted);
 
-  // Under the mutex.
+  // Called under the mutex.
   /// Puts back what is not done, or ends it.
   void put_back(WorkQueue::Work& work);
-  /// Those who wait for what of the batch is not finished get no answer: their mailboxes say so.
+  /// Waiters for chunks of the batch that are not finished get no answer: their mailboxes record it.
   void lose(const WorkQueue::Batch& batch);
   [[nodiscard]] WorkCosts costs() const;
-  /// Bytes of jobs since the last call: to be told to the budget without the mutex, which it may come back
-  /// to.
+  /// Returns by how many bytes the jobs have changed since the last call. Report it to the budget without the
+  /// mutex, as the budget may call back.
   [[nodiscard]] std::int64_t job_bytes_change();
-  /// Of what was begun and gave way, likewise.
+  /// Returns by how much the work that yielded has changed since the last call; report it in the same way.
   [[nodiscard]] std::ptrdiff_t begun_change();
-  /// Those to be told that there is room for their jobs now.
+  /// Returns the clients to be notified that there is room for their jobs now.
   [[nodiscard]] std::vector<MailboxPtr> clients_with_room();
 
-  // Without the mutex.
+  // Called without the mutex.
   void tell_of_room(const std::vector<MailboxPtr>& mailboxes);
 
   const Parts parts_;
@@ -138,9 +138,9 @@ class GenerationPool {
   CostModel measured_costs_;
   RecentFlows recent_flows_;
   RefusedClients refused_;
-  std::size_t jobs_told_ = 0;          // to the budget
-  std::atomic<std::size_t> jobs_{0};   // likewise
-  std::size_t begun_told_ = 0;         // likewise
+  std::size_t jobs_told_ = 0;          // as the budget knows it
+  std::atomic<std::size_t> jobs_{0};   // as the budget knows it
+  std::size_t begun_told_ = 0;         // as the budget knows it
   std::atomic<bool> stopping_{false};  // changes under the mutex
 
   std::vector<std::thread> threads_;

@@ -1,6 +1,6 @@
-// What generator threads call to make terrain. Any function may be called by several threads at once, and may
-// throw std::bad_alloc. Equal arguments give equal chunks, for ever: nothing made from them needs to be
-// invalidated.
+// The functions that generator threads call to make terrain. Several threads may call any of them at once,
+// and each may throw std::bad_alloc. Equal arguments give equal chunks, for ever: nothing made from them
+// needs to be invalidated.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,21 @@
 
 namespace talus::server {
 
-/// Something in the making, step by step. For one thread at a time, whichever it is; a destructor gives it
-/// up. Steps may throw std::bad_alloc, and then only the destructor may be called.
+/// Something that is made step by step. For one thread at a time, not always the same; the destructor gives
+/// it up. Steps may throw std::bad_alloc, and then only the destructor may be called.
 template <typename Made>
 class Making {
  public:
   virtual ~Making() = default;
-  /// Some milliseconds of work; false when nothing is left.
+  /// Does some milliseconds of work. Returns false when nothing is left.
   [[nodiscard]] virtual bool step() = 0;
-  /// Once step() has returned false.
+  /// Call it after step() has returned false.
   [[nodiscard]] virtual Made take() = 0;
 };
 using PatchMaking = Making<terrain::Stacks>;
 using HeightsMaking = Making<HeightsFound>;
 
-/// What becomes of it after a step.
+/// Decision after a step.
 enum class AfterStep { go_on, pause, give_up };
 using AskAfterStep = std::function<AfterStep()>;
 
@@ -42,13 +42,13 @@ class Generator {
  public:
   virtual ~Generator() = default;
 
-  /// The chunk where it costs nothing to know it; else null.
+  /// Returns the chunk if it is known at no cost; else null.
   [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
-  /// The chunk that is of one material, air among them.
+  /// Returns the chunk that is of one material, which may be air.
   [[nodiscard]] virtual EncodedChunkPtr uniform(MaterialId material) const = 0;
-  /// Of any column of the level, for all that is known without looking.
+  /// Returns the rows of any column of the level, without looking at one.
   [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
-  /// Of the key's column over this patch, exactly.
+  /// Returns the exact rows of the key's column over this patch.
   [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;
   /// `memory` is reused. The generator outlives what it makes.
   [[nodiscard]] virtual std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,

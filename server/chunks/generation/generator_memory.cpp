@@ -12,7 +12,7 @@ GeneratorMemory::GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logg
       piece_bytes_{piece_bytes},
       ground_bytes_{ground_bytes},
       log_{std::move(log)} {
-  (void)bytes();  // which says whether they have room
+  (void)bytes();  // logs if they lack room
 }
 
 void GeneratorMemory::note_patch(std::size_t bytes) {
@@ -53,8 +53,8 @@ std::uint64_t GeneratorMemory::bytes() {
   return std::min(at_work, share) + std::min(begun, share);
 }
 
-// A thread that told what was true before another's change would leave the budget as of then. So whoever
-// tells looks again: either it sees the other's change, or the other tells after it.
+// A thread that reported a value that another has changed since would leave the budget with the old one. So
+// each thread reads again after reporting: either it sees the other's change, or the other reports after it.
 void GeneratorMemory::tell_budget() {
   std::uint64_t told = 0;
   std::uint64_t now = bytes();

@@ -1,4 +1,4 @@
-// The memory of generators at work, as a MemoryBudget is told of it. Callable from any thread.
+// Reports the memory of generators at work to a MemoryBudget. Callable from any thread.
 #pragma once
 
 #include <atomic>
@@ -15,29 +15,29 @@ class GeneratorMemory {
   /// A generator at work holds this many times the bytes of a patch: fields of the patch and its halo, planes
   /// for the next, the patch itself, and one to spare.
   static constexpr std::size_t kPatchesAtWork = 5;
-  /// At most this part of the budget counts as the generators': more would lock everybody out for good.
+  /// Maximum part of the budget that counts as the generators': more would refuse all clients for good.
   static constexpr std::uint64_t kLargestShare = 8;
 
-  /// `piece_bytes`: what a patch in the making takes with its halo, as far as is known; 0: nothing is.
-  /// `ground_bytes`: what they keep together.
+  /// `piece_bytes`: estimate of what a patch in the making takes with its halo; 0: unknown. `ground_bytes`:
+  /// what all generators keep together.
   GeneratorMemory(MemoryBudget& budget, std::size_t threads, Logger log, std::size_t piece_bytes = 0,
                   std::size_t ground_bytes = 0);
 
-  /// With so many that were begun and wait no more give way: as many as are an eighth of the budget. None
-  /// where memory is that short: then each is made whole.
+  /// Maximum number of patches that were begun and wait, so that no more yield: as many as are an eighth of
+  /// the budget. 0 if memory is too short for one: then each is made whole.
   [[nodiscard]] std::size_t max_begun() const;
   static constexpr std::size_t kMostBegun = 16;
-  /// So many more are, or fewer.
+  /// Changes the number of patches that were begun and wait.
   void add_begun(std::ptrdiff_t change);
 
-  /// A patch of `bytes` was made. Where the generators need a quarter more than their share, which is as much
-  /// as patches differ, the log says so, once.
+  /// A patch of `bytes` was made. If the generators need a quarter more than their share, which is as much as
+  /// patches differ, this is logged once.
   void note_patch(std::size_t bytes);
 
  private:
-  /// Of a patch in the making.
+  /// Returns the bytes of a patch in the making.
   [[nodiscard]] std::uint64_t each_bytes() const;
-  /// As they count in the budget.
+  /// Returns the bytes of the generators as they count in the budget.
   [[nodiscard]] std::uint64_t bytes();
   void tell_budget();
 
@@ -47,7 +47,7 @@ class GeneratorMemory {
   const std::size_t ground_bytes_;
   const Logger log_;
   std::atomic<std::size_t> largest_patch_bytes_{0};
-  std::atomic<std::ptrdiff_t> begun_{0};  // below 0 where a change is told before the one before it
+  std::atomic<std::ptrdiff_t> begun_{0};  // below 0 if a change is reported before the one before it
   std::atomic<bool> warned_{false};
 };
 

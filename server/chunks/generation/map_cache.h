@@ -30,14 +30,14 @@ class MapCache {
  public:
   explicit MapCache(std::size_t capacity_bytes) : tiles_{capacity_bytes} {}
 
-  /// Null where the tile is not cached.
+  /// Returns null if the tile is not cached.
   [[nodiscard]] PicturePtr find(const map::Tile& tile) { return tiles_.find(tile).value_or(nullptr); }
   void put(const map::Tile& tile, PicturePtr picture) {
     const std::size_t bytes = sizeof(Picture) + picture->png.size();
     tiles_.put(tile, std::move(picture), bytes);
   }
 
-  /// As those of ShardedCache.
+  /// As in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { tiles_.set_capacity(capacity_bytes); }
   [[nodiscard]] bool fit(std::size_t& looks) { return tiles_.fit(looks); }
   [[nodiscard]] std::size_t bytes() const { return tiles_.bytes(); }

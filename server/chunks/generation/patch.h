@@ -1,6 +1,6 @@
 // Patches: squares of tiles whose stacks are generated together, so that they share surface and halo. Their
-// edge is a power of two of tiles: else a patch would straddle the world's end, where chunks' int32
-// coordinates of one side would stand for those of the other.
+// edge is a power of two of tiles: otherwise a patch would cross the world's end, where chunks' int32
+// coordinates of one side would denote chunks of the other.
 #pragma once
 
 #include <bit>
@@ -21,18 +21,18 @@ struct PatchKey {
   constexpr auto operator<=>(const PatchKey&) const = default;
 };
 
-/// Whether patches may have so many tiles along each edge.
+/// Returns true if patches may have `tiles` tiles along each edge.
 [[nodiscard]] constexpr bool is_patch_edge(int patch_tiles) {
   return patch_tiles > 0 && std::has_single_bit(static_cast<unsigned>(patch_tiles));
 }
 
-/// The patch, `patch_tiles` tiles along each edge, over which the chunk stands.
+/// Returns the patch over which the chunk stands, of `patch_tiles` tiles along each edge.
 [[nodiscard]] PatchKey patch_of(ChunkKey chunk, int patch_tiles);
 
-/// Its columns of voxels.
+/// Returns the patch's columns of voxels.
 [[nodiscard]] terrain::Region region_of(const PatchKey& patch, int patch_tiles);
 
-/// The key that stands for a chunk's whole column of chunks.
+/// Returns the key that identifies a chunk's whole column of chunks.
 [[nodiscard]] constexpr ChunkKey column_of(ChunkKey chunk) {
   return {{chunk.coord.x, 0, chunk.coord.z}, chunk.lod};
 }

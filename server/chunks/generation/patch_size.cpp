@@ -16,8 +16,8 @@
 namespace talus::server {
 namespace {
 
-// Tiles that are measured: apart, since erosion ends early where the ground is level. The first is measured
-// again, for the memory that it warms.
+// Tiles that are measured: far apart, since erosion ends early if the ground is level. The first is measured
+// again, as the first measurement warms the memory.
 struct Place {
   std::int32_t x;
   std::int32_t z;
@@ -57,7 +57,7 @@ TileCost measure_tile(const terrain::World& world, const Clock& clock) {
     }
     const auto end = clock.thread_cpu();
     spent += end - start;
-    if (i == 1) dearest = {};  // the first alone counts where it took long enough
+    if (i == 1) dearest = {};  // only the second measurement counts if it took long enough
     dearest.bytes = std::max(dearest.bytes, stacks.bytes());
     dearest.terrain = std::max(dearest.terrain, made - start);
     dearest.chunk = std::max(dearest.chunk, (end - made) / kChunksMeasured);
@@ -102,7 +102,7 @@ PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size) {
     fewer.tiles /= 2;
     fewer.patch_time = time_of(fewer.tiles, size.tile_time, size.halo);
     fewer.reduced = true;
-    // What does not fit then is at least less far over.
+    // If even that does not fit it exceeds the limit by less.
     if (fewer.ns_a_column() > 2 * size.ns_a_column()) break;
     reduced = fewer;
   }

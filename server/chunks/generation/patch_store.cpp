@@ -40,7 +40,7 @@ bool PatchStore::holds(const PatchKey& patch) const {
 PatchStore::Loan PatchStore::obtain(const PatchKey& patch, std::span<const ChunkKey> asked,
                                     BegunPatchPtr begun, const AskAfterStep& after_step,
                                     MeasuredWork& measured) {
-  // Now, as whoever asks may have moved on when it is made.
+  // Asked now, as the client may have moved on when the patch is made.
   Loan loan;
   loan.patch = patch;
   loan.in_views = in_views(asked);
@@ -192,7 +192,7 @@ bool PatchStore::extract_wanted(const PatchKey& key, const StoredPatch& patch, M
       const ChunkKey chunk{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
       if (parts_.chunks.holds(chunk)) continue;
       (void)parts_.maker.chunk(patch.stacks.get(), chunk);
-      all = all && parts_.chunks.holds(chunk);  // which a small cache may not keep
+      all = all && parts_.chunks.holds(chunk);  // a small cache may not keep it
       ++measured.chunks;
     }
   });
@@ -231,7 +231,7 @@ void PatchStore::set_capacity(std::size_t capacity_bytes) {
 }
 
 bool PatchStore::fit(std::size_t& looks) {
-  // A patch takes long to free: generators come in between.
+  // Freeing a patch takes long: generators run in between.
   for (;;) {
     std::size_t one = std::min<std::size_t>(looks, 1);
     looks -= one;

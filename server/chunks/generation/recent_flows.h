@@ -1,4 +1,4 @@
-// Whether more than one flow has asked for work of late. For one thread; GenerationPool locks.
+// Knows if more than one flow has asked for work recently. For one thread; GenerationPool locks.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace talus::server {
 
 class RecentFlows {
  public:
-  /// For which a flow that asked counts as going on to ask.
+  /// Time for which a flow that asked counts as asking again.
   static constexpr std::chrono::seconds kRecently{1};
 
   void asked(FlowId flow, Clock::time_point now) {
@@ -18,7 +18,7 @@ class RecentFlows {
     last_flow_ = flow;
     last_asked_ = now;
   }
-  /// Whether two asked within kRecently of each other, not longer ago than that.
+  /// Returns true if two flows asked within kRecently of each other, not longer ago than that.
   [[nodiscard]] bool several(Clock::time_point now) const { return now - two_asked_ <= kRecently; }
 
  private:

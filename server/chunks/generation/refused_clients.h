@@ -16,18 +16,18 @@
 
 namespace talus::server {
 
-/// Keeps no mailbox alive. Holds each living client once, and never more dead ones than that. Flows are
-/// looked at in turns; of each its clients come in the order in which they were refused.
+/// Keeps no mailbox alive. Holds each living client once, and never more dead ones than living ones. Flows
+/// are visited in turns; the clients of each come in the order in which they were refused.
 class RefusedClients {
  public:
-  /// No effect where the owner is remembered already. Throws std::bad_alloc, and then has changed nothing.
+  /// No effect if the owner is there already. Throws std::bad_alloc, and then has changed nothing.
   void remember(const MailboxPtr& mailbox);
 
-  /// Looks at the next `flows` flows, and takes one client of each for which has_room(flow) is true.
+  /// Visits the next `flows` flows, and takes one client of each for which has_room(flow) returns true.
   template <typename HasRoom>
   [[nodiscard]] std::vector<MailboxPtr> take(std::size_t flows, HasRoom&& has_room) {
     std::vector<MailboxPtr> taken;
-    taken.reserve(std::min(flows, order_.size()));  // who was taken is not lost
+    taken.reserve(std::min(flows, order_.size()));  // so that a client that is taken is not lost
     for (std::size_t left = std::min(flows, order_.size()); left > 0; --left) {
       const FlowId flow = order_.front();
       if (has_room(flow)) {
@@ -44,7 +44,7 @@ class RefusedClients {
   [[nodiscard]] std::vector<MailboxPtr> take_all();
 
   [[nodiscard]] bool empty() const { return clients_.empty(); }
-  /// With those that died meanwhile.
+  /// Returns the number of clients, including dead ones.
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
 
  private:
@@ -52,14 +52,14 @@ class RefusedClients {
     ClientId client;
     std::weak_ptr<Mailbox> mailbox;
   };
-  /// The flow's first living client, and forgets it; null where none is left.
+  /// Removes and returns the flow's first living client; null if the flow has no more.
   [[nodiscard]] MailboxPtr take_first(FlowId flow);
   void forget_dead();
 
-  std::unordered_map<FlowId, std::deque<Refused>> by_flow_;  // none is empty
-  std::list<FlowId> order_;                                  // of by_flow_, the next first
-  std::unordered_set<ClientId> clients_;                     // of by_flow_
-  std::size_t look_at_size_ = 64;                            // when to look for dead ones again
+  std::unordered_map<FlowId, std::deque<Refused>> by_flow_;  // no deque is empty
+  std::list<FlowId> order_;                                  // keys of by_flow_, the next first
+  std::unordered_set<ClientId> clients_;                     // clients in by_flow_
+  std::size_t look_at_size_ = 64;  // size at which dead clients are searched for again
 };
 
 }  // namespace talus::server

@@ -1,4 +1,4 @@
-// The memory of patches that nobody needs any more, for the next patches. Callable from any thread.
+// The memory of released patches, for the next patches. Callable from any thread.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,16 @@ namespace talus::server {
 
 using StacksPtr = std::shared_ptr<const terrain::Stacks>;
 
-/// A sixth of the time of a cold View went into memory fresh from the system: a page fault for every 4 KiB.
+/// A sixth of the time of a cold View was spent on memory fresh from the system: a page fault for every 4
+/// KiB.
 class StacksPool {
  public:
-  /// Keeps at most `max_spare` patches that nobody uses.
+  /// Keeps at most `max_spare` unused patches.
   explicit StacksPool(std::size_t max_spare);
 
-  /// Stacks to fill: spare ones, if there are any.
+  /// Returns stacks to fill: spare ones, if there are any.
   [[nodiscard]] std::unique_ptr<terrain::Stacks> take();
-  /// Makes filled stacks shared and immutable. When the last owner lets go of them they come back here; the
+  /// Makes filled stacks shared and immutable. When the last owner releases them they come back here; the
   /// pool must outlive that.
   [[nodiscard]] StacksPtr share(std::unique_ptr<terrain::Stacks> stacks);
 

@@ -38,7 +38,7 @@ TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, 
                   : std::make_shared<terrain::GroundCache>(ground_bytes, std::make_unique<MutexLock>())},
       place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
-  // Every request looks here first, and working it out costs as much as a look into the cache.
+  // Every request looks here first, and computing it costs as much as a look into the cache.
   for (int level = 0; level <= Lod::kMax; ++level) {
     rows_anywhere_[static_cast<std::size_t>(level)] = rows_of(terrain::mixed_range(*world_, Lod::of(level)));
   }
@@ -71,7 +71,7 @@ class TerrainGenerator::PatchOfWorld final : public PatchMaking {
     generator_->start(region_of(patch, owner.patch_tiles_), std::move(memory));
   }
   [[nodiscard]] bool step() override { return generator_->step(); }
-  // What is given up takes its memory with it: the next work is another's.
+  // Work that is given up frees its memory: the next work belongs to another client.
   [[nodiscard]] terrain::Stacks take() override {
     terrain::Stacks stacks = generator_->take();
     owner_.give_back(std::move(generator_));

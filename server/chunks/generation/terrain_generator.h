@@ -21,8 +21,8 @@ namespace talus::server {
 
 class TerrainGenerator final : public Generator {
  public:
-  /// Patches have `patch_tiles` tiles along each edge, a power of two. The memory of `max_idle` generators
-  /// that work on nothing is kept. They share about `ground_bytes` of ground; 0: none.
+  /// Patches have `patch_tiles` tiles along each edge, a power of two. The memory of `max_idle` idle
+  /// generators is kept. They share about `ground_bytes` of ground; 0: no ground is shared.
   TerrainGenerator(std::shared_ptr<const terrain::World> world, int patch_tiles, std::size_t max_idle = 1,
                    std::size_t ground_bytes = 0);
 

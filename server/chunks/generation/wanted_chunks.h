@@ -1,5 +1,5 @@
-// Which chunks clients look at, and come to look at soon: what is worth being made before anybody asks for
-// it. Callable from any thread.
+// Stores which chunks Views contain, and will soon contain: chunks worth making before a client asks for
+// them. Callable from any thread.
 #pragma once
 
 #include <array>
@@ -26,19 +26,19 @@ class WantedChunks {
   /// no boxes.
   void set(ClientId client, std::span<const LevelBox> boxes);
 
-  /// Of the rows in `rows`, from the lowest that some client's box has of the key's column to the highest;
-  /// empty where no box has one of them.
+  /// Returns the part of `rows` from the lowest that some client's box has of the key's column to the
+  /// highest; empty if no box has one of them.
   [[nodiscard]] ChunkRange rows_of(ChunkKey column, ChunkRange rows) const;
-  /// Whether some client's box has the key's column.
+  /// Returns true if some client's box has the key's column.
   [[nodiscard]] bool has_column(ChunkKey column) const;
 
-  /// Whether no client has any.
+  /// Returns true if no client has a box.
   [[nodiscard]] bool empty() const;
 
  private:
   struct Entry {
     LevelBox box;
-    std::size_t clients = 0;  // who have it
+    std::size_t clients = 0;  // number of clients that have it
   };
 
   /// Calls visit(LevelBox) for the boxes that have the key's column, until it returns false.
@@ -46,7 +46,7 @@ class WantedChunks {
   void for_each_box(ChunkKey column, Visit&& visit) const;
   void add(const BoxCell& cell, const LevelBox& box);
   void remove(const BoxCell& cell, const LevelBox& box);
-  /// The first `places` of the places that the boxes have in cells.
+  /// Removes the boxes from the first `places` of the places that they have in cells.
   void remove(std::span<const LevelBox> boxes, std::size_t places);
 
   mutable std::mutex mutex_;

@@ -6,6 +6,18 @@
 namespace talus::server {
 namespace {
 
+template <typename... Calls>
+struct Overloaded : Calls... {
+  using Calls::operator()...;
+};
+template <typename... Calls>
+Overloaded(Calls...) -> Overloaded<Calls...>;
+
+/// Work wanted soon has this share of the generators, work wanted later has 1.
+constexpr double kShareOfSoon = 3;
+/// In quanta, divided by the share: the most that work wanted soon, or later, saves up while there is none.
+constexpr double kUrgencySaved = 64 / kShareOfSoon;
+
 auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
   return std::find_if(waiters.begin(), waiters.end(),
                       [&](const MailboxPtr& each) { return each->owner() == client; });
@@ -14,7 +26,9 @@ auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
 }  // namespace
 
 WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs)
-    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, own_jobs_{own_jobs} {}
+    : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, own_jobs_{own_jobs} {
+  turns_.set_share(kShareOfSoon, Urgency::soon);
+}
 
 bool WorkQueue::may_add(const Mailbox& mailbox) const {
   const std::size_t jobs = of(mailbox.flow()).jobs;
@@ -44,7 +58,7 @@ void WorkQueue::Jobs::add(ChunkKey key, Job job) {
   ++open;
 }
 
-// Those that are ended go when they are more than the others: in all each moves once.
+// Removes ended jobs when they are more than the others: amortised, each job moves once.
 void WorkQueue::Jobs::end(Job& job) {
   job.ended = true;
   --open;
@@ -66,7 +80,7 @@ void WorkQueue::Jobs::end(Job& job) {
 
 std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
                            bool new_jobs) {
-  // Whose far chunks wait is not refused the near ones.
+  // A client that waits for far chunks is not refused near ones.
   const auto found = clients_.find(mailbox->owner());
   const bool own = own_jobs_ > (found == clients_.end() ? 0 : found->second.waiting[urgency]);
   std::size_t added = 0;
@@ -103,7 +117,7 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, co
   if (waiting != nullptr && waiter_of(waiting->waiters, mailbox->owner()) != waiting->waiters.end()) return;
   const bool first_of_patch = !client.jobs.contains(patch);
   try {
-    // What may throw comes first.
+    // Everything that may throw comes first.
     Flow& flow = flows_[mailbox->flow()];
     JobsOfPatch& jobs = client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).first->second;
     Job added{mailbox->flow(), {mailbox}};
@@ -139,7 +153,7 @@ void WorkQueue::hasten(ClientId client, ChunkKey key) {
 void WorkQueue::hasten(Client& client, ClientId id, const PatchKey& patch) {
   const auto jobs = client.jobs.find(patch);
   if (jobs == client.jobs.end() || jobs->second.urgency == Urgency::soon) return;
-  turns_.enter({client.flow, id, Urgency::soon});
+  turns_.enter({}, Urgency::soon, client.flow, id);
   client.order[Urgency::soon].push_back(patch);
   std::deque<PatchKey>& later = client.order[Urgency::later];
   later.erase(std::find(later.begin(), later.end(), patch));
@@ -172,7 +186,7 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
   const auto counts = [&](const MailboxPtr& each) { return stays(each) && each->flow() == job->flow; };
   if (std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
     const auto other = std::find_if(job->waiters.begin(), job->waiters.end(), stays);
-    if (other != job->waiters.end()) move(*job, (*other)->flow());  // which may throw
+    if (other != job->waiters.end()) move(*job, (*other)->flow());  // may throw
   }
   job->waiters.erase(waiter);
   if (taken != nullptr) return;  // begin() or finish() ends it
@@ -199,17 +213,17 @@ void WorkQueue::put_back(HeightsTask&& task) {
   Client& client = enter(*task.mailbox(), Urgency::later);
   const auto taken = std::find(client.taken_heights.begin(), client.taken_heights.end(), task.ticket());
   if (taken == client.taken_heights.end()) return;
-  // First what may throw.
+  // Everything that may throw comes first.
   client.heights.emplace_front(task.mailbox(), task.ticket(), HeightsQuery{});
   client.heights.front() = std::move(task);
   client.taken_heights.erase(taken);
   if (client.heights.front().is_begun()) count_begun(client.flow, true);
 }
 
-void WorkQueue::put_back(Batch&& batch, const UrgencyTurns::Turn& turn) {
+void WorkQueue::put_back(Batch&& batch, const Turn& turn) {
   const auto found = patches_.find(batch.patch);
   PatchWork& work = found->second;
-  // First what may throw.
+  // Everything that may throw comes first.
   work.waiting.reserve(work.taken.open);
   enter_waiters(found->first, work, work.hastened ? Urgency::soon : turn.urgency);
   while (!work.taken.empty()) {
@@ -278,28 +292,30 @@ void WorkQueue::count_begun(FlowId flow, bool more) {
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
+  const auto quantum = static_cast<double>(std::min(costs.patch, costs.longest_piece));
+  turns_.set_rules({FairRule{.saved = kUrgencySaved * quantum}, FairRule{.lead = quantum}, FairRule{}});
   const auto next = turns_.next(
-      static_cast<std::int64_t>(std::min(costs.patch, costs.longest_piece)),
-      [&](FlowId flow) { return of(flow).in_flight < costs.max_in_flight; },
-      [&](ClientId id, Urgency urgency) {
-        const auto client = clients_.find(id);
-        return client != clients_.end() && can_begin(client->second, urgency);
-      },
-      [&](ClientId id, Urgency urgency) {
-        const auto client = clients_.find(id);
-        return client != clients_.end() && (client->second.wants(urgency) || client->second.in_flight > 0);
-      });
-  if (!next) return std::nullopt;
-  Work work = take_of(*next, costs);
-  turns_.charge(*next, static_cast<std::int64_t>(work.price));
+      Overloaded{[&](Urgency /*urgency*/, FlowId flow) {
+                   return of(flow).in_flight < costs.max_in_flight ? Readiness::ready : Readiness::blocked;
+                 },
+                 [&](Urgency urgency, FlowId /*flow*/, ClientId id) { return readiness(id, urgency); }});
+  if (!next) {
+    if (turns_.empty()) turns_.clear();  // no client waits, so none is owed anything
+    return std::nullopt;
+  }
+  const auto [urgency, flow, client] = *next;
+  Work work = take_of({flow, client, urgency}, costs);
+  turns_.reserve(static_cast<double>(work.price), urgency, flow, client);
   return work;
 }
 
 void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
-  turns_.charge(work.turn, static_cast<std::int64_t>(cost) - static_cast<std::int64_t>(work.price));
-  --flows_.at(work.turn.flow).in_flight;
-  drop_if_unused(work.turn.flow);
-  const auto client = clients_.find(work.turn.client);
+  const auto [flow, id, urgency] = work.turn;
+  turns_.reserve(-static_cast<double>(work.price), urgency, flow, id);
+  turns_.charge(static_cast<double>(cost), urgency, flow, id);
+  --flows_.at(flow).in_flight;
+  drop_if_unused(flow);
+  const auto client = clients_.find(id);
   --client->second.in_flight;
   if (const auto* task = std::get_if<HeightsTask>(&work.what)) {
     std::erase(client->second.taken_heights, task->ticket());
@@ -307,12 +323,12 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
   drop_if_done(client);
 }
 
-WorkQueue::Work WorkQueue::take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs) {
+WorkQueue::Work WorkQueue::take_of(const Turn& turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
   const auto patch = free_patch(client, turn.urgency);
   const bool heights =
       turn.urgency == Urgency::later && !client.heights.empty() && (client.heights_next || !patch);
-  // What it takes may be the last that the client and its flow have, which these keep.
+  // This keeps the client and its flow, also if it takes their last work.
   Flow& flow = flows_[turn.flow];
   ++flow.in_flight;
   ++client.in_flight;
@@ -347,6 +363,14 @@ std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urge
   return std::nullopt;
 }
 
+Readiness WorkQueue::readiness(ClientId id, Urgency urgency) const {
+  const auto found = clients_.find(id);
+  if (found == clients_.end()) return Readiness::idle;
+  const Client& client = found->second;
+  if (can_begin(client, urgency)) return Readiness::ready;
+  return client.wants(urgency) || client.in_flight > 0 ? Readiness::blocked : Readiness::idle;
+}
+
 bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
   return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
 }
@@ -361,10 +385,9 @@ bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t most, con
   return false;
 }
 
-bool WorkQueue::should_give_way(const UrgencyTurns::Turn& turn, std::uint64_t spent,
-                                const WorkCosts& costs) const {
+bool WorkQueue::should_give_way(const Turn& turn, std::uint64_t spent, const WorkCosts& costs) const {
   if (begun_ >= costs.max_begun || of(turn.flow).begun >= costs.max_begun_of_flow) return false;
-  // What takes longer than most is likely to take as long again.
+  // A piece that takes longer than most is likely to take as long again.
   const std::uint64_t left = spent < costs.patch ? costs.patch - spent : spent;
   return std::any_of(clients_.begin(), clients_.end(), [&](const auto& each) {
     return each.first != turn.client && can_begin_for_less(each.second, left, costs);
@@ -435,7 +458,7 @@ void WorkQueue::release(const PatchKey& patch) {
 }
 
 WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox, Urgency urgency) {
-  turns_.enter({mailbox.flow(), mailbox.owner(), urgency});
+  turns_.enter({}, urgency, mailbox.flow(), mailbox.owner());
   Client& client = clients_[mailbox.owner()];
   client.flow = mailbox.flow();
   client.flow_use = mailbox.flow_use();
@@ -479,7 +502,7 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
     batch.begun = std::move(work.begun);
     count_begun(work.begun_by, false);
   }
-  // First those for which the turn's client waits.
+  // First the jobs for which the turn's client waits.
   for (const bool is_clients : {true, false}) {
     for (std::size_t i = waiting.first; i < waiting.jobs.size(); ++i) {
       Job& job = waiting.jobs[i];

@@ -1,18 +1,19 @@
-// What the generators have yet to do, and whose turn it is. For one thread; GenerationPool locks.
+// The work that waits for the generators, and its order. For one thread; GenerationPool locks.
 //
 // A job is one chunk, however many clients wait for it; it is dropped with its last waiter. Jobs lie with
 // their patch, which is worked on by one thread at a time: most are asked for, taken and ended together.
 //
-// Flows take turns, and within a flow its clients (flow_turns.h). A turn is worth a new patch; a client
-// spends it on patches of its own, in the order in which it asked, and between them on heights. Whoever else
-// waits for chunks of the patch gets them with it, for nothing: a job is done in the turn of the waiter whose
-// turn comes first.
+// Work wanted soon and work wanted later, flows, and within a flow its clients share by a FairQueue. A flow
+// that had no work goes first for the cost of a new patch. A client's pieces are its patches, in the order in
+// which it asked, alternating with its heights. Other clients that wait for chunks of the patch get them with
+// it at no cost: a job is done in the turn of the waiter whose turn comes first.
 //
-// What is dear gives way midway: it comes back as it is, and any turn of who waits for it goes on with it.
+// An expensive piece yields midway: it comes back as it is, and any turn of a client that waits for it
+// continues it.
 //
 // The queue is shared by dynamic thresholds (Choudhury and Hahne, 1998): a flow may have as many jobs as
 // there is room left, and a client as many as its flow has room then. So two flows take a third of the queue
-// each, two clients of a flow a third of its part, and whoever comes next finds room.
+// each, two clients of a flow a third of its part, and the next flow finds room.
 #pragma once
 
 #include <algorithm>
@@ -31,9 +32,9 @@
 #include "chunks/generation/begun_patch.h"
 #include "chunks/generation/heights_task.h"
 #include "chunks/generation/patch.h"
-#include "chunks/generation/urgency_turns.h"
 #include "chunks/generation/work_costs.h"
 #include "chunks/mailbox.h"
+#include "limits/flows/fair_queue.h"
 #include "limits/flows/flow_use.h"
 
 namespace talus::server {
@@ -42,109 +43,114 @@ class WorkQueue {
  public:
   struct Batch {
     PatchKey patch;
-    std::vector<ChunkKey> keys;  // first those for which the turn's client waits
+    std::vector<ChunkKey> keys;  // first the chunks for which the turn's client waits
     BegunPatchPtr begun{};
+  };
+  struct Turn {
+    FlowId flow{};
+    ClientId client{};
+    Urgency urgency{};
   };
   struct Work {
     std::variant<Batch, HeightsTask> what;
-    UrgencyTurns::Turn turn;  // whose it was
-    std::uint64_t price = 0;  // what they have paid
-    FlowUsePtr flow_use{};    // to which it is to be added
+    Turn turn;                // in which it was taken
+    std::uint64_t price = 0;  // reserved for it in that turn
+    FlowUsePtr flow_use{};    // gets the cost
   };
 
-  /// Never more than `max_jobs` jobs, but that a client for which fewer than `own_jobs` of an urgency wait
-  /// may ask for any number of that at once: so whoever waits for nothing is not refused.
+  /// Holds at most `max_jobs` jobs, except that a client that waits for fewer than `own_jobs` of an urgency
+  /// may ask for any number of that at once: so a client that waits for nothing is not refused.
   WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs = 0);
 
-  /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns how many,
-  /// from the first on: it ends at the first that needs a new job where there is no room for one, or where
-  /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for those before the one that
+  /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns the number,
+  /// from the first on: it ends at the first that needs a new job if the queue is full, or if
+  /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for the chunks before the one that
   /// failed.
   [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
                                 Urgency urgency = Urgency::later, bool new_jobs = true);
-  /// The client wants the chunk soon, and with it those of its patch for which it waits. No effect where it
-  /// waits for none that no thread has taken. Throws std::bad_alloc, and then nothing changed.
+  /// The client wants the chunk soon, and with it all chunks of its patch for which it waits. No effect if
+  /// threads have taken all of them. Throws std::bad_alloc, and then nothing changed.
   void hasten(ClientId client, ChunkKey key);
   void add(HeightsTask task);
-  /// Whether the client waits for a chunk that no thread has taken.
+  /// Returns true if the client waits for a chunk that no thread has taken.
   [[nodiscard]] bool waits(ClientId client) const { return waiting_of(client) > 0; }
-  /// Whether a flow that was refused may ask again.
+  /// Returns true if a flow that was refused may ask again.
   [[nodiscard]] bool has_room(FlowId flow) const { return of(flow).jobs < free_jobs(); }
 
-  /// No effect where the client does not wait for the chunk.
+  /// No effect if the client does not wait for the chunk.
   void cancel(ClientId client, ChunkKey key);
-  /// No effect where the task is done.
+  /// No effect if the task is done.
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
   /// The next piece of work, if any may be begun. A Batch's patch is the taker's until release(). Throws
   /// std::bad_alloc, and then nothing was taken.
   [[nodiscard]] std::optional<Work> take(const WorkCosts& costs = {});
-  /// Heights that were taken go on at their client's next turn; not where they were cancelled meanwhile.
+  /// Heights that were taken continue at their client's next turn, unless they were cancelled meanwhile.
   /// Before reconcile(). Throws std::bad_alloc, and then the task is what it was.
   void put_back(HeightsTask&& task);
   /// A batch's patch that was begun: the jobs that were not finished wait again. Before reconcile() and
   /// instead of release(). Throws std::bad_alloc, and then the batch is what it was.
-  void put_back(Batch&& batch, const UrgencyTurns::Turn& turn);
-  /// The piece is done and did cost `cost`: who had the turn pays the difference, or gets it back.
+  void put_back(Batch&& batch, const Turn& turn);
+  /// The piece is done and cost `cost`: the turn's flow and client are charged this instead of the price.
   void reconcile(const Work& work, std::uint64_t cost);
-  /// Whether somebody still waits for a chunk of a taken batch that was not finished; where not, the job is
-  /// gone.
+  /// Returns true if a client still waits for a chunk of a taken batch that was not finished; otherwise the
+  /// job is gone.
   [[nodiscard]] bool begin(ChunkKey key);
-  /// Drops the jobs of a taken batch where nobody waits for any of them, or for others of its patch; false
-  /// where somebody does.
+  /// Drops the jobs of a taken batch and returns true, unless a client waits for one of them, or for others
+  /// of its patch.
   [[nodiscard]] bool drop_unwanted(const Batch& batch);
-  /// Whether a piece of this turn that took `spent` so far should be put back now: another client could begin
-  /// something that is likely to take less time than what is left of it, and what was put back does not hold
-  /// too much memory, neither of the flow nor in all. Where all is as expensive each is made whole, so that
-  /// the first is soon there.
-  [[nodiscard]] bool should_give_way(const UrgencyTurns::Turn& turn, std::uint64_t spent,
-                                     const WorkCosts& costs) const;
-  /// Whether heights that were taken were not cancelled since.
+  /// Returns true if a piece of this turn that took `spent` so far should be put back now: another client
+  /// could begin something that is likely to take less time than the rest of it, and pieces that were put
+  /// back do not hold too much memory, of the flow or in all. If all pieces are as expensive each is made
+  /// whole, so that the first is soon there.
+  [[nodiscard]] bool should_give_way(const Turn& turn, std::uint64_t spent, const WorkCosts& costs) const;
+  /// Returns true if heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
-  /// Ends the job; its waiters are the caller's to answer.
+  /// Ends the job. Returns its waiters, which the caller answers.
   [[nodiscard]] std::vector<MailboxPtr> finish(ChunkKey key);
   void release(const PatchKey& patch);
 
   [[nodiscard]] std::size_t jobs() const { return jobs_; }
-  /// What was put back and holds memory.
+  /// Number of pieces that were put back and hold memory.
   [[nodiscard]] std::size_t begun() const { return begun_; }
-  /// A patch that was begun and goes, as nobody waits for it any more; null where none does. To be destroyed
-  /// without the lock: it may be large. Of several between two calls the others are destroyed at once.
+  /// Returns a patch that was begun and for which no client waits any more; null if there is not one. Destroy
+  /// it without the lock: it may be large. If there were several between two calls the others are destroyed
+  /// at once.
   [[nodiscard]] BegunPatchPtr take_dropped() { return std::move(dropped_); }
-  /// Those with something waiting.
+  /// Number of clients with something waiting.
   [[nodiscard]] std::size_t clients() const;
 
  private:
   struct Job {
-    FlowId flow;  // of one who waits: the job is one of its
+    FlowId flow;  // of a waiter; the job counts as its
     std::vector<MailboxPtr> waiters;
     bool ended = false;
   };
-  /// Jobs in the order in which they came. Searched from the first open one on: there are few, or they end in
-  /// that order.
+  /// Jobs in the order in which they came. Searches begin at the first open one: there are few, or they end
+  /// in that order.
   struct Jobs {
     std::vector<ChunkKey> keys;
-    std::vector<Job> jobs;  // as many
-    std::size_t first = 0;  // those before it are ended
-    std::size_t open = 0;   // not ended
+    std::vector<Job> jobs;  // as many as keys
+    std::size_t first = 0;  // all before it are ended
+    std::size_t open = 0;   // number of jobs that are not ended
     [[nodiscard]] bool empty() const { return open == 0; }
-    /// Null where there is none that is not ended.
+    /// Returns null if there is no such job, or it is ended.
     [[nodiscard]] Job* find(ChunkKey key);
-    /// For `more` to be added without an allocation.
+    /// After it `more` jobs can be added without an allocation.
     void reserve(std::size_t more);
     void add(ChunkKey key, Job job);
-    /// Ends the job that find() gave. It may move others.
+    /// Ends the job that find() returned. May move others.
     void end(Job& job);
   };
   struct PatchWork {
     Jobs waiting;
-    Jobs taken;  // empty where no thread works on the patch, or it has ended them all
+    Jobs taken;  // empty if no thread works on the patch, or it has ended them all
     bool is_taken = false;
-    bool hastened = false;  // while it was taken somebody came to want it soon
+    bool hastened = false;  // while it was taken a client began to want it soon
     BegunPatchPtr begun{};
     FlowId begun_by{};
   };
-  // No array: where the constructor of one of its deques throws, GCC 12 leaks and clang 14 terminates.
+  // Not an array: if the constructor of one of its deques throws, GCC 12 leaks and clang 14 terminates.
   template <typename Value>
   struct ByUrgency {
     Value soon;
@@ -161,12 +167,12 @@ class WorkQueue {
   struct Client {
     FlowId flow{};
     ByUrgency<std::deque<PatchKey>> order;           // together exactly the keys of `jobs`
-    std::unordered_map<PatchKey, JobsOfPatch> jobs;  // waiting ones of each patch
+    std::unordered_map<PatchKey, JobsOfPatch> jobs;  // waiting jobs of each patch
     std::deque<HeightsTask> heights;                 // all wanted later
-    std::vector<std::uint64_t> taken_heights;        // tickets of those that may be put back
+    std::vector<std::uint64_t> taken_heights;        // tickets of tasks that may be put back
     ByUrgency<std::size_t> waiting{};                // jobs, in `jobs`
-    bool heights_next = true;   // heights and patches take turns, where it waits for both
-    std::size_t in_flight = 0;  // pieces taken in its turns and not reconciled
+    bool heights_next = true;                        // heights and patches alternate if it waits for both
+    std::size_t in_flight = 0;                       // pieces taken in its turns and not reconciled
     FlowUsePtr flow_use{};
     [[nodiscard]] bool idle() const { return jobs.empty() && heights.empty(); }
     [[nodiscard]] bool wants(Urgency urgency) const {
@@ -186,27 +192,28 @@ class WorkQueue {
   void add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch, PatchWork& work,
            Job* waiting);
   Client& enter(const Mailbox& mailbox, Urgency urgency);
-  /// What the client waits for of the patch is wanted soon.
+  /// All that the client waits for of the patch is wanted soon.
   void hasten(Client& client, ClientId id, const PatchKey& patch);
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
+  [[nodiscard]] Readiness readiness(ClientId id, Urgency urgency) const;
   [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
-  /// Whether the client could begin something that is likely to cost less than `most`.
+  /// Returns true if the client could begin something that is likely to cost less than `most`.
   [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t most,
                                         const WorkCosts& costs) const;
-  /// The first patch of that urgency on which a thread may work for the client.
+  /// Returns the first patch of that urgency on which a thread may work for the client.
   [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency) const;
   void count_begun(FlowId flow, bool more);
-  /// Lets all who wait for jobs of `work` that were taken wait for the patch again, without counting them.
+  /// Lets all waiters for jobs of `work` that were taken wait for the patch again, without counting them.
   void enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency);
   void leave_where_none_waits(const PatchKey& patch, const PatchWork& work);
-  /// The first piece of a client that can begin one.
-  [[nodiscard]] Work take_of(const UrgencyTurns::Turn& turn, const WorkCosts& costs);
+  /// Takes the first piece of a client that can begin one.
+  [[nodiscard]] Work take_of(const Turn& turn, const WorkCosts& costs);
   [[nodiscard]] Batch take_patch(const PatchKey& patch, ClientId client);
-  /// The job is one of another flow's from now on.
+  /// The job counts as another flow's from now on.
   void move(Job& job, FlowId flow);
-  /// Ends the job; gives its waiters.
+  /// Ends the job; returns its waiters.
   std::vector<MailboxPtr> erase(Jobs& jobs, Job& job);
   void end_taken(PatchWork& work);
   void drop_if_unused(Patches::iterator patch);
@@ -223,9 +230,9 @@ class WorkQueue {
   std::size_t begun_ = 0;
   BegunPatchPtr dropped_{};
   Patches patches_;
-  Clients clients_;                         // those with something waiting or in flight
-  std::unordered_map<FlowId, Flow> flows_;  // those with jobs, pieces in flight, or something begun
-  UrgencyTurns turns_;
+  Clients clients_;                         // with something waiting or in flight
+  std::unordered_map<FlowId, Flow> flows_;  // with jobs, pieces in flight, or something begun
+  FairQueue<Classes<Urgency, 2>, FlowId, ClientId> turns_;
 };
 
 }  // namespace talus::server

@@ -1,5 +1,5 @@
-// Whose traffic counts as one: all sessions of an address, or of a token's subject. Flows take turns at what
-// the server has little of, so that nobody gets more by opening more connections.
+// A flow: all sessions of an address, or of a token's subject, whose traffic counts as one. Flows share
+// scarce resources of the server (fair_queue.h), so that a client gains nothing by opening more connections.
 #pragma once
 
 #include <array>
@@ -10,23 +10,23 @@
 
 namespace talus::server {
 
-/// Stays the same for as long as the process runs, also while the flow has no session.
+/// Stays the same while the process runs, also while the flow has no session.
 enum class FlowId : std::uint64_t {};
 
-/// Makes ids by a hash under a key of the process, so that nobody can choose to share another's. Callable
-/// from any thread.
+/// Makes ids by a hash under a key of the process, so that a client cannot choose to share another's id.
+/// Callable from any thread.
 class FlowIds {
  public:
-  /// With a key of its own, at random.
+  /// Makes a random key.
   FlowIds();
 
-  /// `counted`: the bytes of the address that it counts as (net/admission.h).
+  /// `counted`: the bytes of the address that count (net/admission.h).
   [[nodiscard]] FlowId of_address(std::span<const unsigned char> counted) const;
   /// `subject`: of a signed token, not empty.
   [[nodiscard]] FlowId of_subject(std::string_view subject) const;
 
  private:
-  static constexpr std::size_t kKeyBytes = 192;  // of XXH3
+  static constexpr std::size_t kKeyBytes = 192;  // XXH3's
   [[nodiscard]] FlowId hash(std::uint8_t kind, const void* data, std::size_t size) const;
 
   std::array<unsigned char, kKeyBytes> key_;

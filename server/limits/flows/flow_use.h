@@ -1,4 +1,4 @@
-// What one flow has used of the server, added up by all who serve it.
+// Adds up the use that one flow makes of the server.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@ namespace talus::server {
 
 enum class FlowMeasure : std::uint8_t {
   generator,  // ns of processor time of generator threads, in its turns
-  sent,       // bytes written to its clients
+  sent,       // bytes written to the flow's clients
   refusals,   // requests that were refused as too many or too fast or for want of room, and connections
               // refused
 };
 inline constexpr std::size_t kFlowMeasures = 3;
 
-/// Whose traffic it is, as operators know it. Untrusted: escape it.
+/// Names a flow for operators. Untrusted: escape it.
 struct FlowName {
-  /// A subject's name is cut to so much.
+  /// Maximum length of a subject's name; the rest is cut.
   static constexpr std::size_t kMaxBytes = 120;
 
   enum class Kind : std::uint8_t { address, subject };
@@ -33,7 +33,7 @@ struct FlowName {
 };
 using FlowNamePtr = std::shared_ptr<const FlowName>;
 
-/// Callable from any thread: one relaxed addition, on memory that only those who serve the flow write.
+/// Callable from any thread: one relaxed addition, on memory that only threads that serve the flow write.
 class FlowUse {
  public:
   FlowUse(FlowId id, FlowName name) : id_{id}, name_{std::make_shared<const FlowName>(std::move(name))} {}
@@ -44,7 +44,7 @@ class FlowUse {
   void add(FlowMeasure measure, std::uint64_t amount) {
     used_[static_cast<std::size_t>(measure)].fetch_add(amount, std::memory_order_relaxed);
   }
-  /// All that was added so far.
+  /// Returns the sum of all that was added so far.
   [[nodiscard]] std::uint64_t used(FlowMeasure measure) const {
     return used_[static_cast<std::size_t>(measure)].load(std::memory_order_relaxed);
   }

@@ -30,7 +30,7 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
     return found->second.use;
   }
   if (known_.size() >= look_at_size_) {
-    look_at_all();  // finds those that left,
+    look_at_all();  // finds flows that left,
     look_at_all();  // and forgets them
     look_at_size_ = std::max(kMinLookAtSize, 2 * known_.size());
   }
@@ -43,7 +43,7 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
 void FlowUses::look_at_all() {
   for (auto at = known_.begin(); at != known_.end();) {
     Known& known = at->second;
-    // Who served it added before it went. What it added is seen for sure at the second look.
+    // A session adds its use before it goes. The second look sees for sure what it added.
     const bool left = known.use.use_count() == 1;
     const bool forgotten = std::exchange(known.left, left) && left;
     for (std::size_t i = 0; i < kFlowMeasures; ++i) {

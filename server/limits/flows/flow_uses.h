@@ -1,5 +1,5 @@
-// Who uses how much of the server: every flow that is served, and the heaviest of late. Callable from any
-// thread.
+// The use of the server by all flows that are served, and the flows that recently used most. Callable from
+// any thread.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct TopFlows {
 
 class FlowUses {
  public:
-  /// By each measure so many flows are known that are served no more. With their names they take at most
-  /// 1.5 MiB in all; a flow that is served has some 300 bytes of its session's memory
+  /// Number of flows by each measure that are remembered after they left. With their names they take at
+  /// most 1.5 MiB in all; a flow that is served takes about 300 bytes of its session's memory
   /// (player/session/session.h).
   static constexpr std::size_t kListed = 1024;
 
@@ -35,38 +35,38 @@ class FlowUses {
 
   [[nodiscard]] const FlowIds& ids() const { return ids_; }
 
-  /// What to add to for a flow; keep it as long as the flow is served. `counted` are the bytes of the address
-  /// that it counts as (net/admission.h), `text` that address.
+  /// Returns the object to add a flow's use to; keep it while the flow is served. `counted` are the bytes of
+  /// the address that count (net/admission.h), `text` is that address.
   [[nodiscard]] FlowUsePtr of_address(std::span<const unsigned char> counted, std::string_view text);
   /// `subject`: of a signed token, not empty.
   [[nodiscard]] FlowUsePtr of_subject(std::string_view subject);
 
-  /// Collects what was added since the last time: call it about once a second. Takes about 0.1 us a flow.
-  /// Where it throws, the next call collects the rest.
+  /// Collects what was added since the last call: call it about once a second. Takes about 0.1 us a flow. If
+  /// it throws, the next call collects the rest.
   void collect(Clock::time_point now);
 
   /// As of the last collect().
   [[nodiscard]] std::array<TopFlows, kFlowMeasures> top(std::size_t count) const;
-  /// Refusals of all flows so far, as of the last collect().
+  /// Returns the refusals of all flows so far, as of the last collect().
   [[nodiscard]] std::uint64_t refusals() const;
-  /// Flows that are served, or were until a few seconds ago.
+  /// Returns the number of flows that are served, or were until a few seconds ago.
   [[nodiscard]] std::size_t flows() const;
 
  private:
   struct Known {
     FlowUsePtr use;
     std::array<std::uint64_t, kFlowMeasures> collected{};
-    bool left = false;  // nobody served it when it was last looked at
+    bool left = false;  // it had no session at the last look
   };
 
   [[nodiscard]] FlowUsePtr join(FlowId id, FlowName::Kind kind, std::string_view text);
-  // Under the mutex.
+  // Called under the mutex.
   void look_at_all();
 
   const FlowIds ids_;
   mutable std::mutex mutex_;
   std::unordered_map<FlowId, Known> known_;
-  std::size_t look_at_size_;  // when to look for those that left, before the next collect()
+  std::size_t look_at_size_;  // size at which flows that left are searched for before the next collect()
   std::array<HeavyHitters, kFlowMeasures> heaviest_;
   Clock::time_point collected_{};
 };

@@ -14,7 +14,7 @@ double left_after(double seconds, double time_constant) {
 }
 
 void add_to(FlowFigures& figures, std::uint64_t amount) {
-  // What keeps a steady rate in balance with pass() of a second.
+  // These factors keep a steady rate in balance with pass() of a second.
   static const double of_ten_seconds = 1 - left_after(1, kTenSeconds);
   static const double of_a_minute = 1 - left_after(1, kMinute);
   figures.in_ten_seconds += static_cast<double>(amount) * of_ten_seconds;
@@ -42,7 +42,7 @@ void HeavyHitters::pass(std::chrono::duration<double> time) {
 }
 
 void HeavyHitters::add(const FlowUse& flow, std::uint64_t amount) {
-  // First, so that what fails leaves no place without an entry.
+  // First, so that a failure leaves no place without an entry.
   if (entries_.size() == entries_.capacity()) entries_.reserve(2 * entries_.size() + 1);
   const auto [place, fresh] = place_.try_emplace(flow.id(), entries_.size());
   if (fresh) entries_.push_back({flow.id(), {flow.name()}, unlisted_});

@@ -11,18 +11,18 @@ class HysteresisGate {
  public:
   /// Closes when the level reaches `close_at`; opens when it is below `open_below`, which is no larger.
   ///
-  /// Where the level is settled, as nothing is under way that would lower it, the gate is open below
-  /// `settled_close_at`: waiting for less might last for ever.
+  /// While the level is settled, because nothing is under way that would lower it, the gate is open below
+  /// `settled_close_at`: otherwise it could stay closed for ever.
   HysteresisGate(std::uint64_t close_at, std::uint64_t open_below, std::uint64_t settled_close_at)
       : close_at_{close_at}, open_below_{open_below}, settled_close_at_{settled_close_at} {}
 
   [[nodiscard]] bool open() const { return !closed_.load(); }
 
   /// Call it after every change of the level, or of whether it is settled; `level()` and `settled()` read
-  /// them. Returns whether this call opened the gate.
+  /// them. Returns true if this call opened the gate.
   ///
-  /// A thread that read the level before another changed it would leave the gate as of then. So whoever
-  /// changes the gate looks again: either it sees the other's level, or the other sees its gate.
+  /// A thread that read the level before another changed it would leave the gate as of then. So a thread that
+  /// changes the gate reads again: either it sees the other's level, or the other sees its gate.
   template <typename Level, typename Settled>
   bool update(Level&& level, Settled&& settled) {
     bool opened = false;

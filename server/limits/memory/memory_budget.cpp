@@ -42,7 +42,7 @@ void MemoryBudget::update_gates() {
   if (limit_ == 0) return;
   const auto level = [this] { return beside_caches(); };
   const auto settled = [this] { return used(MemoryUse::jobs) == 0; };
-  // Sessions end some time; what edits take stays.
+  // Sessions end at some time; memory of edits stays.
   connections_.update(level, [this] { return used(MemoryUse::sessions) == 0; });
   work_.update(level, settled);
   if (!jobs_.update(level, settled)) return;
@@ -64,7 +64,7 @@ std::uint64_t MemoryBudget::for_caches(std::uint64_t wanted) const {
   if (limit_ == 0) return wanted;
   const std::uint64_t edits = used(MemoryUse::edit_cache);
   const std::uint64_t columns = used(MemoryUse::column_cache);
-  // The least that all caches have is a 16th, of which those of edits and of columns have their 64ths.
+  // The minimum of all caches is a 16th, of which the caches of edits and of columns have a 64th each.
   const std::uint64_t least = limit_ / 16 - std::min(edits, limit_ / 64) - std::min(columns, limit_ / 64);
   return std::min(wanted, std::max(left_by(beside_caches() + edits + columns), least));
 }

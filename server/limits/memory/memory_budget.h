@@ -1,9 +1,9 @@
-// The memory that talusd accounts for, against limits.memory_bytes. Callable from any thread; no locks but
-// where new work is let in again.
+// The memory that talusd accounts for, against limits.memory_bytes. Callable from any thread; locks only when
+// new work is let in again.
 //
 // Caches give way first: they may have what everything else leaves. When everything else comes near the
-// limit, new connections are refused, and after them new work, each until it is well below again: what is in
-// flight can end, and nothing flaps.
+// limit, new connections are refused, and after them new work, each until use is well below the limit again:
+// what is in flight can end, and nothing flaps. flight can end, and nothing flaps.
 #pragma once
 
 #include <array>
@@ -36,13 +36,13 @@ inline constexpr std::array<std::string_view, 10> kMemoryUses{
 
 class MemoryBudget {
  public:
-  /// What the program takes before it serves anybody: its code, its log, and up to kFewThreads threads.
+  /// Memory of the program before it serves a client: its code, its log, and up to kFewThreads threads.
   static constexpr std::uint64_t kProgramBytes = std::uint64_t{24} << 20;
   static constexpr std::size_t kFewThreads = 16;
-  /// What each thread beyond those keeps for its next work, at most: four outputs of 32 KiB where it serves
-  /// sockets; the layers and the code of a chunk, 63 and 65 KiB, where it generates.
+  /// Memory that each thread beyond kFewThreads keeps for its next work, at most: four outputs of 32 KiB if
+  /// it serves sockets; the layers and the code of a chunk, 63 and 65 KiB, if it generates.
   static constexpr std::uint64_t kThreadBytes = std::uint64_t{128} << 10;
-  /// The same with so many threads that serve and generate.
+  /// Returns the memory of the program with `threads` threads that serve and generate.
   [[nodiscard]] static constexpr std::uint64_t program_bytes(std::size_t threads) {
     return kProgramBytes + (threads > kFewThreads ? (threads - kFewThreads) * kThreadBytes : 0);
   }
@@ -58,32 +58,33 @@ class MemoryBudget {
   void add(MemoryUse use, std::int64_t bytes);
   void set(MemoryUse use, std::uint64_t bytes);
 
-  /// Whether generators may be asked for new chunks: not from 3/4 of the limit on, until below 5/8 or no job
-  /// is left. Then below 7/8: where sessions hold the memory, one after the other is served, as who waits for
-  /// chunks may hold it until they come.
+  /// False once use reaches 3/4 of the limit; true again below 5/8, or below 7/8 if no job is left. If
+  /// sessions hold the memory they are then served one after the other, as a client that waits for chunks may
+  /// hold it until they come.
   [[nodiscard]] bool takes_jobs() const { return jobs_.open(); }
-  /// Whether heights may be asked for, and Views and frames may grow: not from 3/4 of the limit on, until
-  /// below 5/8, or below 13/16 where no job is left: idle sessions may have 5/8, and generators take an
-  /// eighth for good.
+  /// Returns true if heights may be asked for, and Views and frames may grow. False once use reaches 3/4 of
+  /// the limit; true again below 5/8, or below 13/16 if no job is left: idle sessions may have 5/8, and
+  /// generators keep an eighth for good.
   [[nodiscard]] bool takes_work() const { return work_.open(); }
-  /// Whether new connections may come: not from 5/8 on, until below 1/2, or below 5/8 where no session is
-  /// left that could end. Those that are there need memory to work.
+  /// Returns true if new connections may come. False once use reaches 5/8 of the limit; true again below 1/2,
+  /// or below 5/8 if no session is left that could end. Sessions that are open need memory to work.
   [[nodiscard]] bool takes_connections() const { return connections_.open(); }
   /// `resumed` is called when takes_jobs() becomes true again, on the thread that gave memory back; it must
   /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
   /// it.
   void when_jobs_resume(std::function<void()> resumed);
 
-  /// How much of `wanted` bytes caches of chunks and patches may hold now: what everything else, and the
-  /// caches of edits and of columns on disk, leave of 7/8 of the limit, and at least 1/16 of it, less what
-  /// those have of their least, a 64th each.
+  /// Returns how much of `wanted` bytes caches of chunks and patches may hold now: 7/8 of the limit less
+  /// everything else and the caches of edits and of columns on disk; at least 1/16 of the limit, less those
+  /// caches' minimum, a 64th each.
   [[nodiscard]] std::uint64_t for_caches(std::uint64_t wanted) const;
-  /// The same of the cache of edits: an eighth of what caches may have, and at least 1/64 of the limit.
+  /// Returns the same for the cache of edits: an eighth of what caches may have, and at least 1/64 of the
+  /// limit.
   [[nodiscard]] std::uint64_t for_edit_cache(std::uint64_t wanted) const;
 
  private:
   [[nodiscard]] std::uint64_t beside_caches() const;
-  /// Of 7/8 of the limit.
+  /// Returns what `bytes` leave of 7/8 of the limit.
   [[nodiscard]] std::uint64_t left_by(std::uint64_t bytes) const;
   void update_gates();
 

@@ -1,4 +1,5 @@
-// What one holder has told a MemoryBudget; given back when the holder goes. For one thread at a time.
+// The bytes that one holder has reported to a MemoryBudget; given back when the holder goes. For one thread
+// at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@ class MemoryReservation {
   MemoryReservation(const MemoryReservation&) = delete;
   MemoryReservation& operator=(const MemoryReservation&) = delete;
 
-  /// The holder has `bytes` now. The budget is not told of changes below a page.
+  /// The holder has `bytes` now. Changes of less than a page are not reported to the budget.
   void hold(std::uint64_t bytes) {
     constexpr std::uint64_t kWorthTelling = 4096;
     const std::uint64_t difference = bytes > told_ ? bytes - told_ : told_ - bytes;

@@ -1,6 +1,6 @@
-// When memory that was freed is worth giving back to the system: the allocator keeps it, since giving back
+// Decides when memory that was freed is given back to the system: the allocator keeps it, since giving back
 // costs more than an answer does. Not at once, as the next load would take it again; and not while much is
-// still being freed or taken. One thread's.
+// still being freed or taken. For one thread.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@ namespace talus::server {
 
 class TrimPolicy {
  public:
-  /// So much less in use than at most since the last trim makes one worth its time.
+  /// A trim pays if this much less is in use than the maximum since the last one.
   static constexpr std::uint64_t kWorthBytes = std::uint64_t{16} << 20;
-  /// A change of so much between two calls is no quiet moment.
+  /// A change of this much between two calls: the moment is not quiet.
   static constexpr std::uint64_t kQuietBytes = std::uint64_t{1} << 20;
 
-  /// Call it every second or so with the bytes in use. Whether to trim now.
+  /// Call it about every second with the bytes in use. Returns true if it is time to trim.
   [[nodiscard]] bool due(std::uint64_t used_bytes) {
     const std::uint64_t change = used_bytes > last_ ? used_bytes - last_ : last_ - used_bytes;
     last_ = used_bytes;

@@ -23,7 +23,7 @@ enum class RateKind : std::uint8_t {
   gateway_voxels
 };
 
-/// Their keys in the section [rates] of the configuration, and their label in metrics.
+/// The keys of the rates in the section [rates] of the configuration, and their label in metrics.
 inline constexpr std::array<std::string_view, 12> kRateNames{
     "session_chunks",  "session_bytes",      "session_requests", "address_chunks",
     "address_bytes",   "address_requests",   "session_voxels",   "address_voxels",

@@ -13,8 +13,8 @@ using Time = SessionRates::Time;
 // Debt in control frames that is always tolerated: a burst may be smaller than Welcome alone.
 constexpr std::int64_t kToleratedDebtBytes = 8192;
 
-// What a rate holds goes in batches of what it earns in so long, and of an address's rates no more than this,
-// so that many sessions' turns come soon.
+// Chunks that a rate holds go in batches of what it earns in this time, and of an address's rates at most
+// this, so that the turns of many sessions come soon.
 constexpr std::chrono::milliseconds kBatchTime{10};
 constexpr std::size_t kBatchChunks = 16;
 constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
@@ -39,9 +39,9 @@ std::size_t available(const TokenBucket& bucket, const Rate& rate, Time now) {
   return static_cast<std::size_t>(std::max<std::int64_t>(0, bucket.level(rate, now)));
 }
 
-/// What is on its way when a client is first refused: as many requests as it may have in flight, and of
-/// messages that have no answer as many as go in a second. And those who come when they were told to come
-/// follow each other at the rate by which they were refused.
+/// Returns a rate whose burst covers what is on its way when a client is first refused: as many requests as
+/// it may have in flight, and a second's messages that have no answer. Clients that retry at the time they
+/// were given follow each other at the rate by which they were refused.
 Rate patience_for(const RateLimits& limits, std::uint32_t requests_in_flight) {
   const std::uint64_t fastest =
       std::max({limits.session.requests.per_second, limits.address.requests.per_second, std::uint64_t{1}});
@@ -246,7 +246,7 @@ SessionRates::Due SessionRates::chunks_due(Time now) {
   if (due.at == now && address_ != nullptr) due = batch_due(now);
   const bool before = std::exchange(throttled_, due.at > now);
   if (!throttled_ || before) due.throttled.reset();
-  // The first wait is for a batch as well.
+  // The first wait is for a batch, too.
   if (throttled_ && !before) due.at = chunks_due(now).at;
   return due;
 }
@@ -268,7 +268,7 @@ SessionRates::Due SessionRates::batch_due(Time now) {
   const auto has = [&](const Shared& shared, std::size_t tokens) {
     return available(shared.bucket.load(std::memory_order_relaxed), shared.rate, now) >= tokens;
   };
-  // Batches end where more than two are there at once.
+  // Batches end if more than two are there at once.
   const std::size_t batches = batch_ ? 2 : 0;
   if (has(chunks, std::max<std::size_t>(1, batches * kBatchChunks)) &&
       has(bytes, std::max<std::size_t>(1, batches * kBatchBytes))) {

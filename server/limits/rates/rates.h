@@ -1,5 +1,5 @@
-// What throttles a session: its own rates, and those of its address, which all sessions of the address share.
-// No I/O. The caller passes the time.
+// The rates that throttle a session: its own, and its address's, which all sessions of the address share. No
+// I/O. The caller passes the time.
 #pragma once
 
 #include <atomic>
@@ -15,39 +15,39 @@
 
 namespace talus::server {
 
-/// What an editor that is made costs: so many a second are one an hour.
+/// Tokens of an editor that is created: a rate of this many a second is one an hour.
 inline constexpr std::uint64_t kEditorTokens = 3'600;
 
-/// What a chunk costs that nobody edited before, likewise.
+/// Tokens of a chunk that was never edited before: the same.
 inline constexpr std::uint64_t kNewChunkTokens = 3'600;
 
-/// What an edit takes of the rates.
+/// The cost of an edit for the rates.
 struct EditCost {
-  std::uint64_t voxels = 0;      // that it names
-  std::uint64_t new_chunks = 0;  // that it may write or guards, and nobody edited before
+  std::uint64_t voxels = 0;      // voxels that it names
+  std::uint64_t new_chunks = 0;  // chunks never edited before that it may write or that it guards
 };
 
-/// Requests, and voxels that edits name, count when they arrive, chunks and bytes (of all frames) when they
-/// are written.
+/// Requests, and voxels that edits name, count when they arrive; chunks and bytes (of all frames) count when
+/// they are written.
 struct RateSet {
   Rate chunks, bytes, requests;
   Rate voxels{};
-  Rate editors{};     // of an address: kEditorTokens for each that is made
-  Rate new_chunks{};  // of an address: kNewChunkTokens for each
+  Rate editors{};     // an address's: kEditorTokens for each that is created
+  Rate new_chunks{};  // an address's: kNewChunkTokens for each
   bool operator==(const RateSet&) const = default;
 };
 struct RateLimits {
   RateSet session, address;
-  std::chrono::milliseconds burst{};  // what their bursts are earned in
-  /// Of a session that asks for many players, in place of those of the session and of its address.
+  std::chrono::milliseconds burst{};  // time in which bursts are earned
+  /// Replaces the rates of the session and of its address for a session that asks for many players.
   Rate gateway_requests{}, gateway_voxels{};
-  bool is_gateway = false;  // whether they took that place
+  bool is_gateway = false;  // true if `gateway` has replaced them
   bool operator==(const RateLimits&) const = default;
 
   [[nodiscard]] RateLimits of_gateway() const;
 };
 
-/// Of which sessions begin, and to which those that are there change. Callable from any thread.
+/// The rates with which sessions begin, and to which open sessions change. Callable from any thread.
 class CurrentRates {
  public:
   CurrentRates() = default;
@@ -71,102 +71,105 @@ class CurrentRates {
 struct AddressBuckets {
   AddressBuckets() = default;
   explicit AddressBuckets(const RateSet& of) : rates{of} {}
-  /// For new rates: with what is left in `before`. Who still uses that takes nothing from these.
+  /// For new rates: with what is left in `before`. Sessions that still use `before` take nothing from these.
   AddressBuckets(const AddressBuckets& before, const RateSet& to, TokenBucket::Time now);
 
-  /// How long until what it saves up over hours is all there: its editors and its new chunks.
+  /// Returns how long until what the address saves up over hours is all there: its editors and its new
+  /// chunks.
   [[nodiscard]] std::chrono::nanoseconds saved_up_in(TokenBucket::Time now) const;
 
-  const RateSet rates{};  // by which the buckets are used
+  const RateSet rates{};  // rates of the buckets
   std::atomic<TokenBucket> chunks{}, bytes{}, requests{}, voxels{}, editors{}, new_chunks{};
 };
 using AddressBucketsPtr = std::shared_ptr<AddressBuckets>;
 
-/// What a session has reserved of its address's rates; what a batch leaves is kept for the next.
+/// A session's reservation of its address's rates; the rest of a batch is kept for the next.
 struct RateBatch {
   std::size_t chunks = 0;
   std::size_t bytes = 0;
   TokenBucket::Time due{};
 };
 
-/// Of one session, and of its thread.
+/// The rates of one session. For its thread.
 class SessionRates {
  public:
   using Time = TokenBucket::Time;
-  /// Voxels of the edits that a client may send before it hears that the first is refused.
+  /// Voxels of the edits that a client may send before it learns that the first is refused.
   static constexpr std::uint64_t kEditsOnTheirWay = std::uint64_t{64} * 65'536;
 
-  /// `address` null: no rate of an address applies. A client may have `requests_in_flight` on their way here.
+  /// `address` null: the rates of an address do not apply. A client may have `requests_in_flight` on their
+  /// way here.
   SessionRates(const RateLimits& limits, AddressBucketsPtr address, std::uint32_t requests_in_flight);
 
-  /// The rates that apply; those of the address without limit where none does.
+  /// Returns the rates that apply; without the rates of an address these have no limit.
   [[nodiscard]] RateLimits limits() const {
     return {limits_.session,        address_ == nullptr ? RateSet{} : limits_.address,
             limits_.burst,          limits_.gateway_requests,
             limits_.gateway_voxels, limits_.is_gateway};
   }
 
-  /// Other rates apply from now on. What is left of the session's tokens, or owed, stays; a batch that it has
+  /// Other rates apply from now on. The session's remaining tokens, or debt, stay; a batch that it has
   /// reserved of its address is lost.
   void change(const RateLimits& limits, AddressBucketsPtr address, Time now);
-  /// Those of a gateway apply from now on, and their buckets are full.
+  /// A gateway's rates apply from now on, and their buckets are full.
   void become_gateway(Time now);
 
-  /// A refused request is told when it has room, behind all that were refused before it. A client that
-  /// waits so long, for each request or for the last, is never abusive, whatever was on its way when it was
-  /// first told; nor where others of its address took the room meanwhile.
+  /// Returns when a refused request has room, behind all that were refused before it. A client that waits
+  /// until then, for each request or for the last, is never abusive, whatever was on its way when it was
+  /// first refused; nor if others of its address took the room meanwhile.
   struct Refusal {
     RateKind kind{};
     std::chrono::nanoseconds wait{};
-    bool abusive = false;  // it goes on asking, and does not wait
+    bool abusive = false;  // it goes on asking and does not wait
   };
-  /// Counts one request. None: it is granted.
+  /// Counts one request. nullopt: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_request(Time now);
 
-  /// Counts an edit, of no more voxels than a burst. None: it is granted. A client that goes on asking is
-  /// abusive as with requests, but by voxels: what it may have on its way is kEditsOnTheirWay.
+  /// Counts an edit, of no more voxels than a burst. nullopt: it is granted. A client that goes on asking is
+  /// abusive as with requests, but by voxels: it may have kEditsOnTheirWay on their way.
   [[nodiscard]] std::optional<Refusal> refuse_edit(Time now, const EditCost& cost);
 
-  /// Counts an editor that is made for the session. None: it is granted.
+  /// Counts an editor that is created for the session. nullopt: it is granted.
   [[nodiscard]] std::optional<Refusal> refuse_editor(Time now);
 
-  /// Counts voxels that an edit changed beyond those that it named. The next ones pay.
+  /// Counts voxels that an edit changed in addition to the ones that it named. The next edits pay.
   void spend_voxels(Time now, std::uint64_t voxels);
 
   struct Due {
     Time at;                              // when the next chunk may go; `now`: at once
-    std::optional<RateKind> throttled{};  // where this call is the first to say "later"
+    std::optional<RateKind> throttled{};  // set if this call is the first that delays
   };
-  /// For who has a chunk to send. Chunks that a rate holds go in batches: of the session's own rates of what
-  /// they earn in 10 ms. Of those of its address the session reserves a batch, behind the batches that others
-  /// have reserved, so that each session is woken for its own alone.
+  /// For a session that has a chunk to send. Chunks that a rate holds go in batches: of the session's own
+  /// rates, of what they earn in 10 ms. Of its address's rates the session reserves a batch, behind the
+  /// batches that others have reserved, so that each session is woken for its own alone.
   [[nodiscard]] Due chunks_due(Time now);
 
-  /// How much of chunks may go now. The last chunk may pass `bytes`.
+  /// Returns how much of chunks may go now. The last chunk may pass `bytes`.
   struct Allowance {
     std::size_t chunks = SIZE_MAX;
     std::size_t bytes = SIZE_MAX;
   };
   [[nodiscard]] Allowance allowance(Time now) const;
-  /// `bytes` are those of all frames, chunks or not.
+  /// `bytes`: of all frames, chunks or not.
   void sent(Time now, std::size_t chunks, std::size_t bytes);
-  /// The session ends and sends no more chunks: others of its address have what it has reserved.
+  /// The session ends and sends no more chunks: others of its address get what it has reserved.
   void give_back();
 
  private:
-  /// Takes a token for a request, or says which rate has none.
+  /// Takes a token for a request, or returns the rate that is empty.
   [[nodiscard]] std::optional<RateKind> take_request(Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now);
   [[nodiscard]] Refusal refuse(RateKind kind, Time now, std::uint64_t voxels);
   [[nodiscard]] std::optional<Refusal> refuse_voxels(Time now, std::uint64_t voxels);
   /// Tokens of something that the address saves up over hours.
   [[nodiscard]] std::optional<Refusal> refuse_saved(RateKind kind, Time now, std::uint64_t tokens);
-  /// All that was refused had room, so what comes now begins anew.
+  /// All refused requests had room, so what comes now begins anew.
   void forget_refused(Time now);
-  /// Until `in_line` requests have room by this rate.
+  /// Returns how long until `in_line` requests have room by this rate.
   [[nodiscard]] std::chrono::nanoseconds wait(RateKind kind, std::uint64_t in_line, Time now) const;
 
-  /// Whether chunks may go from the address's buckets, or when the session's batch is due.
+  /// has_batch() is true if chunks may go from the address's buckets; batch_due() returns when the session's
+  /// batch is due.
   [[nodiscard]] bool has_batch() const;
   [[nodiscard]] Due batch_due(Time now);
 
@@ -176,11 +179,11 @@ class SessionRates {
   std::optional<RateBatch> batch_;
 
   // Since the client was first refused. It ends when it is refused again although it waited.
-  Time room_at_{};                    // of all that was refused, as the client was told
+  Time room_at_{};                    // when all refused requests have room, as sent to the client
   std::uint64_t in_line_ = 0;         // refused, and not granted since
-  std::uint64_t voxels_in_line_ = 0;  // likewise
+  std::uint64_t voxels_in_line_ = 0;  // refused, and not granted since
   TokenBucket patience_;              // one token goes with each refusal; empty: the client is abusive
-  TokenBucket voxel_patience_;        // the same for voxels, one with each
+  TokenBucket voxel_patience_;        // one goes with each refused voxel
   const std::uint32_t requests_in_flight_;
   Rate patience_rate_;
   Rate voxel_patience_rate_;

@@ -7,14 +7,14 @@ namespace {
 
 constexpr std::uint64_t kNs = 1'000'000'000;
 
-/// Whole tokens earned from the clock's zero to `now`. Seconds and their fraction are multiplied apart: no
-/// product passes 63 bits within 68 years.
+/// Returns the whole tokens earned from the clock's zero to `now`. Seconds and their fraction are multiplied
+/// apart: no product passes 63 bits within 68 years.
 std::int64_t earned(const Rate& rate, TokenBucket::Time now) {
   const auto ns = static_cast<std::uint64_t>(std::chrono::nanoseconds{now.time_since_epoch()}.count());
   return static_cast<std::int64_t>(ns / kNs * rate.per_second + ns % kNs * rate.per_second / kNs);
 }
 
-/// The first moment, since the clock's zero, at which `tokens` are earned.
+/// Returns the first moment, since the clock's zero, at which `tokens` are earned.
 std::chrono::nanoseconds when_earned(const Rate& rate, std::int64_t tokens) {
   const auto whole = static_cast<std::uint64_t>(std::max<std::int64_t>(0, tokens));
   const std::uint64_t rest = whole % rate.per_second * kNs;

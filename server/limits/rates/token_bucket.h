@@ -1,4 +1,4 @@
-// A token bucket: how many of something may go a second, and how many at once after a pause. The one rate
+// A token bucket: limits how many tokens may go a second, and how many at once after a pause. The one rate
 // limiter of the server. Pure: the caller passes the time.
 #pragma once
 
@@ -24,7 +24,7 @@ struct Rate {
 /// count, so rounding never accumulates. A new bucket is full.
 ///
 /// The state is one word: threads may share a bucket as std::atomic<TokenBucket>. Every call on one bucket
-/// must pass the same Rate; where that changes, moved() gives a bucket for the new one.
+/// must pass the same Rate; if that changes, moved() returns a bucket for the new one.
 class TokenBucket {
  public:
   using Time = std::chrono::steady_clock::time_point;  // not before the clock's zero
@@ -33,25 +33,25 @@ class TokenBucket {
   [[nodiscard]] bool take(const Rate& rate, Time now, std::uint64_t tokens = 1);
   /// Takes `tokens` even if the bucket has fewer.
   void spend(const Rate& rate, Time now, std::uint64_t tokens);
-  /// Takes back tokens that were taken or spent before, and not used. What is more than a burst is lost.
+  /// Takes back tokens that were taken or spent before, and not used. Tokens beyond a burst are lost.
   void give_back(std::uint64_t tokens) { gone_ -= static_cast<std::int64_t>(tokens); }
 
-  /// Tokens in the bucket; negative when overdrawn. `rate` must have a limit.
+  /// Returns the tokens in the bucket; negative when overdrawn. `rate` must have a limit.
   [[nodiscard]] std::int64_t level(const Rate& rate, Time now) const;
-  /// How long until the bucket has `tokens`, if nobody takes any meanwhile; 0: it has them now. A bucket
-  /// never has more than a burst, so more than a burst is waited for as a burst.
+  /// Returns how long until the bucket has `tokens`, if no caller takes any meanwhile; 0: it has them now. A
+  /// bucket never has more than a burst, so a wait for more than a burst is a wait for a burst.
   [[nodiscard]] std::chrono::nanoseconds wait(const Rate& rate, Time now, std::uint64_t tokens = 1) const;
-  /// How long until `tokens` have been earned from now on, beside what pays a debt: the last of so many
-  /// who each take a token when it is there. Unlike wait() it is not bounded by the burst.
+  /// Returns how long until `tokens` have been earned from now on, in addition to what pays a debt: the wait
+  /// of the last of `tokens` callers who each take a token when it is there. Unlike wait() it is not bounded
+  /// by the burst.
   [[nodiscard]] std::chrono::nanoseconds wait_in_line(const Rate& rate, Time now, std::uint64_t tokens) const;
 
-  /// A bucket of the rate `to` with the tokens, or the debt, that this one has of the rate `from`, and not
-  /// more than its burst; full where one of them is no limit.
+  /// Returns a bucket of the rate `to` with the tokens, or the debt, that this one has of the rate `from`,
+  /// and not more than its burst; full if one of them has no limit.
   [[nodiscard]] TokenBucket moved(const Rate& from, const Rate& to, Time now) const;
 
  private:
-  // Of all tokens earned since the clock's zero, how many are gone: taken, or lost because the bucket was
-  // full.
+  // Number of tokens earned since the clock's zero that are gone: taken, or lost because the bucket was full.
   std::int64_t gone_ = INT64_MIN;
 };
 

@@ -28,10 +28,10 @@
 #include <asio/use_awaitable.hpp>
 
 #include "net/http/handler.h"
-#include "net/http/read_rounds.h"
 #include "net/http/request_parser.h"
 #include "net/http/response.h"
 #include "net/http/service.h"
+#include "net/rounds.h"
 #include "net/stream.h"
 #include "net/timed_event.h"
 #include "runtime/clock.h"
@@ -40,7 +40,7 @@
 namespace talus::server::http {
 
 template <Stream S>
-class Connection : public ReadRounds::Reader, public std::enable_shared_from_this<Connection<S>> {
+class Connection : public std::enable_shared_from_this<Connection<S>> {
  public:
   /// Takes over the stream after a response with status 101 is written, with the bytes already read.
   using TakeOver = std::function<void(S stream, std::span<const std::byte> unread)>;
@@ -51,8 +51,8 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
         handler_{std::move(handler)},
         take_over_{std::move(take_over)},
         parser_{service.bounds},
-        read_rounds_{
-            asio::use_service<ReadRounds>(asio::query(stream_.get_executor(), asio::execution::context))},
+        rounds_{asio::use_service<Rounds<Connection>>(
+            asio::query(stream_.get_executor(), asio::execution::context))},
         watch_waits_{stream_.get_executor(), service.clock},
         now_{service.clock.now()},
         last_active_{now_} {}
@@ -85,6 +85,8 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
   void clock_moved() { watch_waits_.notify(); }
 
  private:
+  friend class Rounds<Connection>;
+
   // Responses are gathered into one write up to this size.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
   // Responses in a row before other handlers of the thread run.
@@ -103,14 +105,14 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
     if constexpr (kWritesNow) {
       // Read after other connections with waiting requests: a client that answers quickly has sent its next
       // request by then. An immediate read would mostly find nothing and cost a system call.
-      if (next == Next::input) return read_rounds_.enter(this->shared_from_this(), stream_.get_executor());
+      if (next == Next::input) return rounds_.enter(this->shared_from_this(), stream_.get_executor());
       if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
     }
     asio::co_spawn(
         stream_.get_executor(), [self = this->shared_from_this(), next] { return self->serve(next); },
         keeping(&Connection::ended));
   }
-  void read() noexcept override {
+  void read() noexcept {
     if (!open_) return;
     try {
       if (finishing_ && !parser_.mid_request()) return go_on(Next::end);
@@ -401,7 +403,7 @@ class Connection : public ReadRounds::Reader, public std::enable_shared_from_thi
   const std::shared_ptr<Handler> handler_;
   const TakeOver take_over_;
   RequestParser parser_;
-  ReadRounds& read_rounds_;  // one for each io_context
+  Rounds<Connection>& rounds_;  // one for each io_context
   TimedEvent watch_waits_;
   Clock::time_point now_;  // time of the last wait
   Clock::time_point last_active_;

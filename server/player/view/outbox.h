@@ -1,7 +1,8 @@
 // What waits to be written to one client. Control frames go first and need no credit. While the client's
-// credit lasts the others go, in the turns of turns.h: updates of chunks that the client holds and that were
-// edited since, as broadcasts or as the chunk again, and chunks from two lanes, those of requests and those
-// of the View. Chunks are shared with the cache, not copied. No I/O.
+// credit lasts two pairs of flows take turns by bytes: updates of chunks that the client holds and that were
+// edited since (broadcasts, and chunks that are sent again), and chunks (of requests, and of the View). So
+// nothing that others do to the land keeps a client's View from coming. Chunks are shared with the cache, not
+// copied. No I/O.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +15,9 @@
 #include <talus/voxel/coords.h>
 
 #include "chunks/encoded_chunk.h"
+#include "limits/flows/fair_queue.h"
 #include "player/view/credit.h"
 #include "player/view/output.h"
-#include "player/view/turns.h"
 
 namespace talus::server {
 
@@ -131,21 +132,23 @@ class Outbox {
       }
       return append(entry.chunk, entry.request_id, entry.key);
     };
-    Turns::Waiting waiting{.requests = !requests_.entries.empty(), .view = !view_.entries.empty()};
+    wait(Pair::chunks, Flow::requests, !requests_.entries.empty());
+    wait(Pair::chunks, Flow::view, !view_.entries.empty());
     while (may_go()) {
-      waiting.broadcasts = updates > 0;
-      waiting.resends = !resends_.empty();
-      const Turns::Flow flow = turns_.next(waiting);
-      if (flow == Turns::Flow::none) break;
-      if (flow == Turns::Flow::broadcasts) {
-        turns_.sent(flow, send_update(), waiting);
-      } else if (flow == Turns::Flow::resends) {
-        turns_.sent(flow, send_again(), waiting);
+      wait(Pair::updates, Flow::broadcasts, updates > 0);
+      wait(Pair::updates, Flow::resends, !resends_.empty());
+      const auto turn = turns_.next();
+      if (!turn) break;
+      const auto [pair, flow] = *turn;
+      std::size_t bytes = 0;
+      if (pair == Pair::updates) {
+        bytes = flow == Flow::broadcasts ? send_update() : send_again();
       } else {
-        Queue& turn = flow == Turns::Flow::view ? view_ : requests_;
-        if (turn.entries.empty()) break;
-        turns_.sent(flow, send_first(turn), waiting);
+        Queue& lane = flow == Flow::view ? view_ : requests_;
+        if (lane.entries.empty()) break;
+        bytes = send_first(lane);
       }
+      turns_.charge(static_cast<double>(bytes), pair, flow);
     }
     return taken;
   }
@@ -169,6 +172,16 @@ class Outbox {
     std::deque<Entry> entries;
     std::size_t bytes = 0;
   };
+  enum class Pair : std::uint8_t { updates, chunks };
+  enum class Flow : std::uint8_t { broadcasts = 0, resends = 1, requests = 0, view = 1 };
+  /// Broadcasts are small and wanted at once: they may be this many bytes ahead of their share.
+  static constexpr double kBroadcastsAhead = 16 * 1024;
+
+  void wait(Pair pair, Flow flow, bool waits) {
+    if (!waits) return turns_.leave(pair, flow);
+    const bool ahead = pair == Pair::updates && flow == Flow::broadcasts;
+    turns_.enter({.offset = ahead ? -kBroadcastsAhead : 0}, pair, flow);
+  }
   [[nodiscard]] const Queue& queue(Lane lane) const { return lane == Lane::view ? view_ : requests_; }
   void take_control(std::size_t enough_bytes, Output& output);
 
@@ -178,7 +191,7 @@ class Outbox {
   Queue requests_;
   Queue view_;
   std::size_t control_bytes_ = 0;
-  Turns turns_;
+  FairQueue<Classes<Pair, 2>, Classes<Flow, 2>> turns_;
 };
 
 }  // namespace talus::server

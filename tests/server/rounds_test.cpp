@@ -1,4 +1,4 @@
-#include "net/mail_rounds.h"
+#include "net/rounds.h"
 
 #include <catch2/catch.hpp>
 #include <functional>
@@ -12,9 +12,9 @@ using namespace talus::server;
 
 namespace {
 
-struct Reader final : MailRounds::Reader {
+struct Reader {
   explicit Reader(std::function<void()> does = [] {}) : meanwhile{std::move(does)} {}
-  void read_mail() override {
+  void read() {
     ++reads;
     meanwhile();
   }
@@ -25,7 +25,7 @@ struct Reader final : MailRounds::Reader {
 struct Bench {
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
-  MailRounds& rounds = asio::use_service<MailRounds>(io);
+  Rounds<Reader>& rounds = asio::use_service<Rounds<Reader>>(io);
 
   void enter(const std::shared_ptr<Reader>& reader) { rounds.enter(reader, io.get_executor()); }
 };
@@ -54,14 +54,14 @@ TEST_CASE("a session that enters during a round is read by the same handler") {
 
 TEST_CASE("a handler reads for a limited number of sessions, also for ones that enter meanwhile") {
   Bench bench;
-  int left = 3 * static_cast<int>(MailRounds::kAtOnce);
+  int left = 3 * static_cast<int>(Rounds<Reader>::kAtOnce);
   const auto again = std::make_shared<Reader>();
   again->meanwhile = [&] {
     if (--left > 0) bench.enter(again);
   };
   bench.enter(again);
   CHECK(bench.io.poll_one() == 1);
-  CHECK(again->reads == static_cast<int>(MailRounds::kAtOnce));
+  CHECK(again->reads == static_cast<int>(Rounds<Reader>::kAtOnce));
   bench.io.poll();
-  CHECK(again->reads == 3 * static_cast<int>(MailRounds::kAtOnce));
+  CHECK(again->reads == 3 * static_cast<int>(Rounds<Reader>::kAtOnce));
 }
