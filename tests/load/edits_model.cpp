@@ -62,7 +62,8 @@ std::vector<Write> read_writes(const std::string& path) {
     std::uint16_t material = 0;
     fields >> write.revision >> write.at.x >> write.at.y >> write.at.z >> material;
     if (!fields || !fields.eof()) {
-      throw Failure{fmt::format("{}: line {} is not an edit, which is five numbers", path, writes.size() + 1)};
+      throw Failure{
+          fmt::format("{}: line {} is not an edit, which is five numbers", path, writes.size() + 1)};
     }
     write.material = MaterialId{material};
     writes.push_back(write);
