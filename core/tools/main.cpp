@@ -5,5 +5,5 @@
 
 int main(int argc, char** argv) {
   talus::files::open_closed_standard_descriptors();
-  return talus::tools::run_command_line(argc, argv, talus::kBuildVersion);
+  return talus::tools::run_talus_gen(argc, argv, talus::kBuildVersion);
 }

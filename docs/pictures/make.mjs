@@ -2,9 +2,10 @@
 //
 //     node docs/pictures/make.mjs BUILD [NAME...]      # BUILD: build/release; NAME: alpine.png
 //
-// Needs talus-gen, talusd and talus-client in BUILD, `npm ci` in client_sample/web/viewer, chromium, which also lays pictures side
-// by side, and pngquant, which makes each a quarter as large by 256 colours. Each view takes half a minute, the viewer's, drawn
-// without a graphics card, longer. A busy machine may not have all chunks of a view in time: look at what was drawn.
+// Needs talus-gen, talus-thesis, talusd and talus-client in BUILD, `npm ci` in client_sample/web/viewer, chromium,
+// which also lays pictures side by side, and pngquant, which makes each a quarter as large by 256 colours. Each view
+// takes half a minute, the viewer's, drawn without a graphics card, longer. A busy machine may not have all chunks of a
+// view in time: look at what was drawn.
 import { execFileSync, spawn } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -27,6 +28,7 @@ const world = (name) => (name.endsWith('.toml') ? name : join(root, `core/worlds
 const scratch = mkdtempSync(join(tmpdir(), 'talus-pictures-'));
 const run = (path, ...args) => execFileSync(program(path), args, { stdio: ['ignore', 'ignore', 'inherit'] });
 const generate = (...args) => run('core/tools/talus-gen', ...args);
+const thesis = (...args) => run('core/thesis/talus-thesis', ...args);
 
 let browser;
 async function page(width, height) {
@@ -234,7 +236,7 @@ const pictures = {
   'worlds-objects.png': (path) =>
     viewsOf(['default', '-4100,-860', 90, 25], [changed('tower', tower), '-2354,-2040', 35, 22])(path),
   'features-landscape.png': (path) => {
-    generate('gallery', '--world', world('features'), '--only', 'landscape', '-o', scratch);
+    thesis('gallery', '--world', world('features'), '--only', 'landscape', '-o', scratch);
     copyFileSync(join(scratch, 'gallery-01-landscape.png'), path);
   },
   'default.png': map('default', '-2960,-2384', '480,480', 16),

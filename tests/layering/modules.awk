@@ -20,7 +20,7 @@ function file_of(from, name, quoted,   folder, module, list, n, i) {
     module = module_of(from)
     n = split(module " " allowed_list[module], list, " ")
     if ((folder "/" name) in exists) return folder "/" name
-    if (from ~ /^(server|core\/tools)\// && ("server/" name) in exists) return "server/" name
+    if (from ~ /^server\// && ("server/" name) in exists) return "server/" name
     if (from ~ /^client_sample\// && ("client_sample/" name) in exists) return "client_sample/" name
     for (i = 1; i <= n; ++i) {
       if ((list[i] "/" name) in exists) return list[i] "/" name

@@ -1,4 +1,4 @@
-#include "option_values.h"
+#include <talus/tools/option_values.h>
 
 #include <rapidcheck.h>
 #include <catch2/catch.hpp>
@@ -61,18 +61,4 @@ TEST_CASE("Regions may touch the end of the world at every level, and not pass i
   CHECK(region_around("--center", {0, -kEnd}, {10, 10}, Lod{}).error().message ==
         "--center: column z = -68719476741 lies outside the world, which has columns -68719476736 to "
         "68719476735 at level of detail 0");
-}
-
-TEST_CASE("A seed is a whole number of 64 bits") {
-  CHECK(fault_of_seed("0").empty());
-  CHECK(fault_of_seed("18446744073709551615").empty());
-  const std::string wrong = GENERATE(as<std::string>{}, "", "-1", "1.5", "18446744073709551616", "0x1", "1 ");
-  CHECK_THAT(fault_of_seed(wrong), Catch::Contains("'" + wrong + "'") && Catch::Contains("from 0 to"));
-}
-
-TEST_CASE("An invalid number is outside every range") {
-  CHECK(fault_of_number("0.5", 0, 1).empty());
-  CHECK(fault_of_number("1", 0, 1).empty());
-  const std::string wrong = GENERATE(as<std::string>{}, "", "nan", "inf", "-0.1", "1.01", "half", "0.5x");
-  CHECK_THAT(fault_of_number(wrong, 0, 1), Catch::Contains("from 0 to 1"));
 }

@@ -1,4 +1,4 @@
-#include "ordered_work.h"
+#include <talus/tools/ordered_work.h>
 
 #include <atomic>
 #include <stdexcept>

@@ -4,8 +4,7 @@
 #include <string_view>
 
 #include <talus/pictures/stroke_font.h>
-
-#include "image.h"
+#include <talus/tools/image.h>
 
 namespace talus::tools {
 

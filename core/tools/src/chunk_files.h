@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <talus/tools/failure.h>
 #include <talus/voxel/chunk.h>
-
-#include "failure.h"
 
 namespace talus::tools {
 

@@ -1,105 +1,25 @@
 #include "command_line.h"
 
-#include <cstdint>
-#include <cstdio>
-#include <new>
-#include <string>
-#include <vector>
-
-#include <talus/mistyped/command_line.h>
-#include <talus/terrain/world.h>
-#include <talus/vectors/instruction_set.h>
-#include <CLI/CLI.hpp>
-
-#include "commands/command.h"
+#include "commands/commands.h"
 
 namespace talus::tools {
 namespace {
 
-int report(const Failure& failure, const std::string& command) {
-  std::fprintf(stderr, "talus-gen %s: %s\n", command.c_str(), failure.message.c_str());
-  return failure.exit_code;
-}
-
-int parse_failure(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-    return app.exit(error);  // --help and --version arrive here
-  }
-  std::fprintf(stderr, "talus-gen: %s (see --help)\n", describe(app, error).c_str());
-  return kExitWrongUse;
-}
-
-std::string names_of(const std::vector<Command>& commands) {
-  std::string names;
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (i > 0) names += i + 1 < commands.size() ? ", " : " or ";
-    names += commands[i].options->get_name();
-  }
-  return names;
+std::vector<Command> add_commands(CLI::App& app) {
+  return {add_map(app),     add_section(app), add_export(app), add_hash(app),   add_vox(app),
+          add_preview(app), add_find(app),    add_encode(app), add_decode(app), add_explain(app)};
 }
 
 }  // namespace
 
-void add_world(CLI::App& command, std::string& world) {
-  command.add_option("--world", world, "World spec (world.toml); default: the built-in world")
-      ->type_name("FILE");
-}
-
-void add_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N")
-      ->capture_default_str();
-}
-
-void add_lod(CLI::App& command, std::int64_t& lod) {
-  command.add_option("--lod", lod, "Level of detail, 0 to 6: one column spans 2^L base voxels")
-      ->type_name("L")
-      ->capture_default_str();
-}
-
-void add_output(CLI::App& command, std::string& output, const char* meaning, const char* type) {
-  command.add_option("-o,--output", output, meaning)->type_name(type)->required();
-}
-
-int run_command_line(int argc, const char* const* argv, const std::string& version) {
-  if (const auto set = forced_instruction_set(); !set) {
-    std::fprintf(stderr, "talus-gen: %s\n", std::string{set.error()}.c_str());
-    return kExitWrongUse;
-  }
-  CLI::App app{
-      "The Talus terrain generator without a network: draws, exports and hashes a world, and encodes and\n"
-      "decodes single chunks.\n"
-      "Positions are in base voxels, x east and z south, and may be negative: --center -640,32.\n"
-      "Exit status: 0 success, 1 failure, 2 wrong arguments."};
-  app.name("talus-gen");
-  app.set_version_flag("--version", "talus-gen " + version + " (generator version " +
-                                        std::to_string(to_integer(terrain::kNewestGeneratorVersion)) + ", " +
-                                        std::string{to_string(instruction_set())} + " kernels)");
-  app.get_formatter()->column_width(34);
-
-  const std::vector<Command> commands{
-      add_map(app),     add_section(app), add_export(app),   add_hash(app),           add_vox(app),
-      add_gallery(app), add_table1(app),  add_likeness(app), add_lod_error(app),      add_preview(app),
-      add_find(app),    add_quality(app), add_erode(app),    add_diamond_square(app), add_encode(app),
-      add_decode(app),  add_explain(app)};
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return parse_failure(app, error);
-  }
-  for (const auto& [command, run] : commands) {
-    if (!command->parsed()) continue;
-    try {
-      const Expected<void> done = run();
-      return done ? kExitDone : report(done.error(), command->get_name());
-    } catch (const std::bad_alloc&) {
-      return report({kExitFailed, "not enough memory; ask for a smaller region or fewer --threads"},
-                    command->get_name());
-    }
-  }
-  std::fprintf(stderr, "talus-gen: a command is needed: %s (see --help)\n", names_of(commands).c_str());
-  return kExitWrongUse;
+int run_talus_gen(int argc, const char* const* argv, const std::string& version) {
+  return run_program(
+      {"talus-gen", version,
+       "The Talus terrain generator without a network: draws, exports and hashes a world, and encodes and\n"
+       "decodes single chunks.\n"
+       "Positions are in base voxels, x east and z south, and may be negative: --center -640,32.",
+       add_commands},
+      argc, argv);
 }
 
 }  // namespace talus::tools

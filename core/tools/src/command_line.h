@@ -5,8 +5,7 @@
 
 namespace talus::tools {
 
-/// Runs the command given by the arguments; errors are printed to stderr as one line. Returns the exit code:
-/// 0 done, 1 failed, 2 wrong usage.
-[[nodiscard]] int run_command_line(int argc, const char* const* argv, const std::string& version);
+/// Runs the command given by the arguments. Returns the exit code, as run_program().
+[[nodiscard]] int run_talus_gen(int argc, const char* const* argv, const std::string& version);
 
 }  // namespace talus::tools

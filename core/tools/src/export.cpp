@@ -10,12 +10,12 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 
 #include "export_json.h"
 #include "export_patch.h"
 #include "export_plan.h"
-#include "ordered_work.h"
-#include "patch_grid.h"
 
 namespace talus::tools {
 namespace {

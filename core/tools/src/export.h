@@ -6,9 +6,9 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
 
 #include <talus/progress/progress_bar.h>
-#include "failure.h"
 #include "land_edits.h"
 
 namespace talus::tools {

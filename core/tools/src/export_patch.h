@@ -10,10 +10,10 @@
 #include <talus/terrain/field.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
+#include <talus/tools/failure.h>
 #include <talus/voxel/chunk.h>
 
 #include "export_plan.h"
-#include "failure.h"
 
 namespace talus::tools {
 

@@ -8,11 +8,10 @@
 
 #include <talus/edits/chunk_overrides.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
-
-#include "failure.h"
 
 namespace talus::tools {
 

@@ -2,9 +2,8 @@
 
 #include <talus/map/region_painter.h>
 #include <talus/terrain/generator.h>
-
-#include "ordered_work.h"
-#include "patch_grid.h"
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 
 namespace talus::tools {
 

@@ -4,9 +4,9 @@
 #include <talus/map/edited_tops.h>
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/image.h>
 
 #include <talus/progress/progress_bar.h>
-#include "image.h"
 
 namespace talus::tools {
 

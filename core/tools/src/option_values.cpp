@@ -1,9 +1,7 @@
-#include "option_values.h"
+#include <talus/tools/option_values.h>
 
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
-#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -83,23 +81,6 @@ Expected<IntegerPair> parse_size(std::string_view option, std::string_view text,
                      std::to_string(longest));
   }
   return size;
-}
-
-std::string fault_of_seed(const std::string& text) {
-  std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, seed);
-  if (error == std::errc{} && stop == end) return {};
-  return "'" + text + "' is not a seed; give a whole number from 0 to 18446744073709551615";
-}
-
-std::string fault_of_number(const std::string& text, double least, double most) {
-  char* stop = nullptr;
-  const double value = std::strtod(text.c_str(), &stop);
-  if (!text.empty() && *stop == '\0' && least <= value && value <= most) return {};
-  std::ostringstream fault;
-  fault << "'" << text << "' is not a number from " << least << " to " << most;
-  return fault.str();
 }
 
 Expected<Lod> parse_lod(std::int64_t level) {

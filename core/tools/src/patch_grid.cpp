@@ -1,4 +1,4 @@
-#include "patch_grid.h"
+#include <talus/tools/patch_grid.h>
 
 #include <algorithm>
 

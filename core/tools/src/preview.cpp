@@ -9,12 +9,12 @@
 
 #include <talus/progress/progress_bar.h>
 #include <talus/terrain/places.h>
+#include <talus/tools/option_values.h>
 
 #include <talus/map/column_grid.h>
 #include "canvas.h"
 #include "colour_scale.h"
 #include "map.h"
-#include "option_values.h"
 #include "preview_cards.h"
 #include "preview_numbers.h"
 #include "profile.h"

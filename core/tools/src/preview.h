@@ -5,9 +5,8 @@
 #include <string>
 
 #include <talus/terrain/world.h>
-
-#include "failure.h"
-#include "image.h"
+#include <talus/tools/failure.h>
+#include <talus/tools/image.h>
 
 namespace talus::tools {
 

@@ -12,10 +12,9 @@
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/slope.h>
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 #include <talus/voxel/codec.h>
-
-#include "ordered_work.h"
-#include "patch_grid.h"
 
 namespace talus::tools {
 namespace {

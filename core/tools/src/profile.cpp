@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <talus/terrain/generator.h>
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 
-#include "ordered_work.h"
-#include "patch_grid.h"
 #include "section_colours.h"
 
 namespace talus::tools {

@@ -13,10 +13,9 @@
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 #include <talus/voxel/codec.h>
-
-#include "ordered_work.h"
-#include "patch_grid.h"
 
 namespace talus::tools {
 namespace {

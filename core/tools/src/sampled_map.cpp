@@ -1,9 +1,8 @@
 #include "sampled_map.h"
 
 #include <talus/map/grid_painter.h>
-
-#include "ordered_work.h"
-#include "patch_grid.h"
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
 
 namespace talus::tools {
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <talus/terrain/world.h>
+#include <talus/tools/image.h>
 
 #include <talus/map/column_grid.h>
 #include <talus/progress/progress_bar.h>
-#include "image.h"
 
 namespace talus::tools {
 

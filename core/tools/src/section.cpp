@@ -6,11 +6,11 @@
 #include <vector>
 
 #include <talus/terrain/extraction.h>
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
+#include <talus/tools/voxel_grid.h>
 
-#include "ordered_work.h"
-#include "patch_grid.h"
 #include "section_colours.h"
-#include "voxel_grid.h"
 
 namespace talus::tools {
 namespace {

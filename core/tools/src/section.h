@@ -5,10 +5,10 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
+#include <talus/tools/image.h>
 
 #include <talus/progress/progress_bar.h>
-#include "failure.h"
-#include "image.h"
 
 namespace talus::tools {
 

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
+#include <talus/tools/image.h>
 #include <glm/common.hpp>
-
-#include "image.h"
 
 namespace talus::tools {
 

@@ -7,8 +7,8 @@
 
 #include <talus/map/edited_tops.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
 
-#include "failure.h"
 #include "land_edits.h"
 
 namespace talus::tools {

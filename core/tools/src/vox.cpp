@@ -5,10 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "ordered_work.h"
-#include "patch_grid.h"
+#include <talus/tools/ordered_work.h>
+#include <talus/tools/patch_grid.h>
+#include <talus/tools/voxel_grid.h>
+
 #include "vox_file.h"
-#include "voxel_grid.h"
 
 namespace talus::tools {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <talus/terrain/field.h>
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
 
 #include <talus/progress/progress_bar.h>
-#include "failure.h"
 
 namespace talus::tools {
 

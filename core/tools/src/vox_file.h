@@ -10,10 +10,10 @@
 #include <vector>
 
 #include <talus/terrain/world.h>
+#include <talus/tools/failure.h>
 #include <glm/vec3.hpp>
 
 #include <talus/files/atomic_file.h>
-#include "failure.h"
 
 namespace talus::tools {
 

@@ -1,4 +1,4 @@
-#include "voxel_grid.h"
+#include <talus/tools/voxel_grid.h>
 
 #include <algorithm>
 
@@ -71,24 +71,6 @@ VoxelGrid grid_of_chunks(const terrain::World& world, const terrain::Region& reg
       if (x == chunk_of(cover.x + cover.width - 1)) break;
     }
     if (z == chunk_of(cover.z + cover.depth - 1)) break;
-  }
-  return grid;
-}
-
-VoxelGrid grid_of_planes(std::span<const MaterialId> materials, std::span<const terrain::Field> tops,
-                         std::optional<std::int32_t> sea_fx, std::int32_t bottom, int rows) {
-  VoxelGrid grid{tops.front().width, rows, tops.front().depth};
-  for (int z = 0; z < grid.depth(); ++z) {
-    for (int x = 0; x < grid.width(); ++x) {
-      std::int64_t from = 0;
-      const auto fill_to = [&](MaterialId material, std::int32_t boundary_fx) {
-        const std::int64_t to = std::int64_t{terrain::boundary_row(boundary_fx)} - bottom;
-        grid.fill(x, z, from, to, material);
-        from = std::max(from, to);
-      };
-      for (std::size_t k = 0; k < tops.size(); ++k) fill_to(materials[k], tops[k].at(x, z));
-      if (sea_fx) fill_to(kWater, *sea_fx);
-    }
   }
   return grid;
 }

@@ -1,4 +1,4 @@
-#include "world_file.h"
+#include <talus/tools/world_file.h>
 
 #include <string>
 #include <system_error>

@@ -7,7 +7,7 @@
 #include <talus/voxel/explain.h>
 
 #include "chunk_files.h"
-#include "commands/command.h"
+#include "commands/commands.h"
 
 namespace talus::tools {
 namespace {

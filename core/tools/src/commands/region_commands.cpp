@@ -9,19 +9,20 @@
 #include <utility>
 
 #include <talus/map/column_grid.h>
-#include "commands/command.h"
+#include <talus/tools/image.h>
+#include <talus/tools/option_values.h>
+#include <talus/tools/world_file.h>
+
+#include "commands/commands.h"
 #include "export.h"
-#include "image.h"
 #include "land_edits.h"
 #include "map.h"
-#include "option_values.h"
 #include "region_hash.h"
 #include "sampled_map.h"
 #include "section.h"
 #include "tops_of_edits.h"
 #include "vox.h"
 #include "vox_file.h"
-#include "world_file.h"
 
 namespace talus::tools {
 namespace {

@@ -11,14 +11,13 @@
 
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/heights.h>
+#include <talus/tools/image.h>
+#include <talus/tools/option_values.h>
+#include <talus/tools/world_file.h>
 
-#include "commands/command.h"
+#include "commands/commands.h"
 #include "find_look.h"
-#include "image.h"
-#include "option_values.h"
 #include "preview.h"
-#include "quality.h"
-#include "world_file.h"
 
 namespace talus::tools {
 namespace {
@@ -118,27 +117,6 @@ Expected<void> run_find(const FindArguments& arguments) {
   return print_line(std::to_string(found->x) + "," + std::to_string(found->z) + " " + std::to_string(row));
 }
 
-struct QualityArguments {
-  std::string world;
-  bool quick = false;
-  bool json = false;
-  int threads = 0;
-};
-
-Expected<void> run_quality(const QualityArguments& arguments) {
-  const auto world = load_world(arguments.world);
-  if (!world) return tl::make_unexpected(world.error());
-  QualityOptions options = QualityOptions::quick(arguments.threads);
-  if (!arguments.quick) options = {.threads = arguments.threads};
-  const Quality quality = [&] {
-    ProgressBar progress{"quality", "columns"};
-    return measure_quality(*world, options, progress);
-  }();
-  std::string text = arguments.json ? to_json(quality) : to_text(quality);
-  text.pop_back();  // print_line() adds it
-  return print_line(text);
-}
-
 }  // namespace
 
 Command add_preview(CLI::App& app) {
@@ -158,36 +136,6 @@ Command add_preview(CLI::App& app) {
       "columns and\n"
       "chunks cost. Times are CPU time on this machine, so two sheets differ in them and in nothing else.");
   return {preview, [arguments] { return run_preview(*arguments); }};
-}
-
-Command add_quality(CLI::App& app) {
-  auto* quality = app.add_subcommand(
-      "quality", "Measure a world: evenness of directions, variety, water, steps, slopes and heights");
-  const auto arguments = std::make_shared<QualityArguments>();
-  quality->add_flag("--quick", arguments->quick,
-                    "Look at a tenth of the places: seconds instead of up to minutes, and wide errors");
-  quality->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  add_world(*quality, arguments->world);
-  add_threads(*quality, arguments->threads);
-  quality->footer(
-      "Places lie up to 2^24 columns from the origin and are the same each time, so equal worlds have equal "
-      "figures,\n"
-      "whatever the threads. Directions: power of heights in octave bands of wavelength, within 15 degrees "
-      "of the\n"
-      "axes and of the diagonals, of windows of 256 x 256 samples, 8 to a wave; each window weighs alike. "
-      "Blocks: one\n"
-      "column of 50 along x and z. Water: columns whose top voxel lies under the sea's; a lone piece is less "
-      "than 16\n"
-      "columns that touch no other water, not even at a corner. Slope: rise to the highest of eight "
-      "neighbours or fall\n"
-      "to the lowest, over one column (thesis, equation 1). Heights are heights of the rock's surface before "
-      "talus and\n"
-      "erosion move it, in voxels over the sea. Of regions also: steps that no terrace makes; how high beds "
-      "of rivers\n"
-      "lie over their flood plain; heights at the lattice points of each noise next to heights in the "
-      "middles of its cells.\n"
-      "The default world's requirements are printed, each with its result.");
-  return {quality, [arguments] { return run_quality(*arguments); }};
 }
 
 Command add_find(CLI::App& app) {

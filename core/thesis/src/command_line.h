@@ -1,0 +1,11 @@
+// Command line of talus-thesis.
+#pragma once
+
+#include <string>
+
+namespace talus::tools {
+
+/// Runs the command given by the arguments. Returns the exit code, as run_program().
+[[nodiscard]] int run_talus_thesis(int argc, const char* const* argv, const std::string& version);
+
+}  // namespace talus::tools
