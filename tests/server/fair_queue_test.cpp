@@ -252,8 +252,9 @@ TEST_CASE("the queue does what its rule says") {
           break;
         }
         default: {
-          const auto blocked = *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange(0, 4), leaf);
-          const auto idle = *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange(0, 3), leaf);
+          const auto blocked =
+              *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange<std::size_t>(0, 4), leaf);
+          const auto idle = *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange<std::size_t>(0, 3), leaf);
           const auto next = queue.next([&](int of, int which) {
             if (idle.contains({of, which})) return Readiness::idle;
             return blocked.contains({of, which}) ? Readiness::blocked : Readiness::ready;
