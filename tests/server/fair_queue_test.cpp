@@ -256,8 +256,8 @@ TEST_CASE("the queue does what its rule says") {
               *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange<std::size_t>(0, 4), leaf);
           const auto idle = *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange<std::size_t>(0, 3), leaf);
           const auto next = queue.next([&](int of, int which) {
-            if (idle.contains({of, which})) return Readiness::idle;
-            return blocked.contains({of, which}) ? Readiness::blocked : Readiness::ready;
+            if (idle.contains({of, which})) return FairState::idle;
+            return blocked.contains({of, which}) ? FairState::blocked : FairState::ready;
           });
           const auto expected = plain.next(blocked, idle);
           RC_ASSERT(next.has_value() == expected.has_value());
@@ -583,7 +583,7 @@ TEST_CASE("a blocked entrant is passed over, and comes back as if it were new") 
   queue.enter({}, 2);
   const auto step = [&](int blocked) {
     const auto next =
-        queue.next([&](int id) { return id == blocked ? Readiness::blocked : Readiness::ready; });
+        queue.next([&](int id) { return id == blocked ? FairState::blocked : FairState::ready; });
     queue.charge(10, std::get<0>(*next));
     return std::get<0>(*next);
   };
@@ -597,10 +597,10 @@ TEST_CASE("a blocked entrant is passed over, and comes back as if it were new") 
 TEST_CASE("what is asked of a flow decides for all its clients, which are not asked") {
   struct Ready {
     int asked = 0;
-    Readiness operator()(int flow) const { return flow == 1 ? Readiness::blocked : Readiness::ready; }
-    Readiness operator()(int /*flow*/, int /*client*/) {
+    FairState operator()(int flow) const { return flow == 1 ? FairState::blocked : FairState::ready; }
+    FairState operator()(int /*flow*/, int /*client*/) {
       ++asked;
-      return Readiness::ready;
+      return FairState::ready;
     }
   } ready;
   Flows queue;
@@ -627,6 +627,6 @@ TEST_CASE("an empty queue gives nothing, and a cleared one owes nothing") {
   CHECK(queue.next() == Flows::Path{1, 1});
   queue.leave(2, 2);
   CHECK_FALSE(queue.empty());
-  CHECK_FALSE(queue.next([](int, int) { return Readiness::idle; }).has_value());
+  CHECK_FALSE(queue.next([](int, int) { return FairState::idle; }).has_value());
   CHECK(queue.empty());
 }

@@ -296,7 +296,7 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
   turns_.set_rules({FairRule{.saved = kUrgencySaved * quantum}, FairRule{.lead = quantum}, FairRule{}});
   const auto next = turns_.next(
       Overloaded{[&](Urgency /*urgency*/, FlowId flow) {
-                   return of(flow).in_flight < costs.max_in_flight ? Readiness::ready : Readiness::blocked;
+                   return of(flow).in_flight < costs.max_in_flight ? FairState::ready : FairState::blocked;
                  },
                  [&](Urgency urgency, FlowId /*flow*/, ClientId id) { return readiness(id, urgency); }});
   if (!next) {
@@ -363,12 +363,12 @@ std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urge
   return std::nullopt;
 }
 
-Readiness WorkQueue::readiness(ClientId id, Urgency urgency) const {
+FairState WorkQueue::readiness(ClientId id, Urgency urgency) const {
   const auto found = clients_.find(id);
-  if (found == clients_.end()) return Readiness::idle;
+  if (found == clients_.end()) return FairState::idle;
   const Client& client = found->second;
-  if (can_begin(client, urgency)) return Readiness::ready;
-  return client.wants(urgency) || client.in_flight > 0 ? Readiness::blocked : Readiness::idle;
+  if (can_begin(client, urgency)) return FairState::ready;
+  return client.wants(urgency) || client.in_flight > 0 ? FairState::blocked : FairState::idle;
 }
 
 bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {

@@ -197,7 +197,7 @@ class WorkQueue {
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
-  [[nodiscard]] Readiness readiness(ClientId id, Urgency urgency) const;
+  [[nodiscard]] FairState readiness(ClientId id, Urgency urgency) const;
   [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
   /// Returns true if the client could begin something that is likely to cost less than `most`.
   [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t most,

@@ -38,7 +38,7 @@ struct FairRule {
 };
 
 /// ready: has a piece that may begin. blocked: has work, but no piece may begin now. idle: has no work.
-enum class Readiness : std::uint8_t { ready, blocked, idle };
+enum class FairState : std::uint8_t { ready, blocked, idle };
 
 /// A vector of at most Count values, in place.
 template <typename Value, std::size_t Count>
@@ -95,9 +95,9 @@ class FairLevel<> {
 
   template <typename Ready, typename... Ids>
   [[nodiscard]] std::optional<std::tuple<>> next(const FairRule* /*rules*/, Ready& ready, Ids... ids) {
-    const Readiness readiness = ready(ids...);
-    if (readiness == Readiness::ready) return std::tuple{};
-    if (readiness == Readiness::idle) waits_ = false;
+    const FairState readiness = ready(ids...);
+    if (readiness == FairState::ready) return std::tuple{};
+    if (readiness == FairState::idle) waits_ = false;
     return std::nullopt;
   }
   template <typename Dropped, typename... Ids>
@@ -257,7 +257,7 @@ class FairLevel<Level, Below...> {
   template <typename Ready, typename... Ids>
   [[nodiscard]] static bool may_ask_below(Ready& ready, Ids... ids) {
     if constexpr (sizeof...(Below) > 0 && std::is_invocable_v<Ready&, Ids...>) {
-      return ready(ids...) == Readiness::ready;
+      return ready(ids...) == FairState::ready;
     }
     return true;
   }

@@ -65,7 +65,7 @@ class FairQueue {
 
   /// Returns the ids that go next; nullopt if nothing may begin. They stay entered.
   ///
-  /// `ready(ids...)` returns Readiness: blocked entrants are passed over and, when they are ready, go on as
+  /// `ready(ids...)` returns FairState: blocked entrants are passed over and, when they are ready, go on as
   /// if they had come back; idle ones leave. It may also take the first ids alone, and is then asked for
   /// these first. It must not call the queue, nor throw.
   template <typename Ready>
@@ -73,7 +73,7 @@ class FairQueue {
     return top_.next(rules_.data(), ready);
   }
   [[nodiscard]] std::optional<Path> next() {
-    return next([](FairId<Levels>...) { return Readiness::ready; });
+    return next([](FairId<Levels>...) { return FairState::ready; });
   }
 
   /// Charges the cost of a piece that is done, also after leave().
