@@ -42,6 +42,18 @@ set(talus_precompiled <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem
 set(talus_precompiled_net ${talus_precompiled} <asio/awaitable.hpp> <asio/co_spawn.hpp> <asio/io_context.hpp>
   <asio/ip/tcp.hpp> <asio/steady_timer.hpp> <asio/use_awaitable.hpp> <asio/write.hpp> <talus/protocol/message.h>)
 
+# g++ collects garbage only from 300 MB on, which a tenth of the sources reach: 6 % less time.
+if(CMAKE_UNITY_BUILD AND CMAKE_BUILD_TYPE STREQUAL Release)
+  target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=300000>")
+endif()
+
+# A quick build (TALUS_QUICK, by ./dev run) has no more than one machine needs that tries talusd: kernels for this machine
+# alone, generation by -O2 and not -O3, all else by less (talus_optimise()). A build with tests is never quick.
+if(TALUS_QUICK AND CMAKE_UNITY_BUILD AND NOT (TALUS_TESTS OR TALUS_BENCH OR TALUS_FUZZ))
+  set(talus_quick ON)
+  string(REPLACE "-O3" "-O2" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
+endif()
+
 # Unity builds (CMAKE_UNITY_BUILD, on in the release preset): a target's sources are compiled together, up to this many
 # at once, so that what they include is parsed and instantiated once. Names in anonymous namespaces are then shared.
 if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
@@ -65,10 +77,19 @@ function(talus_brief_sources)
   set_source_files_properties(${ARGV} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1> SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
-# talus_optimise(TARGET LEVEL): its level in a release build, where that is not -O3: 2 for what mostly waits for the
-# network, g for what runs once, or waits for a disk or a terminal: it compiles in a sixth less time than 1.
+# talus_optimise(TARGET LEVEL): its level in a release build: 3 for what is hot, as it is by default; 2 for what mostly waits
+# for the network; g for what runs once, or waits for a disk or a terminal: it compiles in a sixth less time than 1.
+# A quick build has less than 3 and 2. Inlining of small functions gives -O1 most of the speed of -O2, in three quarters of
+# its time. -O0 would take as long as -Og, which emits fewer functions.
 function(talus_optimise target level)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+  set(options -O${level})
+  if(talus_quick)
+    set(options_3 -O1 $<$<CXX_COMPILER_ID:GNU>:-finline-small-functions> $<$<CXX_COMPILER_ID:GNU>:-findirect-inlining>)
+    set(options_2 -Og)
+    set(options_g -Og)
+    set(options ${options_${level}})
+  endif()
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:${options}>")
 endfunction()
 
 # talus_join_kernels(VARIABLE NAME KERNEL...): a kernel source includes itself once for each instruction set (Highway's
@@ -92,13 +113,32 @@ function(talus_join_kernels variable name)
   set(${variable} ${joined} PARENT_SCOPE)
 endfunction()
 
-# talus_module(NAME SOURCES ... KERNELS ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
-# lie in include/talus/<module>, known to those who link talus::NAME and to nobody else. KERNELS are sources that
-# include themselves once for each instruction set.
+# talus_kernel_sources(SOURCE...): sources that are compiled for each instruction set; in a quick build for scalar and the best
+# of this machine.
+function(talus_kernel_sources)
+  if(talus_quick)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null OUTPUT_VARIABLE macros ERROR_QUIET)
+    if(macros MATCHES "__AVX512VL__" AND macros MATCHES "__AVX512BW__" AND macros MATCHES "__AVX512DQ__")
+      set(others "HWY_AVX2|HWY_SSE4")
+    elseif(macros MATCHES "__AVX2__" AND macros MATCHES "__BMI2__" AND macros MATCHES "__FMA__")
+      set(others "HWY_AVX3|HWY_SSE4")
+    elseif(macros MATCHES "__SSE4_2__")
+      set(others "HWY_AVX3|HWY_AVX2")
+    else()
+      return()
+    endif()
+    set_property(SOURCE ${ARGV} APPEND PROPERTY COMPILE_DEFINITIONS "TALUS_OTHER_TARGETS=(${others})")
+  endif()
+endfunction()
+
+# talus_module(NAME SOURCES ... KERNELS ... SETUP ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose
+# headers lie in include/talus/<module>, known to those who link talus::NAME and to nobody else. KERNELS are sources that
+# include themselves once for each instruction set. SETUP runs once: it is compiled by -Og.
 function(talus_module name)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;KERNELS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;KERNELS;SETUP;PUBLIC;PRIVATE" ${ARGN})
   if(MODULE_KERNELS)
     talus_join_kernels(MODULE_KERNELS ${name} ${MODULE_KERNELS})
+    talus_kernel_sources(${MODULE_KERNELS})
   endif()
   add_library(talus_${name} STATIC ${MODULE_SOURCES} ${MODULE_KERNELS})
   if(MODULE_KERNELS AND TALUS_SANITIZE)
@@ -111,30 +151,13 @@ function(talus_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
-endfunction()
-
-# In a unity build for release talusd compiles each part of the server as one source, so that what its modules share,
-# such as Asio, is parsed and instantiated once and not for each module. A test links a module by itself, which is
-# compiled again.
-# A build of all tests, as by sanitizers, has the modules alone.
-if(CMAKE_UNITY_BUILD AND CMAKE_BUILD_TYPE STREQUAL Release)
-  set(talus_joined ON)
-  # g++ collects garbage only from 1 GB on, which three sources reach: less time, and 1.3 GB a compiler at most. Not where many
-  # sources are compiled at once, each with that much.
-  target_compile_options(talus_flags INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
-endif()
-
-# talus_sources(TARGET LIBRARIES...): in such a build, TARGET_sources, by which a program compiles the sources of the static
-# library TARGET with its own, to parse and instantiate once what they share. LIBRARIES: what they need, compiled alone.
-function(talus_sources target)
-  if(talus_joined)
-    get_target_property(sources ${target} SOURCES)
-    get_target_property(folders ${target} INCLUDE_DIRECTORIES)
-    list(TRANSFORM sources PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-    add_library(${target}_sources INTERFACE)
-    target_sources(${target}_sources INTERFACE ${sources})
-    target_include_directories(${target}_sources INTERFACE ${folders})
-    target_link_libraries(${target}_sources INTERFACE ${ARGN})
+  if(MODULE_SETUP)
+    add_library(talus_${name}_setup OBJECT ${MODULE_SETUP})
+    set_target_properties(talus_${name}_setup PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(talus_${name}_setup PRIVATE include src)
+    target_link_libraries(talus_${name}_setup PRIVATE talus_flags ${MODULE_PUBLIC} ${MODULE_PRIVATE})
+    talus_optimise(talus_${name}_setup g)
+    target_sources(talus_${name} PRIVATE $<TARGET_OBJECTS:talus_${name}_setup>)
   endif()
 endfunction()
 
@@ -151,25 +174,9 @@ function(talus_server_target target level)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
-# talus_server_part(NAME LEVEL SOURCES ... LINK libraries ...): adds SOURCES to talus_server_part_NAME, which a joined
-# build compiles as one source by -OLEVEL.
-function(talus_server_part name level)
-  cmake_parse_arguments(PART "" "" "SOURCES;LINK" ${ARGN})
-  set(target talus_server_part_${name})
-  if(NOT TARGET ${target})
-    add_library(${target} OBJECT)
-    talus_server_target(${target} ${level})
-    set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 0)
-  endif()
-  target_sources(${target} PRIVATE ${PART_SOURCES})
-  target_link_libraries(${target} PRIVATE ${PART_LINK})
-endfunction()
-
 # talus_server_module(NAME SOURCES ... SETUP ... LINK libraries ...): makes the folder server/NAME a target
 # talus_server_NAME, which links the modules of the server that docs/modules.txt lets it include, so that a test links a
 # module by itself. SOURCES are compiled by -O3; SETUP, which runs once or seldom, by -Og.
-# In a joined build NAME_use is what its headers need, for targets with its sources in a part; NAME is compiled only if a
-# test links it.
 function(talus_server_module name)
   cmake_parse_arguments(MODULE "" "" "SOURCES;SETUP;LINK" ${ARGN})
   set(target talus_server_${name})
@@ -192,22 +199,6 @@ function(talus_server_module name)
   endif()
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/server)
   target_link_libraries(${target} PUBLIC ${depends} ${MODULE_LINK})
-  if(talus_joined)
-    add_library(${target}_use INTERFACE)
-    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
-    if(TARGET ${target}_setup)
-      set_target_properties(${target}_setup PROPERTIES EXCLUDE_FROM_ALL ON)
-    endif()
-    list(TRANSFORM depends APPEND _use)
-    target_include_directories(${target}_use INTERFACE ${PROJECT_SOURCE_DIR}/server)
-    target_link_libraries(${target}_use INTERFACE ${depends} ${MODULE_LINK})
-    if(MODULE_SETUP)
-      talus_server_part(setup g SOURCES ${MODULE_SETUP} LINK ${target}_use)
-    endif()
-    if(MODULE_SOURCES)
-      talus_server_part(stream 3 SOURCES ${MODULE_SOURCES} LINK ${target}_use)
-    endif()
-  endif()
 endfunction()
 
 # talus_dependencies(MODULE VARIABLE): the modules that docs/modules.txt lets MODULE include.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <asio/error.hpp>
 #include <asio/ip/network_v4.hpp>
 
 #include "runtime/log/escape.h"

@@ -5,8 +5,12 @@
 
 // Each kernel source is compiled once for every set below (Highway's foreach_target). Only sets that this
 // compiler supports get a table. Highway always generates code for the compiler's own baseline.
+// TALUS_OTHER_TARGETS are those that a quick build leaves out (TALUS_QUICK).
+#ifndef TALUS_OTHER_TARGETS
+#define TALUS_OTHER_TARGETS 0
+#endif
 #undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | TALUS_OTHER_TARGETS)
 
 // Scalar code uses vectors of one lane (HWY_SCALAR). With compilers that Highway trusts (clang, and g++ from
 // 12.3 on) it would otherwise emulate 16-byte vectors (HWY_EMU128).
