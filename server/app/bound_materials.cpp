@@ -15,7 +15,7 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMostPlaceables = 65'000;
+constexpr std::size_t kMaxPlaceables = 65'000;
 constexpr std::chrono::milliseconds kRetryToBind{200};
 constexpr std::chrono::seconds kSayThatItWaits{10};
 
@@ -37,9 +37,9 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const 
   return uses;
 }
 
-tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entry,
-                                                   const std::function<bool()>& waits) {
-  using Outcome = tl::expected<edits::Applied, LogFailure>;
+tl::expected<edits::Applied, EditError> apply_now(EditLog& edits, LogEntry entry,
+                                                  const std::function<bool()>& waits) {
+  using Outcome = tl::expected<edits::Applied, EditError>;
   const auto answer = std::make_shared<std::promise<Outcome>>();
   auto answered = answer->get_future();
   const auto taken = edits.append(std::move(entry), [answer](const auto& outcome) {
@@ -47,7 +47,7 @@ tl::expected<edits::Applied, LogFailure> apply_now(EditLog& edits, LogEntry entr
   });
   if (!taken) return tl::unexpected{taken.error()};
   while (answered.wait_for(kRetryToBind) != std::future_status::ready) {
-    if (!waits()) return tl::unexpected{LogFailure{LogFailure::Kind::cut_off, "the log does not answer"}};
+    if (!waits()) return edit_error(EditErrorCode::cut_off, "the log does not answer");
   }
   return answered.get();
 }
@@ -61,9 +61,9 @@ tl::expected<std::vector<std::string>, std::string> names_without_ids(const terr
   for (const terrain::Material& material : world.materials()) generated.emplace(material.name, material.id);
   if (const auto named = database.name_generated(generated); !named) return tl::unexpected{named.error()};
   const edits::MaterialIds& known = database.materials();
-  if (known.size() + world.placeables().size() > kMostPlaceables) {
+  if (known.size() + world.placeables().size() > kMaxPlaceables) {
     return tl::unexpected{fmt::format("data {}: the store has ids for {} more materials; the world names {}",
-                                      database.path().string(), kMostPlaceables - known.size(),
+                                      database.path().string(), kMaxPlaceables - known.size(),
                                       world.placeables().size())};
   }
   edits::MaterialIds missing = known;
@@ -102,12 +102,12 @@ tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> 
         log->error(
             "the log has given no ids to the world's new materials: {}; they cannot be placed until this "
             "server is started again with the log reachable",
-            applied.error().reason);
+            applied.error().message);
         break;
       }
       if (const auto now = std::chrono::steady_clock::now(); now >= says) {
         log->warn("the world's {} new materials wait for ids from the log: {}", names.size(),
-                  applied.error().reason);
+                  applied.error().message);
         says = now + kSayThatItWaits;
       }
       std::this_thread::sleep_for(kRetryToBind);

@@ -23,7 +23,6 @@
 #include "app/settings.h"
 #include "chunks/generation/terrain_generator.h"
 #include "config/access/auth_failure.h"
-#include "edits/edit_refusals.h"
 #include "limits/rates/rate_kind.h"
 #include "net/balancer_state.h"
 #include "net/descriptors.h"
@@ -191,7 +190,7 @@ std::string Server::metrics_text() {
     error_codes.emplace_back(wire::EnumNameErrorCode(static_cast<wire::ErrorCode>(code)));
   }
   const MetricLabels labels{kRefusalNames, error_codes,    kAuthFailureNames, kRateNames,
-                            kMemoryUses,   kStatusClasses, kEditRefusedNames};
+                            kMemoryUses,   kStatusClasses, kEditErrorNames};
   const BuildInfo build{TALUS_VERSION, generator_version_, to_string(world_.fingerprint),
                         std::string{to_string(instruction_set())}};
   return metrics_page({metrics_, gauges, read_process(), build, labels});

@@ -97,7 +97,7 @@ RateLimits rate_limits(const Config& all, std::uint64_t site_bytes) {
   const Rate editors{editors_an_hour, editors_an_hour * kSavedUp};
   constexpr std::uint64_t kFewNewChunks = 16;  // 0 would mean unlimited
   const std::uint64_t fitting =
-      edit_state_settings(all, site_bytes).index_bytes / ChunkIndex::kMostBytesEach / kHoursToFill;
+      edit_state_settings(all, site_bytes).index_bytes / ChunkIndex::kMaxBytesEach / kHoursToFill;
   const std::uint64_t an_hour = std::min(config.address_new_chunks, std::max(fitting, kFewNewChunks));
   Rate new_chunks{an_hour, an_hour * kSavedUp};
   // One edit of maximum size must fit, with the neighbouring chunks into which loose material slides.

@@ -13,7 +13,7 @@
 
 #include "app/bound_materials.h"
 #include "app/settle_rules.h"
-#include "edits/editor_room.h"
+#include "edits/admission/log_admission.h"
 #include "runtime/signals.h"
 
 namespace talus::server {
@@ -144,7 +144,7 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Me
       [this](edits::EditorId id) { return state_->editor(id); },
       clock_,
       metrics,
-      [this] { return shared_ != nullptr ? shared_->room_for_editor() : room_for_editor(*state_, clock_); }};
+      [this] { return shared_ != nullptr ? shared_->room_for_editor() : admit_editor(*state_, clock_); }};
   intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
   waits_for_log_ = intake_.get();
   return *chunks_;

@@ -1,23 +1,15 @@
 // Answers to a session's edits, delivered by its mailbox.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <string>
 
 #include <tl/expected.hpp>
 
 #include <talus/edits/editors.h>
-#include <talus/protocol/message.h>
+
+#include "chunks/edit_error.h"
 
 namespace talus::server {
-
-/// The reason why an edit or an Attach did not happen: an Error for the client.
-struct EditRefusal {
-  wire::ErrorCode code{};
-  std::string text;
-  std::chrono::milliseconds retry_after{};
-};
 
 /// The session may edit as `editor` until another session attaches to it.
 struct EditorSession {
@@ -29,13 +21,13 @@ struct EditorSession {
 };
 
 struct AttachAnswer {
-  tl::expected<EditorSession, EditRefusal> answer;
+  tl::expected<EditorSession, EditError> answer;
 };
 
 /// The edit was stored, or did not happen.
 struct EditAnswer {
   std::uint32_t id = 0;
-  tl::expected<edits::EditResult, EditRefusal> answer;
+  tl::expected<edits::EditResult, EditError> answer;
 };
 
 }  // namespace talus::server

@@ -7,8 +7,7 @@
 
 #include "cluster/log_reasons.h"
 #include "cluster/server_number.h"
-#include "edits/editor_room.h"
-#include "edits/index_room.h"
+#include "edits/admission/log_admission.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -83,31 +82,28 @@ bool ClusterLog::takes_entries() const {
   return !status().read_only;
 }
 
-tl::expected<void, LogFailure> ClusterLog::append(LogEntry entry, Done done) {
-  using Kind = LogFailure::Kind;
-  if (auto fits = keep_to_index(parts_.state, entry); !fits) return fits;
-  if (auto fits = keep_to_editors(parts_.state, entry, parts_.clock); !fits) {
-    return tl::unexpected{unless_behind(std::move(fits.error()))};
+tl::expected<void, EditError> ClusterLog::append(LogEntry entry, Done done) {
+  if (auto admitted = admit_to_log(entry, parts_.state, parts_.clock); !admitted) {
+    return tl::unexpected{unless_behind(std::move(admitted.error()))};
   }
   if (auto read_only = writer_.status().read_only) {
-    return tl::unexpected{LogFailure{Kind::unwritable, *std::move(read_only)}};
+    return edit_error(EditErrorCode::unwritable, *std::move(read_only));
   }
-  if (auto refuses = status().read_only) {
-    return tl::unexpected{LogFailure{Kind::cut_off, *std::move(refuses)}};
-  }
+  if (auto refuses = status().read_only) return edit_error(EditErrorCode::cut_off, *std::move(refuses));
   return publisher_.append(std::move(entry), std::move(done));
 }
 
-tl::expected<void, LogFailure> ClusterLog::room_for_editor() const {
-  auto room = server::room_for_editor(parts_.state, parts_.clock);
+tl::expected<void, EditError> ClusterLog::room_for_editor() const {
+  auto room = admit_editor(parts_.state, parts_.clock);
   if (!room) return tl::unexpected{unless_behind(std::move(room.error()))};
   return room;
 }
 
-LogFailure ClusterLog::unless_behind(LogFailure failure) const {
+EditError ClusterLog::unless_behind(EditError error) const {
+  if (error.code != EditErrorCode::editors_full) return error;
   const Status now = status();
-  if (now.ready && !now.read_only && now.lag == 0) return failure;
-  return {LogFailure::Kind::cut_off,
+  if (now.ready && !now.read_only && now.lag == 0) return error;
+  return {EditErrorCode::cut_off,
           fmt::format("this server is not at the end of the log that this world's servers share ({} messages "
                       "behind), and may not know all editors; retry in 2 s",
                       now.lag)};
@@ -137,7 +133,7 @@ ClusterLog::Status ClusterLog::status() const {
   status.bounded = bounded_;
   status.stuck = stuck_since_ && !fault_.empty();  // once fault_ is set
   if (stopping_) {
-    status.read_only = "this server is about to end";
+    status.read_only = "this server is shutting down";
   } else if (!fault_.empty()) {
     status.read_only = fault_;
   } else if (!undecided_.empty()) {

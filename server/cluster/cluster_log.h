@@ -78,12 +78,12 @@ class ClusterLog final : public EditLog {
   /// stream, and ends the threads. Must not be called on a thread of the log.
   void stop();
 
-  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done) override;
   [[nodiscard]] bool takes_entries() const override;
   /// Checks for room for one more editor before there is an entry; append() checks that too. A server that is
   /// not at the log's end does not know all editors; its failure is cut_off instead of editors_full, and
   /// temporary. Callable from any thread.
-  [[nodiscard]] tl::expected<void, LogFailure> room_for_editor() const;
+  [[nodiscard]] tl::expected<void, EditError> room_for_editor() const;
 
   struct Status {
     edits::Head head;
@@ -155,8 +155,8 @@ class ClusterLog final : public EditLog {
   void look_at_end();
 
   // Callable from any thread.
-  /// Replaces `failure` by cut_off while this server is not at the log's end.
-  [[nodiscard]] LogFailure unless_behind(LogFailure failure) const;
+  /// Replaces editors_full by cut_off while this server is not at the log's end.
+  [[nodiscard]] EditError unless_behind(EditError error) const;
   /// Returns true if applying was not stopped before.
   bool stop_applying(std::string reason);
   void lose(Lost how, const std::string& reason);

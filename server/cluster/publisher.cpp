@@ -48,29 +48,27 @@ void Publisher::give_up(const std::string& why) {
   queue_.wake();
 }
 
-LogFailure Publisher::cut_off() const {
+EditError Publisher::cut_off() const {
   const std::string why = trouble();
-  return {LogFailure::Kind::cut_off,
+  return {EditErrorCode::cut_off,
           fmt::format("the log that this world's servers share takes no edits now{}{}; retry in 2 s",
                       why.empty() ? "" : ": ", why)};
 }
 
-tl::expected<void, LogFailure> Publisher::append(LogEntry entry, EditLog::Done done) {
+tl::expected<void, EditError> Publisher::append(LogEntry entry, EditLog::Done done) {
   if (!takes()) return tl::unexpected{cut_off()};
   Encoded encoded;
   encode(entry, encoded.bytes);
   const std::size_t size = encoded.bytes.size() + kLengthBytes;
   if (size + batch_overhead(parts_.settles) > kMaxMessageBytes) {
-    return tl::unexpected{
-        LogFailure{LogFailure::Kind::too_large,
-                   fmt::format("the edit takes {} bytes in the log, and a message of it "
-                               "has room for {}; divide it",
-                               encoded.bytes.size(), kMaxMessageBytes - batch_overhead(parts_.settles))}};
+    return edit_error(
+        EditErrorCode::out_of_range,
+        fmt::format("the edit takes {} bytes of the log, over the limit {} of a message; split it",
+                    encoded.bytes.size(), kMaxMessageBytes - batch_overhead(parts_.settles)));
   }
   // An undecodable entry would stop all servers.
   if (!decode_entry(encoded.bytes, parts_.settles)) {
-    return tl::unexpected{
-        LogFailure{LogFailure::Kind::too_large, "the edit breaks a bound of the log's entries; divide it"}};
+    return edit_error(EditErrorCode::out_of_range, "the edit exceeds a bound of the log's entries; split it");
   }
   // Bounds the memory for decoding as well as the encoded size.
   const std::size_t bytes = std::max(size, bytes_of(entry));
@@ -163,7 +161,7 @@ void Publisher::run() {
     const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<store::Bytes> entries;
     Open open;
-    for (Queue::Waiting& each : taken) {
+    for (Queue::Item& each : taken) {
       entries.push_back(std::move(each.entry.bytes));
       open.done.push_back(std::move(each.done));
     }
@@ -229,11 +227,11 @@ void Publisher::set_takes(bool takes) {
   if (changes) parts_.on_change();
 }
 
-void Publisher::refuse(const std::vector<Queue::Waiting>& waiting) const {
+void Publisher::refuse(const std::vector<Queue::Item>& waiting) const {
   if (waiting.empty()) return;
   // They are in no message, so their outcome is known.
-  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{cut_off()};
-  for (const Queue::Waiting& each : waiting) each.done(failure);
+  const tl::expected<const edits::Applied*, EditError> failure = tl::unexpected{cut_off()};
+  for (const Queue::Item& each : waiting) each.done(failure);
 }
 
 void Publisher::refuse_all() {
@@ -250,10 +248,10 @@ void Publisher::answer_open() {
     const std::lock_guard lock{mutex_};
     open.swap(open_);
   }
-  const tl::expected<const edits::Applied*, LogFailure> failure = tl::unexpected{LogFailure{
-      LogFailure::Kind::unwritable,
+  const tl::expected<const edits::Applied*, EditError> failure = edit_error(
+      EditErrorCode::unwritable,
       fmt::format("the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
-                  trouble())}};
+                  trouble()));
   for (const auto& [number, each] : open) {
     for (const EditLog::Done& done : each.done) done(failure);
   }

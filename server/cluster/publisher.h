@@ -65,9 +65,9 @@ class Publisher {
 
   [[nodiscard]] std::uint64_t id() const { return id_; }
 
-  /// Fails with cut_off while the stream accepts nothing, and with too_large if the entry does not fit into a
-  /// message. Callable from any thread.
-  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, EditLog::Done done);
+  /// Fails with cut_off while the stream accepts nothing, and with out_of_range if the entry does not fit
+  /// into a message. Callable from any thread.
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, EditLog::Done done);
   /// The next message will report the state `stand`. Callable from any thread.
   void say(const Stand& stand);
 
@@ -109,10 +109,10 @@ class Publisher {
   /// True if the message need not be published again.
   [[nodiscard]] bool wait_for_retry(std::uint64_t number);
   void set_takes(bool takes);
-  void refuse(const std::vector<Queue::Waiting>& waiting) const;
+  void refuse(const std::vector<Queue::Item>& waiting) const;
   void refuse_all();
   void answer_open();
-  [[nodiscard]] LogFailure cut_off() const;
+  [[nodiscard]] EditError cut_off() const;
 
   const Parts parts_;
   const std::uint64_t id_;

@@ -1,4 +1,4 @@
-// The state of edits as those see it who serve chunks. What is behind it applies the log.
+// Read-only view of the applied edit log, for chunk sources.
 #pragma once
 
 #include <cstddef>
@@ -17,30 +17,31 @@
 
 namespace talus::server {
 
-/// The overrides of a chunk of any level at a revision. Null: it has none any more.
+/// The overrides of a chunk of any level at a revision; null if all were removed.
 struct EditedChunk {
   std::uint64_t revision = 0;
   std::shared_ptr<const edits::ChunkOverrides> overrides;
 };
 
-/// Any thread may call any of these.
+/// Callable from any thread.
 class AppliedEdits {
  public:
   virtual ~AppliedEdits() = default;
 
-  /// Of the newest edit that changed the chunk; 0: none ever did. Never falls. Reads memory alone.
+  /// Revision of the newest edit that changed the chunk; 0 if it was never edited. Never decreases. Reads
+  /// only memory.
   [[nodiscard]] virtual std::uint64_t revision(ChunkKey key) const = 0;
 
-  /// The least span of rows of the key's column and level that has all chunks ever edited; empty: none was.
-  /// Reads memory alone.
+  /// The smallest range of rows that has all edited chunks of the key's column and level; may be empty. Reads
+  /// only memory.
   [[nodiscard]] virtual ChunkRange edited_rows(ChunkKey key) const = 0;
 
-  /// The newest overrides of a chunk. May read the disk: on generator threads. An error is one line.
+  /// The newest overrides of a chunk. May read the disk: for generator threads. An error is one line.
   [[nodiscard]] virtual tl::expected<EditedChunk, std::string> load(ChunkKey key) const = 0;
 
-  /// Voxels that changed in the chunk after revision `since`, by rising index, with their materials now, and
-  /// the revision that they make. None where that is not remembered any more, or they are more than `most`.
-  /// Reads memory alone.
+  /// Voxels that changed in the chunk after revision `since`, by ascending index, with their current
+  /// materials, and the revision that they make. nullopt if they are not remembered any more, or more than
+  /// `most`. Reads only memory.
   using Changes = ChangedVoxels;
   [[nodiscard]] virtual std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
                                                              std::size_t most) const = 0;

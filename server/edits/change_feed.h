@@ -1,11 +1,9 @@
-// Tells sessions which chunks of their Views were edited.
+// Notifies sessions of edited chunks in their Views.
 //
-// Changes are gathered, and told at most every kInterval by one thread: an edit wakes no session by itself,
-// and of many edits of a chunk one change is told. Each is told those of its own boxes alone. A session that
-// waits for the log's answer is about to be woken by that: changes and answer then leave in one write, so for
-// kWithAnswer nothing else wakes it. Bounded: beyond
-// kMaxGathered chunks, and beyond what a Mailbox takes of its own, "any chunk may have changed" is told
-// instead.
+// One thread gathers changes and sends them at most every kInterval, so that single edits wake no session and
+// many edits of a chunk become one change. A session receives changes in its own boxes only. If it waits for
+// the log's answer, it is not woken for kWithAnswer, so that changes and answer leave in one write. Bounded:
+// on overflow of kMaxGathered chunks, or of a Mailbox, changes collapse into "any chunk may have changed".
 #pragma once
 
 #include <array>
@@ -37,7 +35,7 @@ class ChangeFeed {
   static constexpr std::size_t kMaxGathered = 16'384;
 
   explicit ChangeFeed(Logger log) : log_{std::move(log)} {}
-  /// Waits for the thread. What was gathered and not told stays untold.
+  /// Waits for the thread. Gathered changes that were not sent are dropped.
   ~ChangeFeed();
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
@@ -45,44 +43,44 @@ class ChangeFeed {
   /// Starts the thread; once.
   void start();
 
-  /// The mailbox's owner is told of changes in these boxes from now on, in place of those before; empty: of
-  /// none, and the mailbox is let go. Throws std::bad_alloc, and then the owner is told of none.
+  /// Replaces the boxes of the mailbox's owner; empty: removes the mailbox. After std::bad_alloc it is
+  /// removed, too.
   void watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes);
 
-  /// Chunks were changed. Whoever asks for their revisions must find these already. Waits for nobody.
+  /// Chunks were changed. Readers of their revisions must find these already. Does not block.
   void on_changed(std::span<const ChunkChange> changes) noexcept;
 
-  // What the thread does; not on two threads at once.
-  /// Tells now what was gathered. Who expects an answer of the log finds it, and is not woken.
-  void tell();
-  /// Wakes those, but for who has found it by now.
+  // The thread's work; not on two threads at once.
+  /// Sends the gathered changes now. Sessions that expect an answer of the log are not woken.
+  void send();
+  /// Wakes the sessions that send() did not wake, unless they have taken their mail.
   void wake_held();
   [[nodiscard]] bool has_held() const { return !held_.empty(); }
 
-  /// Who watches anything.
+  /// Number of mailboxes with boxes.
   [[nodiscard]] std::size_t watchers() const;
 
  private:
   struct Watcher {
     MailboxPtr mailbox;
     std::vector<LevelBox> boxes;
-    std::vector<ChunkChange> own;  // of the round
+    std::vector<ChunkChange> own;  // in this round
   };
-  struct Told {
+  struct Notification {
     MailboxPtr mailbox;
     ChunkChangesPtr changes;  // null: any
   };
 
   void run();
-  /// Its owner is to end: it could not be told.
+  /// A notification was lost: the owner must end.
   void lose(Mailbox& mailbox, const std::exception& error) const;
   [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
   void remove(const Watcher& watcher);
-  /// All who watch anything, that any chunk may have changed.
-  [[nodiscard]] std::vector<Told> tell_all();
-  /// Who watches some of the chunks, and which.
-  [[nodiscard]] std::vector<Told> who_watches(std::span<const ChunkChange> changes);
-  /// Adds a change to those of who watches it, and who had none before to `watchers`.
+  /// Notifications for all watchers that any chunk may have changed.
+  [[nodiscard]] std::vector<Notification> notify_all();
+  /// Notifications of the changes for the sessions that watch them.
+  [[nodiscard]] std::vector<Notification> notifications_of(std::span<const ChunkChange> changes);
+  /// Adds a change to each session that watches it, and sessions without changes so far to `watchers`.
   void find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers);
 
   const Logger log_;
@@ -94,7 +92,7 @@ class ChangeFeed {
   bool stopping_ = false;
   bool thread_waits_ = false;  // for changes
   std::thread thread_;
-  std::vector<MailboxPtr> held_;  // the thread's
+  std::vector<MailboxPtr> held_;  // used by the thread only; not woken yet
 
   mutable std::mutex watching_;
   std::unordered_map<ClientId, Watcher> watchers_;

@@ -1,4 +1,4 @@
-// Which chunks were ever edited, and at which revision last: in memory, asked for every chunk that is served.
+// Index of all edited chunks and their last revisions: in memory, looked up for every chunk that is served.
 // It only grows.
 #pragma once
 
@@ -18,34 +18,35 @@
 
 namespace talus::server {
 
-/// Any thread may ask; one thread raises. Land where nobody edited within 32 x 32 chunk columns mostly costs
-/// one load.
+/// Any thread reads; one thread writes. A look-up in a region of 32 x 32 chunk columns without edits mostly
+/// costs one load.
 class ChunkIndex {
  public:
-  /// About what it takes: of a region, of a column with its heap block, and of a chunk in it.
+  /// Approximate memory of a region, of a column with its heap block, and of a chunk in it.
   static constexpr std::size_t kRegionBytes = 168;
   static constexpr std::size_t kColumnBytes = 120;
   static constexpr std::size_t kChunkBytes = 24;
-  /// The most that one chunk of level 0 takes which is edited, far from all others: at each level a chunk, a
-  /// column and a region of its own.
-  static constexpr std::size_t kMostBytesEach = (Lod::kMax + 1) * (kRegionBytes + kColumnBytes + kChunkBytes);
+  /// Maximum memory of one edited chunk of level 0, far from all others: at each level a chunk, a column and
+  /// a region.
+  static constexpr std::size_t kMaxBytesEach = (Lod::kMax + 1) * (kRegionBytes + kColumnBytes + kChunkBytes);
 
   struct Edited {
     std::uint64_t revision = 0;  // 0: never edited
     std::uint32_t change = 0;    // where RecentChanges may have the edit that made this revision
   };
   [[nodiscard]] Edited find(ChunkKey key) const;
-  /// 0 where the chunk was never edited.
+  /// 0 if the chunk was never edited.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const { return find(key).revision; }
-  /// As AppliedEdits::edited_rows().
+  /// See AppliedEdits::edited_rows().
   [[nodiscard]] ChunkRange rows(ChunkKey key) const;
-  /// As EditedLand's.
+  /// See EditedLand.
   [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const;
   [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const;
 
-  /// Makes this the chunk's, unless it has a later revision. Returns what that was.
+  /// Sets the chunk's revision, unless it has a later one. Returns the revision before.
   std::uint64_t raise(ChunkKey key, Edited edited);
-  /// The same of the chunk's column, which was edited: once all chunks of the edit were raised.
+  /// Sets the revision of the chunk's column in the same way. Call it after raise() of all chunks of the
+  /// edit.
   void raise_column(ChunkKey key, std::uint64_t revision);
 
   [[nodiscard]] std::size_t chunks() const { return chunks_.load(std::memory_order_relaxed); }
@@ -58,14 +59,14 @@ class ChunkIndex {
     std::uint64_t revision = 0;
   };
   struct Column {
-    std::vector<Chunk> chunks;   // by rising row
+    std::vector<Chunk> chunks;   // by ascending row
     std::uint64_t revision = 0;  // 0: its first edit has not raised all of its chunks yet
   };
   struct Shard {
     mutable std::shared_mutex mutex;
     FlatMap<ChunkKey, Column> columns;  // by the key of row 0
   };
-  using Places = std::bitset<std::size_t{kRegionColumns} * kRegionColumns>;  // of a region's edited columns
+  using Places = std::bitset<std::size_t{kRegionColumns} * kRegionColumns>;  // edited columns in a region
   struct Regions {
     mutable std::shared_mutex mutex;
     FlatMap<ChunkKey, Places> places;  // by the key of the region's first column, at row 0
@@ -77,7 +78,7 @@ class ChunkIndex {
   [[nodiscard]] static std::size_t region_bit(ChunkKey key);
   [[nodiscard]] bool is_touched(ChunkKey key) const;
 
-  // Regions by the hash of where they lie: two may share a bit, and then only cost a look-up more.
+  // Regions by the hash of their position: two may share a bit, which costs one more look-up.
   std::array<std::atomic<std::uint64_t>, kRegionBits / 64> regions_{};
   std::array<Shard, kShards> shards_;
   std::array<Regions, kShards> columns_of_regions_;

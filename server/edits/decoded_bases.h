@@ -1,4 +1,4 @@
-// Chunks of level 0 as generated, decoded, for who looks up single voxels of them. For one thread.
+// Decoded generated chunks of level 0, to look up single voxels. For one thread.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ using DecodedChunkPtr = std::shared_ptr<const Chunk>;
 
 class DecodedBases {
  public:
-  /// Keeps about so many bytes of those used last.
+  /// Keeps about `capacity_bytes` of recently used chunks.
   explicit DecodedBases(std::size_t capacity_bytes)
       : capacity_bytes_{capacity_bytes}, chunks_{capacity_bytes} {}
 
-  /// Keeps no more than so many from now on, and gives back what is too much.
+  /// Changes the capacity, and evicts what exceeds it.
   void set_capacity(std::size_t bytes);
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 
-  /// Null where it is not kept.
+  /// Null if it is not kept.
   [[nodiscard]] DecodedChunkPtr find(ChunkCoord chunk);
-  /// Decodes and keeps it. Throws std::runtime_error where it does not decode, which only a fault can cause.
+  /// Decodes and keeps it. Throws std::runtime_error if it does not decode, which only a bug can cause.
   DecodedChunkPtr put(ChunkCoord chunk, const EncodedChunk& encoded);
 
  private:
@@ -36,7 +36,7 @@ class DecodedBases {
   ClockCache<ChunkKey, DecodedChunkPtr> chunks_;
 };
 
-/// The voxels at `indices`, which rise.
+/// The voxels at `indices`, which are ascending.
 [[nodiscard]] std::vector<Override> voxels_at(const Chunk& chunk, std::span<const std::uint16_t> indices);
 
 }  // namespace talus::server

@@ -28,7 +28,7 @@ void EditIntake::start() {
 void EditIntake::attach(const MailboxPtr& mailbox, AttachRequest request) {
   {
     const std::lock_guard lock{mutex_};
-    came_.emplace_back(mailbox, std::move(request));
+    arrivals_.emplace_back(mailbox, std::move(request));
     ++waiting_;  // before the thread can take it and count it off
     called_ = true;
   }
@@ -39,7 +39,7 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
   if (log_at_once(mailbox, request)) return;
   {
     const std::lock_guard lock{mutex_};
-    came_.emplace_back(mailbox, Editing{std::move(request), parts_.clock.now()});
+    arrivals_.emplace_back(mailbox, WaitingEdit{std::move(request), parts_.clock.now()});
     ++waiting_;
     called_ = true;
   }
@@ -48,21 +48,24 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
 
 bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
   if (!started_ || named_voxels(request.edit) > kSmallVoxels || (settles() && request.settles)) return false;
-  // Another thread that brings an edit is done sooner than the intake's could be woken.
+  // Another calling thread finishes sooner than the intake's could be woken.
   constexpr int kTries = 100;
   std::unique_lock working{work_, std::try_to_lock};
   for (int tries = 1; !working && !thread_works_ && tries < kTries; ++tries) (void)working.try_lock();
   if (!working) return false;
   {
     const std::lock_guard lock{mutex_};
-    if (called_ || stopping_) return false;  // something came before it
+    if (called_ || stopping_) return false;  // another arrival is before it
   }
   const Lane* const lane = find_lane(session->owner());
   if (lane == nullptr || lane->attaching || lane->first || !lane->waiting.empty() || *lane->in_log != 0) {
     return false;
   }
-  auto touched = edits::touched_voxels(request.edit);
-  if (!touched || !edits::check(request.edit, {rules_.rows, rules_.materials})) return false;
+  auto touched = admit(request.edit);
+  if (!touched) {
+    refuse(session, request.id, std::move(touched.error()));
+    return true;
+  }
   edits::BaseVoxels base;
   for (const edits::TouchedChunk& each : *touched) {
     const DecodedChunkPtr chunk = bases_.find(each.chunk);
@@ -70,7 +73,8 @@ bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
     base.emplace(each.chunk, voxels_at(*chunk, each.voxels));
   }
   log_edit(*lane,
-           Prepared{{std::move(request), parts_.clock.now()}, *std::move(touched), std::move(base), {}, {}});
+           Preparation{
+               {std::move(request), parts_.clock.now()}, *std::move(touched), {}, std::move(base), {}, {}});
   return true;
 }
 
@@ -122,8 +126,7 @@ void EditIntake::work() {
     try {
       do_what_waits();
     } catch (const std::exception& error) {
-      // No memory. Sessions whose edits may be among what was taken in end, and their clients send them
-      // again.
+      // No memory. All sessions whose edits may be affected end, and their clients send the edits again.
       log_->error("edits: {}", error.what());
       const std::lock_guard working{work_};
       thread_works_ = false;
@@ -135,7 +138,7 @@ void EditIntake::work() {
       small_.clear();
       large_.clear();
       const std::lock_guard lock{mutex_};
-      waiting_ = came_.size();
+      waiting_ = arrivals_.size();
     }
   }
 }
@@ -145,9 +148,9 @@ void EditIntake::do_what_waits() {
   const std::lock_guard working{work_};
   bool goes_on = true;
   while (goes_on) {
-    // What comes is taken in before each turn: the turn may be that of who came.
+    // Arrivals are taken in before each turn, which may then be theirs.
     goes_on = take_in() && take_turn();
-    // Also of chunks that came while nobody has a turn.
+    // Chunks may also arrive while no lane has a turn.
     base_bytes_ = bases_.bytes();
   }
   thread_works_ = false;
@@ -163,7 +166,7 @@ bool EditIntake::take_in() {
     const std::lock_guard lock{mutex_};
     if (stopping_) return false;
     if (!std::exchange(called_, false)) return true;
-    taken_in_.swap(came_);
+    taken_in_.swap(arrivals_);
     attached_now.swap(attached_);
     input_ended.swap(input_ended_);
     forgotten.swap(forgotten_);
@@ -171,7 +174,7 @@ bool EditIntake::take_in() {
   }
   for (auto& [mailbox, what] : taken_in_) {
     Lane& lane = lane_of(mailbox);
-    if (auto* const edit = std::get_if<Editing>(&what)) {
+    if (auto* const edit = std::get_if<WaitingEdit>(&what)) {
       lane.waiting.push_back(std::move(*edit));
       if (!lane.first) enter(lane);
     } else {
@@ -179,7 +182,7 @@ bool EditIntake::take_in() {
     }
   }
   taken_in_.clear();
-  for (const Attached& each : attached_now) attached(each);
+  for (const AttachOutcome& each : attached_now) attached(each);
   for (const std::uint64_t client : looked_up) {
     Lane* const lane = find_lane(ClientId{client});
     if (lane == nullptr) continue;
@@ -194,7 +197,7 @@ bool EditIntake::take_in() {
   return true;
 }
 
-void EditIntake::tell(const MailboxPtr& mailbox, Mail mail) noexcept {
+void EditIntake::send(const MailboxPtr& mailbox, Mail mail) noexcept {
   try {
     mailbox->put(std::move(mail));
     mailbox->wake();

@@ -1,16 +1,15 @@
-// Prepares edits for the log: asks whether they keep the bounds, and looks up the base of every voxel that
-// they touch, so that applying them never generates. Edits of one session go to the log in the order in which
-// they came; those of others do not wait for them.
+// Prepares edits for the log: checks the bounds of the world, and looks up the base of every voxel that they
+// touch, so that applying them never generates. Edits of one session go to the log in order of arrival, and
+// never wait for edits of other sessions.
 //
-// In the log wait few entries, and all that a session has more waits here, for its turn: who has sent much
-// waits for his own, and not others for him.
+// At most kLogEntries edits are queued in the log; the rest wait here, per session, so a flooding session
+// delays only itself.
 //
-// One thread. Chunks that are not in memory are made by the generators, in the turns of the session's flow.
-// A small edit whose session has no other under way, of chunks that are at hand decoded, needs no turn, nor
-// that thread: while it rests the edit goes to the log on the thread that brought it.
+// One thread. Chunks that are not in memory are generated in the turns of the session's flow. A small edit
+// needs neither a turn nor that thread if its session has no other in progress and its chunks are decoded:
+// while the thread is idle the edit goes to the log on the calling thread.
 //
-// What comes from other threads is in edit_intake.cpp; turns, Attaches and edits have files of their own
-// beside it.
+// Calls from other threads are in edit_intake.cpp; turns, Attaches and edits have files of their own.
 #pragma once
 
 #include <atomic>
@@ -38,7 +37,6 @@
 #include "chunks/chunk_source.h"
 #include "edits/decoded_bases.h"
 #include "edits/edit_log.h"
-#include "edits/edit_refusals.h"
 #include "edits/edit_taker.h"
 #include "limits/flows/fair_queue.h"
 #include "runtime/clock.h"
@@ -49,27 +47,27 @@ namespace talus::server {
 
 class EditIntake final : public EditTaker {
  public:
-  /// All outlive this. `editor` tells of the applied state, on any thread.
+  /// All outlive this. `editor` reads the applied state, on any thread.
   struct Parts {
     ChunkSource& base;  // chunks as generated
     EditLog& log;
     std::function<std::optional<edits::Editor>(edits::EditorId)> editor;
     const Clock& clock;
     Metrics& metrics;
-    /// Whether the applied state has room for another editor, on any thread; null: it always has.
-    std::function<tl::expected<void, LogFailure>()> room_for_editor{};
+    /// Fails if the applied state has no room for another editor; any thread. Null: it always has.
+    std::function<tl::expected<void, EditError>()> room_for_editor{};
   };
-  /// What a world lets edits write.
+  /// Bounds of the world.
   struct Rules {
     HeightRange rows;
-    std::vector<MaterialId> materials;  // by rising id
+    std::vector<MaterialId> materials;  // writable ones, by ascending id
     edits::SettleRulesPtr settles{};    // null: nothing slides
   };
-  /// Of decoded chunks that are kept, at most.
+  /// Maximum bytes of decoded chunks.
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
-  /// In the log, waiting and being written: what two batches need to be worth their syncs. An entry alone may
-  /// have more bytes. A small edit of a session that has none in the log waits for no room there, and so is
-  /// in the next batch.
+  /// Maximum entries and bytes in the log, queued and being written: enough for two batches to be worth their
+  /// syncs. A single entry may have more bytes. A small edit of a session without an entry in the log is
+  /// exempt, so that it joins the next batch.
   static constexpr std::size_t kLogEntries = 256;
   static constexpr std::size_t kSmallVoxels = 64;
   static constexpr std::size_t kSmallChunks = 8;
@@ -82,18 +80,18 @@ class EditIntake final : public EditTaker {
 
   /// Starts the thread; once.
   void start();
-  /// Ends the thread. What is not logged yet is not answered, nor is what comes from now on.
+  /// Ends the thread. Edits that are not logged yet are not answered, and neither are later ones.
   void stop();
 
-  /// The log takes entries again, or takes none any more: what waits for room there is looked at. Any thread.
+  /// EditLog::takes_entries() has changed: resumes edits that wait for room in the log. Any thread.
   void look_at_log() { call(); }
 
-  /// Of kBaseBytes no more than so many may be kept from now on. Any thread.
+  /// Lowers the maximum of decoded chunks from kBaseBytes to `bytes`. Any thread.
   void limit_bases(std::size_t bytes);
-  /// Of decoded chunks that are kept. Any thread.
+  /// Bytes of decoded chunks. Any thread.
   [[nodiscard]] std::size_t base_bytes() const { return base_bytes_.load(std::memory_order_relaxed); }
 
-  /// Does what waits now, as far as the log has room: what the thread does.
+  /// Handles everything that waits, as far as the log has room. The thread calls it.
   void do_what_waits();
 
   void attach(const MailboxPtr& mailbox, AttachRequest request) override;
@@ -101,68 +99,75 @@ class EditIntake final : public EditTaker {
   void input_ended(ClientId client) override;
   void forget(ClientId client) override;
   [[nodiscard]] bool knows(edits::EditorId id, const std::string& subject) const override;
-  /// Counts it.
-  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const override;
+  /// Counts a refusal.
+  [[nodiscard]] tl::expected<void, EditError> room_for_editor() const override;
   [[nodiscard]] bool settles() const override { return rules_.settles != nullptr; }
 
-  /// Edits and Attaches that wait here. Any thread.
+  /// Number of edits and Attaches that wait here. Any thread.
   [[nodiscard]] std::size_t waiting() const { return waiting_.load(std::memory_order_relaxed); }
 
  private:
-  /// Until it is answered.
-  struct Attaching {
+  /// An Attach that is not answered.
+  struct PendingAttach {
     AttachRequest request;
-    edits::EditorId editor;  // as which it goes to the log
+    edits::EditorId editor;  // in its entry of the log
     bool known = false;
-    bool overtaken = false;  // a later one is for the same editor
+    bool overtaken = false;  // by a later one for the same editor
     int tries = 0;
   };
-  struct Editing {
+  struct WaitingEdit {
     EditRequest request;
-    Clock::time_point came;
+    Clock::time_point received_at;
   };
   /// An edit whose base is being looked up.
-  struct Prepared {
-    Editing edit;
-    std::vector<edits::TouchedChunk> touched;
+  struct Preparation {
+    WaitingEdit edit;
+    std::vector<edits::TouchedChunk> touched;   // computed once, and kept for the log's entry
+    std::vector<edits::TouchedChunk> settling;  // with voxels that may slide; empty if settling is off
     edits::BaseVoxels base;
-    std::set<ChunkCoord> missing;  // of `touched`, not in `base` yet
-    std::set<ChunkCoord> asked;    // of `missing`, for which an answer comes
+    std::set<ChunkCoord> missing;  // chunks not in `base` yet
+    std::set<ChunkCoord> asked;    // missing chunks that the source has accepted
+
+    /// The voxels that `base` needs.
+    [[nodiscard]] const std::vector<edits::TouchedChunk>& needed() const {
+      return settling.empty() ? touched : settling;
+    }
   };
-  /// What one session has sent.
+  /// The queue of one session.
   struct Lane {
     MailboxPtr session;
     MailboxPtr look_ups;
-    std::deque<Editing> waiting;
-    std::optional<Prepared> first;       // before those
-    std::optional<Attaching> attaching;  // before all edits
-    bool attach_waits = false;           // and is not in the log
-    bool entered = false;                // its turn comes
-    std::size_t cost = 0;                // of that turn
+    std::deque<WaitingEdit> waiting;
+    std::optional<Preparation> first;        // before `waiting`
+    std::optional<PendingAttach> attaching;  // before all edits
+    bool attach_waits = false;               // and is not in the log
+    bool entered = false;                    // waits for its turn
+    std::size_t cost = 0;                    // of that turn
     bool input_ended = false;
-    /// Edits of it that the log has not answered.
+    /// Number of its edits that the log has not answered.
     std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
   /// Flows have equal shares by what their edits cost, and so have the sessions of a flow. Costs are known,
   /// so that a small edit does not wait for large ones.
   using Turns = FairQueue<FlowId, ClientId>;
-  using Came = std::pair<MailboxPtr, std::variant<AttachRequest, Editing>>;
-  /// An Attach that the log has answered.
-  struct Attached {
+  using Arrival = std::pair<MailboxPtr, std::variant<AttachRequest, WaitingEdit>>;
+  /// The log's answer to an Attach.
+  struct AttachOutcome {
     ClientId client{};
-    tl::expected<edits::Applied::Kind, LogFailure> outcome;
-    EditorSession as;  // where it is attached; but for `known`
+    tl::expected<edits::Applied::Kind, EditError> outcome;
+    EditorSession as;  // if attached; without `known`
   };
 
-  /// On the thread that brings it. False: it must go through the intake's thread, and nothing has happened.
+  /// Logs or refuses the edit on the calling thread. Returns false, without any effect, if the intake's
+  /// thread has to.
   [[nodiscard]] bool log_at_once(const MailboxPtr& session, EditRequest& request);
-  /// From any thread: the intake's looks what is there.
+  /// Wakes the intake's thread. Any thread.
   void call();
 
   void work();
-  /// False: the intake stops.
+  /// Returns false if the intake stops.
   bool take_in();
-  /// Lets whose turn it is go on. False where it is nobody's, or the log has no room.
+  /// Continues the lane whose turn it is. Returns false if all are idle or the log has no room.
   bool take_turn();
   [[nodiscard]] std::optional<ClientId> next();
   [[nodiscard]] std::optional<ClientId> next(Turns& turns);
@@ -170,7 +175,7 @@ class EditIntake final : public EditTaker {
 
   Lane& lane_of(const MailboxPtr& session);
   [[nodiscard]] Lane* find_lane(ClientId client);
-  /// Its turn comes, where it has anything to do.
+  /// Queues the lane for a turn if it has work.
   void enter(Lane& lane);
   void end_input(Lane& lane);
   void forget_lane(ClientId client);
@@ -178,30 +183,33 @@ class EditIntake final : public EditTaker {
 
   void begin_attach(Lane& lane, AttachRequest request);
   void log_attach(Lane& lane);
-  /// None where it is not known, or attached with another subject.
+  /// nullopt if it does not exist or belongs to another subject.
   [[nodiscard]] std::optional<edits::Editor> editor_of(edits::EditorId id, const std::string& subject) const;
-  void attached(const Attached& answered);
+  void attached(const AttachOutcome& answered);
   void end_attach(Lane& lane);
-  void refuse_attach(Lane& lane, EditRefused why, std::string text);
+  void refuse_attach(Lane& lane, EditError error);
 
   void take_look_ups(Lane& lane);
-  /// One edit, as far as it goes.
+  /// Takes one edit as far as possible without blocking.
   void advance(Lane& lane);
-  /// None where it was refused.
-  [[nodiscard]] std::optional<Prepared> prepare(const Lane& lane, Editing edit);
-  /// False: it needs ground that is not generated for it.
-  [[nodiscard]] bool look_up(const Lane& lane, Prepared& edit);
-  /// Both refuse lane.first, and drop its look-ups.
+  /// Checks the bounds of the world and of edits. Returns the voxels that the edit touches.
+  [[nodiscard]] tl::expected<std::vector<edits::TouchedChunk>, EditError> admit(
+      const edits::Edit& edit) const;
+  /// nullopt if it was refused.
+  [[nodiscard]] std::optional<Preparation> prepare(const Lane& lane, WaitingEdit edit);
+  /// Returns false if it needs chunks that are no longer generated for this session.
+  [[nodiscard]] bool look_up(const Lane& lane, Preparation& edit);
+  /// Both refuse lane.first, and cancel its look-ups.
   void refuse_half_closed(Lane& lane);
-  void refuse_first(Lane& lane, EditRefused why, std::string text);
-  void log_edit(const Lane& lane, Prepared edit);
-  void refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text);
-  /// Any thread. Where there is no memory for it the session ends, and its client asks again.
-  static void tell(const MailboxPtr& session, Mail mail) noexcept;
+  void refuse_first(Lane& lane, EditError error);
+  void log_edit(const Lane& lane, Preparation edit);
+  void refuse(const MailboxPtr& session, std::uint32_t id, EditError error);
+  /// Any thread. If there is no memory for the mail the session ends, and its client retries.
+  static void send(const MailboxPtr& session, Mail mail) noexcept;
 
-  /// `done` as EditLog::Done, which it is a part of.
+  /// `done` is called as part of an EditLog::Done.
   template <typename Done>
-  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done);
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done);
 
   const Parts parts_;
   const Rules rules_;
@@ -212,11 +220,11 @@ class EditIntake final : public EditTaker {
   std::condition_variable comes_;
   bool called_ = false;
   bool stopping_ = false;
-  std::vector<Came> came_;
-  std::vector<Attached> attached_;
+  std::vector<Arrival> arrivals_;
+  std::vector<AttachOutcome> attached_;
   std::vector<ClientId> input_ended_;
   std::vector<ClientId> forgotten_;
-  std::unordered_set<std::uint64_t> looked_up_;  // owners of look-ups with mail
+  std::unordered_set<std::uint64_t> looked_up_;  // clients whose look-ups have mail
 
   std::atomic<std::size_t> waiting_{0};
   std::atomic<std::size_t> log_entries_{0};
@@ -227,22 +235,22 @@ class EditIntake final : public EditTaker {
 
   std::atomic<bool> started_{false};
   std::mutex work_;                        // held while the thread works; locked before mutex_
-  std::atomic<bool> thread_works_{false};  // holds that, or is about to
+  std::atomic<bool> thread_works_{false};  // holds work_, or is about to
 
-  // Of who holds that.
-  std::vector<Came> taken_in_;  // and has no lane yet
+  // Guarded by work_.
+  std::vector<Arrival> taken_in_;  // without a lane yet
   std::unordered_map<ClientId, Lane> lanes_;
   std::unordered_multimap<edits::EditorId, ClientId> attaching_as_;
   Turns small_;
   Turns large_;
-  bool small_went_ = false;  // last
+  bool small_went_ = false;  // the last turn was of small_
   DecodedBases bases_{kBaseBytes};
 
   std::thread thread_;
 };
 
 template <typename Done>
-tl::expected<void, LogFailure> EditIntake::append(LogEntry entry, Done done) {
+tl::expected<void, EditError> EditIntake::append(LogEntry entry, Done done) {
   const std::size_t bytes = bytes_of(entry);
   const auto leaves = [this, bytes] {
     --log_entries_;

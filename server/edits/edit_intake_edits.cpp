@@ -1,4 +1,4 @@
-// EditIntake: edits, from the bounds that they keep to their answers.
+// EditIntake: edits, from their bounds to their answers.
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -6,25 +6,56 @@
 #include <fmt/format.h>
 
 #include "edits/edit_intake.h"
-#include "edits/edit_outcome.h"
 
 namespace talus::server {
+namespace {
+
+using Code = EditErrorCode;
+
+/// The answer to the client for the outcome in the log.
+tl::expected<edits::EditResult, EditError> answer_of(
+    const tl::expected<const edits::Applied*, EditError>& outcome) {
+  using Kind = edits::Applied::Kind;
+  if (!outcome) return tl::unexpected{outcome.error()};
+  const edits::Applied& applied = **outcome;
+  switch (applied.kind) {
+    case Kind::done:
+    case Kind::conflict:
+    case Kind::repeat:
+      if (!applied.result.conflict) return applied.result;
+      return edit_error(Code::conflict,
+                        fmt::format("guard {} does not hold; nothing was changed", *applied.result.conflict));
+    case Kind::not_applied:
+      return edit_error(
+          Code::not_applied,
+          "the sequence is not above the editor's last, and no result is kept for it; sequences must "
+          "increase");
+    case Kind::expired:
+      return edit_error(
+          Code::expired,
+          "another connection has attached as this editor, or it was idle for too long; attach again");
+    default:
+      return edit_error(Code::invalid, "the entry in the log cannot be applied");
+  }
+}
+
+}  // namespace
 
 void EditIntake::take_look_ups(Lane& lane) {
   for (Mail& mail : lane.look_ups->take()) {
     const auto* const ready = std::get_if<ChunkReady>(&mail);
-    if (ready == nullptr || !lane.first) continue;  // room: advance() asks again
-    Prepared& edit = *lane.first;
+    if (ready == nullptr || !lane.first) continue;  // QueueHasRoom: advance() retries
+    Preparation& edit = *lane.first;
     if (edit.asked.erase(ready->key.coord) == 0) continue;
     if (ready->answer) {
       const DecodedChunkPtr chunk = bases_.put(ready->key.coord, **ready->answer);
       const auto touched =
-          std::ranges::lower_bound(edit.touched, ready->key.coord, {}, &edits::TouchedChunk::chunk);
+          std::ranges::lower_bound(edit.needed(), ready->key.coord, {}, &edits::TouchedChunk::chunk);
       edit.base.emplace(ready->key.coord, voxels_at(*chunk, touched->voxels));
       edit.missing.erase(ready->key.coord);
     } else {
-      refuse_first(lane, EditRefused::ground,
-                   fmt::format("the ground under the edit failed: {}", ready->answer.error().reason));
+      refuse_first(lane, {Code::ground, fmt::format("a chunk of the edit could not be generated: {}",
+                                                    ready->answer.error().reason)});
     }
   }
 }
@@ -32,7 +63,7 @@ void EditIntake::take_look_ups(Lane& lane) {
 void EditIntake::advance(Lane& lane) {
   if (!lane.first) {
     if (lane.waiting.empty()) return;
-    Editing next = std::move(lane.waiting.front());
+    WaitingEdit next = std::move(lane.waiting.front());
     lane.waiting.pop_front();
     lane.first = prepare(lane, std::move(next));
     if (!lane.first) {
@@ -46,25 +77,31 @@ void EditIntake::advance(Lane& lane) {
   log_edit(lane, *std::exchange(lane.first, std::nullopt));
 }
 
-std::optional<EditIntake::Prepared> EditIntake::prepare(const Lane& lane, Editing edit) {
-  const std::uint32_t id = edit.request.id;
-  auto touched = edits::touched_voxels(edit.request.edit, settles() && edit.request.settles);
+tl::expected<std::vector<edits::TouchedChunk>, EditError> EditIntake::admit(const edits::Edit& edit) const {
+  auto touched = edits::touched_voxels(edit);
+  if (!touched) return edit_error(Code::out_of_range, std::move(touched.error().message));
+  if (auto good = edits::check(edit, {rules_.rows, rules_.materials}); !good) {
+    return edit_error(Code::out_of_range, std::move(good.error().message));
+  }
+  return *std::move(touched);
+}
+
+std::optional<EditIntake::Preparation> EditIntake::prepare(const Lane& lane, WaitingEdit edit) {
+  auto touched = admit(edit.request.edit);
   if (!touched) {
-    refuse(lane.session, id, EditRefused::out_of_range, touched.error().message);
+    refuse(lane.session, edit.request.id, std::move(touched.error()));
     return std::nullopt;
   }
-  if (const auto good = edits::check(edit.request.edit, {rules_.rows, rules_.materials}); !good) {
-    refuse(lane.session, id, EditRefused::out_of_range, good.error().message);
-    return std::nullopt;
-  }
-  Prepared prepared{std::move(edit), *std::move(touched), {}, {}, {}};
-  for (const edits::TouchedChunk& each : prepared.touched) prepared.missing.insert(each.chunk);
+  Preparation prepared{std::move(edit), *std::move(touched), {}, {}, {}, {}};
+  const EditRequest& request = prepared.edit.request;
+  if (settles() && request.settles) prepared.settling = edits::with_settling(prepared.touched, request.edit);
+  for (const edits::TouchedChunk& each : prepared.needed()) prepared.missing.insert(each.chunk);
   return prepared;
 }
 
-bool EditIntake::look_up(const Lane& lane, Prepared& edit) {
+bool EditIntake::look_up(const Lane& lane, Preparation& edit) {
   std::vector<ChunkKey> to_ask;
-  for (const edits::TouchedChunk& each : edit.touched) {
+  for (const edits::TouchedChunk& each : edit.needed()) {
     if (!edit.missing.contains(each.chunk)) continue;
     DecodedChunkPtr chunk = bases_.find(each.chunk);
     if (chunk == nullptr) {
@@ -80,13 +117,13 @@ bool EditIntake::look_up(const Lane& lane, Prepared& edit) {
   }
   if (lane.input_ended && !edit.missing.empty()) return false;
   if (to_ask.empty()) return true;
-  // The others are asked for when an answer comes, or room does.
+  // The rest follows when an answer or QueueHasRoom arrives.
   const std::size_t accepted = parts_.base.submit(lane.look_ups, to_ask, Urgency::soon);
   for (std::size_t i = 0; i < accepted; ++i) edit.asked.insert(to_ask[i].coord);
   return true;
 }
 
-void EditIntake::log_edit(const Lane& lane, Prepared edit) {
+void EditIntake::log_edit(const Lane& lane, Preparation edit) {
   EditRequest& request = edit.edit.request;
   const std::uint32_t id = request.id;
   edits::EditEntry entry{request.editor,
@@ -96,44 +133,43 @@ void EditIntake::log_edit(const Lane& lane, Prepared edit) {
                          std::move(edit.base),
                          request.settles ? rules_.settles : nullptr,
                          std::move(request.subject),
-                         {}};
-  // Else they are with those that settle.
-  if (entry.settles == nullptr) entry.touched = std::move(edit.touched);
+                         std::move(edit.touched)};
   ++*lane.in_log;
-  auto done = [this, session = lane.session, id, came = edit.edit.came,
-               in_log = lane.in_log](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+  auto done = [this, session = lane.session, id, received_at = edit.edit.received_at,
+               in_log = lane.in_log](const tl::expected<const edits::Applied*, EditError>& outcome) {
     --*in_log;
     try {
-      auto result = outcome_of(outcome);
-      if (!result) return refuse(session, id, result.error().why, std::move(result.error().text));
-      parts_.metrics.edit_latency.add(parts_.clock.now() - came);
-      tell(session, EditAnswer{id, *result});
+      auto result = answer_of(outcome);
+      if (!result) return refuse(session, id, std::move(result.error()));
+      parts_.metrics.edit_latency.add(parts_.clock.now() - received_at);
+      send(session, EditAnswer{id, *result});
     } catch (const std::exception&) {
       session->lose_mail();  // no memory
     }
   };
   if (const auto taken = append(std::move(entry), std::move(done)); !taken) {
     --*lane.in_log;
-    refuse(lane.session, id, why_of(taken.error().kind), taken.error().reason);
+    refuse(lane.session, id, taken.error());
   }
 }
 
 void EditIntake::refuse_half_closed(Lane& lane) {
-  refuse_first(lane, EditRefused::half_closed,
-               "the client shut its sending side before the ground under the edit was generated; send the "
-               "edit on a connection that stays open");
+  refuse_first(
+      lane, {Code::half_closed,
+             "the client closed its sending side before the chunks of the edit were generated; send the edit "
+             "on a connection that stays open"});
 }
 
-void EditIntake::refuse_first(Lane& lane, EditRefused why, std::string text) {
+void EditIntake::refuse_first(Lane& lane, EditError error) {
   --waiting_;
   cancel_look_ups(lane);
-  refuse(lane.session, lane.first->edit.request.id, why, std::move(text));
+  refuse(lane.session, lane.first->edit.request.id, std::move(error));
   lane.first.reset();
 }
 
-void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditRefused why, std::string text) {
-  parts_.metrics.edits_refused[why].add();
-  tell(session, EditAnswer{id, tl::unexpected{refusal_of(why, std::move(text))}});
+void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditError error) {
+  parts_.metrics.edits_refused[error.code].add();
+  send(session, EditAnswer{id, tl::unexpected{std::move(error)}});
 }
 
 }  // namespace talus::server

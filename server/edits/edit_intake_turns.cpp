@@ -14,7 +14,7 @@ constexpr std::size_t kDecodeCost = 256;
 }  // namespace
 
 bool EditIntake::log_has_room() const {
-  // Where it takes none, those that wait are told now.
+  // If the log accepts no entries, waiting edits are refused now.
   return (log_entries_ < kLogEntries && log_bytes_ < kLogBytes) || !parts_.log.takes_entries();
 }
 

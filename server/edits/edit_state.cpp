@@ -11,7 +11,7 @@
 namespace talus::server {
 namespace {
 
-/// Of a batch to a chunk: so many are made while readers wait for them.
+/// Maximum writes of a batch to a chunk that are made in place, while readers wait for the lock.
 constexpr std::size_t kFewWrites = 256;
 
 std::size_t bytes_of_edited(const EditedChunk& chunk) {
@@ -27,12 +27,12 @@ EditedChunk edited_chunk(std::uint64_t revision, edits::ChunkOverrides overrides
   return {revision, std::make_shared<edits::ChunkOverrides>(std::move(overrides))};
 }
 
-/// Appends the voxels of a chunk that an edit wrote, as they are now, and returns how many; none where they
-/// are too many to remember, or one of a coarser level is as generated, which is not known here.
+/// Appends the current voxels of a chunk that an edit wrote, and returns their number; 0 if they are too many
+/// to remember, or a voxel of a coarser level is as generated, which is not known here.
 std::uint32_t add_voxels_now(const edits::Applied& applied, std::size_t write,
                              std::vector<Override>& voxels) {
   const std::size_t before = voxels.size();
-  if (applied.writes[write].writes.size() > RecentChanges::kMostVoxels) return 0;
+  if (applied.writes[write].writes.size() > RecentChanges::kMaxVoxels) return 0;
   if (write < applied.changes.size()) {  // level 0, in the order of the changes
     for (const edits::VoxelChange& voxel : applied.changes[write].voxels) {
       voxels.push_back({voxel.index, voxel.after});
@@ -93,7 +93,7 @@ store::EditDatabase::Done EditState::replay() {
 }
 
 tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
-  // Of this revision at least. What is not dirty any more was on the disk before, at this one or a later.
+  // The minimum revision. A chunk that is no longer dirty is on the disk, at this revision or a later one.
   const std::uint64_t wanted = index_.revision(key);
   if (wanted == 0) return EditedChunk{};
   {
@@ -117,7 +117,7 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
                     to_string(key), (*stored)->revision, wanted)};
   }
   EditedChunk chunk = edited_chunk((*stored)->revision, edits::ChunkOverrides{std::move((*stored)->voxels)});
-  // Under this lock nothing is committed, so that what is older than the newest never stays in the cache.
+  // No commit runs under this lock, so that the cache never keeps an outdated chunk.
   const std::shared_lock lock{dirty_mutex_};
   if (index_.revision(key) == chunk.revision) cache_.put(key, chunk, bytes_of_edited(chunk));
   return chunk;
@@ -153,9 +153,9 @@ bool EditState::any_editor_idle_at(std::int64_t time_ms) const {
 std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   std::vector<ChunkChange> changed;
   changed.reserve(batch.chunks().size());
-  std::vector<std::uint32_t> newest;  // of each, its last change's number
+  std::vector<std::uint32_t> newest;  // numbers of their last changes
   newest.reserve(batch.chunks().size());
-  FlatMap<ChunkKey, std::size_t> places;  // in both
+  FlatMap<ChunkKey, std::size_t> places;  // index into both
   std::vector<RecentChanges::Change> recent;
   recent.reserve(batch.applied().size());
   std::vector<Override> recent_voxels;
@@ -171,7 +171,7 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
         newest.push_back(before.change);
       }
       const std::uint64_t previous = std::exchange(changed[place].revision, applied.revision);
-      // What is not known makes no change: the chain of the chunk's changes ends there.
+      // Unknown voxels make no change: the chain of the chunk's changes ends there.
       if (const std::uint32_t voxels = add_voxels_now(applied, i, recent_voxels)) {
         const auto number = recent_.next() + static_cast<std::uint32_t>(recent.size());
         recent.push_back({key, previous, applied.revision, std::exchange(newest[place], number), voxels});
@@ -190,7 +190,7 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
       }
     }
   }
-  // Overrides first, then the index: who sees a revision there gets it.
+  // Overrides first, then the index: a reader that sees a revision there can load it.
   write_overrides(batch.chunks(), changed);
   recent_.add(recent, recent_voxels);
   for (std::size_t i = 0; i < changed.size(); ++i)
@@ -202,11 +202,11 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
 
 void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::StagedChunk>& staged,
                                 std::span<const ChunkChange> changed) {
-  // What is copied, or takes its time, is done before anybody waits for the lock.
+  // Copies and slow work come before the lock.
   struct Write {
     const edits::StagedChunk* staged = nullptr;
     Dirty* held = nullptr;  // null: it is not dirty yet
-    EditedChunk made;       // where it is not written in place
+    EditedChunk made;       // if it is not written in place
   };
   std::vector<Write> writes(changed.size());
   for (std::size_t i = 0; i < changed.size(); ++i) {
@@ -224,7 +224,7 @@ void EditState::write_overrides(const std::unordered_map<ChunkKey, edits::Staged
       put_dirty(held, std::move(made));
     } else if (is_own(held)) {
       write_in_place(held, *chunk, changed[i].revision);
-    } else {  // somebody read it meanwhile
+    } else {  // a reader shared it meanwhile
       put_dirty(held, edited_chunk(changed[i].revision, chunk->after()));
     }
   }
@@ -236,7 +236,7 @@ bool EditState::is_own(Dirty& held) {
 
 void EditState::write_in_place(Dirty& held, const edits::StagedChunk& staged, std::uint64_t revision) {
   dirty_bytes_ -= dirty_bytes_of(held.chunk);
-  // Made by edited_chunk(), and nobody else has it.
+  // Made by edited_chunk(), and not shared.
   const auto overrides = std::const_pointer_cast<edits::ChunkOverrides>(held.chunk.overrides);
   overrides->apply(staged.writes);
   held.chunk.revision = revision;
@@ -279,7 +279,7 @@ void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
   dirty_.erase(key);
 }
 
-const edits::ChunkOverrides* EditState::Reading::find(ChunkKey key) const {
+const edits::ChunkOverrides* EditState::Reader::find(ChunkKey key) const {
   if (const EditedChunk* const dirty = state_.dirty(key)) return dirty->overrides.get();
   if (state_.revision(key) == 0) return nullptr;
   const Held& chunk = held(key);
@@ -287,7 +287,7 @@ const edits::ChunkOverrides* EditState::Reading::find(ChunkKey key) const {
   return chunk.overrides.get();
 }
 
-std::optional<std::string> EditState::Reading::fault_of(std::span<const ChunkKey> chunks) const {
+std::optional<std::string> EditState::Reader::fault_of(std::span<const ChunkKey> chunks) const {
   for (const ChunkKey key : chunks) {
     if (state_.dirty(key) != nullptr || state_.revision(key) == 0) continue;
     if (const auto& fault = held(key).fault) return fault;
@@ -295,7 +295,7 @@ std::optional<std::string> EditState::Reading::fault_of(std::span<const ChunkKey
   return std::nullopt;
 }
 
-const EditState::Reading::Held& EditState::Reading::held(ChunkKey key) const {
+const EditState::Reader::Held& EditState::Reader::held(ChunkKey key) const {
   const auto [held, added] = held_.try_emplace(key);
   if (added) {
     if (auto loaded = state_.load(key)) {

@@ -1,8 +1,7 @@
-// Where sessions bring edits.
+// Accepts edits of sessions.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include <talus/edits/edit.h>
@@ -14,10 +13,10 @@
 namespace talus::server {
 
 struct AttachRequest {
-  edits::EditorId editor;           // whose edits the client goes on with; 0: none
-  std::string subject;              // of its token; empty: none
-  std::uint64_t seen_revision = 0;  // the client was told of this one
-  edits::EditorId own{};            // as which the session edits already; 0: it does not yet
+  edits::EditorId editor;           // the editor to resume; 0: a new one
+  std::string subject;              // the client's token's; may be empty
+  std::uint64_t seen_revision = 0;  // the last revision the client received
+  edits::EditorId own{};            // the session's current editor; 0 before its first Attach
 };
 
 struct EditRequest {
@@ -26,27 +25,27 @@ struct EditRequest {
   std::uint64_t epoch = 0;
   std::uint64_t sequence = 0;
   edits::Edit edit;
-  std::string subject{};  // whose edit it is; empty: of the subject that attached
-  bool settles = true;    // loose material may slide, where any does
+  std::string subject{};  // the player it is made for; empty: the subject that attached
+  bool settles = true;    // loose material may slide, if the world lets any
 };
 
-/// Callable from any thread. No call looks anything up, writes, or waits for who does; each is answered by
-/// one mail, and edits of one mailbox are logged in the order in which they came.
+/// Callable from any thread. Calls do no I/O and never block on any; each is answered by one mail, and edits
+/// of one mailbox are logged in order of arrival.
 class EditTaker {
  public:
   virtual ~EditTaker() = default;
   virtual void attach(const MailboxPtr& mailbox, AttachRequest request) = 0;
   virtual void edit(const MailboxPtr& mailbox, EditRequest request) = 0;
-  /// The session's client sends no more, and may be gone: no ground is generated for its edits from here on.
-  /// Those that need some are refused, the others go on.
+  /// The session's client sends no more, and may be gone. No chunks are generated for its edits from here on:
+  /// edits that need some are refused, the others continue.
   virtual void input_ended(ClientId client) = 0;
-  /// The session is gone: what of its edits is not logged yet will not be.
+  /// The session is gone: drops its edits that are not logged yet.
   virtual void forget(ClientId client) = 0;
-  /// Whether who attaches as `editor` with a token of that subject goes on as it, or is another from then on.
+  /// True if `editor` exists and belongs to `subject`, so that an Attach resumes it instead of creating one.
   [[nodiscard]] virtual bool knows(edits::EditorId editor, const std::string& subject) const = 0;
-  /// Why nobody new may edit now, and when to come again; nothing: they may. It may change until the Attach.
-  [[nodiscard]] virtual std::optional<EditRefusal> refuses_editors() const { return std::nullopt; }
-  /// Whether edits may change more voxels than they name, as loose material slides.
+  /// Fails if no editor can be created now, as admit_to_log() does for the Attach, when it may be otherwise.
+  [[nodiscard]] virtual tl::expected<void, EditError> room_for_editor() const { return {}; }
+  /// True if edits may change more voxels than they name, because loose material slides.
   [[nodiscard]] virtual bool settles() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// Entries that wait for a log's thread: bounded, in the order in which they came.
+// Entries that wait for a log's thread: a bounded FIFO.
 #pragma once
 
 #include <algorithm>
@@ -11,23 +11,25 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "edits/edit_log.h"
 
 namespace talus::server {
 
-/// What waits for the log at most, in all.
+/// Limits of all entries that wait for the log.
 struct EntryQueueLimits {
   std::size_t entries = 8'192;
   std::size_t bytes = std::size_t{32} << 20U;
 };
 
-/// Of one entry: `Entry` as the log has it. Any thread puts, one takes.
+/// Any thread puts, one takes. `Entry` is the form in which the log keeps an entry.
 template <typename Entry>
 class EntryQueue {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  struct Waiting {
+  struct Item {
     Entry entry;
     EditLog::Done done;
     std::size_t bytes = 0;
@@ -35,33 +37,36 @@ class EntryQueue {
 
   explicit EntryQueue(const EntryQueueLimits& limits) : limits_{limits} {}
 
-  [[nodiscard]] tl::expected<void, LogFailure> put(Waiting waiting) {
-    using Kind = LogFailure::Kind;
+  [[nodiscard]] tl::expected<void, EditError> put(Item item) {
     bool wakes = false;
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_) return tl::unexpected{LogFailure{Kind::busy, "this server is about to end"}};
-      if (waiting_now() >= limits_.entries || bytes_ + waiting.bytes > limits_.bytes) {
-        return tl::unexpected{LogFailure{Kind::busy, "as many edits wait to be written as may"}};
+      if (stopping_) return edit_error(EditErrorCode::busy, "this server is shutting down");
+      if (waiting_now() >= limits_.entries || bytes_ + item.bytes > limits_.bytes) {
+        return edit_error(
+            EditErrorCode::busy,
+            fmt::format("the queue of the edit log is full (limit {} entries, {} bytes); retry later",
+                        limits_.entries, limits_.bytes));
       }
       wakes = waiting_now() == 0;
-      bytes_ += waiting.bytes;
-      queue_.push_back(std::move(waiting));
+      bytes_ += item.bytes;
+      queue_.push_back(std::move(item));
     }
     if (wakes) wake_.notify_one();
     return {};
   }
 
-  /// What waits, at most so many entries, and so many bytes but for the first. Waits for it itself, until
-  /// `until`, stop() or wake(); TimePoint::min(): not at all. `taken`, whose memory is used again, is empty.
-  [[nodiscard]] std::vector<Waiting> take(std::size_t most, std::size_t most_bytes, TimePoint until,
-                                          std::vector<Waiting> taken = {}) {
+  /// Removes and returns at most `most` entries and, except for the first, `most_bytes`. Blocks while the
+  /// queue is empty, until `until`, stop() or wake(); TimePoint::min() never blocks. `taken` is empty; its
+  /// memory is reused.
+  [[nodiscard]] std::vector<Item> take(std::size_t most, std::size_t most_bytes, TimePoint until,
+                                       std::vector<Item> taken = {}) {
     std::unique_lock lock{mutex_};
     if (until != TimePoint::min()) {
       wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || waiting_now() != 0; });
       woken_ = false;
     }
-    if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // mostly all
+    if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // the usual case: all
       queue_.swap(taken);
       bytes_ = 0;
       return taken;
@@ -82,7 +87,7 @@ class EntryQueue {
     return taken;
   }
 
-  /// The take() under way, or the next that would, does not wait. Any thread.
+  /// Unblocks the current take(), or the next that would block. Any thread.
   void wake() {
     {
       const std::lock_guard lock{mutex_};
@@ -91,7 +96,7 @@ class EntryQueue {
     wake_.notify_one();
   }
 
-  /// put() takes nothing any more, and take() does not wait. Any thread.
+  /// From here on put() fails and take() does not block. Any thread.
   void stop() {
     {
       const std::lock_guard lock{mutex_};
@@ -99,7 +104,7 @@ class EntryQueue {
     }
     wake_.notify_one();
   }
-  /// It stops, and all was taken.
+  /// Returns true after stop() if the queue is empty.
   [[nodiscard]] bool ended() const {
     const std::lock_guard lock{mutex_};
     return stopping_ && waiting_now() == 0;
@@ -115,8 +120,8 @@ class EntryQueue {
   const EntryQueueLimits limits_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<Waiting> queue_;
-  std::size_t first_ = 0;  // of the queue that was not taken yet
+  std::vector<Item> queue_;
+  std::size_t first_ = 0;  // index of the first entry that is not taken yet
   std::size_t bytes_ = 0;
   bool stopping_ = false;
   bool woken_ = false;

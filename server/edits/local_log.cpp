@@ -3,13 +3,12 @@
 #include <chrono>
 #include <utility>
 
-#include "edits/editor_room.h"
-#include "edits/index_room.h"
+#include "edits/admission/log_admission.h"
 
 namespace talus::server {
 namespace {
 
-/// All chunks whose overrides the edit may read, at every level.
+/// Chunks of all levels whose overrides the edit may read.
 std::vector<ChunkKey> chunks_read_by(const edits::EditEntry& entry) {
   std::vector<ChunkKey> keys;
   for (const auto& [chunk, voxels] : entry.base) {
@@ -19,10 +18,6 @@ std::vector<ChunkKey> chunks_read_by(const edits::EditEntry& entry) {
     for (const edits::ChunkWrites& coarse : edits::coarse_writes(chunk, writes)) keys.push_back(coarse.key);
   }
   return keys;
-}
-
-tl::unexpected<LogFailure> log_failure(LogFailure::Kind kind, std::string reason) {
-  return tl::unexpected{LogFailure{kind, std::move(reason)}};
 }
 
 }  // namespace
@@ -46,12 +41,11 @@ void LocalLog::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-tl::expected<void, LogFailure> LocalLog::append(LogEntry entry, Done done) {
-  if (auto fits = keep_to_index(state_, entry); !fits) return fits;
-  if (auto fits = keep_to_editors(state_, entry, clock_); !fits) return fits;
+tl::expected<void, EditError> LocalLog::append(LogEntry entry, Done done) {
+  if (auto admitted = admit_to_log(entry, state_, clock_); !admitted) return admitted;
   if (writer_.is_read_only()) {
     if (auto read_only = writer_.status().read_only) {
-      return log_failure(LogFailure::Kind::unwritable, *std::move(read_only));
+      return edit_error(EditErrorCode::unwritable, *std::move(read_only));
     }
   }
   const std::size_t bytes = bytes_of(entry);
@@ -64,7 +58,7 @@ LocalLog::Status LocalLog::status() const {
 }
 
 void LocalLog::run() {
-  std::vector<Queue::Waiting> entries;
+  std::vector<Queue::Item> entries;
   while (!queue_.ended()) {
     entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_look(), std::move(entries));
     if (!entries.empty()) apply(entries);
@@ -74,10 +68,10 @@ void LocalLog::run() {
   writer_.flush_all();
 }
 
-void LocalLog::apply(std::vector<Queue::Waiting>& entries) {
+void LocalLog::apply(std::vector<Queue::Item>& entries) {
   if (writer_.refuses()) {
-    const auto failure = log_failure(LogFailure::Kind::unwritable, *writer_.read_only());
-    for (const Queue::Waiting& each : entries) each.done(failure);
+    const auto failure = edit_error(EditErrorCode::unwritable, *writer_.read_only());
+    for (const Queue::Item& each : entries) each.done(failure);
     return;
   }
   std::vector<Done> done;
@@ -87,20 +81,20 @@ void LocalLog::apply(std::vector<Queue::Waiting>& entries) {
   }
   if (done.empty()) return writer_.drop();
   if (writer_.store(std::move(done), database_.meta().stream)) return;
-  const auto failure = log_failure(LogFailure::Kind::unwritable, *writer_.read_only());
+  const auto failure = edit_error(EditErrorCode::unwritable, *writer_.read_only());
   for (const Done& each : writer_.take_done()) each(failure);
 }
 
-bool LocalLog::stage(std::vector<Queue::Waiting>& entries, bool careful, std::vector<Done>& done) {
+bool LocalLog::stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Done>& done) {
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
   edits::Batch& batch = writer_.begin(now.count());
   batch.expect(entries.size());
-  const EditState::Reading& reading = writer_.reading();
-  for (Queue::Waiting& each : entries) {
+  const EditState::Reader& reading = writer_.reading();
+  for (Queue::Item& each : entries) {
     const auto* const edit = std::get_if<edits::EditEntry>(&each.entry);
     if (careful && edit != nullptr) {
       if (const auto fault = reading.fault_of(chunks_read_by(*edit))) {
-        std::exchange(each.done, nullptr)(log_failure(LogFailure::Kind::unreadable, *fault));
+        std::exchange(each.done, nullptr)(edit_error(EditErrorCode::unreadable, *fault));
         continue;
       }
     }
@@ -108,7 +102,7 @@ bool LocalLog::stage(std::vector<Queue::Waiting>& entries, bool careful, std::ve
     if (reading.error() && !careful) return false;
   }
   done.reserve(entries.size());
-  for (Queue::Waiting& each : entries) {
+  for (Queue::Item& each : entries) {
     if (each.done != nullptr) done.push_back(std::move(each.done));
   }
   return true;

@@ -1,5 +1,5 @@
-// The log of a world that one server has alone: one thread applies what comes, writes it to the database, and
-// only when that is on the disk makes it the state and answers.
+// The log of a world that only this server writes. One thread applies entries and writes them to the
+// database; once they are durable it makes them the state and answers.
 #pragma once
 
 #include <cstddef>
@@ -27,25 +27,24 @@ class LocalLog final : public EditLog {
   /// Called on the log's thread.
   using OnChanged = StoreWriter::OnChanged;
 
-  /// `database`, `state`, which is of that database, and `clock` outlive this. From here on nobody else may
-  /// change them.
+  /// `database`, `state`, which is of that database, and `clock` outlive this. From here on only the
+  /// log changes them.
   LocalLog(store::EditDatabase& database, EditState& state, const Clock& clock,
            const LocalLogSettings& settings, OnChanged on_changed);
-  /// Applies and answers what was taken, writes all that is dirty, and stops.
+  /// Applies and answers accepted entries, writes all dirty chunks, and stops.
   ~LocalLog() override;
 
-  [[nodiscard]] tl::expected<void, LogFailure> append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done) override;
 
   struct Status {
     edits::Head head;
     std::size_t waiting = 0;
-    std::optional<std::string> read_only;  // why no entries are taken, in one line
+    std::optional<std::string> read_only;  // why no entries are accepted, in one line
   };
   /// Any thread.
   [[nodiscard]] Status status() const;
 
-  /// As the destructor, which then has nothing to do. Refuses further entries at once. Not on the log's
-  /// thread.
+  /// Does what the destructor does, before it. Refuses further entries at once. Not on the log's thread.
   void stop();
 
  private:
@@ -53,17 +52,16 @@ class LocalLog final : public EditLog {
 
   void run();
   /// Moves from `entries`.
-  void apply(std::vector<Queue::Waiting>& entries);
-  /// Makes a batch of those that can be applied, and moves their answers to `done`. Where some cannot, as
-  /// what they are of is not readable, false; `careful` finds out which before anything is made of them, and
-  /// answers them.
-  [[nodiscard]] bool stage(std::vector<Queue::Waiting>& entries, bool careful, std::vector<Done>& done);
+  void apply(std::vector<Queue::Item>& entries);
+  /// Stages the entries as a batch and moves their callbacks to `done`. Returns false if overrides that they
+  /// need cannot be read. `careful` checks each edit for that first, answers it, and stages the others.
+  [[nodiscard]] bool stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Done>& done);
 
   store::EditDatabase& database_;
   EditState& state_;
   const Clock& clock_;
   Queue queue_;
-  StoreWriter writer_;  // of the thread
+  StoreWriter writer_;  // used by the thread only
   std::thread thread_;
 };
 

@@ -34,7 +34,7 @@ std::uint64_t LogSyncer::begin() {
   return number;
 }
 
-std::optional<LogSyncer::Ended> LogSyncer::take_ended() {
+std::optional<LogSyncer::SyncResult> LogSyncer::take_ended() {
   const std::lock_guard lock{mutex_};
   return std::exchange(ended_, std::nullopt);
 }
@@ -56,12 +56,12 @@ void LogSyncer::run() {
     changed_.wait(lock, [&] { return stopping_ || run_ < begun_; });
     if (stopping_) return;
     run_ = begun_;
-    Ended ended{run_, written_, {}};
+    SyncResult ended{run_, written_, {}};
     lock.unlock();
     ended.done = database_.sync_log();
     lock.lock();
     if (!ended.done && ended.number <= forgotten_) continue;
-    // An error counts, whatever came before or comes after it: the database is opened again then.
+    // An error is kept whatever other syncs report: the database is reopened then.
     if (!ended_ || ended_->done) ended_ = std::move(ended);
     changed_.notify_all();
     if (!on_ended_) continue;

@@ -1,4 +1,4 @@
-// Syncs a store's log on a thread of its own: who writes it does not wait for the disk.
+// Syncs a store's log on a thread of its own, so that the writer does not wait for the disk.
 #pragma once
 
 #include <condition_variable>
@@ -12,30 +12,30 @@
 
 namespace talus::server {
 
-/// Of the thread that writes the database.
+/// For the thread that writes the database.
 class LogSyncer {
  public:
-  /// `database`, whose log is elsewhere, outlives this. `on_ended` is called on the syncer's thread when
+  /// `database`, of a shared log, outlives this. `on_ended` is called on the syncer's thread when
   /// take_ended() has something.
   explicit LogSyncer(store::EditDatabase& database, std::function<void()> on_ended = {});
-  /// Waits for the sync that is under way.
+  /// Waits for the current sync.
   ~LogSyncer();
   LogSyncer(const LogSyncer&) = delete;
   LogSyncer& operator=(const LogSyncer&) = delete;
 
-  /// All that was written so far is on the disk once a sync of this number, or of a greater one, has ended
-  /// well. Where one is under way another follows it.
+  /// Requests a sync. All writes so far are durable once a sync with the returned number, or a greater one,
+  /// has succeeded. If a sync is in progress another follows it.
   std::uint64_t begin();
-  struct Ended {
+  struct SyncResult {
     std::uint64_t number = 0;
     store::EditDatabase::Written written;
     store::EditDatabase::Done done;
   };
-  /// The sync that ended last, once.
-  [[nodiscard]] std::optional<Ended> take_ended();
-  /// The database was opened again: that a sync failed that was begun before is told no more.
+  /// The last ended sync, once.
+  [[nodiscard]] std::optional<SyncResult> take_ended();
+  /// The database was reopened: failures of syncs that began before are not reported.
   void forget_errors();
-  /// Waits until one has ended that take_ended() did not give. REQUIRES: one was begun that it did not give.
+  /// Blocks until take_ended() has a result. REQUIRES: a sync was begun whose result it has not returned.
   void wait();
 
  private:
@@ -47,9 +47,9 @@ class LogSyncer {
   std::condition_variable changed_;
   std::uint64_t begun_ = 0;  // the newest
   store::EditDatabase::Written written_;
-  std::uint64_t run_ = 0;        // the newest that is under way, or was
-  std::uint64_t forgotten_ = 0;  // errors up to this one are not told
-  std::optional<Ended> ended_;
+  std::uint64_t run_ = 0;        // the newest that was started
+  std::uint64_t forgotten_ = 0;  // errors up to this one are not reported
+  std::optional<SyncResult> ended_;
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -1,4 +1,4 @@
-// Ids of editors, which nobody guesses.
+// Unpredictable ids of editors.
 #pragma once
 
 #include <talus/edits/editors.h>

@@ -32,10 +32,10 @@ void RecentChanges::forget_oldest() {
   ++oldest_;
 }
 
-const RecentChanges::Remembered* RecentChanges::find(ChunkKey key, ChunkIndex::Edited edited) const {
+const RecentChanges::StoredChange* RecentChanges::find(ChunkKey key, ChunkIndex::Edited edited) const {
   const std::size_t place = edited.change - oldest_;
   if (place >= changes_.size()) return nullptr;
-  const Remembered& found = changes_[place];
+  const StoredChange& found = changes_[place];
   return found.change.key == key && found.change.revision == edited.revision ? &found : nullptr;
 }
 
@@ -45,16 +45,16 @@ std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkInd
   AppliedEdits::Changes all{.revision = now.revision, .voxels = {}};
   // From the newest change to the first after `since`.
   while (now.revision > since) {
-    const Remembered* const found = find(key, now);
+    const StoredChange* const found = find(key, now);
     if (found == nullptr) return std::nullopt;
     const Change& change = found->change;
-    // Voxels that change again and again count once, but not for ever.
-    if (all.voxels.size() + change.voxels > 4 * (most + kMostVoxels)) return std::nullopt;
+    // Voxels that change repeatedly count once, up to this bound.
+    if (all.voxels.size() + change.voxels > 4 * (most + kMaxVoxels)) return std::nullopt;
     const auto first = voxels_.begin() + static_cast<std::ptrdiff_t>(found->first_voxel - oldest_voxel_);
     all.voxels.insert(all.voxels.end(), first, first + change.voxels);
     now = {change.previous, change.before};
   }
-  // Of one voxel's changes the newest stays.
+  // Keeps the newest change of each voxel.
   std::ranges::stable_sort(all.voxels, {}, &Override::index);
   const auto same = [](Override a, Override b) { return a.index == b.index; };
   all.voxels.erase(std::unique(all.voxels.begin(), all.voxels.end(), same), all.voxels.end());

@@ -1,5 +1,5 @@
-// The log's records behind what chunks and editors on the disk hold, made true again. Those may hold some of
-// them already: they are written one by one, and a power cut comes at any time.
+// Replays the log's records that are newer than chunks and editors on the disk. Some of these may have
+// records applied already: they are written one by one, and a power cut comes at any time.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +22,16 @@ class Replay {
   /// `index` has the revisions of the database's chunks. Both outlive this.
   Replay(const store::EditDatabase& database, const ChunkIndex& index);
 
-  /// An editor of the database. All of them before the first record.
+  /// An editor of the database. Call it for all of them before the first record.
   void start(edits::EditorId id, store::StoredEditor&& stored) { editors_.start(id, std::move(stored)); }
-  /// False where the record does not fit to those before it, or a chunk cannot be read.
+  /// Returns false if the record does not follow the last one, or a chunk cannot be read.
   [[nodiscard]] bool apply(const store::LogRecord& record);
 
   [[nodiscard]] std::unordered_map<ChunkKey, store::ReplayedChunks::Chunk> take_chunks() {
     return chunks_.take();
   }
   [[nodiscard]] edits::Editors take_editors() { return editors_.take(); }
-  /// Those that the database has otherwise, or has and should not.
+  /// Editors whose record in the database differs or must be removed.
   [[nodiscard]] std::unordered_set<edits::EditorId> take_dirty_editors() { return editors_.take_dirty(); }
 
  private:

@@ -58,7 +58,7 @@ bool StoreWriter::write() {
 StoreWriter::TimePoint StoreWriter::next_look() const {
   if (broken_) return next_check_;
   if (!flusher_.is_running()) return std::min(next_flush_, next_check_);
-  // A sync that ends wakes who waits.
+  // The end of a sync wakes the waiting thread.
   return flush_sync_ == 0 ? TimePoint::min() : next_check_;
 }
 
@@ -96,7 +96,7 @@ void StoreWriter::hear_sync() {
   const auto ended = syncer_->take_ended();
   if (!ended) return;
   if (!ended->done) {
-    // What is broken already is opened again, and no later for this.
+    // A database that is broken already is reopened anyway.
     if (!broken_) refuse(ended->done.error());
     return;
   }
@@ -139,7 +139,7 @@ void StoreWriter::flush_all() {
     if (!flusher_.is_running()) flusher_.start();
     wait_for_sync();
     if (broken_) return;
-    // What cannot be written is in the log's records, and read by the next start.
+    // Values that cannot be written are in the log's records, and the next start reads them.
     if (!flusher_.step()) return;
   }
   (void)database_.settle();
@@ -170,7 +170,7 @@ void StoreWriter::retry() {
     return;
   }
   broken_ = false;
-  // What was put and not synced may have gone with the fault.
+  // Values that were written and not synced may be lost.
   flush_sync_ = 0;
   if (syncer_) syncer_->forget_errors();
   if (flusher_.is_running()) flusher_.abandon();

@@ -312,7 +312,7 @@ void apply_costs(const fs::path& path) {
   fs::remove_all(path);
   Store store{path};
   const auto batch_of = [&](const std::vector<edits::EditEntry>& entries, bool attach) {
-    const EditState::Reading reading{*store.state};
+    const EditState::Reader reading{*store.state};
     edits::Batch batch{reading, store.state->editors(), store.state->head(), 1};
     if (attach) batch.apply(edits::AttachEntry{{1, 1}, 1, ""});
     for (const auto& each : entries) batch.apply(each);

@@ -303,7 +303,7 @@ TEST_CASE("a server that may not read the log's messages any more is cut off, un
   CHECK_THAT(*status.read_only, Catch::Contains("cannot be reached or read") && Catch::Contains("MSG.GET"));
   const auto refused = append(write(2));
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().kind == LogFailure::Kind::cut_off);
+  CHECK(refused.error().code == EditErrorCode::cut_off);
   CHECK(has_answers(1));
 
   cluster.nats().reconfigure(nats_test::talusd_permissions());

@@ -136,7 +136,7 @@ TEST_CASE("a store of whatever time has a tar") {
   peer.store.close();
   REQUIRE(peer.store.open_without_log() == "");
   {
-    const EditState::Reading reading{peer.store.state()};
+    const EditState::Reader reading{peer.store.state()};
     edits::Batch batch{reading, peer.store.state().editors(), peer.store.state().head(), INT64_MAX};
     batch.apply(edits::AttachEntry{{8, 9}, 1, "of the end of time"});
     REQUIRE(peer.store.database().append(batch, {}).has_value());

@@ -23,13 +23,13 @@
 
 namespace talus::server::testing {
 
-using Outcome = tl::expected<edits::Applied, LogFailure>;
+using Outcome = tl::expected<edits::Applied, EditError>;
 
 /// Entries that were given to a log, and their answers as they come.
 class Answers {
  public:
   /// Whether the log takes it; the answer then has this number.
-  tl::expected<std::size_t, LogFailure> send(EditLog& log, LogEntry entry) {
+  tl::expected<std::size_t, EditError> send(EditLog& log, LogEntry entry) {
     std::size_t number = 0;
     {
       const std::lock_guard lock{mutex_};

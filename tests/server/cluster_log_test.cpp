@@ -71,11 +71,11 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
   // Waits for the next message; on a slow machine the log may have lost its patience already.
   const auto queued = answers.send(cluster.log(0), write_at(2, 6));
   const auto why = queued ? answers.await(*queued).error() : queued.error();
-  CHECK(why.kind == LogFailure::Kind::cut_off);
+  CHECK(why.code == EditErrorCode::cut_off);
   until([&] { return !cluster.log(0).takes_entries(); });
   const auto late = answers.send(cluster.log(0), write_at(3, 7));
   REQUIRE_FALSE(late.has_value());
-  CHECK(late.error().kind == LogFailure::Kind::cut_off);
+  CHECK(late.error().code == EditErrorCode::cut_off);
   CHECK_FALSE(cluster.log(0).takes_entries());
   CHECK(cluster.log(0).status().ready);  // or a balancer would drop all servers
   CHECK_FALSE(cluster.log(0).status().quorum);
@@ -102,7 +102,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
   CHECK_FALSE(status.quorum);
   const auto refused = answers.send(cluster.log(0), write_at(1, 5));
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::cut_off);
+  CHECK(refused.error().code == EditErrorCode::cut_off);
   until([&] { return cluster.log(1).status().not_ready == "no answer"; });
   cluster.stream.set_quorum(true);
   // It finds its place later than it is asked where the end is.
@@ -265,7 +265,7 @@ TEST_CASE("a full disk stops a server where it is, and it goes on when there is 
   CHECK(cluster.log(1).status().sequence < cluster.stream.state().last);
   const auto refused = answers.send(cluster.log(1), write_at(99, 5));
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::unwritable);
+  CHECK(refused.error().code == EditErrorCode::unwritable);
   cluster.nodes[1]->disk().empty();
   cluster.until_applied();
   CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
@@ -311,18 +311,18 @@ TEST_CASE("a server that is behind asks new editors to return soon, and does not
     const auto status = cluster.log(0).status();
     return status.ready && status.lag == 0 && status.sequence == cluster.stream.state().last;
   };
-  const auto refused_as = [&](LogFailure::Kind kind) {
+  const auto refused_as = [&](EditErrorCode code) {
     const auto taken = answers.send(cluster.log(0), attach(8));
     const auto room = cluster.log(0).room_for_editor();
-    return !taken && taken.error().kind == kind && !room && room.error().kind == kind;
+    return !taken && taken.error().code == code && !room && room.error().code == code;
   };
   until(is_at_end);
-  CHECK(refused_as(LogFailure::Kind::editors_full));
+  CHECK(refused_as(EditErrorCode::editors_full));
   cluster.stream.fail_next_as(StreamFailure::Kind::unavailable);
   const std::vector<store::Bytes> elsewhere{bytes_of_entry(attach(8))};
   cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, elsewhere));
   until([&] { return cluster.log(0).status().lag > 0; });
-  CHECK(refused_as(LogFailure::Kind::cut_off));
+  CHECK(refused_as(EditErrorCode::cut_off));
   cluster.stream.fail_next_as(std::nullopt);
   until(is_at_end);
   auto again = attach(8);
@@ -342,7 +342,7 @@ TEST_CASE("an edit that no message has room for is refused before it is in the l
   }
   const auto refused = answers.send(cluster.log(0), std::move(large));
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::too_large);
+  CHECK(refused.error().code == EditErrorCode::out_of_range);
   CHECK(answers.apply(cluster.log(0), write_at(2, 5))->kind == Kind::done);
 }
 

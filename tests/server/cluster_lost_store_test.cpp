@@ -98,7 +98,7 @@ TEST_CASE("a publisher writes nothing more into a stream that is another, and an
   REQUIRE(doubtful.has_value());
   const auto open = answers.await(*doubtful);
   REQUIRE_FALSE(open.has_value());
-  CHECK(open.error().kind == LogFailure::Kind::unwritable);
+  CHECK(open.error().code == EditErrorCode::unwritable);
   CHECK_FALSE(cluster.log(0).takes_entries());
   CHECK_FALSE(answers.send(cluster.log(0), write_at(2, 5)).has_value());
   CHECK(cluster.stream.attempts == before + 1);
@@ -118,9 +118,9 @@ TEST_CASE("edits that wait when a server stops for good are answered, and not pu
   cluster.stream.fail_next_as(StreamFailure::Kind::other);
   const auto open = answers.await(*doubtful);
   REQUIRE_FALSE(open.has_value());
-  CHECK(open.error().kind == LogFailure::Kind::unwritable);
-  CHECK_THAT(open.error().reason, Catch::Contains("it is another"));
-  if (queued) CHECK(answers.await(*queued).error().kind == LogFailure::Kind::cut_off);
+  CHECK(open.error().code == EditErrorCode::unwritable);
+  CHECK_THAT(open.error().message, Catch::Contains("it is another"));
+  if (queued) CHECK(answers.await(*queued).error().code == EditErrorCode::cut_off);
   const std::size_t messages = cluster.stream.all().size();
   cluster.stream.set_quorum(true);
   until([&] { return cluster.log(0).status().quorum || !cluster.log(0).takes_entries(); });
@@ -148,7 +148,7 @@ TEST_CASE("while the leader says less than was applied no edits are taken, and n
   CHECK_FALSE(cluster.log(0).takes_entries());
   const auto refused = answers.send(cluster.log(0), write_at(1, 5));
   REQUIRE_FALSE(refused.has_value());
-  CHECK_THAT(refused.error().reason, Catch::Contains("lost its end"));
+  CHECK_THAT(refused.error().message, Catch::Contains("lost its end"));
   cluster.stream.say_fewer(0);
   until([&] { return cluster.log(0).status().ready; });
   CHECK(answers.apply(cluster.log(0), write_at(1, 5))->kind == Kind::done);

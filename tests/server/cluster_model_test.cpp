@@ -213,7 +213,7 @@ class ClusterModel {
   }
 
   void answer(Player& player, std::uint64_t connection, std::uint64_t sequence,
-              const tl::expected<const edits::Applied*, LogFailure>& applied) {
+              const tl::expected<const edits::Applied*, EditError>& applied) {
     const bool current = player.connection == connection;
     if (!applied) {
       if (current) player.in_flight[sequence] = false;

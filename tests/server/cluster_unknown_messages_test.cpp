@@ -181,7 +181,7 @@ TEST_CASE("a message of a newer talusd stops a server there, and it says why") {
   Answers answers;
   const auto refused = answers.send(cluster.log(0), attach());
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().reason.starts_with(why));
+  CHECK(refused.error().message.starts_with(why));
   CHECK_FALSE(cluster.lost_of(0).has_value());  // another store would not help
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("a chunk is read from the disk only once it is there for sure") {
     REQUIRE(trouble.store.database().append(batch));
     (void)state.commit(std::move(batch));
   };
-  const EditState::Reading reading{state};
+  const EditState::Reader reading{state};
   edits::Batch batch{reading, state.editors(), state.head(), 1};
   batch.apply(edits::AttachEntry{trouble.editor.id, 1, ""});
   trouble.editor.epoch = trouble.editor.sequence = 1;
@@ -197,7 +197,7 @@ TEST_CASE(
     REQUIRE(trouble.store.open_without_log() == "");
     store::EditDatabase& database = trouble.store.database();
     EditState& state = trouble.store.state();
-    const EditState::Reading reading{state};
+    const EditState::Reader reading{state};
     const auto append = [&](std::uint64_t editor) {
       edits::Batch batch{reading, state.editors(), state.head(), 1};
       batch.apply(edits::AttachEntry{{editor, 1}, 1, ""});

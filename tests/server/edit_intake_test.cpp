@@ -35,10 +35,10 @@ struct HeldLog final : EditLog {
     Done done;
   };
   std::vector<Entry> entries;
-  std::optional<LogFailure> failure;
+  std::optional<EditError> failure;
   std::size_t answered = 0;  // entries from the front
 
-  tl::expected<void, LogFailure> append(LogEntry entry, Done done) override {
+  tl::expected<void, EditError> append(LogEntry entry, Done done) override {
     if (failure) return tl::unexpected{*failure};
     entries.push_back({std::move(entry), std::move(done)});
     return {};
@@ -66,9 +66,9 @@ struct Bench {
                        return at == editors.end() ? std::nullopt : std::optional{at->second};
                      },
                      clock, metrics,
-                     [this]() -> tl::expected<void, LogFailure> {
+                     [this]() -> tl::expected<void, EditError> {
                        if (!full) return {};
-                       return tl::unexpected{LogFailure{LogFailure::Kind::editors_full, "full"}};
+                       return tl::unexpected{EditError{EditErrorCode::editors_full, "full"}};
                      }},
                     {{0, 100}, {kAir, kStone, kGlass}},
                     make_logger("off", "text")};
@@ -100,14 +100,13 @@ struct Bench {
 
 TEST_CASE("that there is room for no editor is told before one attaches, and counts as a refusal") {
   Bench bench;
-  CHECK_FALSE(bench.intake.refuses_editors());
+  CHECK(bench.intake.room_for_editor());
   bench.full = true;
-  const auto refused = bench.intake.refuses_editors();
-  REQUIRE(refused);
-  CHECK(refused->code == wire::ErrorCode::overloaded);
-  CHECK(refused->text == "full");
-  CHECK(refused->retry_after >= std::chrono::minutes{1});
-  CHECK(bench.metrics.edits_refused[EditRefused::editors_full].total() == 1);
+  const auto room = bench.intake.room_for_editor();
+  REQUIRE_FALSE(room);
+  CHECK(room.error().code == EditErrorCode::editors_full);
+  CHECK(room.error().message == "full");
+  CHECK(bench.metrics.edits_refused[EditErrorCode::editors_full].total() == 1);
 }
 
 TEST_CASE("an edit is logged with the base of what it touches, looked up in the session's turns") {
@@ -203,26 +202,25 @@ TEST_CASE("an edit that may not be is refused, and the next goes on") {
   bench.edit(1, {{0, 0, 0}}, MaterialId{9});
   const auto refused = bench.only_mail<EditAnswer>();
   CHECK(refused.id == 1);
-  CHECK(refused.answer.error().code == wire::ErrorCode::out_of_range);
+  CHECK(refused.answer.error().code == EditErrorCode::out_of_range);
   bench.edit(2, {{0, 5'000, 0}});
-  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::out_of_range);
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == EditErrorCode::out_of_range);
   bench.edit(3, {{0, 0, 0}});
   CHECK(bench.log.entries.size() == 1);
-  bench.log.failure = LogFailure{LogFailure::Kind::unwritable, "the disk is full"};
+  bench.log.failure = EditError{EditErrorCode::unwritable, "the disk is full"};
   bench.edit(4, {{0, 0, 0}});
   const auto full = bench.only_mail<EditAnswer>();
-  CHECK(full.answer.error().code == wire::ErrorCode::overloaded);
-  CHECK(full.answer.error().text == "the disk is full");
-  CHECK(full.answer.error().retry_after.count() > 0);
+  CHECK(full.answer.error().code == EditErrorCode::unwritable);
+  CHECK(full.answer.error().message == "the disk is full");
   // No time makes room in a full index.
-  bench.log.failure = LogFailure{LogFailure::Kind::index_full, "its limit of 512 bytes"};
+  bench.log.failure = EditError{EditErrorCode::index_full, "its limit of 512 bytes"};
   bench.edit(5, {{0, 0, 0}});
   const auto never = bench.only_mail<EditAnswer>();
-  CHECK(never.answer.error().code == wire::ErrorCode::out_of_range);
-  CHECK(never.answer.error().text == "its limit of 512 bytes");
-  CHECK(bench.metrics.edits_refused[EditRefused::out_of_range].total() == 2);
-  CHECK(bench.metrics.edits_refused[EditRefused::unwritable].total() == 1);
-  CHECK(bench.metrics.edits_refused[EditRefused::index_full].total() == 1);
+  CHECK(never.answer.error().code == EditErrorCode::index_full);
+  CHECK(never.answer.error().message == "its limit of 512 bytes");
+  CHECK(bench.metrics.edits_refused[EditErrorCode::out_of_range].total() == 2);
+  CHECK(bench.metrics.edits_refused[EditErrorCode::unwritable].total() == 1);
+  CHECK(bench.metrics.edits_refused[EditErrorCode::index_full].total() == 1);
 }
 
 TEST_CASE("a failed look-up fails its edit alone") {
@@ -231,7 +229,7 @@ TEST_CASE("a failed look-up fails its edit alone") {
   bench.source.fail({{0, 0, 0}, Lod{}});
   bench.source.last_mailbox->wake();
   bench.intake.do_what_waits();
-  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::internal);
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == EditErrorCode::ground);
   bench.edit(2, {{0, 0, 0}});
   bench.look_ups_answered(kStone);
   CHECK(bench.log.entries.size() == 1);
@@ -274,9 +272,9 @@ TEST_CASE("for a session whose client sends no more no ground is generated, and 
   for (std::size_t i = 0; i < mail.size(); ++i) {
     const auto& answer = std::get<EditAnswer>(mail[i]);
     CHECK(answer.id == 1 + 2 * i);
-    CHECK(answer.answer.error().code == wire::ErrorCode::overloaded);
+    CHECK(answer.answer.error().code == EditErrorCode::half_closed);
   }
-  CHECK(bench.metrics.edits_refused[EditRefused::half_closed].total() == 2);
+  CHECK(bench.metrics.edits_refused[EditErrorCode::half_closed].total() == 2);
   CHECK(bench.intake.waiting() == 0);
 }
 
@@ -298,14 +296,14 @@ TEST_CASE("what the log says of an edit is what its session is told") {
   applied.kind = Kind::repeat;
   CHECK(told(applied).value() == applied.result);
   applied.result.conflict = 2;
-  CHECK(told(applied).error().code == wire::ErrorCode::conflict);
+  CHECK(told(applied).error().code == EditErrorCode::conflict);
   applied.kind = Kind::expired;
-  CHECK(told(applied).error().code == wire::ErrorCode::expired);
+  CHECK(told(applied).error().code == EditErrorCode::expired);
   applied.kind = Kind::not_applied;
-  CHECK(told(applied).error().code == wire::ErrorCode::not_applied);
+  CHECK(told(applied).error().code == EditErrorCode::not_applied);
   bench.edit(1, {{0, 0, 0}});
-  bench.log.entries.back().done(tl::unexpected{LogFailure{LogFailure::Kind::unwritable, "the disk is full"}});
-  CHECK(bench.only_mail<EditAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+  bench.log.entries.back().done(tl::unexpected{EditError{EditErrorCode::unwritable, "the disk is full"}});
+  CHECK(bench.only_mail<EditAnswer>().answer.error().code == EditErrorCode::unwritable);
 }
 
 TEST_CASE("Attach goes on as the editor that is known to the same subject, else as a new one") {
@@ -368,7 +366,7 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
   applied.revision = 10;
   bench.log.entries[0].done(&applied);
   bench.intake.do_what_waits();
-  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == EditErrorCode::behind);
   // What other servers did before is there by the time that the log has the Attach.
   bench.intake.attach(bench.session, {{}, "", 11});
   bench.intake.do_what_waits();
@@ -513,7 +511,7 @@ TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted o
   struct Exhausted final : EditLog {
     std::function<void()> meanwhile;
     std::promise<void> logged;
-    tl::expected<void, LogFailure> append(LogEntry, Done) override {
+    tl::expected<void, EditError> append(LogEntry, Done) override {
       if (const auto once = std::exchange(meanwhile, nullptr)) {
         once();
         throw std::bad_alloc{};
@@ -606,7 +604,7 @@ TEST_CASE("of two that attach as one editor the earlier does not try again") {
   bench.log.entries[0].done(&superseded);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 2);
-  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == wire::ErrorCode::overloaded);
+  CHECK(bench.only_mail<AttachAnswer>().answer.error().code == EditErrorCode::overtaken);
   bench.log.entries[1].done(&superseded);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 3);
@@ -617,7 +615,7 @@ TEST_CASE("a small edit goes to the log on the thread that brings it, while the 
     std::mutex mutex;
     std::condition_variable came;
     std::vector<std::pair<std::uint64_t, std::thread::id>> sequences;
-    tl::expected<void, LogFailure> append(LogEntry entry, Done done) override {
+    tl::expected<void, EditError> append(LogEntry entry, Done done) override {
       edits::Applied applied;
       applied.kind = edits::Applied::Kind::done;
       done(&applied);

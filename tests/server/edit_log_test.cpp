@@ -158,7 +158,7 @@ TEST_CASE("the queue is bounded, and whoever was taken is answered before the lo
                                [&](const auto& applied) { answered += applied.has_value() ? 1 : 0; }));
   }
   CHECK(store.log().status().waiting == 4);
-  CHECK(store.log().append(attach(6), [](const auto&) {}).error().kind == LogFailure::Kind::busy);
+  CHECK(store.log().append(attach(6), [](const auto&) {}).error().code == EditErrorCode::busy);
   let_go.set_value();
   store.log().stop();
   CHECK(answered == 4);
@@ -181,11 +181,10 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
   ++editor.sequence;
   const auto refused = store.log().append(editor.entry(there), [](const auto&) {});
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::index_full);
-  CHECK(refused.error().reason ==
-        "chunk (3, 0, 0) was never edited, and the index of edited chunks has its limit of 1 bytes; edit "
-        "chunks "
-        "that were edited before");
+  CHECK(refused.error().code == EditErrorCode::index_full);
+  CHECK(refused.error().message ==
+        "the index of edited chunks is full (limit 1 bytes), and chunk (3, 0, 0) was never edited; edit "
+        "chunks that were edited before");
   CHECK(editor.edit(store, here).has_value());
 
   // What only may slide into such a chunk does not hold up an edit, but nothing slides then.
@@ -314,8 +313,8 @@ TEST_CASE("edits of a chunk that cannot be read fail by its name, and the log go
   for (std::size_t i = 0; i < edits.size(); ++i) {
     ++editor.sequence;
     REQUIRE(store.log().append(editor.entry(edits[i]), [&, i](const auto& outcome) {
-      answers[i] = outcome ? "done" : outcome.error().reason;
-      if (!outcome) CHECK(outcome.error().kind == LogFailure::Kind::unreadable);
+      answers[i] = outcome ? "done" : outcome.error().message;
+      if (!outcome) CHECK(outcome.error().code == EditErrorCode::unreadable);
     }));
   }
   let_go.set_value();

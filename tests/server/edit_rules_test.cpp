@@ -1,5 +1,5 @@
 // Which edits a token and the server's settings forbid, and what is said of it.
-#include "player/session/edit_rules.h"
+#include "edits/admission/edit_rules.h"
 
 #include <catch2/catch.hpp>
 
@@ -40,11 +40,11 @@ const EditRules kSpawn{*Boxes::parse("-16,-16:16,16"), false};
 TEST_CASE("protected boxes of the server are open to the right admin alone, and guards may look into them") {
   CHECK_FALSE(edit_forbidden(write_at({17, 0, 0}), editor(), kSpawn));
   CHECK(edit_forbidden(write_at({16, 0, 0}), editor(), kSpawn) ==
-        "write 0: voxel 16,0,0 reaches into -16,-16:16,16, which this server protects");
+        "write 0: voxel 16,0,0 intersects -16,-16:16,16, which this server protects");
   CHECK_FALSE(edit_forbidden(write_at({16, 0, 0}), editor({Right::read, Right::edit, Right::admin}), kSpawn));
   CHECK(edit_forbidden(write_at({16, 0, 0}), editor({Right::read, Right::edit, Right::gateway}), kSpawn));
   CHECK(edit_forbidden(fill_of({-90, -9, 0}, {90, -9, 0}), editor(), kSpawn) ==
-        "fill 0: the box -90,-9,0:90,-9,0 reaches into -16,-16:16,16, which this server protects");
+        "fill 0: the box -90,-9,0:90,-9,0 intersects -16,-16:16,16, which this server protects");
   edits::Edit looks = write_at({17, 0, 0});
   looks.guards.push_back({{0, 0, 0}, MaterialId{1}});
   CHECK_FALSE(edit_forbidden(looks, editor(), kSpawn));
@@ -57,18 +57,18 @@ TEST_CASE("a token's boxes bound where it may edit, the right admin or not") {
   CHECK_FALSE(edit_forbidden(write_at({31, 5, 31}), grant, {}));
   CHECK_FALSE(edit_forbidden(write_at({32, 5, 31}), grant, {}));
   CHECK(edit_forbidden(write_at({64, 5, 0}), grant, {}) ==
-        "write 0: voxel 64,5,0 lies in none of the boxes of this session's token, which lets edit in "
+        "write 0: voxel 64,5,0 is outside the boxes of this session's token, which allows edits in "
         "0,0:31,31; "
         "32,0:63,31");
   CHECK_FALSE(edit_forbidden(fill_of({10, 0, 10}, {31, 0, 31}), grant, {}));
   CHECK(edit_forbidden(fill_of({10, 0, 10}, {32, 0, 31}), grant, {}));  // over two boxes
   CHECK_THAT(*edit_forbidden(write_at({8, 5, 9}), grant, {}),
-             Catch::EndsWith("reaches into 8,8:9,9, in which this session's token does not let edit"));
+             Catch::EndsWith("intersects 8,8:9,9, where this session's token forbids edits"));
   edits::Edit second = write_at({1, 1, 1});
   second.writes.push_back({{-1, 1, 1}, MaterialId{1}});
   CHECK_THAT(*edit_forbidden(second, grant, {}), Catch::StartsWith("write 1: voxel -1,1,1"));
   grant.edit_in = Boxes{};
-  CHECK_THAT(*edit_forbidden(write_at({1, 1, 1}), grant, {}), Catch::EndsWith("lets edit nowhere"));
+  CHECK_THAT(*edit_forbidden(write_at({1, 1, 1}), grant, {}), Catch::EndsWith("allows edits nowhere"));
 }
 
 TEST_CASE("of a paste what it writes counts") {

@@ -61,8 +61,8 @@ TEST_CASE(
   edit(0);
   const std::size_t first = store.state().index().bytes();
   edit(std::int64_t{1} << 24U);
-  CHECK(store.state().index().bytes() - first <= ChunkIndex::kMostBytesEach);
-  CHECK(first >= ChunkIndex::kMostBytesEach / 7 * 5);  // nearly all levels
+  CHECK(store.state().index().bytes() - first <= ChunkIndex::kMaxBytesEach);
+  CHECK(first >= ChunkIndex::kMaxBytesEach / 7 * 5);  // nearly all levels
 }
 
 TEST_CASE("the cache of edited chunks gives way, a little at a time, and what it lost is read again") {

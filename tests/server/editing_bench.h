@@ -29,9 +29,12 @@ struct ScriptedTaker final : EditTaker {
   [[nodiscard]] bool knows(edits::EditorId editor, const std::string& subject) const override {
     return editor == known && subject.empty();
   }
-  [[nodiscard]] std::optional<EditRefusal> refuses_editors() const override { return full; }
+  [[nodiscard]] tl::expected<void, EditError> room_for_editor() const override {
+    if (full) return tl::unexpected{*full};
+    return {};
+  }
   edits::EditorId known{7, 7};
-  std::optional<EditRefusal> full;
+  std::optional<EditError> full;
 };
 
 inline Access editors() {

@@ -1,5 +1,5 @@
 // What editors may take of memory: as it is counted, and how a log keeps it.
-#include "edits/editor_room.h"
+#include "edits/admission/log_admission.h"
 
 #include <malloc.h>
 
@@ -13,7 +13,6 @@
 
 #include <talus/edits/editors.h>
 
-#include "edits/edit_outcome.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
 
@@ -68,7 +67,7 @@ TEST_CASE("where editors have all their memory nobody new edits, until the oldes
   const auto attach = [](std::uint64_t id, std::uint64_t epoch, std::string_view subject = "s") {
     return edits::AttachEntry{{id, 1}, epoch, std::string{subject}};
   };
-  CHECK(room_for_editor(store.state(), SystemClock{}).has_value());
+  CHECK(admit_editor(store.state(), SystemClock{}).has_value());
   REQUIRE(store.apply(attach(1, 1))->kind == Kind::attached);
   CHECK(store.state().editor_bytes() == EditState::kNewEditorBytes);
   REQUIRE(store.apply(edits::EditEntry{{1, 1}, 1, 1, {}, {}})->kind == Kind::done);
@@ -76,10 +75,9 @@ TEST_CASE("where editors have all their memory nobody new edits, until the oldes
   REQUIRE(store.apply(attach(2, 1))->kind == Kind::attached);
   const auto refused = store.log().append(attach(3, 1), [](const auto&) {});
   REQUIRE_FALSE(refused.has_value());
-  CHECK(refused.error().kind == LogFailure::Kind::editors_full);
-  CHECK(why_of(refused.error().kind) == EditRefused::editors_full);
-  CHECK_FALSE(room_for_editor(store.state(), SystemClock{}).has_value());  // what a session asks before
-  CHECK(store.apply(attach(2, 2))->kind == Kind::attached);                // who is known
+  CHECK(refused.error().code == EditErrorCode::editors_full);
+  CHECK_FALSE(admit_editor(store.state(), SystemClock{}).has_value());  // what a session asks before
+  CHECK(store.apply(attach(2, 2))->kind == Kind::attached);             // who is known
   CHECK(store.apply(edits::EditEntry{{2, 1}, 2, 1, {}, {}})->kind == Kind::done);
   CHECK(store.apply(attach(4, 1, edits::kOperatorSubject))->kind == Kind::attached);
   CHECK(store.state().bytes() >= 2 * EditState::kUsedEditorBytes + EditState::kNewEditorBytes);
@@ -93,16 +91,10 @@ TEST_CASE("where editors have all their memory nobody new edits, until the oldes
     }
     [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return now_clock.thread_cpu(); }
   };
-  CHECK(keep_to_editors(store.state(), attach(5, 1), Tomorrow{}).has_value());
-  CHECK(room_for_editor(store.state(), Tomorrow{}).has_value());
-  CHECK_FALSE(keep_to_editors(store.state(), attach(5, 1), SystemClock{}).has_value());
-}
-
-TEST_CASE("who is refused as editors have all their memory comes again in minutes, not in a second") {
-  const EditRefusal full = refusal_of(EditRefused::editors_full, "full");
-  CHECK(full.code == wire::ErrorCode::overloaded);
-  CHECK(full.retry_after >= std::chrono::minutes{1});
-  CHECK(refusal_of(EditRefused::busy, "busy").retry_after == std::chrono::seconds{1});
+  LogEntry newcomer = attach(5, 1);
+  CHECK(admit_to_log(newcomer, store.state(), Tomorrow{}).has_value());
+  CHECK(admit_editor(store.state(), Tomorrow{}).has_value());
+  CHECK_FALSE(admit_to_log(newcomer, store.state(), SystemClock{}).has_value());
 }
 
 }  // namespace talus::server

@@ -7,7 +7,7 @@
 #include <talus/voxel/codec.h>
 
 #include "editing_bench.h"
-#include "player/session/edit_check.h"
+#include "edits/admission/wire_edit.h"
 #include "session_bench.h"
 
 namespace talus::server {
@@ -85,7 +85,7 @@ TEST_CASE("guards pay for the ground that they need as writes do, whatever becom
   };
   guard(1, {1, 2, 3});
   REQUIRE(shared.taker.edits.size() == 1);
-  CHECK(shared.answered({1, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}}).code ==
+  CHECK(shared.answered({1, tl::unexpected{EditError{EditErrorCode::conflict, "guard 0"}}}).code ==
         ErrorCode::conflict);
   guard(2, {1, 2, 3});
   CHECK(shared.taker.edits.size() == 2);
@@ -116,8 +116,7 @@ TEST_CASE("an address makes so many editors an hour, and whoever is one already 
     const auto said = shared.bench.output();
     if (shared.taker.attaches.empty()) return said.at(0).text;
     // Another session comes; this one is as it was.
-    shared.bench.mailbox->put(
-        AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "not now", 1ms}}});
+    shared.bench.mailbox->put(AttachAnswer{tl::unexpected{EditError{EditErrorCode::busy, "not now"}}});
     shared.bench.take_mail();
     (void)shared.bench.output();
     return std::string{"made"};
@@ -134,7 +133,7 @@ TEST_CASE("where the world has room for no editor an Attach takes nothing of wha
   RateLimits limits;
   limits.address.editors = {1, kEditorTokens};  // one saved up, and one an hour
   EditingBench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  shared.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
+  shared.taker.full = EditError{EditErrorCode::editors_full, "full"};
   for (int tries = 0; tries < 3; ++tries) {
     shared.bench.attach();
     const auto said = shared.bench.output();
@@ -150,7 +149,7 @@ TEST_CASE("where the world has room for no editor an Attach takes nothing of wha
   CHECK(shared.taker.attaches.size() == 1);
 
   EditingBench known{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
-  known.taker.full = EditRefusal{ErrorCode::overloaded, "full", 2min};
+  known.taker.full = EditError{EditErrorCode::editors_full, "full"};
   known.bench.attach({7, 7});
   CHECK(known.taker.attaches.size() == 1);
 }
@@ -210,7 +209,7 @@ TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
   flatbuffers::FlatBufferBuilder builder;
   const std::vector<wire::Fill> fills{{{0, 0, 0}, {31, 31, 63}, 1, 0, 1}};
   builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
-  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
+  const auto checked = read_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
   REQUIRE(checked);
   CHECK(checked->voxels == 65'536);
   CHECK(checked->prepared_bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));

@@ -9,7 +9,8 @@
 
 #include "config/access/signed_token.h"
 #include "editing_bench.h"
-#include "player/session/edit_check.h"
+#include "edits/admission/wire_edit.h"
+#include "player/session/wire_error.h"
 #include "scratch_directory.h"
 #include "session_bench.h"
 
@@ -21,10 +22,10 @@ using wire::Body;
 using wire::ErrorCode;
 using State = Session::State;
 
-Rejection refusal(std::vector<wire::Fill> fills) {
+EditError refusal(std::vector<wire::Fill> fills) {
   flatbuffers::FlatBufferBuilder builder;
   builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
-  const auto checked = check_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
+  const auto checked = read_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
   REQUIRE_FALSE(checked);
   return checked.error();
 }
@@ -71,7 +72,7 @@ TEST_CASE("while an edit is not answered the mailbox says that its owner is abou
   CHECK(mailbox.expects_answer());
   (void)shared.answered({4, edits::EditResult{17, 10, 1, {}}});
   CHECK(mailbox.expects_answer());
-  (void)shared.answered({5, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0 does not hold", {}}}});
+  (void)shared.answered({5, tl::unexpected{EditError{EditErrorCode::conflict, "guard 0 does not hold"}}});
   CHECK_FALSE(mailbox.expects_answer());
   shared.bench.write_voxel(6, 19, {-1, 2, 3}, 5);
   shared.bench.session.abandon();
@@ -82,7 +83,7 @@ TEST_CASE("an edit that does not happen is an Error about its request") {
   EditingBench shared;
   shared.attached();
   shared.bench.write_voxel(4, 1);
-  const Said said = shared.answered({4, tl::unexpected{EditRefusal{ErrorCode::conflict, "guard 0", 0ms}}});
+  const Said said = shared.answered({4, tl::unexpected{EditError{EditErrorCode::conflict, "guard 0"}}});
   CHECK(said.code == ErrorCode::conflict);
   CHECK(said.id == 4);
   CHECK(said.about == wire::ErrorAbout::request);
@@ -148,7 +149,7 @@ TEST_CASE("the taker forgets a session whose Attach was refused") {
   ScriptedTaker taker;
   SessionBench bench{{.access = editors(), .edits = &taker}};
   bench.attach();
-  bench.mailbox->put(AttachAnswer{tl::unexpected{EditRefusal{ErrorCode::overloaded, "later", 1s}}});
+  bench.mailbox->put(AttachAnswer{tl::unexpected{EditError{EditErrorCode::busy, "later"}}});
   bench.take_mail();
   bench.session.abandon();
   CHECK(taker.forgotten == std::vector{ClientId{1}});
@@ -289,11 +290,12 @@ TEST_CASE("Attach needs the right, a store, and its turn") {
 TEST_CASE("fills are counted before anything is made of them") {
   constexpr auto kLow = std::numeric_limits<std::int64_t>::min();
   constexpr auto kHigh = std::numeric_limits<std::int64_t>::max();
-  CHECK(refusal({{{kLow, kLow, kLow}, {kHigh, kHigh, kHigh}, 1, 0, 1}}).code == ErrorCode::too_large);
-  CHECK(refusal({{{0, 0, 0}, {65'536, 0, 0}, 1, 0, 1}}).code == ErrorCode::too_large);
-  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).code == ErrorCode::malformed);
-  CHECK(refusal({}).code == ErrorCode::out_of_range);
-  CHECK(refusal(std::vector<wire::Fill>(3, {{0, 0, 0}, {31, 31, 31}, 1, 0, 1})).code == ErrorCode::too_large);
+  CHECK(refusal({{{kLow, kLow, kLow}, {kHigh, kHigh, kHigh}, 1, 0, 1}}).code == EditErrorCode::too_large);
+  CHECK(refusal({{{0, 0, 0}, {65'536, 0, 0}, 1, 0, 1}}).code == EditErrorCode::too_large);
+  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).code == EditErrorCode::malformed);
+  CHECK(refusal({}).code == EditErrorCode::out_of_range);
+  CHECK(refusal(std::vector<wire::Fill>(3, {{0, 0, 0}, {31, 31, 31}, 1, 0, 1})).code ==
+        EditErrorCode::too_large);
 }
 
 TEST_CASE("a paste is a chunk, or the connection ends") {
@@ -316,6 +318,25 @@ TEST_CASE("a paste is a chunk, or the connection ends") {
   paste(6, {9, 9, 9});
   CHECK(shared.bench.output().at(0).code == ErrorCode::malformed);
   CHECK(shared.bench.session.state() == State::closed);
+}
+
+TEST_CASE("each edit error has its code and its time to retry on the wire") {
+  const auto is = [](EditErrorCode code, ErrorCode on_wire, std::chrono::milliseconds retry_after) {
+    const WireError error = wire_error(code);
+    return error.code == on_wire && error.retry_after == retry_after;
+  };
+  using enum EditErrorCode;
+  for (const EditErrorCode code : {out_of_range, index_full}) CHECK(is(code, ErrorCode::out_of_range, 0ms));
+  for (const EditErrorCode code : {ground, unreadable}) CHECK(is(code, ErrorCode::internal, 1s));
+  for (const EditErrorCode code : {half_closed, busy, unwritable, behind, overtaken}) {
+    CHECK(is(code, ErrorCode::overloaded, 1s));
+  }
+  CHECK(is(cut_off, ErrorCode::overloaded, 2s));
+  CHECK(is(editors_full, ErrorCode::overloaded, 2min));
+  CHECK(is(conflict, ErrorCode::conflict, 0ms));
+  CHECK(is(not_applied, ErrorCode::not_applied, 0ms));
+  CHECK(is(expired, ErrorCode::expired, 0ms));
+  CHECK(is(invalid, ErrorCode::internal, 0ms));
 }
 
 }  // namespace talus::server

@@ -157,7 +157,7 @@ TEST_CASE("one address takes a day at least to fill the index of edited chunks, 
     const Rate new_chunks = rate_limits(config).address.new_chunks;
     REQUIRE(new_chunks.limited());
     const std::uint64_t in_a_day = (new_chunks.burst + 86'400 * new_chunks.per_second) / kNewChunkTokens;
-    CHECK(in_a_day * ChunkIndex::kMostBytesEach <= edit_state_settings(config).index_bytes);
+    CHECK(in_a_day * ChunkIndex::kMaxBytesEach <= edit_state_settings(config).index_bytes);
     CHECK(new_chunks.burst >= 100 * kNewChunkTokens);  // an edit of 64 chunks, and what slides
   }
   // However few an hour, an edit of 64 chunks has them.
@@ -238,7 +238,7 @@ TEST_CASE("files that are kept in memory to be served leave less to edits") {
       budget.set(MemoryUse::sessions, 1);
       CHECK(budget.takes_connections());
       const Rate new_chunks = rate_limits(config, site_bytes).address.new_chunks;
-      CHECK((24 * 3'600 + 8 * 3'600) * new_chunks.per_second / kNewChunkTokens * ChunkIndex::kMostBytesEach <=
+      CHECK((24 * 3'600 + 8 * 3'600) * new_chunks.per_second / kNewChunkTokens * ChunkIndex::kMaxBytesEach <=
             std::max<std::uint64_t>(edits.index_bytes, kMebibyte));
       CHECK(check_index_memory(config, edits.index_bytes, site_bytes).has_value());
     }

@@ -225,7 +225,7 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
   /// As without a quorum: the entry is in doubt.
   class SilentLog final : public EditLog {
    public:
-    tl::expected<void, LogFailure> append(LogEntry, Done done) override {
+    tl::expected<void, EditError> append(LogEntry, Done done) override {
       done_ = std::move(done);
       taken.count_down();
       return {};
@@ -247,7 +247,7 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
   std::thread command{[&] {
     const auto restored = connected(scratch / "data")
                               .restore({{{1, 0, 0}, {{0, MaterialId{1}, MaterialId{2}, MaterialId{1}}}}});
-    said = restored ? "restored" : restored.error().reason;
+    said = restored ? "restored" : restored.error().message;
   }};
   log.taken.wait();
   const auto begun = std::chrono::steady_clock::now();

@@ -87,6 +87,8 @@ void put_in_order(std::vector<std::uint16_t>& indices) {
 /// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is checked first.
 class Touched {
  public:
+  explicit Touched(std::vector<TouchedChunk> chunks = {}) : chunks_{std::move(chunks)} {}
+
   /// Returns false if there are more than kMaxChunks.
   bool insert(VoxelPos voxel) {
     const ChunkCoord chunk = chunk_of(voxel);
@@ -235,10 +237,15 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
     return refused("edit: it reaches more than " + std::to_string(kMaxChunks) +
                    " chunks; it must be divided");
   }
-  if (const auto box = settles ? settle_box(edit) : std::nullopt) {
-    visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)touched.insert(voxel); });
-  }
-  return touched.take();
+  return settles ? with_settling(touched.take(), edit) : touched.take();
+}
+
+std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched, const Edit& edit) {
+  const auto box = settle_box(edit);
+  if (!box) return touched;
+  Touched all{std::move(touched)};
+  visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)all.insert(voxel); });
+  return all.take();
 }
 
 tl::expected<void, EditError> check(const Edit& edit, const EditRules& rules) {

@@ -72,14 +72,6 @@ tl::expected<std::vector<ChunkChanges>, EditError> stage(std::span<const Touched
   return chunks;
 }
 
-tl::expected<std::vector<ChunkChanges>, EditError> stage(const Edit& edit, bool settles,
-                                                         const BaseVoxels& base,
-                                                         const OverrideSource& overrides) {
-  const auto touched = touched_voxels(edit, settles);
-  if (!touched) return tl::unexpected{touched.error()};
-  return stage(*touched, base, overrides);
-}
-
 /// The staged voxels of an edit by position. Neighbours are mostly in one chunk, so the last one is checked
 /// first.
 class StagedVoxels {
@@ -201,7 +193,13 @@ std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
 tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                           const OverrideSource& overrides, const SettleRules* settles,
                                           std::span<const TouchedChunk> touched) {
-  auto chunks = touched.empty() ? stage(edit, false, base, overrides) : stage(touched, base, overrides);
+  std::vector<TouchedChunk> found;
+  if (touched.empty()) {
+    auto of_edit = touched_voxels(edit);
+    if (!of_edit) return tl::unexpected{std::move(of_edit.error())};
+    touched = found = *std::move(of_edit);
+  }
+  auto chunks = stage(touched, base, overrides);
   if (!chunks) return tl::unexpected{std::move(chunks.error())};
   StagedVoxels voxels{*chunks};
   Outcome outcome;
@@ -213,7 +211,7 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
   operate(edit, voxels);
   if (settles != nullptr && may_settle(*settles, *chunks, base, overrides)) {
     if (const auto box = settle_box(edit)) {
-      chunks = stage(edit, true, base, overrides);
+      chunks = stage(with_settling({touched.begin(), touched.end()}, edit), base, overrides);
       if (!chunks) return tl::unexpected{std::move(chunks.error())};
       StagedVoxels all{*chunks};
       operate(edit, all);

@@ -161,10 +161,10 @@ tl::expected<std::uint64_t, std::string> roll_back(const RollbackPlan& plan, con
         changed += restored->changed;
         break;
       }
-      if (!restored.error().busy || tries == kMaxTries) {
+      if (!is_transient(restored.error().code) || tries == kMaxTries) {
         return tl::unexpected{
             fmt::format("{} of {} voxels were put back, then: {}; run the command again for the rest",
-                        changed, plan.voxels, restored.error().reason)};
+                        changed, plan.voxels, restored.error().message)};
       }
       std::this_thread::sleep_for(kRetry);
     }

@@ -93,8 +93,8 @@ struct RollbackPlan {
                                                                     const RollbackRequest& request,
                                                                     ProgressBar& progress);
 
-using Restore = std::function<tl::expected<Restorer::Restored, Restorer::Failure>(
-    const std::vector<edits::ChunkChanges>&)>;
+using Restore =
+    std::function<tl::expected<Restorer::Restored, EditError>(const std::vector<edits::ChunkChanges>&)>;
 /// Makes the edits one by one, retrying each temporarily rejected one for a minute. Returns the number of
 /// voxels changed. An interrupted rollback can be repeated: restored voxels no longer count as the subject's.
 [[nodiscard]] tl::expected<std::uint64_t, std::string> roll_back(const RollbackPlan& plan,

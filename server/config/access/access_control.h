@@ -15,6 +15,7 @@
 
 #include "config/access/auth_failure.h"
 #include "config/access/blocked_flows.h"
+#include "config/access/grant.h"
 #include "config/access/key_file.h"
 #include "config/access/revoked_tokens.h"
 #include "config/access/rights.h"
@@ -46,17 +47,6 @@ struct Keys {
 
 /// An error is one line that begins with the setting's key: the file is bad, or the settings admit no client.
 [[nodiscard]] tl::expected<Keys, std::string> load_keys(const Access& settings);
-
-/// Rights and restrictions that a token, or the lack of one, gives a session.
-struct Grant {
-  Rights rights{Right::read};
-  std::string subject;                              // of a signed token, unescaped: escape it before logging
-  std::optional<std::chrono::sys_seconds> expires;  // the session ends between then and kClockSkew later
-  std::string token_id{};                           // "jti", unescaped; may be empty
-  std::optional<std::chrono::sys_seconds> issued{};
-  std::optional<Boxes> edit_in{};  // nullopt: everywhere
-  Boxes edit_not_in{};             // never here
-};
 
 struct AuthError {
   AuthFailure failure{};

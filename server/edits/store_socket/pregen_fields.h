@@ -1,4 +1,4 @@
-// The fields of the frames of a pregen: socket_frames.h has them.
+// The fields of a pregen's frames, as socket_frames.h defines them.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace talus::server {
 
-// Both replace what `out` holds.
+// Both replace the contents of `out`.
 void encode(const PregenPlan& plan, store::Bytes& out);
 void encode(const PregenProgress& progress, store::Bytes& out);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{30};
 
-/// Voxels side by side that change alike are one fill.
+/// Adjacent voxels of a row with the same change become one fill.
 void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fills) {
   std::uint16_t last = 0;
   bool joins = false;
@@ -38,40 +38,38 @@ void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fil
 
 }  // namespace
 
-tl::expected<edits::Applied, Restorer::Failure> Restorer::append(LogEntry entry) {
-  using Answer = tl::expected<edits::Applied, Failure>;
-  const auto failure_of = [](const LogFailure& failed) {
-    using enum LogFailure::Kind;
-    const bool passes = failed.kind == busy || failed.kind == unwritable || failed.kind == cut_off;
-    return tl::unexpected{Failure{failed.reason, passes}};
-  };
+tl::expected<edits::Applied, EditError> Restorer::append(LogEntry entry) {
+  using Answer = tl::expected<edits::Applied, EditError>;
   struct Waits {
     std::mutex mutex;
     std::condition_variable_any comes;
     std::optional<Answer> answer;
   };
-  const auto waits = std::make_shared<Waits>();  // the answer may come when nobody waits any more
-  const auto taken = log_.append(
-      std::move(entry), [waits, failure_of](const tl::expected<const edits::Applied*, LogFailure>& outcome) {
+  const auto waits = std::make_shared<Waits>();  // the answer may come after the wait
+  const auto accepted =
+      log_.append(std::move(entry), [waits](const tl::expected<const edits::Applied*, EditError>& outcome) {
         {
           const std::lock_guard lock{waits->mutex};
-          waits->answer = outcome ? Answer{**outcome} : failure_of(outcome.error());
+          waits->answer = outcome ? Answer{**outcome} : tl::unexpected{outcome.error()};
         }
         waits->comes.notify_all();
       });
-  if (!taken) return failure_of(taken.error());
+  if (!accepted) return tl::unexpected{accepted.error()};
   std::unique_lock lock{waits->mutex};
   if (waits->comes.wait_for(lock, ends_, kPatience, [&] { return waits->answer.has_value(); })) {
     return *std::move(waits->answer);
   }
   if (ends_.stop_requested()) {
-    return tl::unexpected{
-        Failure{"the server ends, and whether the log has the edit is open; run the command again", false}};
+    return edit_error(
+        EditErrorCode::unanswered,
+        "the server is shutting down, and it is unknown whether the log has the edit; run the command "
+        "again");
   }
-  return tl::unexpected{Failure{fmt::format("the log has not answered for {} s", kPatience.count()), false}};
+  return edit_error(EditErrorCode::unanswered,
+                    fmt::format("the log has not answered for {} s", kPatience.count()));
 }
 
-tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(
+tl::expected<Restorer::Restored, EditError> Restorer::restore(
     const std::vector<edits::ChunkChanges>& changes) {
   using Kind = edits::Applied::Kind;
   if (editor_ == edits::EditorId{}) {
@@ -79,7 +77,9 @@ tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(
     const auto attached = append(edits::AttachEntry{editor, 1, std::string{kRestorerSubject}});
     if (!attached) return tl::unexpected{attached.error()};
     if (attached->kind != Kind::attached) {
-      return tl::unexpected{Failure{"as many edit this world as may; try again when some have gone", false}};
+      return edit_error(EditErrorCode::editors_full,
+                        fmt::format("the editor table is full (limit {} editors); retry later",
+                                    edits::kMaxEditors + edits::kOperatorEditors));
     }
     editor_ = editor;
   }
@@ -92,8 +92,8 @@ tl::expected<Restorer::Restored, Restorer::Failure> Restorer::restore(
   const auto applied = append(std::move(entry));
   if (!applied) return tl::unexpected{applied.error()};
   if (applied->kind != Kind::done) {
-    editor_ = {};  // forgotten, or the entry breaks a bound
-    return tl::unexpected{Failure{"the log did not apply the edit; run the command again", false}};
+    editor_ = {};  // forgotten, or the entry exceeds a bound
+    return edit_error(EditErrorCode::invalid, "the log did not apply the edit; run the command again");
   }
   return Restored{applied->revision, applied->result.changed};
 }

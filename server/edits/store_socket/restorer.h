@@ -1,5 +1,5 @@
-// Edits that give voxels back what they were: each voxel that still holds what it is said to hold. An editor
-// of its own, that lives as long as the object.
+// Edits that restore voxels to an earlier material, if they still have the expected one. Each object is an
+// editor of its own.
 #pragma once
 
 #include <stop_token>
@@ -15,32 +15,28 @@
 
 namespace talus::server {
 
-/// Whose these edits are, in a store's history.
+/// The subject of these edits in a store's history.
 inline constexpr std::string_view kRestorerSubject = edits::kOperatorSubject;
 
 class Restorer {
  public:
-  /// Voxels of one edit, so that players' edits wait for none that is large.
+  /// Maximum number of voxels of one edit, so that no large one delays players' edits.
   static constexpr std::size_t kMaxVoxels = 4'096;
 
   struct Restored {
     std::uint64_t revision = 0;
     std::uint64_t changed = 0;
   };
-  struct Failure {
-    std::string reason;  // one line
-    bool busy = false;   // the same again may succeed, and does no harm where it did already
-  };
 
-  /// `log` outlives this. Once `ends` is requested nothing waits for it any more.
+  /// `log` outlives this. A stop of `ends` ends the wait for it.
   explicit Restorer(EditLog& log, std::stop_token ends = {}) : log_{log}, ends_{std::move(ends)} {}
 
-  /// One edit: each voxel of material `before` becomes `after`, the others stay. Waits for the log. Not on
-  /// the log's thread.
-  [[nodiscard]] tl::expected<Restored, Failure> restore(const std::vector<edits::ChunkChanges>& changes);
+  /// One edit: each voxel of material `before` becomes `after`, the others stay. Blocks until the log
+  /// answers. Not on the log's thread.
+  [[nodiscard]] tl::expected<Restored, EditError> restore(const std::vector<edits::ChunkChanges>& changes);
 
  private:
-  [[nodiscard]] tl::expected<edits::Applied, Failure> append(LogEntry entry);
+  [[nodiscard]] tl::expected<edits::Applied, EditError> append(LogEntry entry);
 
   EditLog& log_;
   const std::stop_token ends_;

@@ -25,7 +25,7 @@ tl::unexpected<std::string> frame_failure(std::string_view what, int error) {
   return tl::unexpected{fmt::format("{}: {}", what, std::generic_category().message(error))};
 }
 
-/// False: the time is over.
+/// Returns false on timeout.
 tl::expected<bool, std::string> wait_for(int socket, short events, SteadyClock::time_point until) {
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - SteadyClock::now()).count();
@@ -40,7 +40,7 @@ tl::expected<bool, std::string> wait_for(int socket, short events, SteadyClock::
   }
 }
 
-/// Fills `into`. An error of no text: the stream ended before its first byte.
+/// Fills `into`. The error is empty if the stream ended before its first byte.
 Done receive(int socket, std::span<std::byte> into, SteadyClock::time_point until) {
   for (std::size_t got = 0; got < into.size();) {
     const auto ready = wait_for(socket, POLLIN, until);
@@ -85,7 +85,7 @@ Done send_text(int socket, SocketKind kind, std::string_view text) {
 tl::expected<SocketFrame, std::string> receive_frame(int socket, std::chrono::milliseconds patience) {
   const auto begins = patience.count() == 0 ? SteadyClock::time_point::max() : SteadyClock::now() + patience;
   std::array<std::byte, kLengthBytes> length{};
-  // The first byte may take its time, the others not.
+  // Only the first byte may take `patience`.
   if (auto done = receive(socket, std::span{length}.first(1), begins); !done) {
     return tl::unexpected{std::move(done.error())};
   }

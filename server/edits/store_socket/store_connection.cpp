@@ -23,15 +23,16 @@
 namespace talus::server {
 namespace {
 
-/// For the server to answer; a checkpoint on a slow disk takes some time.
+/// Time for the server's answer; a checkpoint on a slow disk takes some time.
 constexpr std::chrono::minutes kAnswerPatience{5};
 constexpr std::size_t kMaxText = 4'096;
 
-tl::unexpected<Restorer::Failure> server_failed(const std::string& reason, bool busy = false) {
-  return tl::unexpected{Restorer::Failure{fmt::format("the running server: {}", reason), busy}};
+tl::unexpected<EditError> server_failed(const std::string& reason,
+                                        EditErrorCode code = EditErrorCode::unanswered) {
+  return edit_error(code, fmt::format("the running server: {}", reason));
 }
 
-tl::unexpected<Restorer::Failure> not_asked_for(const SocketFrame& frame) {
+tl::unexpected<EditError> not_asked_for(const SocketFrame& frame) {
   return server_failed(fmt::format("an answer of kind {} was not asked for", static_cast<int>(frame.kind)));
 }
 
@@ -82,18 +83,18 @@ StoreConnection::~StoreConnection() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-tl::expected<SocketFrame, Restorer::Failure> StoreConnection::receive() {
+tl::expected<SocketFrame, EditError> StoreConnection::receive() {
   auto got = receive_frame(socket_, kAnswerPatience);
   if (!got) return server_failed(got.error().empty() ? "it has closed the connection" : got.error());
   if (got->kind != SocketKind::failed && got->kind != SocketKind::busy) return *std::move(got);
   store::ByteReader in{got->fields};
-  return server_failed(in.text(kMaxText), got->kind == SocketKind::busy);
+  return server_failed(in.text(kMaxText),
+                       got->kind == SocketKind::busy ? EditErrorCode::busy : EditErrorCode::unanswered);
 }
 
-tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kind,
-                                                                  std::span<const std::byte> fields,
-                                                                  SocketKind answer) {
-  // A server that refuses says why, and does not read the request.
+tl::expected<SocketFrame, EditError> StoreConnection::ask(SocketKind kind, std::span<const std::byte> fields,
+                                                          SocketKind answer) {
+  // A server that refuses sends the reason, and does not read the request.
   const auto sent = send_frame(socket_, kind, fields);
   auto got = receive();
   if (!got && !sent) return server_failed(sent.error());
@@ -103,7 +104,7 @@ tl::expected<SocketFrame, Restorer::Failure> StoreConnection::ask(SocketKind kin
 
 tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoint() {
   const auto answer = ask(SocketKind::checkpoint, {}, SocketKind::checkpoint_made);
-  if (!answer) return tl::unexpected{answer.error().reason};
+  if (!answer) return tl::unexpected{answer.error().message};
   store::ByteReader in{answer->fields};
   const std::uint64_t number = in.varint();
   std::string read_only = in.text(kMaxText);
@@ -113,7 +114,7 @@ tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoi
                     std::move(read_only)};
 }
 
-tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
+tl::expected<Restorer::Restored, EditError> StoreConnection::restore(
     const std::vector<edits::ChunkChanges>& changes) {
   store::Bytes fields;
   store::encode(changes, fields);
@@ -122,7 +123,7 @@ tl::expected<Restorer::Restored, Restorer::Failure> StoreConnection::restore(
   store::ByteReader in{answer->fields};
   const std::uint64_t revision = in.varint();
   const std::uint64_t changed = in.varint();
-  if (!in.ended()) return tl::unexpected{Restorer::Failure{"the running server: its answer is damaged"}};
+  if (!in.ended()) return server_failed("its answer is damaged");
   return Restorer::Restored{revision, changed};
 }
 
@@ -133,9 +134,9 @@ tl::expected<PregenProgress, std::string> StoreConnection::pregen(
   const auto sent = send_frame(socket_, SocketKind::pregen, fields);
   for (;;) {
     const auto got = receive();
-    if (!got) return tl::unexpected{sent ? got.error().reason : sent.error()};
+    if (!got) return tl::unexpected{sent ? got.error().message : sent.error()};
     if (got->kind != SocketKind::pregen_progress && got->kind != SocketKind::pregen_done) {
-      return tl::unexpected{not_asked_for(*got).value().reason};
+      return tl::unexpected{not_asked_for(*got).value().message};
     }
     const auto progress = decode_pregen_progress(got->fields);
     if (!progress) return tl::unexpected{std::string{"the running server: its answer is damaged"}};

@@ -1,4 +1,4 @@
-// A command's end of the socket in a data directory.
+// The client of the socket in a data directory.
 #pragma once
 
 #include <sys/types.h>
@@ -20,12 +20,12 @@
 
 namespace talus::server {
 
-/// As the system names it, or its number.
+/// The user's name, or its number if it has no name.
 [[nodiscard]] std::string user_name(uid_t user);
 
 class StoreConnection {
  public:
-  /// Nothing where no server listens there. An error is one line.
+  /// nullopt if no server listens there. An error is one line.
   [[nodiscard]] static tl::expected<std::optional<StoreConnection>, std::string> open(
       const std::filesystem::path& directory);
   StoreConnection(StoreConnection&& other) noexcept;
@@ -33,27 +33,26 @@ class StoreConnection {
   ~StoreConnection();
 
   struct Checkpoint {
-    /// With the directory db; goes with the connection. The data directory itself where the disk has no place
-    /// for a checkpoint: then files may be written there, but none is removed.
+    /// Contains the directory db; removed with the connection. The data directory itself if the disk is too
+    /// full for a checkpoint: then the server may write files there, but removes none.
     std::filesystem::path path;
-    std::string read_only;  // why the server takes no edits; empty: it does
+    std::string read_only;  // why the server refuses edits; empty if it accepts them
   };
   [[nodiscard]] tl::expected<Checkpoint, std::string> checkpoint();
-  /// As Restorer::restore(), of the server.
-  [[nodiscard]] tl::expected<Restorer::Restored, Restorer::Failure> restore(
+  /// Restorer::restore() in the server.
+  [[nodiscard]] tl::expected<Restorer::Restored, EditError> restore(
       const std::vector<edits::ChunkChanges>& changes);
-  /// Has the server make land, and tells how far it is, until it has; ends where the process does. An error
+  /// Has the server generate land, and reports the progress until it is done; ends with the process. An error
   /// is one line.
   [[nodiscard]] tl::expected<PregenProgress, std::string> pregen(
       const PregenPlan& plan, const std::function<void(const PregenProgress&)>& report);
 
  private:
   StoreConnection(int socket, std::filesystem::path directory);
-  /// What comes next; an error where it is a failure, or nothing comes.
-  [[nodiscard]] tl::expected<SocketFrame, Restorer::Failure> receive();
-  [[nodiscard]] tl::expected<SocketFrame, Restorer::Failure> ask(SocketKind kind,
-                                                                 std::span<const std::byte> fields,
-                                                                 SocketKind answer);
+  /// The next frame; an error if it reports a failure, or no frame arrives.
+  [[nodiscard]] tl::expected<SocketFrame, EditError> receive();
+  [[nodiscard]] tl::expected<SocketFrame, EditError> ask(SocketKind kind, std::span<const std::byte> fields,
+                                                         SocketKind answer);
 
   int socket_;
   std::filesystem::path directory_;

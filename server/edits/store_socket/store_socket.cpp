@@ -22,7 +22,7 @@
 namespace talus::server {
 namespace {
 
-// Between two reports of a pregen.
+// Interval between two reports of a pregen.
 constexpr std::chrono::milliseconds kTellProgress{250};
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ tl::unexpected<std::string> socket_failure(const fs::path& path, int error) {
                                     std::generic_category().message(error))};
 }
 
-/// Who is at the other end.
+/// The user of the peer.
 std::optional<uid_t> user_of(int socket) {
   ucred peer{};
   socklen_t size = sizeof peer;
@@ -51,12 +51,12 @@ tl::expected<std::unique_ptr<StoreSocket>, std::string> StoreSocket::open(const 
   const fs::path path = socket_path(directory);
   const auto address = UnixAddress::of(path);
   if (!address) return tl::unexpected{address.error()};
-  // Of a process that ended; the lock is ours.
+  // Left by a process that ended; this process has the lock.
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return socket_failure(path, errno);
   const int listener = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (listener < 0) return socket_failure(path, errno);
   const int wake = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  // The mode before the name, so that nobody else connects in between.
+  // Sets the mode before the name, so that other users cannot connect in between.
   if (wake < 0 || ::fchmod(listener, S_IRUSR | S_IWUSR) != 0 ||
       ::bind(listener, address->address(), address->size()) != 0 ||
       ::listen(listener, static_cast<int>(kMaxCommands)) != 0) {
@@ -114,7 +114,7 @@ void StoreSocket::accept_all() {
 void StoreSocket::accept_one() {
   const int socket = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
   if (socket < 0) {
-    // Without descriptors the one that waits keeps the poll ready: not again at once.
+    // Without free descriptors the pending connection keeps the poll ready: does not retry at once.
     if (errno == EMFILE || errno == ENFILE) {
       pollfd wake{wake_, POLLIN, 0};
       (void)::poll(&wake, 1, 1'000);
@@ -215,8 +215,8 @@ bool StoreSocket::answer(Command& command, const SocketFrame& request, Restorer&
     }
     const auto restored = restorer.restore(*changes);
     if (!restored) {
-      const auto kind = restored.error().busy ? SocketKind::busy : SocketKind::failed;
-      return send_text(command.socket, kind, restored.error().reason).has_value();
+      const auto kind = is_transient(restored.error().code) ? SocketKind::busy : SocketKind::failed;
+      return send_text(command.socket, kind, restored.error().message).has_value();
     }
     writer.varint(restored->revision);
     writer.varint(restored->changed);
@@ -244,7 +244,7 @@ bool StoreSocket::pregenerate(Command& command, const SocketFrame& request) {
     reached = reached && send_frame(command.socket, kind, fields).has_value();
     return reached;
   };
-  // Nobody who has gone is worked for: a frame tells.
+  // Stops working for a command that has gone: sending a frame fails then.
   const auto ended = parts_.pregen(*plan, [&](const PregenProgress& progress) {
     const auto now = std::chrono::steady_clock::now();
     if (now - told < kTellProgress) return reached;

@@ -1,9 +1,8 @@
 // The Unix socket in a data directory by which `talusd store` reaches the server that uses it: for a
-// checkpoint of the database, for edits that restore voxels, and for land to be made before anybody comes. Of
-// mode 600, and only the server's own user is answered.
+// checkpoint of the database, for edits that restore voxels, and to generate land in advance. Mode 600; only
+// the server's own user is answered.
 //
-// Threads of its own: nothing else waits for a command, whatever that does. What it is given is bounded
-// before it is read.
+// Commands run on threads of the socket, so that they delay nothing else. Input is bounded before it is read.
 #pragma once
 
 #include <atomic>
@@ -32,16 +31,15 @@ namespace talus::server {
 
 class Restorer;
 
-/// Of a data directory.
+/// Path of the socket of a data directory.
 [[nodiscard]] std::filesystem::path socket_path(const std::filesystem::path& directory);
 
 class StoreSocket {
  public:
-  /// Commands at once; each may hold a checkpoint.
+  /// Maximum number of concurrent commands; each may hold a checkpoint.
   static constexpr std::size_t kMaxCommands = 4;
 
-  /// How long a command may say nothing: before it has asked for anything, and then, while it reads what it
-  /// was given.
+  /// Maximum silence of a command: before its first request, and afterwards while it reads an answer.
   struct Patience {
     std::chrono::milliseconds first{std::chrono::seconds{10}};
     std::chrono::milliseconds next{std::chrono::hours{24}};
@@ -51,14 +49,14 @@ class StoreSocket {
   struct Parts {
     const store::EditDatabase& database;
     EditLog& log;
-    std::function<std::optional<std::string>()> read_only;  // why no edits are taken; any thread
+    std::function<std::optional<std::string>()> read_only;  // why edits are refused; any thread
     RunPregen pregen;                                       // on a thread of the socket's; may be empty
     Patience patience{};
     std::uint64_t checkpoint_copies_bytes = store::kCheckpointCopiesBytes;
   };
 
-  /// Makes the socket in `directory`, whose lock the process has, and starts its threads. An error is one
-  /// line.
+  /// Creates the socket in `directory`, which this process has locked, and starts its threads. An error is
+  /// one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<StoreSocket>, std::string> open(
       const std::filesystem::path& directory, Parts parts, Logger log);
   /// Ends all connections, and removes the socket and checkpoints.
@@ -72,7 +70,7 @@ class StoreSocket {
     std::uint64_t number = 0;
     std::atomic<bool> ended{false};
     std::thread thread;
-    std::unique_ptr<store::EditDatabase::HeldFiles> held;  // of the thread
+    std::unique_ptr<store::EditDatabase::HeldFiles> held;  // used by the thread only
   };
 
   StoreSocket(std::filesystem::path directory, Parts parts, Logger log, int listener, int wake);
@@ -81,7 +79,7 @@ class StoreSocket {
   void join_ended();
   void serve(Command& command);
   [[nodiscard]] tl::expected<void, std::string> make_checkpoint(const std::filesystem::path& path) const;
-  /// Whether the connection goes on.
+  /// Returns false if the connection ends.
   [[nodiscard]] bool answer(Command& command, const SocketFrame& request, Restorer& restorer);
   [[nodiscard]] bool pregenerate(Command& command, const SocketFrame& request);
 
@@ -89,10 +87,10 @@ class StoreSocket {
   const Parts parts_;
   const Logger log_;
   const int listener_;
-  const int wake_;         // an eventfd: the acceptor ends
-  std::stop_source ends_;  // nobody waits for the log any more
+  const int wake_;         // an eventfd that ends the acceptor
+  std::stop_source ends_;  // ends waits for the log
   std::mutex mutex_;
-  std::mutex pregen_;  // one at a time
+  std::mutex pregen_;  // held by the only pregen
   std::list<Command> commands_;
   std::uint64_t next_number_ = 1;
   std::thread acceptor_;

@@ -1,4 +1,4 @@
-// Where a Unix socket is, however long its path: the system takes 107 bytes.
+// The address of a Unix socket with a path of any length; the system's limit is 107 bytes.
 #pragma once
 
 #include <sys/socket.h>
@@ -11,7 +11,7 @@
 
 namespace talus::server {
 
-/// An address that names `path`, while this lives: a long one by a descriptor of its directory.
+/// An address of `path`, valid while this lives: a long path goes through a descriptor of its directory.
 class UnixAddress {
  public:
   [[nodiscard]] static tl::expected<UnixAddress, std::string> of(const std::filesystem::path& path);

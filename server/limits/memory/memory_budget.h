@@ -18,6 +18,9 @@
 
 namespace talus::server {
 
+/// Text of an error when limits.memory_bytes is reached.
+inline constexpr std::string_view kNoMemory = "this server's memory is all in use";
+
 enum class MemoryUse : std::uint8_t {
   program,
   sessions,

@@ -11,7 +11,7 @@ void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
   taker_->attach(mailbox_, std::move(request));
 }
 
-void Editing::edit(std::uint32_t id, std::uint64_t sequence, CheckedEdit edit) {
+void Editing::edit(std::uint32_t id, std::uint64_t sequence, AdmittedEdit edit) {
   unanswered_.insert(id, {edit.voxels, edit.bytes, edit.prepared_bytes});
   bytes_ += edit.bytes;
   prepared_bytes_.insert(edit.prepared_bytes);
@@ -27,8 +27,7 @@ void Editing::receive(AttachAnswer&& mail) {
     editor_ = *mail.answer;
     replies_.attached(*editor_, voxels_per_second_);
   } else {
-    replies_.error(about_attach(), mail.answer.error().code, mail.answer.error().text,
-                   mail.answer.error().retry_after);
+    replies_.error(about_attach(), mail.answer.error());
   }
 }
 
@@ -43,8 +42,7 @@ void Editing::receive(EditAnswer&& mail) {
   if (mail.answer) {
     replies_.edit_result(mail.id, *mail.answer);
   } else {
-    replies_.error(about_request(mail.id), mail.answer.error().code, mail.answer.error().text,
-                   mail.answer.error().retry_after);
+    replies_.error(about_request(mail.id), mail.answer.error());
   }
 }
 

@@ -11,6 +11,7 @@
 #include <talus/voxel/coords.h>
 
 #include "player/session/reply_frames.h"
+#include "player/session/wire_error.h"
 #include "player/view/outbox.h"
 #include "runtime/metrics/metrics.h"
 
@@ -29,6 +30,10 @@ class Replies {
     metrics_.error(code).add();
     if (code == wire::ErrorCode::overloaded || code == wire::ErrorCode::too_many_requests) ++refusals_;
     outbox_.push_control(error_frame(code, text, subject, retry_after));
+  }
+  void error(const Subject& subject, const EditError& error) {
+    const WireError on_wire = wire_error(error.code);
+    this->error(subject, on_wire.code, error.message, on_wire.retry_after);
   }
   /// Sends a Chunk as a control frame, for chunks smaller than an Error. The caller charges its credit.
   void small_chunk(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {

@@ -23,9 +23,6 @@
 
 namespace talus::server {
 
-/// Text of the Error when limits.memory_bytes is reached.
-inline constexpr std::string_view kNoMemory = "this server's memory is all in use";
-
 [[nodiscard]] protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world,
                                             const SessionLimits& limits, const RateLimits& rates);
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, std::string_view text,

@@ -6,20 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "player/session/edit_check.h"
-#include "player/session/edit_rules.h"
 #include "player/session/heights_check.h"
 #include "player/session/view_check.h"
-#include "runtime/log/escape.h"
 
 namespace talus::server {
 
 using wire::ErrorCode;
 
 namespace {
-
-constexpr std::string_view kOperatorsOwn =
-    "the subject \"talusd store rollback\" is reserved for this server's operators; give another";
 
 /// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
@@ -35,7 +29,7 @@ Session::Session(const SessionContext& context, MailboxPtr mailbox, const Addres
       replies_{outbox_, context.metrics},
       delivery_{context_, mailbox, replies_, outbox_, credit_},
       editing_{context.edits, std::move(mailbox), replies_},
-      edit_costs_{context.chunks},
+      edit_admission_{{context.limits.edits, context.chunks, context.memory, context.edits}},
       rates_{rates_of(context, address), address, context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
 
@@ -306,92 +300,29 @@ void Session::on(const wire::Edit& edit) {
   if (edit.id() == 0) return fail(ErrorCode::malformed, "Edit.id is 0; ids begin at 1");
   if (!admit_id(edit.id())) return;
   const Subject subject = about_request(edit.id());
-  if (const auto why = edits_forbidden(greeting_->grant, context_.limits.edits)) {
-    return replies_.error(subject, ErrorCode::forbidden, *why);
-  }
-  if (!editing_.stored()) {
-    return replies_.error(subject, ErrorCode::unsupported,
-                          "this server stores no edits: its data directory is not set");
-  }
-  if (!editing_.attached()) {
-    return replies_.error(subject, ErrorCode::expired, "an Attach must be answered before the first Edit");
-  }
-  if (state_ == State::leaving) return refuse_pending(edit.id());
-  if (editing_.unanswered() >= edits::kKeptResults) {
-    return replies_.error(subject, ErrorCode::too_many_requests,
-                          fmt::format("{} edits are not answered yet, the limit", editing_.unanswered()),
-                          retry_after::kBusy);
-  }
-  if (!context_.memory.takes_work()) {
-    return replies_.error(subject, ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
-  }
-  auto checked = check_edit(edit, editing_.settles());
-  if (!checked) {
-    const Rejection& rejection = checked.error();
-    if (rejection.code == ErrorCode::malformed) return fail(rejection.code, rejection.text);
-    return replies_.error(subject, rejection.code, rejection.text);
-  }
-  const Grant& grant = greeting_->grant;
-  checked->settles = may_settle(checked->edit, grant, context_.limits.edits);
-  if (!checked->subject.empty() && !grant.rights.has(Right::gateway)) {
-    return replies_.error(subject, ErrorCode::forbidden,
-                          "Edit.subject needs the right \"gateway\" of a game server, which this session's "
-                          "token does not give");
-  }
-  if (checked->subject == edits::kOperatorSubject) {
-    return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
-  }
-  if (const auto why = edit_forbidden(checked->edit, grant, context_.limits.edits)) {
-    return replies_.error(subject, ErrorCode::forbidden, *why);
+  auto admitted = edit_admission_.admit(edit, editing_.session(greeting_->grant, state_ == State::leaving));
+  if (!admitted) {
+    const EditError& error = admitted.error();
+    if (error.code == EditErrorCode::malformed) return fail(ErrorCode::malformed, error.message);
+    return replies_.error(subject, error);
   }
   // The last check: a refused edit must not use up the rates shared with others at the address.
-  const EditCosts::Priced priced = edit_costs_.price(*checked, checked->settles && editing_.settles());
-  if (const auto refusal = rates_.refuse_edit(received_at_, priced.cost)) {
+  if (const auto refusal = edit_admission_.charge(*admitted, rates_, received_at_)) {
     return say_refusal(subject, *refusal);
   }
-  edit_costs_.pay(priced);
-  editing_.edit(edit.id(), edit.sequence(), *std::move(checked));
+  editing_.edit(edit.id(), edit.sequence(), *std::move(admitted));
 }
 
 void Session::on(const wire::Attach& attach) {
   const Subject subject = about_attach();
   if (!within_rates(subject)) return;
   if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
-  if (const auto why = edits_forbidden(greeting_->grant, context_.limits.edits)) {
-    return replies_.error(subject, ErrorCode::forbidden, *why);
-  }
-  if (!editing_.stored()) {
-    return replies_.error(subject, ErrorCode::unsupported,
-                          "this server stores no edits: its data directory is not set");
-  }
-  if (state_ == State::leaving) {
-    return replies_.error(subject, ErrorCode::overloaded, "this server is about to end",
-                          retry_after::kLeaving);
-  }
-  if (greeting_->grant.subject.size() > edits::kMaxSubjectBytes) {
-    return replies_.error(subject, ErrorCode::forbidden,
-                          fmt::format("the token's subject has {} bytes; the limit for an editor is {}",
-                                      greeting_->grant.subject.size(), edits::kMaxSubjectBytes));
-  }
-  if (on_one_line(greeting_->grant.subject) != greeting_->grant.subject) {
-    return replies_.error(
-        subject, ErrorCode::forbidden,
-        "the token's subject has control characters; an editor's subject must be printable");
-  }
-  if (greeting_->grant.subject == edits::kOperatorSubject) {
-    return replies_.error(subject, ErrorCode::forbidden, kOperatorsOwn);
-  }
-  AttachRequest request{{}, greeting_->grant.subject, attach.seen_revision(), editing_.editor()};
-  if (attach.editor() != nullptr) request.editor = {attach.editor()->low(), attach.editor()->high()};
-  if (request.editor == edits::EditorId{}) request.editor = request.own;
-  if (editing_.makes_editor(request)) {
-    // The first check: a refused editor must not use up the rates shared with others at the address.
-    if (const auto full = editing_.refuses_editors()) {
-      return replies_.error(subject, full->code, full->text, full->retry_after);
-    }
+  auto admitted = edit_admission_.admit(attach, editing_.session(greeting_->grant, state_ == State::leaving));
+  if (!admitted) return replies_.error(subject, admitted.error());
+  if (admitted->makes_editor) {
     if (const auto refusal = rates_.refuse_editor(received_at_)) return say_refusal(subject, *refusal);
   }
-  editing_.attach(std::move(request), rates_.limits().session.voxels.per_second);
+  editing_.attach(std::move(admitted->request), rates_.limits().session.voxels.per_second);
 }
 
 void Session::on(const wire::Ping& ping) {
@@ -424,7 +355,7 @@ bool Session::admit_id(std::uint32_t id, bool repeated) {
 
 void Session::refuse_pending(std::uint32_t id) {
   if (state_ == State::leaving) {
-    replies_.error(about_request(id), ErrorCode::overloaded, "this server is about to end",
+    replies_.error(about_request(id), ErrorCode::overloaded, "this server is shutting down",
                    retry_after::kLeaving);
   } else {
     replies_.error(
@@ -478,7 +409,7 @@ void Session::written() {
 
 void Session::note_memory() {
   memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
-               delivery_.bytes() + editing_.bytes() + edit_costs_.bytes() + view_bytes_to_come());
+               delivery_.bytes() + editing_.bytes() + edit_admission_.bytes() + view_bytes_to_come());
 }
 
 std::size_t Session::view_bytes_to_come() const {

@@ -29,7 +29,6 @@
 #include "limits/memory/memory_reservation.h"
 #include "limits/rates/rates.h"
 #include "player/session/delivery.h"
-#include "player/session/edit_cost.h"
 #include "player/session/editing.h"
 #include "player/session/handshake.h"
 #include "player/session/id_map.h"
@@ -192,7 +191,7 @@ class Session {
   Replies replies_;
   Delivery delivery_;
   Editing editing_;
-  EditCosts edit_costs_;
+  EditAdmission edit_admission_;
   SessionRates rates_;
   MemoryReservation memory_;
   Clock::time_point received_at_{};  // the current message's time

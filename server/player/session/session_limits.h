@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "player/session/edit_rules.h"
+#include "edits/admission/edit_rules.h"
 
 namespace talus::server {
 

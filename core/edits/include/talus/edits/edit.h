@@ -89,6 +89,9 @@ struct TouchedChunk {
 [[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit,
                                                                                 bool settles = false);
 
+/// Adds the voxels of settle_box() to `touched`, which touched_voxels(edit) returned.
+[[nodiscard]] std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched, const Edit& edit);
+
 /// Edits that a world allows. Checked by the node that accepts an edit, never when applying: nodes may have
 /// different lists.
 struct EditRules {

@@ -1,4 +1,4 @@
-#include "player/session/edit_check.h"
+#include "edits/admission/wire_edit.h"
 
 #include <algorithm>
 #include <utility>
@@ -41,24 +41,24 @@ std::size_t bytes_as_it_came(const edits::Edit& edit) {
 std::size_t bytes_prepared(std::uint64_t voxels, bool settles) {
   if (settles) voxels += edits::kSettleVoxels;
   constexpr std::size_t kChunk = 256;  // its places in the lists of what is touched and looked up
-  // Which voxels of which chunks it touches, and their materials as generated.
-  constexpr std::size_t kVoxel = sizeof(std::uint16_t) + sizeof(Override);
-  return std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * kVoxel;
+  // Touched voxels by chunk, and their materials as generated.
+  const std::size_t voxel_bytes = (settles ? 2 : 1) * sizeof(std::uint16_t) + sizeof(Override);
+  return std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * voxel_bytes;
 }
 
 }  // namespace
 
-tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool settles) {
-  CheckedEdit checked;
+tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool settles) {
+  AdmittedEdit checked;
   if (wire.subject() != nullptr) checked.subject = wire.subject()->str();
   if (checked.subject.size() > edits::kMaxSubjectBytes) {
-    return rejected(wire::ErrorCode::too_large, fmt::format("Edit.subject has {} bytes, over the limit {}",
+    return edit_error(EditErrorCode::too_large, fmt::format("Edit.subject has {} bytes, over the limit {}",
                                                             checked.subject.size(), edits::kMaxSubjectBytes));
   }
-  // History shows it in a terminal, and who rolls it back types it.
+  // History shows it in a terminal, and operators type it to roll back.
   if (on_one_line(checked.subject) != checked.subject) {
-    return rejected(wire::ErrorCode::out_of_range,
-                    "Edit.subject has control characters, or is no UTF-8; give a name that can be printed");
+    return edit_error(EditErrorCode::out_of_range,
+                      "Edit.subject has control characters, or is not UTF-8; give a printable name");
   }
   edits::Edit& edit = checked.edit;
   edit.guards = writes_of(wire.guards());
@@ -67,8 +67,8 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool set
     edit.fills.reserve(wire.fills()->size());
     for (const wire::Fill* each : *wire.fills()) {
       if ((each->flags() & ~(kFillOfAny | kFillAsGenerated)) != 0) {
-        return rejected(wire::ErrorCode::malformed,
-                        fmt::format("Edit.fills: flags {} are not known; 1 and 2 are", each->flags()));
+        return edit_error(EditErrorCode::malformed,
+                          fmt::format("Edit.fills: unknown flags {}; 1 and 2 are known", each->flags()));
       }
       edits::Fill fill{voxel_of(each->first()), voxel_of(each->last()), std::nullopt, std::nullopt};
       if ((each->flags() & kFillAsGenerated) == 0) fill.material = MaterialId{each->material()};
@@ -78,25 +78,25 @@ tl::expected<CheckedEdit, Rejection> check_edit(const wire::Edit& wire, bool set
   }
   if (const wire::Paste* const paste = wire.paste()) {
     if (paste->origin() == nullptr || paste->payload() == nullptr) {
-      return rejected(wire::ErrorCode::malformed, "Edit.paste: it needs origin and payload");
+      return edit_error(EditErrorCode::malformed, "Edit.paste: origin and payload are required");
     }
     auto chunk =
         decode({reinterpret_cast<const std::byte*>(paste->payload()->data()), paste->payload()->size()});
     if (!chunk) {
-      return rejected(wire::ErrorCode::malformed,
-                      fmt::format("Edit.paste: its payload is no chunk: {}", describe(chunk.error())));
+      return edit_error(EditErrorCode::malformed,
+                        fmt::format("Edit.paste: the payload is not a chunk: {}", describe(chunk.error())));
     }
     edit.paste = edits::Paste{voxel_of(*paste->origin()), *std::move(chunk), paste->with_air()};
   }
   checked.voxels = named_voxels(edit);
   if (checked.voxels > edits::kMaxVoxels) {
-    return rejected(
-        wire::ErrorCode::too_large,
+    return edit_error(
+        EditErrorCode::too_large,
         fmt::format("the edit names {} or more voxels, over the limit {}",
                     std::min<std::uint64_t>(checked.voxels, edits::kMaxVoxels + 1), edits::kMaxVoxels));
   }
   if (checked.voxels == 0) {
-    return rejected(wire::ErrorCode::out_of_range, "the edit names no voxel; give writes, fills or a paste");
+    return edit_error(EditErrorCode::out_of_range, "the edit names no voxels; give writes, fills or a paste");
   }
   checked.bytes = bytes_as_it_came(edit);
   checked.prepared_bytes = bytes_prepared(checked.voxels, settles);

@@ -1,4 +1,4 @@
-#include "player/session/edit_rules.h"
+#include "edits/admission/edit_rules.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,9 +11,9 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kBoxesNamed = 4;  // of those in which a token lets edit
+constexpr std::size_t kMaxBoxesNamed = 4;  // in the message about a token's boxes
 
-/// The least box around all that a paste writes, none where that is nothing.
+/// The smallest box around all voxels that a paste writes; nullopt if it writes nothing.
 std::optional<Box> box_of(const edits::Paste& paste) {
   constexpr std::int64_t kLast = kChunkSize - 1;
   if (paste.with_air) {
@@ -32,7 +32,7 @@ std::optional<Box> box_of(const edits::Paste& paste) {
   return box;
 }
 
-/// Calls visit(name, index, box) for each operation that writes, until it says why that is forbidden.
+/// Calls visit(box) for each operation that writes, until it returns why the operation is forbidden.
 template <typename Visit>
 std::optional<std::string> first_forbidden(const edits::Edit& edit, Visit&& visit) {
   for (std::size_t i = 0; i < edit.writes.size(); ++i) {
@@ -61,7 +61,7 @@ std::string named(const Boxes& boxes) {
   std::string text = "in ";
   std::size_t count = 0;
   for (const Box& box : boxes) {
-    if (count == kBoxesNamed) return text + fmt::format(" and {} more", boxes.size() - count);
+    if (count == kMaxBoxesNamed) return text + fmt::format(" and {} more", boxes.size() - count);
     text += (count++ == 0 ? "" : "; ") + to_string(box);
   }
   return text;
@@ -72,7 +72,7 @@ std::string shown(const Box& box) {
   return box.first == box.last ? fmt::format("voxel {},{},{}", x, y, z) : "the box " + to_string(box);
 }
 
-/// Whether its corners can be counted from without overflow. One that is farther off is refused later.
+/// True if arithmetic on the corners cannot overflow. An edit farther out is refused later.
 bool near_world(const edits::Edit& edit) {
   constexpr std::int64_t kFar = std::int64_t{1} << 40;
   const auto near = [](const VoxelPos& at) {
@@ -95,15 +95,15 @@ bool is_bounded(const Grant& grant, const EditRules& rules) {
 
 std::optional<std::string> box_forbidden(const Box& box, const Grant& grant, const EditRules& rules) {
   if (const Box* const met = first_met(protected_from(grant, rules), box)) {
-    return fmt::format("{} reaches into {}, which this server protects", shown(box), to_string(*met));
+    return fmt::format("{} intersects {}, which this server protects", shown(box), to_string(*met));
   }
   if (const Box* const met = first_met(grant.edit_not_in, box)) {
-    return fmt::format("{} reaches into {}, in which this session's token does not let edit", shown(box),
+    return fmt::format("{} intersects {}, where this session's token forbids edits", shown(box),
                        to_string(*met));
   }
   if (grant.edit_in &&
       std::ranges::none_of(*grant.edit_in, [&](const Box& each) { return each.holds(box); })) {
-    return fmt::format("{} lies in none of the boxes of this session's token, which lets edit {}", shown(box),
+    return fmt::format("{} is outside the boxes of this session's token, which allows edits {}", shown(box),
                        named(*grant.edit_in));
   }
   return std::nullopt;
@@ -115,9 +115,7 @@ std::optional<std::string> edits_forbidden(const Grant& grant, const EditRules& 
   if (!grant.rights.has(Right::edit))
     return "this session has no right to edit: neither a token nor access.without_token gives it";
   if (rules.gateway_required && !grant.rights.has(Right::gateway)) {
-    return "this server takes edits from its game server alone: its settings have edits.gateway = "
-           "\"required\", "
-           "and this session has no right \"gateway\"";
+    return "edits.gateway is \"required\" on this server, and this session has no right \"gateway\"";
   }
   return std::nullopt;
 }
