@@ -1,5 +1,5 @@
 // Who is told of which changes, and how often.
-#include "edits/change_feed.h"
+#include "chunks/change_feed.h"
 
 #include <catch2/catch.hpp>
 #include <condition_variable>
@@ -57,7 +57,7 @@ TEST_CASE("a change is sent to the clients whose boxes have the chunk") {
   bench.feed.watch(near.mailbox, boxes_around(0, 2));
   bench.feed.watch(far.mailbox, boxes_around(100, 2));
   bench.changed(change(at(2), 0, 1));
-  bench.feed.tell();
+  bench.feed.send();
   const auto told = near.take();
   REQUIRE(told.size() == 1);
   REQUIRE(told[0]->size() == 1);
@@ -68,10 +68,10 @@ TEST_CASE("a change is sent to the clients whose boxes have the chunk") {
   bench.changed(change(at(3), 0, 2));        // level 0 ends at 2
   bench.changed(change(at(0, 5), 0, 2));     // above
   bench.changed(change(at(0, 0, 1), 0, 2));  // inside the ring
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(near.take().empty());
   bench.changed(change(at(2, 0, 1), 0, 3));
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(near.take().size() == 1);
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("each client receives only its own chunks") {
   bench.feed.watch(east.mailbox, boxes_around(100, 2));
   bench.feed.watch(both.mailbox, boxes_around(50, 60));
   for (const std::int32_t x : {0, 1, 100}) bench.changed(change(at(x), 0, 1));
-  bench.feed.tell();
+  bench.feed.send();
   const auto keys = [](Client& client) {
     const auto told = client.take();
     REQUIRE(told.size() == 1);
@@ -109,7 +109,7 @@ TEST_CASE("a client with a pending answer receives its changes with it, or is wo
   answered.mailbox->expect_answer(true);
   waits.mailbox->expect_answer(true);
   bench.changed(change(at(1), 0, 1));
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(looks_on.wakes == 1);
   CHECK(answered.wakes + waits.wakes == 0);
   CHECK(answered.take().size() == 1);
@@ -127,13 +127,13 @@ TEST_CASE("several edits of a chunk are sent as one change") {
   bench.feed.watch(client.mailbox, boxes_around(0, 2));
   for (std::uint64_t revision = 1; revision <= 9; ++revision)
     bench.changed(change(at(1), revision - 1, revision));
-  bench.feed.tell();
+  bench.feed.send();
   const auto told = client.take();
   REQUIRE(told.size() == 1);
   REQUIRE(told[0]->size() == 1);
   CHECK(told[0]->at(0).previous == 0);
   CHECK(told[0]->at(0).revision == 9);
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take().empty());
 }
 
@@ -143,17 +143,17 @@ TEST_CASE("new boxes replace the old ones, and empty boxes forget the client") {
   bench.feed.watch(client.mailbox, boxes_around(0, 2));
   bench.feed.watch(client.mailbox, boxes_around(50, 2));
   bench.changed(change(at(0), 0, 1));
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take().empty());
   bench.changed(change(at(50), 0, 2));
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take().size() == 1);
   CHECK(client.mailbox.use_count() == 2);
   bench.feed.watch(client.mailbox, {});
   CHECK(client.mailbox.use_count() == 1);
   CHECK(bench.feed.watchers() == 0);
   bench.changed(change(at(50), 2, 3));
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take().empty());
 }
 
@@ -164,9 +164,9 @@ TEST_CASE("more chunks than are gathered are any chunk") {
   for (std::size_t i = 0; i <= ChangeFeed::kMaxGathered; ++i) {
     bench.changed(change(at(1000 + static_cast<std::int32_t>(i)), 0, i + 1));
   }
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take() == std::vector<ChunkChangesPtr>{nullptr});
-  bench.feed.tell();
+  bench.feed.send();
   CHECK(client.take().empty());
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("the clients found equal the result of a search in every box") {
       }
       const ChunkKey key = at(where, where % 3, what - 6);
       bench.changed(change(key, 0, 1));
-      bench.feed.tell();
+      bench.feed.send();
       for (std::size_t client = 0; client < boxes.size(); ++client) {
         const bool has = std::any_of(boxes[client].begin(), boxes[client].end(), [&](const LevelBox& box) {
           return box.lod == key.lod && box.contains(key.coord);

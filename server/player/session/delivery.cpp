@@ -168,7 +168,7 @@ void Delivery::tell_columns() {
   while (view_.stream().to_send() > 0 && outbox_.control_bytes() < kMaxColumnBytes) {
     const auto column = view_.stream().next_column();
     if (!column) return;
-    tell_column(*column, context_.chunks.column(*column), nullptr);
+    tell_column(*column, context_.chunks.column(*column, Version::edited), nullptr);
   }
 }
 
@@ -180,7 +180,7 @@ bool Delivery::has_room() const {
 }
 
 EncodedChunkPtr Delivery::find(ChunkKey key) {
-  EncodedChunkPtr chunk = context_.chunks.find(key);
+  EncodedChunkPtr chunk = context_.chunks.find(key, Version::edited);
   if (chunk != nullptr) ++found_;
   return chunk;
 }
@@ -191,7 +191,7 @@ void Delivery::start_request(std::uint32_t id) {
     answer_request(id, request, std::move(chunk));
   } else if (ChunkWaits::Waiters* const waiters = waits_.find(request.key)) {
     waiters->requests.push_back(id);
-  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later) == 1) {
+  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later, Version::edited) == 1) {
     waits_.add(request.key, context_.clock.now()).requests.push_back(id);
   } else {
     replies_.error(about_request(id), ErrorCode::overloaded,
@@ -220,7 +220,7 @@ void Delivery::add_those_beside(ChunkKey nearest) {
   const int edge = context_.chunks.columns_together();
   const std::size_t most = goes_ahead() ? kMaxViewAlone : kMaxViewWaits;
   stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
-    tell_column(column, context_.chunks.column(column), nullptr);
+    tell_column(column, context_.chunks.column(column, Version::edited), nullptr);
     stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
       if (!has_room() || waits_.size() + to_submit_.size() >= most) return;
       stream.start(key);
@@ -244,7 +244,7 @@ void Delivery::wait_for_view() {
   const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
   to_submit_.erase(news, to_submit_.end());
   const std::size_t accepted =
-      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later);
+      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later, Version::edited);
   for (std::size_t i = 0; i < to_submit_.size(); ++i) {
     if (i < accepted) {
       ChunkWaits::Waiters& waiters = waits_.add(to_submit_[i], context_.clock.now());
@@ -307,7 +307,7 @@ bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
 }
 
 bool Delivery::answer_by_column(ChunkKey key) {
-  const MixedRows rows = context_.chunks.column(key);
+  const MixedRows rows = context_.chunks.column(key, Version::edited);
   if (!rows.uniform_at(key.coord.y)) return false;
   tell_column(key, rows, &key);
   return true;
@@ -430,7 +430,7 @@ void Delivery::ask_for_updates() {
       return;
     } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
       waiters->update = true;
-    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon) == 1) {
+    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon, Version::edited) == 1) {
       waits_.add(*key, context_.clock.now()).update = true;
     } else {
       queue_full_ = true;

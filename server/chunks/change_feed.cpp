@@ -1,4 +1,4 @@
-#include "edits/change_feed.h"
+#include "chunks/change_feed.h"
 
 #include <algorithm>
 #include <exception>
@@ -32,7 +32,7 @@ void ChangeFeed::run() {
     thread_waits_ = false;
     if (stopping_) return;
     lock.unlock();
-    tell();
+    send();
     lock.lock();
     auto left = kInterval;
     if (has_held()) {
@@ -67,7 +67,7 @@ void ChangeFeed::on_changed(std::span<const ChunkChange> changes) noexcept {
   if (wakes) changed_.notify_one();
 }
 
-void ChangeFeed::tell() {
+void ChangeFeed::send() {
   std::unordered_map<ChunkKey, ChunkChange> gathered;
   bool any = false;
   {
@@ -76,23 +76,23 @@ void ChangeFeed::tell() {
     any = std::exchange(any_changed_, false);
   }
   if (gathered.empty() && !any) return;
-  std::vector<Told> told;
+  std::vector<Notification> notifications;
   try {
     if (any) {
-      told = tell_all();
+      notifications = notify_all();
     } else {
       std::vector<ChunkChange> changes;
       changes.reserve(gathered.size());
       for (const auto& [key, change] : gathered) changes.push_back(change);
-      told = who_watches(changes);
+      notifications = notify_watchers(changes);
     }
   } catch (const std::bad_alloc&) {
-    log_->error("there is no memory to tell who sees {} edited chunks; it is tried again", gathered.size());
+    log_->error("no memory to notify sessions of {} edited chunks; it is tried again", gathered.size());
     const std::lock_guard lock{gathering_};
     any_changed_ = true;
     return;
   }
-  for (const auto& [mailbox, changes] : told) {
+  for (const auto& [mailbox, changes] : notifications) {
     try {
       mailbox->put_changes(changes);
       if (mailbox->expects_answer()) {
@@ -119,33 +119,34 @@ void ChangeFeed::wake_held() {
 
 void ChangeFeed::lose(Mailbox& mailbox, const std::exception& error) const {
   mailbox.lose_mail();
-  log_->error("changes could not be told: {}", error.what());
+  log_->error("changes could not be sent: {}", error.what());
 }
 
-std::vector<ChangeFeed::Told> ChangeFeed::tell_all() {
-  std::vector<Told> told;
+std::vector<ChangeFeed::Notification> ChangeFeed::notify_all() {
+  std::vector<Notification> notifications;
   const std::lock_guard lock{watching_};
-  told.reserve(watchers_.size());
-  for (const auto& [client, watcher] : watchers_) told.push_back({watcher.mailbox, nullptr});
-  return told;
+  notifications.reserve(watchers_.size());
+  for (const auto& [client, watcher] : watchers_) notifications.push_back({watcher.mailbox, nullptr});
+  return notifications;
 }
 
-std::vector<ChangeFeed::Told> ChangeFeed::who_watches(std::span<const ChunkChange> changes) {
-  std::vector<Told> told;
+std::vector<ChangeFeed::Notification> ChangeFeed::notify_watchers(std::span<const ChunkChange> changes) {
+  std::vector<Notification> notifications;
   std::vector<Watcher*> watchers;
   const std::lock_guard lock{watching_};
   try {
     for (const ChunkChange& change : changes) find_watchers(change, watchers);
-    told.reserve(watchers.size());
+    notifications.reserve(watchers.size());
     for (Watcher* const watcher : watchers) {
-      told.push_back({watcher->mailbox, std::make_shared<const std::vector<ChunkChange>>(watcher->own)});
+      notifications.push_back(
+          {watcher->mailbox, std::make_shared<const std::vector<ChunkChange>>(watcher->own)});
     }
   } catch (const std::bad_alloc&) {
     for (auto& [client, watcher] : watchers_) watcher.own.clear();
     throw;
   }
   for (Watcher* const watcher : watchers) watcher->own.clear();
-  return told;
+  return notifications;
 }
 
 void ChangeFeed::find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers) {

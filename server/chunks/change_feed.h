@@ -1,11 +1,10 @@
-// Tells sessions which chunks of their Views were edited.
+// Notifies sessions of edited chunks in their Views.
 //
-// Changes are gathered, and told at most every kInterval by one thread: an edit wakes no session by itself,
-// and of many edits of a chunk one change is told. Each is told those of its own boxes alone. A session that
-// waits for the log's answer is about to be woken by that: changes and answer then leave in one write, so for
-// kWithAnswer nothing else wakes it. Bounded: beyond
-// kMaxGathered chunks, and beyond what a Mailbox takes of its own, "any chunk may have changed" is told
-// instead.
+// Changes are gathered, and sent at most every kInterval by one thread: an edit wakes no session by itself,
+// and many edits of a chunk are one change. Each session receives the changes in its own boxes alone. A
+// session that waits for the log's answer is about to be woken by that: changes and answer then leave in one
+// write, so nothing else wakes it for kWithAnswer. Bounded: beyond kMaxGathered chunks, and beyond what a
+// Mailbox takes of its own, "any chunk may have changed" is sent instead.
 #pragma once
 
 #include <array>
@@ -37,7 +36,7 @@ class ChangeFeed {
   static constexpr std::size_t kMaxGathered = 16'384;
 
   explicit ChangeFeed(Logger log) : log_{std::move(log)} {}
-  /// Waits for the thread. What was gathered and not told stays untold.
+  /// Waits for the thread. Changes that were gathered and not sent are never sent.
   ~ChangeFeed();
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
@@ -45,44 +44,44 @@ class ChangeFeed {
   /// Starts the thread; once.
   void start();
 
-  /// The mailbox's owner is told of changes in these boxes from now on, in place of those before; empty: of
-  /// none, and the mailbox is let go. Throws std::bad_alloc, and then the owner is told of none.
+  /// Replaces the boxes in which the mailbox's owner is notified of changes; empty: it is notified of none,
+  /// and the mailbox is released. Throws std::bad_alloc, and then the owner is notified of none.
   void watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes);
 
-  /// Chunks were changed. Whoever asks for their revisions must find these already. Waits for nobody.
+  /// Records changes. Their revisions must be visible already. Does not wait for other threads.
   void on_changed(std::span<const ChunkChange> changes) noexcept;
 
-  // What the thread does; not on two threads at once.
-  /// Tells now what was gathered. Who expects an answer of the log finds it, and is not woken.
-  void tell();
-  /// Wakes those, but for who has found it by now.
+  // The thread calls these; not on two threads at once.
+  /// Sends the gathered changes. Sessions that expect an answer of the log are not woken, but held.
+  void send();
+  /// Wakes the held sessions that have not taken their mail yet.
   void wake_held();
   [[nodiscard]] bool has_held() const { return !held_.empty(); }
 
-  /// Who watches anything.
+  /// Returns the number of clients with boxes.
   [[nodiscard]] std::size_t watchers() const;
 
  private:
   struct Watcher {
     MailboxPtr mailbox;
     std::vector<LevelBox> boxes;
-    std::vector<ChunkChange> own;  // of the round
+    std::vector<ChunkChange> own;  // changes to be sent to it now
   };
-  struct Told {
+  struct Notification {
     MailboxPtr mailbox;
-    ChunkChangesPtr changes;  // null: any
+    ChunkChangesPtr changes;  // null: any chunk may have changed
   };
 
   void run();
-  /// Its owner is to end: it could not be told.
+  /// Ends the mailbox's owner, to which changes could not be sent.
   void lose(Mailbox& mailbox, const std::exception& error) const;
   [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
   void remove(const Watcher& watcher);
-  /// All who watch anything, that any chunk may have changed.
-  [[nodiscard]] std::vector<Told> tell_all();
-  /// Who watches some of the chunks, and which.
-  [[nodiscard]] std::vector<Told> who_watches(std::span<const ChunkChange> changes);
-  /// Adds a change to those of who watches it, and who had none before to `watchers`.
+  /// Returns a notification for every watcher, that any chunk may have changed.
+  [[nodiscard]] std::vector<Notification> notify_all();
+  /// Returns a notification for every watcher of some of the chunks.
+  [[nodiscard]] std::vector<Notification> notify_watchers(std::span<const ChunkChange> changes);
+  /// Adds a change to the watchers of its chunk, and a watcher that had no change before to `watchers`.
   void find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers);
 
   const Logger log_;
@@ -94,7 +93,7 @@ class ChangeFeed {
   bool stopping_ = false;
   bool thread_waits_ = false;  // for changes
   std::thread thread_;
-  std::vector<MailboxPtr> held_;  // the thread's
+  std::vector<MailboxPtr> held_;  // of the thread alone
 
   mutable std::mutex watching_;
   std::unordered_map<ClientId, Watcher> watchers_;
