@@ -23,7 +23,6 @@
 #include "app/settings.h"
 #include "app/world_file.h"
 #include "chunks/column_cache/column_cache.h"
-#include "chunks/generation/base_chunks.h"
 #include "chunks/generation/terrain_generator.h"
 #include "chunks/pregen.h"
 #include "commands/store/opened_store.h"
@@ -99,14 +98,14 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
   MemoryBudget memory{config.limits.memory_bytes};
   const std::size_t threads = generator_threads(config);
   end_in_order_on_signals();
-  BaseChunks chunks{
+  Chunks chunks{
       std::make_unique<TerrainGenerator>(*world, patch.tiles, threads, ground_bytes(config, **world)),
       generation_settings(config, **world, patch),
       log,
       metrics,
       memory,
       clock,
-      nullptr,
+      std::nullopt,
       *std::move(cache)};
   chunks.start();
   Pregen pregen{{chunks, [] { return false; }, clock, threads, pregen_file(*columns),

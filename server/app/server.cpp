@@ -109,12 +109,8 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
               metrics_,
               memory_,
               clock,
-              edits_ == nullptr ? nullptr : &edits_->overlay(),
+              edits_ == nullptr ? std::nullopt : std::optional{edits_->of_chunks()},
               std::move(columns)},
-      chunks_with_edits_{edits_ == nullptr ? chunks_
-                                           : edits_->join(*terrain_, chunks_, metrics_, config.edits.settle)},
-      context_{make_context(config_)},
-      web_context_{make_web_context(config_, context_)},
       acceptor_{std::move(listeners.players)},
       web_acceptor_{std::move(listeners.web)},
       shutdown_signals_{io_->control(), SIGTERM, SIGINT},
@@ -123,8 +119,12 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       departures_{io_->control(), registry_, clock_},
       housekeeping_timer_{io_->control()},
       operators_{std::move(listeners.operators)} {
-  if (edits_ != nullptr)
+  if (edits_ != nullptr) {
+    edits_->join(*terrain_, chunks_, metrics_, config.edits.settle);
     log_->info("edits: store {} at revision {}", to_string(store_id), edits_->state().revision());
+  }
+  context_ = make_context(config_);
+  web_context_ = make_web_context(config_, context_);
   memory_.add(MemoryUse::program, static_cast<std::int64_t>(site_bytes_));
 }
 
@@ -134,8 +134,8 @@ RunnerContextPtr Server::make_context(const Config& config) {
     RunnerContext context;
     Kept(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
         : limits{of_sessions},
-          context{{limits, server.world_, server.chunks_with_edits_, server.memory_, server.metrics_,
-                   server.access_, server.rates_, server.flows_, server.clock_,
+          context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
+                   server.rates_, server.flows_, server.clock_,
                    server.edits_ == nullptr ? nullptr : &server.edits_->taker()},
                   of_runners,
                   server.registry_,
@@ -148,14 +148,14 @@ RunnerContextPtr Server::make_context(const Config& config) {
 
 web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
   return std::make_shared<const web::WebContext>(
-      web::WebContext{runner, chunks_, edits_.get(), web_settings(config), admission_,
+      web::WebContext{runner, edits_.get(), web_settings(config), admission_,
                       web_service(config, clock_, log_of_clients_), to_string(world_.fingerprint),
                       to_string(world_.store_id), web_answers_, web_fetches_, recent_revisions_, site_,
                       std::make_shared<web::WorldDocument>(world_, runner->session.limits, edits_.get())});
 }
 
 std::string Server::metrics_text() {
-  const BaseChunks::Status status = chunks_.status();
+  const Chunks::Status status = chunks_.status();
   RuntimeGauges gauges{
       status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, status.map_cache_bytes,
       draining_};

@@ -22,7 +22,7 @@
 #include "admin/admin_server.h"
 #include "app/listeners.h"
 #include "app/world_edits.h"
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 #include "chunks/generation/patch_size.h"
 #include "cluster/checkpoint/checkpoint_service.h"
 #include "config/access/access_control.h"
@@ -144,8 +144,7 @@ class Server {
   web::RecentRevisions recent_revisions_;
   std::unique_ptr<IoPool> io_;
   const std::unique_ptr<WorldEdits> edits_;  // null: edits are not stored
-  BaseChunks chunks_;                        // without edits
-  ChunkSource& chunks_with_edits_;
+  Chunks chunks_;
   mutable std::mutex context_mutex_;
   RunnerContextPtr context_;        // for new sessions; guarded by context_mutex_
   web::WebContextPtr web_context_;  // for new HTTP connections; guarded in the same way

@@ -10,8 +10,8 @@
 #include <talus/store/edit_database.h>
 #include <talus/terrain/world.h>
 
+#include "chunks/chunks.h"
 #include "chunks/column_cache/column_cache.h"
-#include "chunks/generation/base_chunks.h"
 #include "chunks/generation/generator_memory.h"
 #include "chunks/generation/patch_size.h"
 #include "config/config.h"

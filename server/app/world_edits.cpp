@@ -129,17 +129,15 @@ LocalLog::Status WorldEdits::status() const {
   return {status.head, status.waiting, std::move(status.read_only)};
 }
 
-ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
-                              bool settles) {
+void WorldEdits::join(const terrain::World& world, ChunkSource& chunks, Metrics& metrics, bool settles) {
   const SignalsBlocked blocked;  // for the log's threads
-  chunks_ = std::make_unique<EditedChunks>(base, *state_, merged_, feed_, metrics);
   if (shared_ == nullptr) {
     local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{writer_settings_, {}},
                                         tell_feed());
     log_ = local_.get();
   }
   EditIntake::Parts parts{
-      base,
+      chunks,
       *log_,
       [this](edits::EditorId id) { return state_->editor(id); },
       clock_,
@@ -147,7 +145,6 @@ ChunkSource& WorldEdits::join(const terrain::World& world, ChunkSource& base, Me
       [this] { return shared_ != nullptr ? shared_->room_for_editor() : admit_editor(*state_, clock_); }};
   intake_ = std::make_unique<EditIntake>(std::move(parts), rules_of(world, placeables_, settles), logger_);
   waits_for_log_ = intake_.get();
-  return *chunks_;
 }
 
 void WorldEdits::start(RunPregen pregen) {

@@ -17,17 +17,14 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
-#include "chunks/chunk_overlay.h"
-#include "chunks/chunk_source.h"
+#include "chunks/change_feed.h"
+#include "chunks/chunks.h"
 #include "chunks/edited_land.h"
 #include "cluster/cluster_log.h"
 #include "cluster/log_stream.h"
-#include "edits/change_feed.h"
 #include "edits/edit_intake.h"
 #include "edits/edit_state.h"
-#include "edits/edited_chunks.h"
 #include "edits/local_log.h"
-#include "edits/merged_chunks.h"
 #include "edits/store_socket/store_socket.h"
 #include "runtime/clock.h"
 #include "runtime/log/logger.h"
@@ -64,13 +61,11 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] EditState& state() { return *state_; }
   /// Materials that the world names but does not generate, with the permanent ids that the store gave them.
   [[nodiscard]] const std::vector<terrain::Material>& placeables() const { return placeables_; }
-  /// Generators answer through it.
-  [[nodiscard]] ChunkOverlay& overlay() { return merged_; }
+  [[nodiscard]] Chunks::Edits of_chunks() { return {*state_, feed_}; }
 
-  /// Creates the source of chunks with edits on top of `base`; call once, before everything below. Arguments
-  /// must outlive stop(); the result lives as long as this. `settles`: loose material slides.
-  [[nodiscard]] ChunkSource& join(const terrain::World& world, ChunkSource& base, Metrics& metrics,
-                                  bool settles);
+  /// Connects the edits to the chunks; call once, before everything below. Arguments must outlive stop().
+  /// `settles`: loose material slides.
+  void join(const terrain::World& world, ChunkSource& chunks, Metrics& metrics, bool settles);
   [[nodiscard]] EditTaker& taker() { return *intake_; }
   /// Starts the threads; call once. `pregen` generates land for a command; may be empty.
   void start(RunPregen pregen = {});
@@ -116,7 +111,6 @@ class WorldEdits final : public EditedLand {
         database_{std::move(database)},
         store_id_{database_->meta().store_id},
         state_{std::move(state)},
-        merged_{*state_, log},
         feed_{log} {}
 
   void start_shared_log(SharedLog shared, const terrain::World& world);
@@ -133,9 +127,7 @@ class WorldEdits final : public EditedLand {
   const ContentHash store_id_;  // a copy, because a shared log changes the database's other metadata
   const std::unique_ptr<EditState> state_;
   StoreWriterSettings writer_settings_;
-  MergedChunks merged_;
   ChangeFeed feed_;
-  std::unique_ptr<EditedChunks> chunks_;
   std::unique_ptr<LogStream> stream_;
   std::uint64_t joins_ = 0;
   std::atomic<EditIntake*> waits_for_log_{nullptr};  // notified when a shared log accepts edits again

@@ -1,5 +1,5 @@
-// Where a session gets chunks and heights. BaseChunks (generation/) gives them as generated; EditedChunks
-// (edits/) stands before it, with a cache of its own for chunks that were edited.
+// The interface through which sessions, HTTP and the edit log get chunks and heights. Chunks (chunks.h)
+// implements it.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,13 @@
 
 namespace talus::server {
 
-/// Rows of chunks of one column outside which every chunk is known to be uniform, at revision 0.
+/// Rows of chunks of one column. Every chunk outside of them is uniform, at kBaseRevision.
 struct MixedRows {
   std::int32_t first = std::numeric_limits<std::int32_t>::min();
-  std::int32_t last = std::numeric_limits<std::int32_t>::max();  // first - 1 where none is mixed
+  std::int32_t last = std::numeric_limits<std::int32_t>::max();  // first - 1 if no row is mixed
   MaterialId below{};  // of every chunk under `first`; air is above `last`
 
-  /// The material of a uniform row; none where the row may hold anything.
+  /// Returns the material of a uniform row; nullopt if the row may be mixed.
   [[nodiscard]] std::optional<MaterialId> uniform_at(std::int32_t y) const {
     if (y < first) return below;
     if (y > last) return kAir;
@@ -33,63 +33,67 @@ struct MixedRows {
   }
 };
 
-/// What is wanted soon goes before what is wanted later, but never takes all of the generators' time.
+/// Chunks wanted soon are generated before chunks wanted later, but never take all of the generators' time.
 enum class Urgency : std::uint8_t { soon, later };
 
-/// Callable from any thread. No call generates, reads a disk, or waits for who does.
+/// Callable from any thread. No call generates, reads a disk, or waits for a thread that does.
 class ChunkSource {
  public:
   virtual ~ChunkSource() = default;
 
-  /// The newest version of the chunk where it is in memory or costs nothing to know; else null.
-  [[nodiscard]] virtual EncodedChunkPtr find(ChunkKey key) = 0;
+  /// Returns the chunk if it is in memory or costs nothing to know; else null. Version::edited: with its
+  /// newest edit.
+  [[nodiscard]] virtual EncodedChunkPtr find(ChunkKey key, Version version) = 0;
 
-  /// A version newer than `revision`, where there is one in memory; else null, as always where chunks never
-  /// change. Asked when a chunk that waited is written.
+  /// Returns the chunk with edits newer than `revision` if it is in memory; else null. It is called when a
+  /// queued chunk is written.
   [[nodiscard]] virtual EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) = 0;
 
-  /// Of the newest version, in memory or not: kBaseRevision as generated. Never falls. It is raised before
-  /// the change is told, so who was not told yet finds it here.
+  /// Returns the revision of the chunk's newest edit, whether or not the chunk is in memory; kBaseRevision if
+  /// it was never edited. It never falls. It is raised before ChunksChanged is sent, so a client that has not
+  /// received that yet finds the change here.
   [[nodiscard]] virtual std::uint64_t revision(ChunkKey) const { return kBaseRevision; }
-  /// The voxels that changed after revision `since`. None where that is not known, or they are more than
-  /// `most`.
+  /// Returns the voxels that changed after revision `since`; nullopt if that is not known, or if they are
+  /// more than `most`.
   [[nodiscard]] virtual std::optional<ChangedVoxels> changes_since(ChunkKey, std::uint64_t /*since*/,
                                                                    std::size_t /*most*/) const {
     return std::nullopt;
   }
 
-  /// What is known of the key's column. A source that has edited chunks counts their rows as mixed.
-  [[nodiscard]] virtual MixedRows column(ChunkKey key) = 0;
+  /// Returns what is known of the key's column. Version::edited: rows of edited chunks count as mixed.
+  [[nodiscard]] virtual MixedRows column(ChunkKey key, Version version) = 0;
 
-  /// Whether so few chunks wait that threads may soon have none to make.
+  /// True if so few chunks are queued that generator threads may soon be idle.
   [[nodiscard]] virtual bool has_little_to_do() const { return false; }
 
-  /// Chunks of one level in the same square of so many columns a side, aligned to its size, are made
-  /// together: who wants several asks for them at once. A power of two.
+  /// Chunks of one level in one square of this number of columns a side, aligned to its size, are made
+  /// together: submit them in one call. A power of two.
   [[nodiscard]] virtual int columns_together() const = 0;
 
-  /// Lets the mailbox's owner wait for the chunks: one ChunkReady comes for each. Returns how many, from the
-  /// first on; the others are refused, as the queue is full or memory short. For those no answer comes; but
-  /// where the owner waits for nothing else, a QueueHasRoom does when it is worth another try. Who cancels
-  /// the last of what it waits for tries again by itself.
+  /// Queues the chunks for the mailbox's owner, which receives one ChunkReady for each. Returns how many were
+  /// accepted, from the first on; the others are refused, because the queue is full or memory is short. A
+  /// chunk for which the owner waits already comes in the version for which it was submitted first.
+  ///
+  /// Refused keys get no answer. An owner with nothing else pending receives QueueHasRoom when a retry may
+  /// succeed; after it has cancelled its last pending key, it must retry on its own.
   [[nodiscard]] virtual std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                           Urgency urgency) = 0;
-  /// Chunks that the client waits for are wanted soon from now on. No effect on others.
+                                           Urgency urgency, Version version) = 0;
+  /// Chunks for which the client waits are wanted soon from now on. No effect on other chunks.
   virtual void hasten(ClientId client, std::span<const ChunkKey> keys) = 0;
-  /// An answer already in the mailbox may still be found there.
+  /// An answer that is in the mailbox already may still be taken from there.
   virtual void cancel(ClientId client, std::span<const ChunkKey> keys) = 0;
 
-  /// The chunks that the mailbox's owner looks at, and those that it comes to look at soon if it moves on as
-  /// it does; in place of what was said before, empty: none. A hint on what else is worth making; and from
-  /// here on ChunksChanged comes where one of them is edited. Throws std::bad_alloc.
+  /// Replaces the boxes in which the mailbox's owner views chunks, or will soon if it moves on as it does;
+  /// empty: it views none. The owner receives ChunksChanged when a chunk in them is edited. The boxes are
+  /// also a hint of what else to generate. Throws std::bad_alloc.
   virtual void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) = 0;
 
-  /// Surface heights of base columns, as generated, and what else the query asks for; one HeightsReady comes.
-  /// The caller never gives a ticket twice.
+  /// Queues a query for surface heights of base columns, as generated, and what else it asks for. One
+  /// HeightsReady comes. The caller never uses a ticket twice.
   virtual void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) = 0;
   virtual void cancel_heights(ClientId client, std::uint64_t ticket) = 0;
 
-  /// The tile of the map where it is in memory; else null, and submit_heights() draws it.
+  /// Returns the tile of the map if it is in memory; else null, and submit_heights() draws it.
   [[nodiscard]] virtual PicturePtr find_map(const map::Tile&) { return nullptr; }
 };
 

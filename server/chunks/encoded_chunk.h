@@ -18,6 +18,9 @@ namespace talus::server {
 /// Revision of generated chunks. Every edit of a chunk has a larger one.
 inline constexpr std::uint64_t kBaseRevision = 0;
 
+/// Which chunk a client wants: as generated, or with its edits.
+enum class Version : std::uint8_t { generated, edited };
+
 /// Immutable, so any thread may read it.
 class EncodedChunk {
  public:

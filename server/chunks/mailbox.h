@@ -1,9 +1,9 @@
-// What other threads tell a session: chunks, heights, that the generators' queue has room again, which chunks
-// were edited, and what became of its own edits.
+// Mail from other threads to a session: chunks, heights, room in the generators' queue, changes of chunks,
+// and the outcome of the session's own edits.
 //
-// One mailbox a session. Generator threads put() answers and wake() the owner; the owner takes all that
-// waits at once. Waking a thread costs as much as generating many a chunk, so put() does not wake, and a
-// wake() while one is pending does nothing.
+// One mailbox per session. Generator threads put() answers and wake() the owner; the owner takes all its mail
+// at once. Waking a thread costs as much as generating several chunks, so put() does not wake, and a wake()
+// while one is pending does nothing.
 #pragma once
 
 #include <atomic>
@@ -31,10 +31,11 @@
 
 namespace talus::server {
 
-/// Who waits for chunks. Never used twice in one process, so nobody inherits another's place or debt.
+/// A client that waits for chunks. Never used twice in one process, so that no client inherits another's
+/// place or debt.
 enum class ClientId : std::uint64_t {};
 
-/// The generator could not answer (out of memory); asking again may help.
+/// The generator failed (out of memory); a retry may succeed.
 struct GenerationFailed {
   std::string reason;
 };
@@ -49,9 +50,10 @@ struct HeightsReady {
   std::uint64_t ticket = 0;
   HeightsAnswer answer;
 };
-/// A submission was refused because the queue was full; it may be tried again.
+/// The queue was full when the owner submitted; a retry may succeed now.
 struct QueueHasRoom {};
-/// Chunks were edited, the owner's and others. Null: any may have been. Their source says so already.
+/// Chunks were edited, by the owner or by others. Null: any chunk may have changed. Their source returns the
+/// new revisions already.
 struct ChunksChanged {
   ChunkChangesPtr changes;
 };
@@ -59,8 +61,8 @@ using Mail = std::variant<ChunkReady, HeightsReady, QueueHasRoom, ChunksChanged,
 
 class Mailbox {
  public:
-  /// `wake` is called on the thread that calls wake(), never twice without a take() between. It may throw;
-  /// then the owner counts as not woken.
+  /// `wake` is called on the thread that calls wake(), never twice without a take() in between. If it throws,
+  /// the owner counts as not woken.
   Mailbox(ClientId owner, std::function<void()> wake)
       : Mailbox{owner, std::move(wake),
                 std::make_shared<FlowUse>(FlowId{static_cast<std::uint64_t>(owner)}, FlowName{})} {}
@@ -68,24 +70,20 @@ class Mailbox {
       : owner_{owner}, flow_{std::move(flow)}, wake_{std::move(wake)} {}
 
   [[nodiscard]] ClientId owner() const { return owner_; }
-  /// In whose turns the owner's chunks are generated; one of its own where none was given.
+  /// The flow in whose turns the owner's chunks are generated; one of its own by default.
   [[nodiscard]] FlowId flow() const { return flow_->id(); }
-  /// To which is added what that costs.
+  /// The flow charged for that work.
   [[nodiscard]] const FlowUsePtr& flow_use() const { return flow_; }
-  /// Before the owner asks any source for anything.
+  /// Call it before the owner submits anything to a source.
   void join(FlowUsePtr flow) { flow_ = std::move(flow); }
 
-  /// Whether chunks come to it with their edits; a source that has edits says so before it submits anything.
-  [[nodiscard]] bool sees_edits() const { return sees_edits_; }
-  void see_edits() { sees_edits_ = true; }
-
-  /// Any thread. The owner finds it at its next take().
+  /// Any thread. The owner's next take() returns it.
   void put(Mail mail) {
     const std::lock_guard lock{mutex_};
     mail_.push_back(std::move(mail));
   }
 
-  /// As many at once. Throws std::bad_alloc, and then `mail` is what it was.
+  /// Puts all of `mail`. Throws std::bad_alloc, and then `mail` is unchanged.
   void put(std::vector<Mail>&& mail) {
     const std::lock_guard lock{mutex_};
     if (mail_.empty()) {
@@ -95,10 +93,10 @@ class Mailbox {
     }
   }
 
-  /// So many changes wait at most. What comes beyond them turns all into one ChunksChanged of any chunk,
-  /// which an owner that takes its mail late reads for less.
+  /// Maximum queued changes. On overflow they collapse into one ChunksChanged without a list ("any chunk may
+  /// have changed"), which costs an owner less that takes its mail late.
   static constexpr std::size_t kMaxChanges = 4096;
-  /// Any thread. `changes` null: any chunk may have changed. Throws std::bad_alloc, and then nothing was put.
+  /// Any thread. `changes` null: any chunk may have changed. Throws std::bad_alloc, and then has no effect.
   void put_changes(const ChunkChangesPtr& changes) {
     const std::lock_guard lock{mutex_};
     if (any_changed_) return;
@@ -115,7 +113,7 @@ class Mailbox {
     }
   }
 
-  /// Any thread. Wakes the owner where mail waits, or was lost, and no wake-up is pending.
+  /// Any thread. Wakes the owner if there is mail, or mail was lost, and no wake-up is pending.
   void wake() {
     {
       const std::lock_guard lock{mutex_};
@@ -130,15 +128,16 @@ class Mailbox {
     }
   }
 
-  /// The owner's thread: whether the log is to answer an edit of it.
+  /// The owner's thread. True: the log is about to answer an edit of the owner.
   void expect_answer(bool expects) noexcept { expects_answer_.store(expects, std::memory_order_relaxed); }
-  /// Any thread. Then it is about to be woken, and what is put until then costs it no turn of its own.
+  /// Any thread. If true, the owner is about to be woken, and mail put until then needs no wake-up of its
+  /// own.
   [[nodiscard]] bool expects_answer() const noexcept {
     return expects_answer_.load(std::memory_order_relaxed);
   }
 
-  /// Any thread. There is no memory for mail that the owner waits for. Wakes the owner, who may wait for
-  /// nothing else; where that fails the next wake() does.
+  /// Any thread. Records that there was no memory for mail for which the owner waits, and wakes the owner,
+  /// which may wait for nothing else; if that fails, the next wake() does.
   void lose_mail() noexcept {
     lost_ = true;
     try {
@@ -146,10 +145,11 @@ class Mailbox {
     } catch (const std::exception&) {
     }
   }
-  /// Whether mail was lost: what the owner waits for may never come.
+  /// True if mail was lost: an answer for which the owner waits may never come.
   [[nodiscard]] bool has_lost() const noexcept { return lost_; }
 
-  /// The owner's thread. All that waits, oldest first. `memory`, which is empty, is used for what comes next.
+  /// The owner's thread. Returns all mail, oldest first. `memory`, which is empty, holds the mail that comes
+  /// next.
   [[nodiscard]] std::vector<Mail> take(std::vector<Mail> memory = {}) {
     const std::lock_guard lock{mutex_};
     woken_ = false;
@@ -161,7 +161,6 @@ class Mailbox {
  private:
   const ClientId owner_;
   FlowUsePtr flow_;
-  bool sees_edits_ = false;  // changes before anything is submitted
   const std::function<void()> wake_;
   std::mutex mutex_;
   std::vector<Mail> mail_;
@@ -172,5 +171,12 @@ class Mailbox {
   std::atomic<bool> expects_answer_{false};
 };
 using MailboxPtr = std::shared_ptr<Mailbox>;
+
+/// A client that waits for a chunk in this version.
+struct Waiter {
+  MailboxPtr mailbox;
+  Version version = Version::generated;
+  bool operator==(const Waiter&) const = default;
+};
 
 }  // namespace talus::server

@@ -79,7 +79,7 @@ class Waiting {
   /// Generates the chunks; returns false once `goes_on` does.
   [[nodiscard]] bool make(std::vector<ChunkKey> keys, const std::function<bool()>& goes_on) {
     while (!keys.empty() || !open_.empty()) {
-      const std::size_t accepted = chunks_.submit(mailbox_, keys, Urgency::later);
+      const std::size_t accepted = chunks_.submit(mailbox_, keys, Urgency::later, Version::generated);
       open_.insert(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(accepted));
       keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(accepted));
       {
@@ -130,8 +130,8 @@ tl::expected<void, std::string> PregenPlan::check() const {
   if (levels < 1 || levels > Lod::kMax + 1) {
     return tl::unexpected{fmt::format("--levels: {} is out of range; give 1 to {}", levels, Lod::kMax + 1)};
   }
-  if (!(share >= kLeastShare && share <= 1)) {
-    return tl::unexpected{fmt::format("--share: {} is out of range; give {} to 1", share, kLeastShare)};
+  if (!(share >= kMinShare && share <= 1)) {
+    return tl::unexpected{fmt::format("--share: {} is out of range; give {} to 1", share, kMinShare)};
   }
   return {};
 }
@@ -224,18 +224,18 @@ tl::expected<PregenProgress, std::string> Pregen::run(
           columns.push_back({{corner.coord.x + x, 0, corner.coord.z + z}, corner.lod});
         }
       }
-      const MixedRows rows = parts_.chunks.column(corner);
+      const MixedRows rows = parts_.chunks.column(corner, Version::generated);
       const std::int64_t middle = (std::int64_t{rows.first} + rows.last) / 2;
       first.push_back({{corner.coord.x, static_cast<std::int32_t>(middle), corner.coord.z}, corner.lod});
     }
     if (!waiting.make(std::move(first), goes_on)) return note().map([&] { return progress; });
     std::vector<ChunkKey> others;
     for (const ChunkKey column : columns) {
-      const MixedRows rows = parts_.chunks.column(column);
+      const MixedRows rows = parts_.chunks.column(column, Version::generated);
       const std::int64_t last = std::min<std::int64_t>(rows.last, std::int64_t{rows.first} + kMaxRows - 1);
       for (std::int64_t y = rows.first; y <= last; ++y) {
         const ChunkKey key{{column.coord.x, static_cast<std::int32_t>(y), column.coord.z}, column.lod};
-        if (parts_.chunks.find(key) == nullptr) others.push_back(key);
+        if (parts_.chunks.find(key, Version::generated) == nullptr) others.push_back(key);
       }
     }
     if (!waiting.make(std::move(others), goes_on)) return note().map([&] { return progress; });

@@ -23,13 +23,13 @@ namespace talus::server {
 
 struct PregenPlan {
   static constexpr std::int32_t kMaxRadius = 1 << 20;
-  static constexpr double kLeastShare = 0.001;
+  static constexpr double kMinShare = 0.001;
 
   std::int32_t x = 0;  // the centre, in voxels
   std::int32_t z = 0;
   std::int32_t radius = 0;  // voxels, 1 to kMaxRadius
   int levels = 1;           // levels of detail, from 0; 1 to Lod::kMax + 1
-  double share = 1;         // share of idle generator time: kLeastShare to 1
+  double share = 1;         // share of idle generator time: kMinShare to 1
   bool operator==(const PregenPlan&) const = default;
 
   /// The error is one line that begins with the flag's name.

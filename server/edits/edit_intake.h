@@ -49,7 +49,7 @@ class EditIntake final : public EditTaker {
  public:
   /// All outlive this. `editor` reads the applied state, on any thread.
   struct Parts {
-    ChunkSource& base;  // chunks as generated
+    ChunkSource& base;  // for chunks as generated
     EditLog& log;
     std::function<std::optional<edits::Editor>(edits::EditorId)> editor;
     const Clock& clock;

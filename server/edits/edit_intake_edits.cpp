@@ -105,7 +105,7 @@ bool EditIntake::look_up(const Lane& lane, Preparation& edit) {
     if (!edit.missing.contains(each.chunk)) continue;
     DecodedChunkPtr chunk = bases_.find(each.chunk);
     if (chunk == nullptr) {
-      const EncodedChunkPtr encoded = parts_.base.find({each.chunk, Lod{}});
+      const EncodedChunkPtr encoded = parts_.base.find({each.chunk, Lod{}}, Version::generated);
       if (encoded != nullptr) chunk = bases_.put(each.chunk, *encoded);
     }
     if (chunk != nullptr) {
@@ -118,7 +118,7 @@ bool EditIntake::look_up(const Lane& lane, Preparation& edit) {
   if (lane.input_ended && !edit.missing.empty()) return false;
   if (to_ask.empty()) return true;
   // The rest follows when an answer or QueueHasRoom arrives.
-  const std::size_t accepted = parts_.base.submit(lane.look_ups, to_ask, Urgency::soon);
+  const std::size_t accepted = parts_.base.submit(lane.look_ups, to_ask, Urgency::soon, Version::generated);
   for (std::size_t i = 0; i < accepted; ++i) edit.asked.insert(to_ask[i].coord);
   return true;
 }

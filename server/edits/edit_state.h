@@ -20,9 +20,9 @@
 #include <talus/edits/batch.h>
 #include <talus/store/edit_database.h>
 
+#include "chunks/applied_edits.h"
 #include "chunks/cache/flat_map.h"
 #include "chunks/cache/sharded_cache.h"
-#include "edits/applied_edits.h"
 #include "edits/chunk_index.h"
 #include "edits/recent_changes.h"
 

@@ -12,7 +12,7 @@
 #include <talus/voxel/chunk.h>
 #include <talus/voxel/coords.h>
 
-#include "edits/applied_edits.h"
+#include "chunks/applied_edits.h"
 #include "edits/chunk_index.h"
 
 namespace talus::server {

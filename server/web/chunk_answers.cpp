@@ -25,6 +25,11 @@ Answer check_path(const Exchange& exchange, const ChunksRoute& route) {
   return route.edition ? check_store(exchange.context(), route.edition->store) : std::nullopt;
 }
 
+template <typename ChunksRoute>
+Version version_of(const ChunksRoute& route) {
+  return route.edition ? Version::edited : Version::generated;
+}
+
 /// From west to east, then from north to south.
 ChunkKey column_of(const ColumnsRoute& route, std::int32_t number) {
   ChunkKey column = route.corner;
@@ -64,12 +69,11 @@ http::Response answer_with(Exchange& exchange, const ChunkRoute& route, const En
 
 Answer answer_now(Exchange& exchange, const ChunkRoute& route) {
   if (auto wrong = check_path(exchange, route)) return wrong;
-  ChunkSource& source = exchange.chunks(route.edition.has_value());
   if (route.edition) {
-    const std::uint64_t newest = source.revision(route.key);
+    const std::uint64_t newest = exchange.chunks().revision(route.key);
     if (!is_given_newest(exchange, route.edition->revision, newest)) return moved_to(route, newest);
   }
-  const EncodedChunkPtr chunk = source.find(route.key);
+  const EncodedChunkPtr chunk = exchange.chunks().find(route.key, version_of(route));
   if (chunk == nullptr) return std::nullopt;
   if (exchange.requester().next_chunk(exchange.began()) > exchange.began()) return std::nullopt;
   exchange.found_in_memory();
@@ -82,7 +86,7 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ChunkRout
   }
   const SessionContext& shared = exchange.shared();
   const std::vector<ChunkKey> keys(1, route.key);
-  auto chunks = co_await exchange.start_fetch(route.edition.has_value()).get(keys, exchange.deadline());
+  auto chunks = co_await exchange.start_fetch().get(keys, version_of(route), exchange.deadline());
   if (!chunks) co_return fetch_failed(chunks.error(), shared.memory);
   shared.metrics.cold_latency.add(shared.clock.now() - exchange.began());
   co_return answer_with(exchange, route, chunks->front());
@@ -101,7 +105,7 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRo
   Requester& requester = exchange.requester();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
   const std::uint64_t before = route.edition ? newest_of(exchange, route) : kBaseRevision;
-  ColumnFetch columns{exchange, route.edition.has_value()};
+  ColumnFetch columns{exchange, version_of(route)};
   std::string body;
   if (route.square) append_square_head(body, route.edge);
   for (std::int32_t i = 0; i < route.edge * route.edge; ++i) {

@@ -25,13 +25,13 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
   const auto known = [&](const MixedRows& rows) {
     return rows.first != std::numeric_limits<std::int32_t>::min();
   };
-  MixedRows rows = source_.column(column);
+  MixedRows rows = exchange_.chunks().column(column, version_);
   if (!known(rows)) {
     column.coord.y = static_cast<std::int32_t>(floor_div(shared.world.spawn.y >> lod.value(), kChunkSize));
     const std::vector<ChunkKey> one(1, column);
-    if (const auto made = co_await fetch_.get(one, exchange_.deadline()); !made)
+    if (const auto made = co_await fetch_.get(one, version_, exchange_.deadline()); !made)
       co_return fetch_failed(made.error(), shared.memory);
-    rows = source_.column(column);
+    rows = exchange_.chunks().column(column, version_);
   }
   // If unknown, any row between the world's lowest and highest may be mixed.
   if (!known(rows)) {
@@ -53,7 +53,7 @@ asio::awaitable<Answer> ColumnFetch::append(ChunkKey column, std::string& body, 
       column.coord.y = static_cast<std::int32_t>(y);
       keys.push_back(column);
     }
-    auto made = co_await fetch_.get(keys, exchange_.deadline());
+    auto made = co_await fetch_.get(keys, version_, exchange_.deadline());
     if (!made) co_return fetch_failed(made.error(), shared.memory);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       revision_ = std::max(revision_, (*made)[i]->revision());

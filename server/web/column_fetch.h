@@ -18,12 +18,11 @@ namespace talus::server::web {
 /// For one request.
 class ColumnFetch {
  public:
-  /// As generated, or, if `edited`, with edits.
-  ColumnFetch(Exchange& exchange, bool edited)
+  ColumnFetch(Exchange& exchange, Version version)
       : exchange_{exchange},
-        source_{exchange.chunks(edited)},
-        edits_{edited ? exchange.context().edits : nullptr},
-        fetch_{exchange.start_fetch(edited)} {}
+        version_{version},
+        edits_{version == Version::edited ? exchange.context().edits : nullptr},
+        fetch_{exchange.start_fetch()} {}
 
   /// Appends the column of `key` to `body`, or returns an error. `held`: bytes that the request holds in
   /// addition.
@@ -35,7 +34,7 @@ class ColumnFetch {
 
  private:
   Exchange& exchange_;
-  ChunkSource& source_;
+  const Version version_;
   const EditedLand* const edits_;  // null: without edits
   Fetch& fetch_;
   std::size_t chunks_ = 0;

@@ -45,8 +45,8 @@ Clock::time_point Exchange::deadline() const {
   return began_ + kMaxWait;
 }
 
-Fetch& Exchange::start_fetch(bool edited) {
-  fetch_ = std::make_shared<Fetch>(executor_, chunks(edited), shared_.clock,
+Fetch& Exchange::start_fetch() {
+  fetch_ = std::make_shared<Fetch>(executor_, chunks(), shared_.clock,
                                    client_id(ClientKind::fetch, ++context_.fetches), requester_.flow());
   return *fetch_;
 }

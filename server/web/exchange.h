@@ -41,10 +41,7 @@ class Exchange {
 
   [[nodiscard]] const WebContext& context() const { return context_; }
   [[nodiscard]] const SessionContext& shared() const { return shared_; }
-  /// The source of generated chunks, or, if `edited`, of the chunks that sessions are sent.
-  [[nodiscard]] ChunkSource& chunks(bool edited = false) const {
-    return edited ? shared_.chunks : context_.chunks;
-  }
+  [[nodiscard]] ChunkSource& chunks() const { return shared_.chunks; }
   [[nodiscard]] Requester& requester() const { return requester_; }
   [[nodiscard]] const asio::any_io_executor& executor() const { return executor_; }
   [[nodiscard]] const http::Request& request() const { return *request_; }
@@ -59,8 +56,8 @@ class Exchange {
   void hold(std::size_t bytes) { memory_.hold(kIdleBytes + bytes); }
   /// Keeps the owner of the answer's bytes alive.
   void keep(std::shared_ptr<const void> kept) { kept_ = std::move(kept); }
-  /// Fetches from chunks(edited), in turn with the client's flow. Call once per request.
-  [[nodiscard]] Fetch& start_fetch(bool edited = false);
+  /// Starts a fetch, in turn with the client's flow. Call once per request.
+  [[nodiscard]] Fetch& start_fetch();
 
   /// Charges the rates for the response's chunks and bytes.
   void charge(std::size_t chunks, const http::Response& response);

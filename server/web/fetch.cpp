@@ -73,18 +73,18 @@ void Fetch::take_mail() {
 }
 
 asio::awaitable<tl::expected<std::vector<EncodedChunkPtr>, FetchError>> Fetch::get(
-    std::vector<ChunkKey> keys, Clock::time_point deadline) {
+    std::vector<ChunkKey> keys, Version version, Clock::time_point deadline) {
   const auto self = shared_from_this();
   std::vector<EncodedChunkPtr> chunks(keys.size());
   std::vector<ChunkKey> to_submit;
   failed_ = false;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    chunks[i] = chunks_.find(keys[i]);
+    chunks[i] = chunks_.find(keys[i], version);
     if (chunks[i] == nullptr) to_submit.push_back(keys[i]);
   }
   while (!gone_ && !failed_ && (!to_submit.empty() || missing_ > 0)) {
     if (!to_submit.empty()) {
-      const std::size_t taken = chunks_.submit(mailbox(), to_submit, Urgency::later);
+      const std::size_t taken = chunks_.submit(mailbox(), to_submit, Urgency::later, version);
       for (std::size_t i = 0; i < taken; ++i) waits_.emplace(to_submit[i], nullptr);
       missing_ += taken;
       to_submit.erase(to_submit.begin(), to_submit.begin() + static_cast<std::ptrdiff_t>(taken));

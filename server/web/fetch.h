@@ -40,7 +40,7 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
 
   /// Returns the chunks in the order of `keys`. Only one call of get(), heights() or map() at a time.
   [[nodiscard]] asio::awaitable<tl::expected<std::vector<EncodedChunkPtr>, FetchError>> get(
-      std::vector<ChunkKey> keys, Clock::time_point deadline);
+      std::vector<ChunkKey> keys, Version version, Clock::time_point deadline);
   [[nodiscard]] asio::awaitable<tl::expected<HeightsFound, FetchError>> heights(HeightsQuery query,
                                                                                 Clock::time_point deadline);
 

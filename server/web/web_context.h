@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "chunks/chunk_source.h"
 #include "chunks/edited_land.h"
 #include "config/allowed_origins.h"
 #include "config/networks.h"
@@ -29,7 +28,6 @@ struct WebSettings {
 /// `runner`'s context outlives the connections.
 struct WebContext {
   RunnerContextPtr runner;
-  ChunkSource& chunks;      // as generated; sessions get them with edits
   const EditedLand* edits;  // null: no edits are stored
   WebSettings settings;
   Admission& admission;

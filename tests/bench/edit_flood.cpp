@@ -39,11 +39,11 @@ constexpr int kUnanswered = 64;
 /// Stone everywhere, in memory.
 class Stone final : public ChunkSource {
  public:
-  [[nodiscard]] EncodedChunkPtr find(ChunkKey) override { return stone_; }
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey, Version) override { return stone_; }
   [[nodiscard]] EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
-  [[nodiscard]] MixedRows column(ChunkKey) override { return {}; }
+  [[nodiscard]] MixedRows column(ChunkKey, Version) override { return {}; }
   [[nodiscard]] int columns_together() const override { return 1; }
-  [[nodiscard]] std::size_t submit(const MailboxPtr&, std::span<const ChunkKey>, Urgency) override {
+  [[nodiscard]] std::size_t submit(const MailboxPtr&, std::span<const ChunkKey>, Urgency, Version) override {
     return 0;
   }
   void hasten(ClientId, std::span<const ChunkKey>) override {}

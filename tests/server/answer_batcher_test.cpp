@@ -44,8 +44,9 @@ TEST_CASE("answers come to each who waits, once and in the order in which they w
   Owner one{1};
   Owner other{2};
   for (std::int32_t x = 0; x < 5; ++x) {
-    bench.answers.add(x % 2 == 0 ? std::vector{one.mailbox, other.mailbox} : std::vector{one.mailbox}, at(x),
-                      bench.answer);
+    bench.answers.add(x % 2 == 0 ? std::vector{Waiter{one.mailbox}, Waiter{other.mailbox}}
+                                 : std::vector{Waiter{one.mailbox}},
+                      at(x), bench.answer);
   }
   bench.answers.wake();
   CHECK(one.take() == Xs{0, 1, 2, 3, 4});
@@ -55,17 +56,17 @@ TEST_CASE("answers come to each who waits, once and in the order in which they w
 TEST_CASE("answers wait for the interval or the end, and wake their owner once") {
   Bench bench;
   Owner owner{1};
-  bench.answers.add(std::vector{owner.mailbox}, at(0), bench.answer);
+  bench.answers.add(std::vector{Waiter{owner.mailbox}}, at(0), bench.answer);
   bench.clock.advance(AnswerBatcher::kInterval - 1us);
-  bench.answers.add(std::vector{owner.mailbox}, at(1), bench.answer);
+  bench.answers.add(std::vector{Waiter{owner.mailbox}}, at(1), bench.answer);
   CHECK(owner.woken == 0);
   CHECK(owner.take().empty());
   bench.clock.advance(1us);
-  bench.answers.add(std::vector{owner.mailbox}, at(2), bench.answer);
+  bench.answers.add(std::vector{Waiter{owner.mailbox}}, at(2), bench.answer);
   CHECK(owner.woken == 1);
   CHECK(owner.take() == Xs{0, 1, 2});
 
-  bench.answers.add(std::vector{owner.mailbox}, at(3), bench.answer);
+  bench.answers.add(std::vector{Waiter{owner.mailbox}}, at(3), bench.answer);
   bench.answers.wake();
   CHECK(owner.woken == 2);
   CHECK(owner.take() == Xs{3});
@@ -78,7 +79,7 @@ TEST_CASE("pending answers are delivered at the end") {
   Owner owner{1};
   {
     AnswerBatcher answers{bench.log, bench.clock};
-    answers.add(std::vector{owner.mailbox}, at(0), bench.answer);
+    answers.add(std::vector{Waiter{owner.mailbox}}, at(0), bench.answer);
     CHECK(owner.woken == 0);
   }
   CHECK(owner.woken == 1);
@@ -89,7 +90,7 @@ TEST_CASE("an owner that cannot be woken delays no other owner") {
   Bench bench;
   const auto broken = std::make_shared<Mailbox>(ClientId{1}, [] { throw std::bad_alloc{}; });
   Owner owner{2};
-  bench.answers.add(std::vector{broken, owner.mailbox}, at(0), bench.answer);
+  bench.answers.add(std::vector{Waiter{broken}, Waiter{owner.mailbox}}, at(0), bench.answer);
   bench.answers.wake();
   CHECK(owner.woken == 1);
   CHECK_NOTHROW(deliver(broken, QueueHasRoom{}, bench.log));

@@ -1,5 +1,5 @@
 // Who is told of which changes, and how often.
-#include "edits/change_feed.h"
+#include "chunks/change_feed.h"
 
 #include <catch2/catch.hpp>
 #include <condition_variable>

@@ -23,20 +23,65 @@ Outbox::Entry entry(std::uint32_t id, std::size_t payload_bytes) {
 
 constexpr std::size_t kAll = std::size_t{1} << 40;
 
+/// What goes for an update: a frame or a chunk, the whole chunk in a turn of its own, or nothing.
+struct Update {
+  protocol::Frame frame{};
+  EncodedChunkPtr chunk{};
+  bool whole = false;
+};
+
 constexpr std::optional<protocol::Frame> kItself;
-constexpr auto kNoUpdates = [](ChunkKey) { return Outbox::Update{}; };
+constexpr auto kNoUpdates = [](ChunkKey) { return Update{}; };
 constexpr auto kNoResends = [](ChunkKey) { return EncodedChunkPtr{}; };
+
+struct Sent {
+  std::size_t chunks = 0;
+  std::size_t chunk_bytes = 0;
+};
+
+/// One write. write(entry) may replace the entry's chunk, or returns a frame that goes in its place;
+/// write_update(key) returns what goes for an update, and write_resend(key) the whole chunk; null: nothing.
+template <typename Write, typename WriteUpdate, typename WriteResend>
+Sent write_all(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit, Output& output,
+               Write&& write, WriteUpdate&& write_update, WriteResend&& write_resend) {
+  using Turn = Outbox::Write::Turn;
+  Outbox::Write out{outbox, limits, credit, output};
+  for (;;) {
+    const Turn turn = out.next();
+    if (turn == Turn::none) return {out.chunks(), out.chunk_bytes()};
+    if (turn == Turn::broadcasts) {
+      const ChunkKey key = out.take_update();
+      const Update update = write_update(key);
+      if (update.whole) outbox.push_resend(key);
+      if (update.chunk != nullptr) {
+        out.append(update.chunk, 0, key);
+      } else {
+        out.append(update.frame);
+      }
+    } else if (turn == Turn::resends) {
+      const ChunkKey key = out.take_resend();
+      if (const EncodedChunkPtr chunk = write_resend(key)) out.append(chunk, 0, key);
+    } else {
+      Outbox::Entry entry = out.take_chunk();
+      if (const std::optional<protocol::Frame> instead = write(entry)) {
+        out.append(*instead);
+      } else {
+        out.append(entry.chunk, entry.request_id, entry.key);
+      }
+    }
+  }
+}
 
 struct Taken {
   std::vector<std::byte> bytes;
   std::vector<std::uint32_t> ids;
 };
 
-Taken take(Outbox& outbox, const Outbox::TakeLimits& limits, Credit& credit) {
+Taken take(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit) {
   Taken taken;
   Output output;
-  (void)outbox.take(
-      limits, credit, output,
+  (void)write_all(
+      outbox, limits, credit, output,
       [&](Outbox::Entry& entry) {
         taken.ids.push_back(entry.request_id);
         return kItself;
@@ -199,8 +244,8 @@ TEST_CASE("a chunk is written as write() leaves it") {
   Credit credit{kAll};
   outbox.push_chunk(entry(1, 100));
   Output output;
-  const Outbox::Taken taken = outbox.take(
-      {}, credit, output,
+  const Sent taken = write_all(
+      outbox, {}, credit, output,
       [](Outbox::Entry& entry) {
         entry.chunk = chunk_of(5000);
         return kItself;
@@ -218,9 +263,9 @@ TEST_CASE("a frame in a chunk's place is written instead, and does not count as 
   Credit credit{1};
   outbox.push_chunk(entry(1, 100));
   Output output;
-  const Outbox::Taken taken = outbox.take(
-      {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; }, kNoUpdates,
-      kNoResends);
+  const Sent taken = write_all(
+      outbox, {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; },
+      kNoUpdates, kNoResends);
   CHECK(output.size() == 7);
   CHECK(taken.chunks == 0);
   CHECK(credit.may_send());
@@ -238,17 +283,17 @@ TEST_CASE("updates go after control frames and before chunks, each once a write"
   outbox.push_control(protocol::Frame(7));
   Output output;
   std::vector<std::size_t> begins;
-  const Outbox::Taken taken = outbox.take(
-      {}, credit, output,
+  const Sent taken = write_all(
+      outbox, {}, credit, output,
       [&](Outbox::Entry&) {
         begins.push_back(output.size());
         return kItself;
       },
       [&](ChunkKey key) {
-        if (key == second) return Outbox::Update{{}, {}, true};
+        if (key == second) return Update{{}, {}, true};
         begins.push_back(output.size());
         outbox.push_update(key);
-        return Outbox::Update{protocol::Frame(11)};
+        return Update{protocol::Frame(11)};
       },
       [&](ChunkKey key) {
         begins.push_back(output.size());
@@ -282,17 +327,17 @@ struct EditedLand {
   }
   std::size_t write(std::size_t enough_bytes) {
     Output output;
-    (void)outbox.take(
-        {enough_bytes}, credit, output,
+    (void)write_all(
+        outbox, {enough_bytes}, credit, output,
         [&](Outbox::Entry& entry) {
           view_sent += entry.chunk->frame_bytes();
           return kItself;
         },
         [&](ChunkKey key) {
-          if (broadcast_bytes == 0 || key.coord.x % 2 != 0) return Outbox::Update{{}, {}, true};
+          if (broadcast_bytes == 0 || key.coord.x % 2 != 0) return Update{{}, {}, true};
           broadcasts_sent += broadcast_bytes;
           outbox.push_update(key);
-          return Outbox::Update{protocol::Frame(broadcast_bytes)};
+          return Update{protocol::Frame(broadcast_bytes)};
         },
         [&](ChunkKey key) {
           const EncodedChunkPtr chunk = chunk_of(chunk_bytes);

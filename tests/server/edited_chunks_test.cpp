@@ -1,5 +1,4 @@
-// Chunks with their edits, before base chunks of a real world and of a fake one.
-#include "edits/edited_chunks.h"
+// Chunks with their edits, of a real world and of a fake one.
 
 #include <catch2/catch.hpp>
 #include <map>
@@ -9,6 +8,7 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/codec.h>
 
+#include "chunks/chunks.h"
 #include "chunks/generation/terrain_generator.h"
 #include "fake_generator.h"
 
@@ -72,59 +72,63 @@ struct Edited {
   FakeEdits edits;
   Logger log = std::make_shared<spdlog::logger>("silent");
   Metrics metrics;
-  MemoryBudget memory{0};
+  MemoryBudget memory;
   ManualClock clock;
   ChangeFeed feed{log};
-  MergedChunks merged{edits, log};
-  BaseChunks base;
-  EditedChunks chunks{base, edits, merged, feed, metrics};
+  Chunks chunks;
   WaitingClient client;
 
   explicit Edited(std::unique_ptr<const Generator> generator, std::size_t merged_bytes = 1 << 20,
-                  std::size_t queue_chunks = 1000)
-      : base{std::move(generator),
-             {.threads = 1,
-              .patch_tiles = 2,
-              .queue_chunks = queue_chunks,
-              .chunk_cache_bytes = 8 << 20,
-              .patch_cache_bytes = 8 << 20,
-              .own_chunks = 0,
-              .merged_cache_bytes = merged_bytes},
-             log,
-             metrics,
-             memory,
-             clock,
-             &merged} {
-    base.start();
+                  std::size_t queue_chunks = 1000, std::uint64_t memory_bytes = 0)
+      : memory{memory_bytes},
+        chunks{std::move(generator),
+               {.threads = 1,
+                .patch_tiles = 2,
+                .queue_chunks = queue_chunks,
+                .chunk_cache_bytes = 8 << 20,
+                .patch_cache_bytes = 8 << 20,
+                .own_chunks = 0,
+                .merged_cache_bytes = merged_bytes},
+               log,
+               metrics,
+               memory,
+               clock,
+               Chunks::Edits{edits, feed}} {
+    chunks.start();
   }
 
-  ChunkAnswer ask(ChunkSource& source, WaitingClient& who, ChunkKey key) {
-    REQUIRE(source.submit(who.mailbox(), {&key, 1}, Urgency::later) == 1);
-    who.await(who.answers().size() + 1);
-    REQUIRE(who.answers().back().first == key);
-    return who.answers().back().second;
+  [[nodiscard]] std::size_t submit(WaitingClient& to, ChunkKey key, Version version = Version::edited) {
+    return chunks.submit(to.mailbox(), {&key, 1}, Urgency::later, version);
   }
-  EncodedChunkPtr get(ChunkKey key) { return ask(chunks, client, key).value(); }
+  ChunkAnswer ask(WaitingClient& asker, ChunkKey key, Version version = Version::edited) {
+    REQUIRE(submit(asker, key, version) == 1);
+    asker.await(asker.answers().size() + 1);
+    REQUIRE(asker.answers().back().first == key);
+    return asker.answers().back().second;
+  }
+  EncodedChunkPtr get(ChunkKey key) { return ask(client, key).value(); }
+  EncodedChunkPtr find(ChunkKey key) { return chunks.find(key, Version::edited); }
+  EncodedChunkPtr find_generated(ChunkKey key) { return chunks.find(key, Version::generated); }
 };
 
 /// Of a real world.
 struct Bench : Edited {
-  explicit Bench(std::size_t merged_bytes = 1 << 20)
-      : Edited{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes} {}
+  explicit Bench(std::size_t merged_bytes = 1 << 20, std::uint64_t memory_bytes = 0)
+      : Edited{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes, 1000, memory_bytes} {}
 
   static std::shared_ptr<const terrain::World> world() {
     static const auto one = std::make_shared<const terrain::World>(terrain::default_world());
     return one;
   }
   EncodedChunkPtr as_generated(ChunkKey key) {
-    if (EncodedChunkPtr chunk = base.find(key)) return chunk;
+    if (EncodedChunkPtr chunk = find_generated(key)) return chunk;
     WaitingClient other;
-    return ask(base, other, key).value();
+    return ask(other, key, Version::generated).value();
   }
   /// A chunk of the key's column in which the ground lies.
   ChunkKey with_ground(ChunkKey key) {
     (void)as_generated(key);
-    const MixedRows rows = base.column(key);
+    const MixedRows rows = chunks.column(key, Version::generated);
     REQUIRE(rows.first <= rows.last);
     key.coord.y = rows.first;
     return key;
@@ -157,8 +161,8 @@ TEST_CASE("what was not edited is the base chunk, found and generated as without
   Bench bench;
   bench.edits.edit({{9, 9, 9}, Lod{}}, kSome);
   const EncodedChunkPtr chunk = bench.get(kColumn);
-  CHECK(chunk == bench.base.find(kColumn));
-  CHECK(bench.chunks.find(kColumn) == chunk);
+  CHECK(chunk == bench.find_generated(kColumn));
+  CHECK(bench.find(kColumn) == chunk);
   CHECK(bench.chunks.revision(kColumn) == kBaseRevision);
   CHECK(bench.edits.loads() == 0);
 }
@@ -169,14 +173,14 @@ TEST_CASE("an edited chunk is the base with its overrides, encoded with its revi
   const ChunkKey key = bench.with_ground({kColumn.coord, lod});
   bench.edits.edit(key, {});
   bench.edits.edit(key, kSome);
-  CHECK(bench.chunks.find(key) == nullptr);  // not merged yet
+  CHECK(bench.find(key) == nullptr);  // not merged yet
   const EncodedChunkPtr chunk = bench.get(key);
   const Chunk expected = decoded(bench.as_generated(key)).with_overrides(kSome);
   CHECK(decoded(chunk) == expected);
   CHECK(chunk->hash() == content_hash(expected));
   CHECK(chunk->hash() != bench.as_generated(key)->hash());
   CHECK(revision_in_frame(*chunk) == 2);
-  CHECK(bench.chunks.find(key) == chunk);
+  CHECK(bench.find(key) == chunk);
 }
 
 TEST_CASE("a chunk is merged once a revision") {
@@ -185,10 +189,10 @@ TEST_CASE("a chunk is merged once a revision") {
   bench.edits.edit(key, kSome);
   const EncodedChunkPtr first = bench.get(key);
   WaitingClient other;
-  CHECK(bench.ask(bench.chunks, other, key).value() == first);
+  CHECK(bench.ask(other, key).value() == first);
   CHECK(bench.edits.loads() == 1);
   bench.edits.edit(key, {{1, MaterialId{3}}});
-  CHECK(bench.chunks.find(key) == nullptr);
+  CHECK(bench.find(key) == nullptr);
   CHECK(bench.get(key)->revision() == 2);
   CHECK(bench.edits.loads() == 2);
 }
@@ -204,13 +208,13 @@ TEST_CASE("a chunk whose last override went is as generated, and keeps its revis
   CHECK(chunk->uniform() == bench.as_generated(key)->uniform());
 }
 
-TEST_CASE("who asks the base has the chunk as generated, also beside who sees edits") {
+TEST_CASE("each client has the version that it asked for, also of one chunk at the same time") {
   Fake fake;
   fake.edits.edit(kColumn, {});
   fake.work->close_gate();
   WaitingClient web;
-  REQUIRE(fake.base.submit(web.mailbox(), {&kColumn, 1}, Urgency::later) == 1);
-  REQUIRE(fake.chunks.submit(fake.client.mailbox(), {&kColumn, 1}, Urgency::later) == 1);
+  REQUIRE(fake.submit(web, kColumn, Version::generated) == 1);
+  REQUIRE(fake.submit(fake.client, kColumn) == 1);
   fake.edits.undo(kColumn);  // with overrides the fake's chunk would have to decode
   fake.work->open_gate();
   web.await(1);
@@ -218,7 +222,7 @@ TEST_CASE("who asks the base has the chunk as generated, also beside who sees ed
   CHECK(web.answers()[0].second.value()->revision() == kBaseRevision);
   CHECK(fake.client.answers()[0].second.value()->revision() == 2);
   CHECK(fake.work->chunks == 1);
-  CHECK(fake.base.find(kColumn)->revision() == kBaseRevision);
+  CHECK(fake.find_generated(kColumn)->revision() == kBaseRevision);
 }
 
 TEST_CASE("no patch is made for an edited chunk whose base is known without") {
@@ -230,7 +234,7 @@ TEST_CASE("no patch is made for an edited chunk whose base is known without") {
     const EncodedChunkPtr chunk = bench.get(key);
     CHECK(chunk->revision() > 0);
     CHECK(decoded(chunk).at({5, 0, 0}) == MaterialId{3});
-    CHECK(decoded(chunk).at({6, 0, 0}) == decoded(bench.base.find(key)).at({6, 0, 0}));
+    CHECK(decoded(chunk).at({6, 0, 0}) == decoded(bench.find_generated(key)).at({6, 0, 0}));
   }
   CHECK(bench.metrics.patches_made.total() == 0);
   CHECK(bench.metrics.chunks_made.total() == 0);
@@ -251,7 +255,7 @@ TEST_CASE("nor for one whose base is in memory") {
 TEST_CASE("an edit while a chunk is made is in the answer") {
   Fake fake;
   fake.work->close_gate();
-  REQUIRE(fake.chunks.submit(fake.client.mailbox(), {&kColumn, 1}, Urgency::later) == 1);
+  REQUIRE(fake.submit(fake.client, kColumn) == 1);
   fake.work->await_somebody_at_gate();
   fake.edits.undo(kColumn);
   fake.work->open_gate();
@@ -265,7 +269,7 @@ TEST_CASE("an edit while a chunk is merged is found by its revision") {
   bench.edits.edit(key, kSome);
   const EncodedChunkPtr old = bench.get(key);
   bench.edits.edit(key, {});
-  CHECK(bench.chunks.find(key) == nullptr);
+  CHECK(bench.find(key) == nullptr);
   CHECK(bench.chunks.newer(key, kBaseRevision) == old);  // better than none
   CHECK(bench.chunks.newer(key, old->revision()) == nullptr);
   CHECK(bench.chunks.revision(key) == 2);
@@ -276,7 +280,7 @@ TEST_CASE("a chunk whose edits cannot be read is a failure that says why") {
   const ChunkKey key = bench.with_ground(kColumn);
   bench.edits.edit(key, kSome);
   bench.edits.load_fails = true;
-  const ChunkAnswer answer = bench.ask(bench.chunks, bench.client, key);
+  const ChunkAnswer answer = bench.ask(bench.client, key);
   REQUIRE_FALSE(answer.has_value());
   CHECK(answer.error().reason == "the disk is gone");
   bench.edits.load_fails = false;
@@ -288,46 +292,81 @@ TEST_CASE("a want of memory while a chunk is merged is a failure too") {
   const ChunkKey key = bench.with_ground(kColumn);
   bench.edits.edit(key, kSome);
   bench.edits.in_load = [] { throw std::bad_alloc{}; };
-  CHECK_FALSE(bench.ask(bench.chunks, bench.client, key).has_value());
+  CHECK_FALSE(bench.ask(bench.client, key).has_value());
 }
 
 TEST_CASE("a row with an edited chunk is mixed, whatever the terrain knows") {
   Bench bench;
   (void)bench.as_generated(kColumn);
-  const MixedRows rows = bench.base.column(kColumn);
+  const MixedRows rows = bench.chunks.column(kColumn, Version::generated);
   const auto at = [](std::int32_t y) { return ChunkKey{{kColumn.coord.x, y, kColumn.coord.z}, Lod{}}; };
-  CHECK(bench.chunks.column(kColumn).uniform_at(rows.last + 3) == kAir);
+  CHECK(bench.chunks.column(kColumn, Version::edited).uniform_at(rows.last + 3) == kAir);
   bench.edits.edit(at(rows.last + 3), kSome);
   bench.edits.edit(at(rows.first - 2), kSome);
-  const MixedRows edited = bench.chunks.column(kColumn);
+  const MixedRows edited = bench.chunks.column(kColumn, Version::edited);
   CHECK_FALSE(edited.uniform_at(rows.last + 3).has_value());
   CHECK_FALSE(edited.uniform_at(rows.first - 2).has_value());
   CHECK(edited.uniform_at(rows.last + 4) == kAir);
   CHECK(edited.uniform_at(rows.first - 3) == rows.below);
-  CHECK(bench.base.column(kColumn).uniform_at(rows.last + 3) == kAir);
+  CHECK(bench.chunks.column(kColumn, Version::generated).uniform_at(rows.last + 3) == kAir);
   const ChunkKey beside{{kColumn.coord.x + 1, 0, kColumn.coord.z}, Lod{}};
-  CHECK(bench.chunks.column(beside).last == bench.base.column(beside).last);
+  CHECK(bench.chunks.column(beside, Version::edited).last ==
+        bench.chunks.column(beside, Version::generated).last);
+}
+
+TEST_CASE("the cache of merged chunks has the bytes that its capacity allows") {
+  FakeEdits edits;
+  MergedChunks merged{edits, std::make_shared<spdlog::logger>("silent"), 1 << 20};
+  const EncodedChunkPtr base = encode_shared(Chunk::uniform(MaterialId{2}));
+  CHECK(merged.merged(kColumn, base).value() == base);
+  for (std::int32_t x = 0; x < 20; ++x) {
+    const ChunkKey key{{x, 2, 0}, Lod{}};
+    edits.edit(key, kSome);
+    const EncodedChunkPtr chunk = merged.merged(key, base).value();
+    REQUIRE(merged.newer(key, kBaseRevision) == chunk);
+  }
+  CHECK(merged.bytes() > 20 * 200);
+  merged.set_capacity(0);
+  std::size_t looks = 1000;
+  CHECK(merged.fit(looks));
+  CHECK(merged.bytes() == 0);
 }
 
 TEST_CASE("merged chunks are memory of the caches, and shrink with them") {
-  Bench bench;
-  for (std::int32_t x = 0; x < 20; ++x) {
-    const ChunkKey key = bench.with_ground({{x, 2, 0}, Lod{}});
-    bench.edits.edit(key, kSome);
-    (void)bench.get(key);
+  std::vector<Override> noise;
+  for (std::uint32_t i = 0; i < 16'384; ++i) {
+    noise.push_back({static_cast<std::uint16_t>(2 * i),
+                     MaterialId{static_cast<std::uint16_t>(1 + ((i * 2'654'435'761U) >> 29U))}});
   }
-  const std::size_t merged = bench.merged.bytes();
-  CHECK(merged > 20 * 200);
-  while (!bench.base.fit_caches()) {
+  Bench bench{1 << 20, std::uint64_t{64} << 20U};
+  std::vector<ChunkKey> keys;
+  for (std::int32_t x = 0; x < 60; ++x) keys.push_back(bench.with_ground({{x, 2, 0}, Lod{}}));
+  const auto used = [&] {
+    while (!bench.chunks.fit_caches()) {
+    }
+    return bench.memory.used(MemoryUse::chunk_cache);
+  };
+  const auto bytes_found = [&] {
+    std::size_t bytes = 0;
+    for (const ChunkKey key : keys) {
+      if (const EncodedChunkPtr chunk = bench.find(key)) bytes += chunk->bytes();
+    }
+    return bytes;
+  };
+  const std::uint64_t without = used();
+  std::size_t merged = 0;
+  for (const ChunkKey key : keys) {
+    bench.edits.edit(key, noise);
+    merged += bench.get(key)->bytes();
   }
-  const std::uint64_t with_merged = bench.memory.used(MemoryUse::chunk_cache);
-  bench.merged.set_capacity(0);
-  std::size_t looks = 1000;
-  CHECK(bench.merged.fit(looks));
-  CHECK(bench.merged.bytes() == 0);
-  while (!bench.base.fit_caches()) {
-  }
-  CHECK(bench.memory.used(MemoryUse::chunk_cache) == with_merged - merged);
+  constexpr std::size_t kMinBytes = std::size_t{256}
+                                    << 10U;  // of the cache of merged chunks: 1/16 of the budget
+  CHECK(merged > kMinBytes);
+  CHECK(bytes_found() == merged);
+  CHECK(used() >= without + merged);
+  bench.memory.set(MemoryUse::sessions, UINT64_MAX / 4);
+  (void)used();
+  CHECK(bytes_found() <= kMinBytes);
 }
 
 TEST_CASE("where no merged chunk can be kept each is made when it is asked for") {
@@ -335,18 +374,18 @@ TEST_CASE("where no merged chunk can be kept each is made when it is asked for")
   const ChunkKey key = bench.with_ground(kColumn);
   bench.edits.edit(key, kSome);
   CHECK(bench.get(key)->revision() == 1);
-  CHECK(bench.chunks.find(key) == nullptr);
+  CHECK(bench.find(key) == nullptr);
   CHECK(bench.get(key)->revision() == 1);
   CHECK(bench.edits.loads() == 2);
 }
 
-TEST_CASE("room in the generators' queue is told through the edits") {
+TEST_CASE("a client of edited chunks that was refused is told of room in the queue") {
   WaitingClient late;
   Fake fake;
   fake.work->close_gate();
-  REQUIRE(fake.chunks.submit(fake.client.mailbox(), {&kColumn, 1}, Urgency::later) == 1);
+  REQUIRE(fake.submit(fake.client, kColumn) == 1);
   constexpr ChunkKey kFar{{100, 0, 0}, Lod{}};
-  REQUIRE(fake.chunks.submit(late.mailbox(), {&kFar, 1}, Urgency::later) == 0);
+  REQUIRE(fake.submit(late, kFar) == 0);
   fake.work->open_gate();
   late.await_room();
 }

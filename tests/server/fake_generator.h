@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 #include "chunks/generation/generator.h"
 #include "runtime/manual_clock.h"
 
@@ -223,14 +223,14 @@ class WaitingClient {
   int rooms_ = 0;
 };
 
-/// Base chunks of a fake generator. Its clock stands still, so that only the first answer of a piece of work
+/// Chunks of a fake generator. Its clock stands still, so that only the first answer of a piece of work
 /// and its end wake anybody.
 struct FakeService {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
   Metrics metrics;
   MemoryBudget memory;
   ManualClock clock;
-  BaseChunks service;
+  Chunks service;
 
   explicit FakeService(std::size_t threads = 1, std::size_t queue_chunks = 1000,
                        std::uint64_t memory_bytes = 0, std::size_t cache_bytes = 1 << 20,

@@ -39,9 +39,9 @@ TEST_CASE("returned patches are limited to an eighth of the budget, also before 
 
 TEST_CASE("small patches are put back up to a number, and without a limit of memory as well") {
   MemoryBudget small{256 * kMebibyte};
-  CHECK(GeneratorMemory{small, 2, silent(), 1000}.max_begun() == GeneratorMemory::kMostBegun);
+  CHECK(GeneratorMemory{small, 2, silent(), 1000}.max_begun() == GeneratorMemory::kMaxBegun);
   MemoryBudget none{0};
-  CHECK(GeneratorMemory{none, 2, silent(), kMebibyte << 10}.max_begun() == GeneratorMemory::kMostBegun);
+  CHECK(GeneratorMemory{none, 2, silent(), kMebibyte << 10}.max_begun() == GeneratorMemory::kMaxBegun);
 }
 
 TEST_CASE("returned patches count in the budget as long as they exist") {

@@ -81,9 +81,46 @@ struct FakeLand final : EditedLand {
   std::vector<EditedColumn> edited_columns(ChunkKey) const override { return region; }
 };
 
+/// Two scripted sources: one for each version of chunks.
+class SourceOfVersions final : public ChunkSource {
+ public:
+  SourceOfVersions(ScriptedSource& generated, ScriptedSource& edited)
+      : generated_{generated}, edited_{edited} {}
+
+  EncodedChunkPtr find(ChunkKey key, Version version) override { return of(version).find(key, version); }
+  EncodedChunkPtr newer(ChunkKey key, std::uint64_t revision) override {
+    return edited_.newer(key, revision);
+  }
+  std::uint64_t revision(ChunkKey key) const override { return edited_.revision(key); }
+  MixedRows column(ChunkKey key, Version version) override { return of(version).column(key, version); }
+  int columns_together() const override { return generated_.columns_together(); }
+  std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+                     Version version) override {
+    return of(version).submit(mailbox, keys, urgency, version);
+  }
+  void hasten(ClientId, std::span<const ChunkKey>) override {}
+  void cancel(ClientId client, std::span<const ChunkKey> keys) override {
+    generated_.cancel(client, keys);
+    edited_.cancel(client, keys);
+  }
+  void set_wanted(const MailboxPtr&, std::span<const LevelBox>) override {}
+  void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {
+    generated_.submit_heights(mailbox, ticket, std::move(query));
+  }
+  void cancel_heights(ClientId client, std::uint64_t ticket) override {
+    generated_.cancel_heights(client, ticket);
+  }
+  PicturePtr find_map(const map::Tile& tile) override { return generated_.find_map(tile); }
+
+ private:
+  ScriptedSource& of(Version version) { return version == Version::edited ? edited_ : generated_; }
+  ScriptedSource& generated_;
+  ScriptedSource& edited_;
+};
+
 struct PlayerSite {
   ManualClock clock{std::chrono::sys_seconds{1'700'000'000s}};
-  ScriptedSource source;
+  ScriptedSource source;  // as generated
   MemoryBudget memory{0};
   Metrics metrics;
   SessionLimits limits = test_limits(1U << 30);
@@ -97,8 +134,9 @@ struct PlayerSite {
   AccessControl access;
   Admission admission{{10, 2}, clock};
   Registry registry;
-  ScriptedSource edited;  // what sessions are sent
-  RunnerContext runner{{limits, world, edited, memory, metrics, access, rates, flows, clock},
+  ScriptedSource edited;
+  SourceOfVersions both{source, edited};
+  RunnerContext runner{{limits, world, both, memory, metrics, access, rates, flows, clock},
                        {65'536, 1U << 20, {10s, 60s, 15s}},
                        registry,
                        std::make_shared<spdlog::logger>("silent")};
@@ -125,7 +163,6 @@ struct PlayerSite {
     if (!context) {
       context.emplace(
           web::WebContext{{RunnerContextPtr{}, &runner},
-                          source,
                           has_store ? &land : nullptr,
                           settings,
                           admission,

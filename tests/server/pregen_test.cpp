@@ -105,7 +105,8 @@ TEST_CASE("every mixed chunk of the plan is made, and a second run makes no chun
   CHECK(done->columns == 16 * done->of);
   for (std::int32_t x = -7; x <= 6; ++x) {
     for (std::int32_t z = -7; z <= 6; ++z) {
-      for (const std::int32_t y : {2, 3}) CHECK(bench.fake.service.find({{x, y, z}, Lod{}}) != nullptr);
+      for (const std::int32_t y : {2, 3})
+        CHECK(bench.fake.service.find({{x, y, z}, Lod{}}, Version::generated) != nullptr);
     }
   }
   const int patches = bench.fake.work->patches;

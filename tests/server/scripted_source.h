@@ -58,7 +58,7 @@ class ScriptedSource final : public ChunkSource {
   MailboxPtr watcher;  // of set_wanted()
   std::vector<LevelBox> wanted;
 
-  [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override {
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key, Version = Version::edited) override {
     const auto found = in_memory.find(key);
     const auto said = revisions.find(key);
     if (found == in_memory.end()) return nullptr;
@@ -80,12 +80,12 @@ class ScriptedSource final : public ChunkSource {
     auto changed = changes ? changes(key, since) : std::nullopt;
     return changed && changed->voxels.size() <= most ? changed : std::nullopt;
   }
-  [[nodiscard]] MixedRows column(ChunkKey key) override { return rows_of ? rows_of(key) : rows; }
+  [[nodiscard]] MixedRows column(ChunkKey key, Version) override { return rows_of ? rows_of(key) : rows; }
 
   [[nodiscard]] int columns_together() const override { return together; }
   [[nodiscard]] bool has_little_to_do() const override { return little_to_do; }
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                   Urgency urgency) override {
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+                                   Version) override {
     std::size_t accepted = 0;
     last_mailbox = mailbox;
     submissions.emplace_back(keys.begin(), keys.end());

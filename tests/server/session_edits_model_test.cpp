@@ -59,7 +59,7 @@ class ModelSource final : public ChunkSource {
 
   // ---- as a source
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const override { return newest(key).revision; }
-  [[nodiscard]] EncodedChunkPtr find(ChunkKey key) override {
+  [[nodiscard]] EncodedChunkPtr find(ChunkKey key, server::Version) override {
     const auto kept = kept_.find(key);
     return kept != kept_.end() && kept->second->revision() == revision(key) ? kept->second : nullptr;
   }
@@ -83,7 +83,7 @@ class ModelSource final : public ChunkSource {
     for (const std::uint16_t i : indices) changed.voxels.push_back({i, MaterialId{now[i]}});
     return changed;
   }
-  [[nodiscard]] MixedRows column(ChunkKey key) override {
+  [[nodiscard]] MixedRows column(ChunkKey key, server::Version) override {
     if (!columns_known) return {};
     MixedRows rows{0, 0, kRock};
     for (const auto& [edited, versions] : history_) {
@@ -96,8 +96,8 @@ class ModelSource final : public ChunkSource {
     return rows;
   }
   [[nodiscard]] int columns_together() const override { return 2; }
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                   Urgency) override {
+  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency,
+                                   server::Version) override {
     std::size_t accepted = 0;
     for (; accepted < keys.size() && jobs_.size() + made_.size() < places; ++accepted) {
       jobs_[keys[accepted]] = mailbox;

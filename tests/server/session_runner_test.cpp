@@ -132,11 +132,11 @@ TEST_CASE("an error of the stream ends its session") {
 
 TEST_CASE("an exception of a session's work ends only that session") {
   struct ThrowingSource final : ChunkSource {
-    EncodedChunkPtr find(ChunkKey) override { throw std::bad_alloc{}; }
+    EncodedChunkPtr find(ChunkKey, Version) override { throw std::bad_alloc{}; }
     EncodedChunkPtr newer(ChunkKey, std::uint64_t) override { return nullptr; }
-    MixedRows column(ChunkKey) override { return {}; }
+    MixedRows column(ChunkKey, Version) override { return {}; }
     int columns_together() const override { return 1; }
-    std::size_t submit(const MailboxPtr&, std::span<const ChunkKey> keys, Urgency) override {
+    std::size_t submit(const MailboxPtr&, std::span<const ChunkKey> keys, Urgency, Version) override {
       return keys.size();
     }
     void hasten(ClientId, std::span<const ChunkKey>) override {}

@@ -54,9 +54,9 @@ TEST_CASE("a patch that was begun is gone on with, in turns with what others wan
   WorkQueue queue{kPatch, 100};
   const auto dear = client_box();
   const auto other = client_box();
-  REQUIRE(queue.add(dear, std::array{at(0), at(1)}) == 2);
+  REQUIRE(queue.add({dear}, std::array{at(0), at(1)}) == 2);
   auto work = take(queue);
-  REQUIRE(queue.add(other, std::array{at(100), at(200), at(300)}) == 3);
+  REQUIRE(queue.add({other}, std::array{at(100), at(200), at(300)}) == 3);
   std::vector<bool> was_dear;
   const BegunPatch* const begun = pause(queue, work);
   CHECK(queue.begun() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("a piece gives way where another client could begin something") {
   REQUIRE(add(queue, other, at(1)));  // of the patch that is taken
   CHECK_FALSE(queue.should_give_way(work.turn, 150, kCosts));
   const Urgency urgency = GENERATE(Urgency::soon, Urgency::later);
-  REQUIRE(queue.add(other, std::array{at(200)}, urgency) == 1);
+  REQUIRE(queue.add({other}, std::array{at(200)}, urgency) == 1);
   CHECK(queue.should_give_way(work.turn, 150, kCosts));
 }
 

@@ -38,7 +38,14 @@ inline WorkQueue::Batch take_batch(WorkQueue& queue) {
 }
 
 inline bool add(WorkQueue& queue, const MailboxPtr& client, ChunkKey key) {
-  return queue.add(client, {&key, 1}) == 1;
+  return queue.add({client}, {&key, 1}) == 1;
+}
+
+/// Ends the job. Returns the mailboxes of its waiters.
+inline std::vector<MailboxPtr> end_job(WorkQueue& queue, ChunkKey key) {
+  std::vector<MailboxPtr> mailboxes;
+  for (const Waiter& waiter : queue.finish(key)) mailboxes.push_back(waiter.mailbox);
+  return mailboxes;
 }
 
 inline constexpr int kPatch = 4;

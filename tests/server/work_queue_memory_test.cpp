@@ -20,11 +20,11 @@ TEST_CASE("whichever allocation fails while chunks are asked for, the queue is w
     const auto other = client_box(kFlow);
     const std::array shared{at(0), at(1)};
     const std::array keys{at(0), at(1), at(2), at(100), at(101)};
-    REQUIRE(queue.add(other, shared) == 2);
+    REQUIRE(queue.add({other}, shared) == 2);
     {
       const talus::test::FailingAllocations failing{allocations};
       try {
-        (void)queue.add(client, keys);
+        (void)queue.add({client}, keys);
       } catch (const std::bad_alloc&) {
       }
       failed = failing.has_failed();
@@ -37,7 +37,7 @@ TEST_CASE("whichever allocation fails while chunks are asked for, the queue is w
       const auto& batch = std::get<WorkQueue::Batch>(work->what);
       for (const ChunkKey key : batch.keys) {
         got.push_back(key);
-        REQUIRE(queue.finish(key) == std::vector<MailboxPtr>{client});
+        REQUIRE(end_job(queue, key) == std::vector{client});
       }
       queue.release(batch.patch);
       queue.reconcile(*work, 1);
@@ -46,7 +46,7 @@ TEST_CASE("whichever allocation fails while chunks are asked for, the queue is w
     CHECK((got.size() == keys.size()) == !failed);
     REQUIRE(queue.jobs() == 0);
     REQUIRE(queue.clients() == 0);
-    CHECK(queue.add(client, keys) == keys.size());
+    CHECK(queue.add({client}, keys) == keys.size());
   }
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("whichever allocation fails while a piece is taken, it is taken the ne
     WorkQueue queue{kPatch, 100};
     const auto client = client_box(kFlow);
     const std::array keys{at(0), at(1), at(2)};
-    REQUIRE(queue.add(client, keys) == 3);
+    REQUIRE(queue.add({client}, keys) == 3);
     queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
     std::vector<WorkQueue::Work> taken;
     taken.reserve(2);
@@ -143,8 +143,8 @@ TEST_CASE("whichever allocation fails while a patch is put back, its jobs are st
     WorkQueue queue{kPatch, 100};
     const auto first = client_box(kFlow);
     const auto second = client_box(kOtherFlow);
-    REQUIRE(queue.add(first, std::array{at(0), at(1)}) == 2);
-    REQUIRE(queue.add(second, std::array{at(1), at(2)}) == 2);
+    REQUIRE(queue.add({first}, std::array{at(0), at(1)}) == 2);
+    REQUIRE(queue.add({second}, std::array{at(1), at(2)}) == 2);
     auto work = queue.take();
     REQUIRE(work.has_value());
     auto& batch = std::get<WorkQueue::Batch>(work->what);

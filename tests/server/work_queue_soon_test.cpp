@@ -29,7 +29,7 @@ TEST_CASE("what is wanted soon goes before what others wanted earlier") {
   const auto far = client_box();
   const auto near = client_box();
   for (int i = 0; i < 8; ++i) REQUIRE(add(queue, far, at(100 * i)));
-  REQUIRE(queue.add(near, std::array{at(-100), at(-200), at(-300)}, Urgency::soon) == 3);
+  REQUIRE(queue.add({near}, std::array{at(-100), at(-200), at(-300)}, Urgency::soon) == 3);
   const auto turns = turns_of(queue);
   REQUIRE(turns.size() == 11);
   for (const std::size_t i : {0U, 2U, 3U}) CHECK(turns[i].first == near->owner());
@@ -41,7 +41,7 @@ TEST_CASE("of one client, too, what is wanted soon goes first") {
   const auto client = client_box();
   queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
   REQUIRE(add(queue, client, at(0)));
-  REQUIRE(queue.add(client, std::array{at(100)}, Urgency::soon) == 1);
+  REQUIRE(queue.add({client}, std::array{at(100)}, Urgency::soon) == 1);
   auto work = queue.take();
   REQUIRE(work.has_value());
   CHECK(work->turn.urgency == Urgency::soon);
@@ -52,11 +52,11 @@ TEST_CASE("a patch that comes to be wanted soon is, with all that the client wai
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
   const auto other = client_box();
-  REQUIRE(queue.add(client, std::array{at(0), at(1), at(100)}) == 3);
+  REQUIRE(queue.add({client}, std::array{at(0), at(1), at(100)}) == 3);
   REQUIRE(add(queue, other, at(200)));
   const bool by_asking_again = GENERATE(true, false);
   if (by_asking_again) {
-    REQUIRE(queue.add(client, std::array{at(1)}, Urgency::soon) == 1);
+    REQUIRE(queue.add({client}, std::array{at(1)}, Urgency::soon) == 1);
   } else {
     queue.hasten(client->owner(), at(1));
     queue.hasten(client->owner(), at(1));
@@ -79,17 +79,17 @@ TEST_CASE("whose far chunks wait is not refused its near ones") {
   const auto client = client_box();
   std::vector<ChunkKey> far;
   for (int i = 0; i < 8; ++i) far.push_back(at(100 * i));
-  REQUIRE(queue.add(client, far) == 8);
-  CHECK(queue.add(client, std::array{at(-100)}) == 0);
-  CHECK(queue.add(client, std::array{at(-100), at(-200), at(-300), at(-400)}, Urgency::soon) == 4);
-  CHECK(queue.add(client, std::array{at(-500)}, Urgency::soon) == 0);
+  REQUIRE(queue.add({client}, far) == 8);
+  CHECK(queue.add({client}, std::array{at(-100)}) == 0);
+  CHECK(queue.add({client}, std::array{at(-100), at(-200), at(-300), at(-400)}, Urgency::soon) == 4);
+  CHECK(queue.add({client}, std::array{at(-500)}, Urgency::soon) == 0);
 }
 
 TEST_CASE("what was wanted soon and gives way still is") {
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
   const auto beside = client_box();
-  REQUIRE(queue.add(client, std::array{at(0)}, Urgency::soon) == 1);
+  REQUIRE(queue.add({client}, std::array{at(0)}, Urgency::soon) == 1);
   auto work = queue.take();
   REQUIRE(work.has_value());
   REQUIRE(add(queue, beside, at(0)));
@@ -111,7 +111,7 @@ TEST_CASE("what comes to be wanted soon while a thread works on it is, when it g
   REQUIRE(work.has_value());
   const int how = GENERATE(0, 1, 2);
   if (how == 0) queue.hasten(client->owner(), at(0));
-  if (how == 1) REQUIRE(queue.add(other, std::array{at(0)}, Urgency::soon) == 1);
+  if (how == 1) REQUIRE(queue.add({other}, std::array{at(0)}, Urgency::soon) == 1);
   if (how == 2) queue.hasten(other->owner(), at(0));  // who does not wait for it
   auto& batch = std::get<WorkQueue::Batch>(work->what);
   batch.begun = std::make_unique<BegunPatch>();
@@ -128,7 +128,7 @@ TEST_CASE("whichever allocation fails while a chunk is hastened, it is wanted so
     CAPTURE(allocations);
     WorkQueue queue{kPatch, 100};
     const auto client = client_box();
-    REQUIRE(queue.add(client, std::array{at(0), at(1)}) == 2);
+    REQUIRE(queue.add({client}, std::array{at(0), at(1)}) == 2);
     {
       const talus::test::FailingAllocations failing{allocations};
       try {

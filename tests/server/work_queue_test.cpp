@@ -24,7 +24,7 @@ TEST_CASE("one job, however many wait") {
   CHECK(queue.jobs() == 1);
   CHECK(take_batch(queue).keys == std::vector{at(1)});
   CHECK(queue.begin(at(1)));
-  CHECK(queue.finish(at(1)) == clients);
+  CHECK(end_job(queue, at(1)) == clients);
 }
 
 TEST_CASE("a batch is all that waits for a patch") {
@@ -59,6 +59,18 @@ TEST_CASE("a job dies with its last waiter") {
   queue.cancel(second->owner(), at(1));
   CHECK(queue.jobs() == 0);
   CHECK_FALSE(queue.take().has_value());
+}
+
+TEST_CASE("a client waits for a chunk in the version for which it asked first") {
+  WorkQueue queue{kPatch, 100};
+  const auto edited = client_box();
+  const auto both = client_box();
+  REQUIRE(queue.add({edited, Version::edited}, std::array{at(0)}) == 1);
+  REQUIRE(queue.add({both, Version::generated}, std::array{at(0)}) == 1);
+  REQUIRE(queue.add({both, Version::edited}, std::array{at(0)}) == 1);
+  (void)take_batch(queue);
+  REQUIRE(queue.add({both, Version::edited}, std::array{at(0)}) == 1);
+  CHECK(queue.finish(at(0)) == std::vector<Waiter>{{edited, Version::edited}, {both, Version::generated}});
 }
 
 TEST_CASE("a job whose waiters left while it was taken is not begun") {
@@ -242,7 +254,7 @@ TEST_CASE("a job for which two wait is done when the more urgent one's turn come
   REQUIRE(add(queue, urgent, at(0)));   // at once
   (void)take_batch(queue);
   CHECK(take_batch(queue).keys == std::vector{at(0)});
-  CHECK(queue.finish(at(0)) == std::vector<MailboxPtr>{patient, urgent});
+  CHECK(end_job(queue, at(0)) == std::vector{patient, urgent});
 }
 
 TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
@@ -293,7 +305,7 @@ TEST_CASE("a client that waits for nothing is not refused, and gets all that it 
   const auto client = client_box(kFlow);
   std::vector<ChunkKey> keys;
   for (std::int32_t x = 0; x < 9; ++x) keys.push_back(at(x));
-  CHECK(queue.add(client, keys) == 9);
+  CHECK(queue.add({client}, keys) == 9);
   CHECK(queue.jobs() == 13);
   CHECK_FALSE(add(queue, client, at(50)));
   CHECK(queue.waits(client->owner()));
@@ -306,7 +318,7 @@ TEST_CASE(
   WorkQueue queue{kPatch, 100, 1};
   REQUIRE(add(queue, client_box(), at(0)));
   REQUIRE(add(queue, client_box(), at(1)));
-  CHECK(queue.add(client_box(), std::array{at(0), at(1), at(2), at(0)}, Urgency::later, false) == 2);
+  CHECK(queue.add({client_box()}, std::array{at(0), at(1), at(2), at(0)}, Urgency::later, false) == 2);
   CHECK(queue.jobs() == 2);
 }
 
@@ -316,7 +328,7 @@ TEST_CASE("jobs of one patch end in any order") {
     const auto client = client_box();
     std::vector<ChunkKey> keys;
     for (std::int32_t x = 0; x < 60; ++x) keys.push_back(at(x));
-    RC_ASSERT(queue.add(client, keys) == keys.size());
+    RC_ASSERT(queue.add({client}, keys) == keys.size());
     const bool taken = *rc::gen::arbitrary<bool>();
     const auto order =
         *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, keys.size()));
@@ -346,7 +358,7 @@ TEST_CASE("jobs of one patch end in any order") {
 
 TEST_CASE("a job that is finished is not begun again") {
   WorkQueue queue{kPatch, 100};
-  REQUIRE(queue.add(client_box(), std::array{at(0), at(1)}) == 2);
+  REQUIRE(queue.add({client_box()}, std::array{at(0), at(1)}) == 2);
   const auto batch = take_batch(queue);
   (void)queue.finish(at(1));
   CHECK_FALSE(queue.begin(at(1)));
@@ -357,7 +369,7 @@ TEST_CASE("a job that is finished is not begun again") {
 TEST_CASE("what a thread leaves of a batch is gone with it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box(kFlow);
-  REQUIRE(queue.add(client, std::array{at(0), at(1), at(2)}) == 3);
+  REQUIRE(queue.add({client}, std::array{at(0), at(1), at(2)}) == 3);
   const auto batch = take_batch(queue);
   (void)queue.finish(at(1));
   queue.release(batch.patch);
@@ -533,7 +545,7 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
         RC_ASSERT(queue.begin(key) == !expected.empty());
         if (expected.empty()) continue;
         std::set<ClientId> got;
-        for (const auto& client : queue.finish(key)) got.insert(client->owner());
+        for (const MailboxPtr& client : end_job(queue, key)) got.insert(client->owner());
         RC_ASSERT(got == expected);
       }
       queue.release(batch.patch);
@@ -554,7 +566,7 @@ TEST_CASE("every job is taken once or cancelled, and nothing is left behind") {
       const auto& client = clients[static_cast<std::size_t>(who)];
       if (step < 3) {
         const Urgency urgency = step == 0 ? Urgency::soon : Urgency::later;
-        RC_ASSERT(queue.add(client, std::array{at(where)}, urgency) == 1U);
+        RC_ASSERT(queue.add({client}, std::array{at(where)}, urgency) == 1U);
         waiting[at(where)].insert(client->owner());
       } else if (step == 3) {
         queue.cancel(client->owner(), at(where));

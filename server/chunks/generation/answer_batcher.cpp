@@ -25,9 +25,9 @@ void do_or_lose(Mailbox& mailbox, const Logger& log, Step&& step) {
 
 }  // namespace
 
-void AnswerBatcher::add(std::span<const MailboxPtr> waiters, ChunkKey key, const ChunkAnswer& answer) {
-  for (const MailboxPtr& waiter : waiters) {
-    do_or_lose(*waiter, log_, [&] { mail_[waiter].emplace_back(ChunkReady{key, answer}); });
+void AnswerBatcher::add(std::span<const Waiter> waiters, ChunkKey key, const ChunkAnswer& answer) {
+  for (const Waiter& waiter : waiters) {
+    do_or_lose(*waiter.mailbox, log_, [&] { mail_[waiter.mailbox].emplace_back(ChunkReady{key, answer}); });
   }
   if (!mail_.empty() && clock_.now() - woke_ >= kInterval) wake();
 }

@@ -27,7 +27,7 @@ class AnswerBatcher {
   AnswerBatcher& operator=(const AnswerBatcher&) = delete;
 
   /// If memory is lacking for a waiter, it gets no answer; its mailbox and the log record that.
-  void add(std::span<const MailboxPtr> waiters, ChunkKey key, const ChunkAnswer& answer);
+  void add(std::span<const Waiter> waiters, ChunkKey key, const ChunkAnswer& answer);
   /// Sends all answers that were added since the last call.
   void wake();
 

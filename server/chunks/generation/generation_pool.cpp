@@ -34,6 +34,13 @@ constexpr std::chrono::milliseconds kMemoryRetry{100};
 
 const GenerationFailed kOutOfMemory{"out of memory"};
 
+/// Moves the waiters for Version::edited behind the others. Returns the number of the others.
+std::size_t partition_by_version(std::vector<Waiter>& waiters) {
+  const auto generated = [](const Waiter& waiter) { return waiter.version == Version::generated; };
+  return static_cast<std::size_t>(std::partition(waiters.begin(), waiters.end(), generated) -
+                                  waiters.begin());
+}
+
 void add_time(Counter& counter, std::chrono::nanoseconds time) {
   counter.add(static_cast<std::uint64_t>(time.count()));
 }
@@ -61,13 +68,13 @@ GenerationPool::~GenerationPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-std::size_t GenerationPool::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                   Urgency urgency) {
+std::size_t GenerationPool::add(const Waiter& waiter, std::span<const ChunkKey> keys, Urgency urgency) {
+  const MailboxPtr& mailbox = waiter.mailbox;
   std::size_t accepted = 0;
   std::int64_t job_bytes = 0;
   {
     const std::lock_guard lock{mutex_};
-    accepted = queue_.add(mailbox, keys, urgency, parts_.memory.takes_jobs());
+    accepted = queue_.add(waiter, keys, urgency, parts_.memory.takes_jobs());
     if (accepted < keys.size()) {
       parts_.metrics.jobs_refused.add(keys.size() - accepted);
       if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
@@ -108,7 +115,7 @@ void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
   tell_of_room(with_room);
 }
 
-void GenerationPool::submit_heights(HeightsTask task) {
+void GenerationPool::add(HeightsTask task) {
   {
     const std::lock_guard lock{mutex_};
     recent_flows_.asked(task.mailbox()->flow(), parts_.clock.now());
@@ -217,7 +224,7 @@ void GenerationPool::put_back(WorkQueue::Work& work) {
 void GenerationPool::lose(const WorkQueue::Batch& batch) {
   for (const ChunkKey key : batch.keys) {
     if (!queue_.begin(key)) continue;
-    for (const MailboxPtr& waiter : queue_.finish(key)) waiter->lose_mail();
+    for (const Waiter& waiter : queue_.finish(key)) waiter.mailbox->lose_mail();
   }
 }
 
@@ -283,7 +290,7 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
   struct Answered {
     std::size_t index = 0;
     ChunkAnswer answer;
-    std::vector<MailboxPtr> waiters{};
+    std::vector<Waiter> waiters{};
   };
   AnswerBatcher answers{log_, parts_.clock};
   std::vector<Answered> some;
@@ -313,25 +320,18 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
     some.resize(made);
     for (Answered& each : some) {
       const ChunkKey key = keys[each.index];
-      const std::size_t edited = edits_seen_from(each.waiters);
-      const std::span<const MailboxPtr> waiters{each.waiters};
-      answers.add(waiters.first(edited), key, each.answer);
-      if (edited < waiters.size()) answers.add(waiters.subspan(edited), key, with_edits(key, each.answer));
+      const std::size_t generated = partition_by_version(each.waiters);
+      const std::span<const Waiter> waiters{each.waiters};
+      if (generated > 0) answers.add(waiters.first(generated), key, each.answer);
+      if (generated < waiters.size())
+        answers.add(waiters.subspan(generated), key, with_edits(key, each.answer));
     }
     some.clear();
   }
 }
 
-std::size_t GenerationPool::edits_seen_from(std::vector<MailboxPtr>& waiters) const {
-  if (parts_.overlay == nullptr) return waiters.size();
-  const auto as_generated = [](const MailboxPtr& waiter) { return !waiter->sees_edits(); };
-  return static_cast<std::size_t>(std::partition(waiters.begin(), waiters.end(), as_generated) -
-                                  waiters.begin());
-}
-
 ChunkAnswer GenerationPool::with_edits(ChunkKey key, const ChunkAnswer& base) const {
-  if (!base || parts_.overlay->revision(key) == kBaseRevision) return base;
-  return parts_.overlay->merged(key, *base);
+  return base && parts_.merged != nullptr ? parts_.merged->merged(key, *base) : base;
 }
 
 void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {

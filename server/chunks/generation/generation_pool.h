@@ -2,8 +2,8 @@
 //
 // No chunk is made twice: a thread puts a chunk into the cache before it ends the chunk's job, and looks
 // there before it makes one; the chunks of a patch are made by one thread at a time. A chunk as generated
-// never changes, so nothing in that cache is ever invalidated. Edits are applied to a chunk when it is made,
-// for clients that see edits only: the overlay has a cache of its own.
+// never changes, so nothing in that cache is ever invalidated. Edits are merged just before an answer is
+// sent, for clients that wait for Version::edited: so no such client receives a chunk without its edits.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,6 @@
 #include <thread>
 #include <vector>
 
-#include "chunks/chunk_overlay.h"
 #include "chunks/chunk_source.h"
 #include "chunks/generation/chunk_maker.h"
 #include "chunks/generation/cost_model.h"
@@ -26,6 +25,7 @@
 #include "chunks/generation/recent_flows.h"
 #include "chunks/generation/refused_clients.h"
 #include "chunks/generation/work_queue.h"
+#include "chunks/merged_chunks.h"
 #include "limits/memory/memory_budget.h"
 #include "runtime/clock.h"
 #include "runtime/log/logger.h"
@@ -43,7 +43,7 @@ class GenerationPool {
     Metrics& metrics;
     MemoryBudget& memory;
     const Clock& clock;
-    ChunkOverlay* overlay = nullptr;  // null: there are no edits
+    MergedChunks* merged = nullptr;  // null: there are no edits
   };
   struct Settings {
     std::size_t threads = 1;
@@ -60,12 +60,12 @@ class GenerationPool {
   /// Starts the threads; once.
   void start();
 
-  // As ChunkSource defines them.
-  [[nodiscard]] std::size_t submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
-                                   Urgency urgency);
+  /// See ChunkSource::submit().
+  [[nodiscard]] std::size_t add(const Waiter& waiter, std::span<const ChunkKey> keys, Urgency urgency);
+  void add(HeightsTask task);
+  // See ChunkSource.
   void hasten(ClientId client, std::span<const ChunkKey> keys);
   void cancel(ClientId client, std::span<const ChunkKey> keys);
-  void submit_heights(HeightsTask task);
   void cancel_heights(ClientId client, std::uint64_t ticket);
 
   /// With fewer for each thread the threads may have no job left before clients ask for more. It is the
@@ -95,8 +95,6 @@ class GenerationPool {
   void answer(std::span<const ChunkKey> keys, Chunk&& chunk);
   /// Answers the chunks that are in memory; returns the other keys.
   [[nodiscard]] std::vector<ChunkKey> answer_known(std::span<const ChunkKey> keys);
-  /// Moves waiters that see edits behind the others, and returns the first of them.
-  [[nodiscard]] std::size_t edits_seen_from(std::vector<MailboxPtr>& waiters) const;
   [[nodiscard]] ChunkAnswer with_edits(ChunkKey key, const ChunkAnswer& base) const;
   /// Answers by a failure what was not answered of the batch.
   void fail(const WorkQueue::Batch& batch);

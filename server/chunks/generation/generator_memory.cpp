@@ -30,8 +30,8 @@ void GeneratorMemory::add_begun(std::ptrdiff_t change) {
 
 std::size_t GeneratorMemory::max_begun() const {
   const std::uint64_t each = each_bytes();
-  if (budget_.limit_bytes() == 0 || each == 0) return kMostBegun;
-  return std::min<std::uint64_t>(kMostBegun, budget_.limit_bytes() / kLargestShare / each);
+  if (budget_.limit_bytes() == 0 || each == 0) return kMaxBegun;
+  return std::min<std::uint64_t>(kMaxBegun, budget_.limit_bytes() / kLargestShare / each);
 }
 
 std::uint64_t GeneratorMemory::each_bytes() const {

@@ -26,7 +26,7 @@ class GeneratorMemory {
   /// Maximum number of patches that were begun and wait, so that no more yield: as many as are an eighth of
   /// the budget. 0 if memory is too short for one: then each is made whole.
   [[nodiscard]] std::size_t max_begun() const;
-  static constexpr std::size_t kMostBegun = 16;
+  static constexpr std::size_t kMaxBegun = 16;
   /// Changes the number of patches that were begun and wait.
   void add_begun(std::ptrdiff_t change);
 

@@ -18,9 +18,9 @@ constexpr double kShareOfSoon = 3;
 /// In quanta, divided by the share: the most that work wanted soon, or later, saves up while there is none.
 constexpr double kUrgencySaved = 64 / kShareOfSoon;
 
-auto waiter_of(std::vector<MailboxPtr>& waiters, ClientId client) {
+auto waiter_of(std::vector<Waiter>& waiters, ClientId client) {
   return std::find_if(waiters.begin(), waiters.end(),
-                      [&](const MailboxPtr& each) { return each->owner() == client; });
+                      [&](const Waiter& each) { return each.mailbox->owner() == client; });
 }
 
 }  // namespace
@@ -78,8 +78,9 @@ void WorkQueue::Jobs::end(Job& job) {
   first = 0;
 }
 
-std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+std::size_t WorkQueue::add(const Waiter& waiter, std::span<const ChunkKey> keys, Urgency urgency,
                            bool new_jobs) {
+  const MailboxPtr& mailbox = waiter.mailbox;
   // A client that waits for far chunks is not refused near ones.
   const auto found = clients_.find(mailbox->owner());
   const bool own = own_jobs_ > (found == clients_.end() ? 0 : found->second.waiting[urgency]);
@@ -95,12 +96,12 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
       if (taken != nullptr) {
         if (urgency == Urgency::soon) patch->second.hastened = true;
         if (waiter_of(taken->waiters, mailbox->owner()) == taken->waiters.end()) {
-          taken->waiters.push_back(mailbox);
+          taken->waiters.push_back(waiter);
         }
       } else {
         if (waiting == nullptr && (!new_jobs || !(own || may_add(*mailbox)))) break;
         if (!known) patch = patches_.try_emplace(patch_key).first;
-        add(mailbox, key, urgency, patch->first, patch->second, waiting);
+        add(waiter, key, urgency, patch->first, patch->second, waiting);
       }
       ++added;
     }
@@ -110,8 +111,9 @@ std::size_t WorkQueue::add(const MailboxPtr& mailbox, std::span<const ChunkKey> 
   return added;
 }
 
-void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch,
+void WorkQueue::add(const Waiter& waiter, ChunkKey key, Urgency urgency, const PatchKey& patch,
                     PatchWork& work, Job* waiting) {
+  const MailboxPtr& mailbox = waiter.mailbox;
   Client& client = enter(*mailbox, urgency);
   if (urgency == Urgency::soon) hasten(client, mailbox->owner(), patch);
   if (waiting != nullptr && waiter_of(waiting->waiters, mailbox->owner()) != waiting->waiters.end()) return;
@@ -120,7 +122,7 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, co
     // Everything that may throw comes first.
     Flow& flow = flows_[mailbox->flow()];
     JobsOfPatch& jobs = client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).first->second;
-    Job added{mailbox->flow(), {mailbox}};
+    Job added{mailbox->flow(), {waiter}};
     waiting == nullptr ? work.waiting.reserve(1) : waiting->waiters.reserve(waiting->waiters.size() + 1);
     if (first_of_patch) client.order[urgency].push_back(patch);
     if (waiting == nullptr) {
@@ -128,7 +130,7 @@ void WorkQueue::add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, co
       ++flow.jobs;
       ++jobs_;
     } else {
-      waiting->waiters.push_back(mailbox);
+      waiting->waiters.push_back(waiter);
     }
     ++jobs.count;
     ++client.waiting[jobs.urgency];
@@ -182,11 +184,11 @@ void WorkQueue::cancel(ClientId client, ChunkKey key) {
   if (job == nullptr) return;
   const auto waiter = waiter_of(job->waiters, client);
   if (waiter == job->waiters.end()) return;
-  const auto stays = [&](const MailboxPtr& each) { return each->owner() != client; };
-  const auto counts = [&](const MailboxPtr& each) { return stays(each) && each->flow() == job->flow; };
+  const auto stays = [&](const Waiter& each) { return each.mailbox->owner() != client; };
+  const auto counts = [&](const Waiter& each) { return stays(each) && each.mailbox->flow() == job->flow; };
   if (std::none_of(job->waiters.begin(), job->waiters.end(), counts)) {
     const auto other = std::find_if(job->waiters.begin(), job->waiters.end(), stays);
-    if (other != job->waiters.end()) move(*job, (*other)->flow());  // may throw
+    if (other != job->waiters.end()) move(*job, other->mailbox->flow());  // may throw
   }
   job->waiters.erase(waiter);
   if (taken != nullptr) return;  // begin() or finish() ends it
@@ -233,8 +235,8 @@ void WorkQueue::put_back(Batch&& batch, const Turn& turn) {
       (void)erase(work.taken, job);
       continue;
     }
-    for (const MailboxPtr& waiter : job.waiters) {
-      Client& client = clients_.at(waiter->owner());
+    for (const Waiter& waiter : job.waiters) {
+      Client& client = clients_.at(waiter.mailbox->owner());
       JobsOfPatch& jobs = client.jobs.at(found->first);
       ++jobs.count;
       ++client.waiting[jobs.urgency];
@@ -257,8 +259,8 @@ void WorkQueue::put_back(Batch&& batch, const Turn& turn) {
 void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency) {
   try {
     for (const Job& job : work.taken.jobs) {
-      for (const MailboxPtr& waiter : job.waiters) {
-        Client& client = enter(*waiter, urgency);
+      for (const Waiter& waiter : job.waiters) {
+        Client& client = enter(*waiter.mailbox, urgency);
         if (!client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).second) continue;
         client.order[urgency].push_front(patch);
       }
@@ -271,8 +273,8 @@ void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work, Urge
 
 void WorkQueue::leave_where_none_waits(const PatchKey& patch, const PatchWork& work) {
   for (const Job& job : work.taken.jobs) {
-    for (const MailboxPtr& waiter : job.waiters) {
-      const auto client = clients_.find(waiter->owner());
+    for (const Waiter& waiter : job.waiters) {
+      const auto client = clients_.find(waiter.mailbox->owner());
       if (client == clients_.end()) continue;
       const auto jobs = client->second.jobs.find(patch);
       if (jobs != client->second.jobs.end() && jobs->second.count == 0) {
@@ -427,7 +429,7 @@ bool WorkQueue::is_wanted(const HeightsTask& task) const {
   return std::find(taken.begin(), taken.end(), task.ticket()) != taken.end();
 }
 
-std::vector<MailboxPtr> WorkQueue::finish(ChunkKey key) {
+std::vector<Waiter> WorkQueue::finish(ChunkKey key) {
   Jobs& taken = patches_.at(patch_of(key, patch_tiles_)).taken;
   return erase(taken, *taken.find(key));
 }
@@ -439,11 +441,11 @@ void WorkQueue::move(Job& job, FlowId flow) {
   job.flow = flow;
 }
 
-std::vector<MailboxPtr> WorkQueue::erase(Jobs& jobs, Job& job) {
+std::vector<Waiter> WorkQueue::erase(Jobs& jobs, Job& job) {
   --flows_.at(job.flow).jobs;
   drop_if_unused(job.flow);
   --jobs_;
-  std::vector<MailboxPtr> waiters = std::move(job.waiters);
+  std::vector<Waiter> waiters = std::move(job.waiters);
   jobs.end(job);
   return waiters;
 }
@@ -508,7 +510,7 @@ WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {
       Job& job = waiting.jobs[i];
       if (job.waiters.empty()) continue;  // it is ended, or was among the first
       if (is_clients && waiter_of(job.waiters, client) == job.waiters.end()) continue;
-      for (const MailboxPtr& waiter : job.waiters) leave(waiter->owner(), patch);
+      for (const Waiter& waiter : job.waiters) leave(waiter.mailbox->owner(), patch);
       work.taken.add(waiting.keys[i], std::move(job));
       job.waiters.clear();
     }

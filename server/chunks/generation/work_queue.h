@@ -62,11 +62,11 @@ class WorkQueue {
   /// may ask for any number of that at once: so a client that waits for nothing is not refused.
   WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs = 0);
 
-  /// Lets the mailbox's owner wait for the chunks; for each once, however often it asks. Returns the number,
-  /// from the first on: it ends at the first that needs a new job if the queue is full, or if
+  /// Lets the waiter wait for the chunks; for each once, in the version of the first add(). Returns the
+  /// number, from the first on: it ends at the first that needs a new job if the queue is full, or if
   /// `new_jobs` is false. Throws std::bad_alloc, and then the owner waits for the chunks before the one that
   /// failed.
-  [[nodiscard]] std::size_t add(const MailboxPtr& mailbox, std::span<const ChunkKey> keys,
+  [[nodiscard]] std::size_t add(const Waiter& waiter, std::span<const ChunkKey> keys,
                                 Urgency urgency = Urgency::later, bool new_jobs = true);
   /// The client wants the chunk soon, and with it all chunks of its patch for which it waits. No effect if
   /// threads have taken all of them. Throws std::bad_alloc, and then nothing changed.
@@ -107,7 +107,7 @@ class WorkQueue {
   /// Returns true if heights that were taken were not cancelled since.
   [[nodiscard]] bool is_wanted(const HeightsTask& task) const;
   /// Ends the job. Returns its waiters, which the caller answers.
-  [[nodiscard]] std::vector<MailboxPtr> finish(ChunkKey key);
+  [[nodiscard]] std::vector<Waiter> finish(ChunkKey key);
   void release(const PatchKey& patch);
 
   [[nodiscard]] std::size_t jobs() const { return jobs_; }
@@ -123,7 +123,7 @@ class WorkQueue {
  private:
   struct Job {
     FlowId flow;  // of a waiter; the job counts as its
-    std::vector<MailboxPtr> waiters;
+    std::vector<Waiter> waiters;
     bool ended = false;
   };
   /// Jobs in the order in which they came. Searches begin at the first open one: there are few, or they end
@@ -189,7 +189,7 @@ class WorkQueue {
   };
 
   /// `waiting`: the chunk's job, if there is one and no thread has taken it.
-  void add(const MailboxPtr& mailbox, ChunkKey key, Urgency urgency, const PatchKey& patch, PatchWork& work,
+  void add(const Waiter& waiter, ChunkKey key, Urgency urgency, const PatchKey& patch, PatchWork& work,
            Job* waiting);
   Client& enter(const Mailbox& mailbox, Urgency urgency);
   /// All that the client waits for of the patch is wanted soon.
@@ -214,7 +214,7 @@ class WorkQueue {
   /// The job counts as another flow's from now on.
   void move(Job& job, FlowId flow);
   /// Ends the job; returns its waiters.
-  std::vector<MailboxPtr> erase(Jobs& jobs, Job& job);
+  std::vector<Waiter> erase(Jobs& jobs, Job& job);
   void end_taken(PatchWork& work);
   void drop_if_unused(Patches::iterator patch);
   void drop_if_unused(FlowId flow);

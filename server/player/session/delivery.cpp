@@ -27,7 +27,7 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
     if (const auto* request = requests_.chunk(id)) {
       if (waits_.leave(request->key, id)) {
         context_.chunks.cancel(mailbox_->owner(), {&request->key, 1});
-        queue_full_ = false;  // it may have been the last for which mail would come
+        queue_full_ = false;  // it may have been the last chunk for which mail would come
       }
     } else if (const auto ticket = requests_.heights_ticket(id)) {
       context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
@@ -68,15 +68,6 @@ std::size_t Delivery::drop_what_left_view() {
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
-void Delivery::drop_updates() {
-  const auto gone = [this](ChunkKey key) { return !view_.stream().is_done(key); };
-  const std::vector<ChunkKey> unwanted = waits_.leave_updates_where(gone);
-  if (!unwanted.empty()) context_.chunks.cancel(mailbox_->owner(), unwanted);
-  outbox_.drop_updates(gone);
-  pauses_.drop(gone);
-  updates_.drop(gone);
-}
-
 void Delivery::take_mail(Editing& editing) {
   constexpr std::size_t kKept = 8;
   std::vector<Mail> mail = mailbox_->take(std::move(read_mail_));
@@ -86,7 +77,7 @@ void Delivery::take_mail(Editing& editing) {
           if constexpr (std::is_same_v<Letter, AttachAnswer> || std::is_same_v<Letter, EditAnswer>) {
             editing.receive(std::move(letter));
           } else {
-            // An answer of the generators shows as well that their queue moves.
+            // Any mail from the generators shows that their queue moves.
             if constexpr (!std::is_same_v<Letter, ChunksChanged>) queue_full_ = false;
             receive(std::move(letter));
           }
@@ -113,7 +104,7 @@ void Delivery::receive(ChunkReady&& mail) {
 void Delivery::receive(ChunksChanged&& mail) {
   const ViewStream& stream = view_.stream();
   if (mail.changes == nullptr) {
-    // What the client has of each is not known any more, but it has at least the chunk as generated.
+    // The client's revision of each is not known any more, but it has at least the chunk as generated.
     stream.for_each_done([this](ChunkKey key) {
       if (context_.chunks.revision(key) != kBaseRevision) add_update(key, kBaseRevision);
     });
@@ -138,7 +129,7 @@ void Delivery::receive(HeightsReady&& mail) {
 
 std::size_t Delivery::start_work() {
   found_ = 0;
-  // Between the two the client takes what comes, or goes on being held back by its link or its rates.
+  // Between the two bounds held_back_ stays as it is.
   const std::size_t unsent = outbox_.chunks(Outbox::Lane::view);
   held_back_ = unsent >= kMaxViewInFlight || (held_back_ && unsent > 0);
   ask_for_updates();
@@ -151,7 +142,7 @@ std::size_t Delivery::start_work() {
       break;
     }
   }
-  if (!credit_.may_send()) tell_columns();
+  if (!credit_.may_send()) send_columns();
   if (const auto number = view_.completed()) replies_.view_complete(*number);
   return found_;
 }
@@ -159,16 +150,16 @@ std::size_t Delivery::start_work() {
 bool Delivery::requests_hold_less() const {
   using Lane = Outbox::Lane;
   const std::size_t view_waits = view_.stream().in_flight_count() - outbox_.chunks(Lane::view);
-  const std::size_t request_waits = waits_.size() - view_waits;  // without those that both wait for
+  const std::size_t request_waits = waits_.size() - view_waits;  // without chunks for which both wait
   return outbox_.chunk_bytes(Lane::requests) + request_waits * expected_chunk_bytes_ <=
          outbox_.chunk_bytes(Lane::view) + view_waits * expected_chunk_bytes_;
 }
 
-void Delivery::tell_columns() {
+void Delivery::send_columns() {
   while (view_.stream().to_send() > 0 && outbox_.control_bytes() < kMaxColumnBytes) {
     const auto column = view_.stream().next_column();
     if (!column) return;
-    tell_column(*column, context_.chunks.column(*column), nullptr);
+    send_column(*column, context_.chunks.column(*column, Version::edited), nullptr);
   }
 }
 
@@ -180,7 +171,7 @@ bool Delivery::has_room() const {
 }
 
 EncodedChunkPtr Delivery::find(ChunkKey key) {
-  EncodedChunkPtr chunk = context_.chunks.find(key);
+  EncodedChunkPtr chunk = context_.chunks.find(key, Version::edited);
   if (chunk != nullptr) ++found_;
   return chunk;
 }
@@ -191,7 +182,7 @@ void Delivery::start_request(std::uint32_t id) {
     answer_request(id, request, std::move(chunk));
   } else if (ChunkWaits::Waiters* const waiters = waits_.find(request.key)) {
     waiters->requests.push_back(id);
-  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later) == 1) {
+  } else if (context_.chunks.submit(mailbox_, {&request.key, 1}, Urgency::later, Version::edited) == 1) {
     waits_.add(request.key, context_.clock.now()).requests.push_back(id);
   } else {
     replies_.error(about_request(id), ErrorCode::overloaded,
@@ -209,18 +200,18 @@ void Delivery::start_view_chunk() {
     send_view_chunk(nearest, std::move(chunk));
   } else {
     to_submit_ = {nearest};
-    add_those_beside(nearest);
+    start_column_neighbours(nearest);
     wait_for_view();
     to_submit_.clear();
   }
 }
 
-void Delivery::add_those_beside(ChunkKey nearest) {
+void Delivery::start_column_neighbours(ChunkKey nearest) {
   ViewStream& stream = view_.stream();
   const int edge = context_.chunks.columns_together();
   const std::size_t most = goes_ahead() ? kMaxViewAlone : kMaxViewWaits;
   stream.for_each_column_beside(nearest, edge, [&](ChunkKey column) {
-    tell_column(column, context_.chunks.column(column), nullptr);
+    send_column(column, context_.chunks.column(column, Version::edited), nullptr);
     stream.for_each_to_send(column, nearest, edge, [&](ChunkKey key) {
       if (!has_room() || waits_.size() + to_submit_.size() >= most) return;
       stream.start(key);
@@ -231,8 +222,8 @@ void Delivery::add_those_beside(ChunkKey nearest) {
 
 void Delivery::wait_for_view() {
   const bool soon = view_.stream().is_near(to_submit_.front());
-  // Those for which a request waits are submitted already; and a column that was told meanwhile may have
-  // ended some.
+  // Chunks for which a request waits are submitted already; and a UniformColumn sent meanwhile may have
+  // answered some.
   const auto submitted = [&](ChunkKey key) {
     if (!view_.stream().in_flight(key)) return true;
     ChunkWaits::Waiters* const waiters = waits_.find(key);
@@ -244,7 +235,7 @@ void Delivery::wait_for_view() {
   const auto news = std::remove_if(to_submit_.begin(), to_submit_.end(), submitted);
   to_submit_.erase(news, to_submit_.end());
   const std::size_t accepted =
-      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later);
+      context_.chunks.submit(mailbox_, to_submit_, soon ? Urgency::soon : Urgency::later, Version::edited);
   for (std::size_t i = 0; i < to_submit_.size(); ++i) {
     if (i < accepted) {
       ChunkWaits::Waiters& waiters = waits_.add(to_submit_[i], context_.clock.now());
@@ -283,7 +274,7 @@ void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
     view_.done(key);
     return;
   }
-  // The column may be known now, and not have been when the chunk was submitted.
+  // The column may be known only since the chunk was submitted.
   if (!answer_by_column(key)) send_view_chunk(key, *std::move(answer));
 }
 
@@ -307,13 +298,13 @@ bool Delivery::confirm_view(ChunkKey key, const EncodedChunk& chunk) {
 }
 
 bool Delivery::answer_by_column(ChunkKey key) {
-  const MixedRows rows = context_.chunks.column(key);
+  const MixedRows rows = context_.chunks.column(key, Version::edited);
   if (!rows.uniform_at(key.coord.y)) return false;
-  tell_column(key, rows, &key);
+  send_column(key, rows, &key);
   return true;
 }
 
-void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered) {
+void Delivery::send_column(ChunkKey column, const MixedRows& rows, const ChunkKey* answered) {
   std::vector<wire::UniformRun> runs;
   view_.stream().done_in_column(column, [&](ChunkKey chunk, bool in_flight) {
     const std::int32_t y = chunk.coord.y;
@@ -329,130 +320,6 @@ void Delivery::tell_column(ChunkKey column, const MixedRows& rows, const ChunkKe
     return true;
   });
   if (!runs.empty()) replies_.column(column, runs);
-}
-
-std::optional<protocol::Frame> Delivery::write(Outbox::Entry& entry) {
-  std::uint64_t newest = context_.chunks.revision(entry.key);
-  if (newest > entry.chunk->revision()) {
-    if (EncodedChunkPtr newer = context_.chunks.newer(entry.key, entry.chunk->revision())) {
-      entry.chunk = std::move(newer);
-      newest = context_.chunks.revision(entry.key);
-    }
-  }
-  const EncodedChunk& chunk = *entry.chunk;
-  std::optional<protocol::Frame> unchanged;
-  if (chunk.revision() != kBaseRevision) {
-    const bool held = entry.request_id != 0 ? requests_.chunk(entry.request_id)->known == chunk.hash()
-                                            : view_.knows(entry.key, chunk.hash());
-    if (held) unchanged = unchanged_frame(entry.request_id, entry.key, chunk);
-  }
-  if (unchanged) context_.metrics.unchanged_sent.add();
-  if (entry.request_id != 0) {
-    requests_.erase(entry.request_id);
-  } else {
-    sent_to_view(entry.key, chunk.revision(), newest);
-  }
-  return unchanged;
-}
-
-void Delivery::sent_to_view(ChunkKey key, std::uint64_t revision, std::uint64_t newest) {
-  view_.done(key);
-  if (newest > revision) add_update(key, revision);
-}
-
-Outbox::Update Delivery::write_update(ChunkKey key) {
-  const std::uint64_t has = updates_.at(key).has;
-  if (context_.chunks.revision(key) <= has) {
-    updates_.erase(key);
-    return {};
-  }
-  const EncodedChunkPtr chunk = newest_of_update(key);
-  const auto changed = context_.chunks.changes_since(key, has, kMaxBroadcastVoxels);
-  if (changed) {
-    protocol::Frame frame = edit_broadcast_frame(key, has, *changed);
-    if (chunk == nullptr || frame.size() < chunk->frame_bytes()) {
-      context_.metrics.broadcasts_sent.add();
-      updated(key, changed->revision);
-      return {.frame = std::move(frame)};
-    }
-  }
-  if (chunk != nullptr && (changed || chunk->frame_bytes() <= kMaxSmallUpdateBytes)) {
-    updated(key, chunk->revision());
-    return {.chunk = chunk};
-  }
-  if (pauses_.holds(key, context_.clock.now())) return {};
-  if (chunk == nullptr) updates_.want(key);
-  return {.whole = chunk != nullptr};
-}
-
-EncodedChunkPtr Delivery::write_resend(ChunkKey key) {
-  EncodedChunkPtr chunk = newest_of_update(key);
-  if (chunk != nullptr) {
-    pauses_.resent(key, context_.clock.now());
-    updated(key, chunk->revision());
-  } else if (context_.chunks.revision(key) > updates_.at(key).has) {
-    updates_.want(key);  // it was in memory when its turn was asked for
-  } else {
-    updates_.erase(key);
-  }
-  return chunk;
-}
-
-EncodedChunkPtr Delivery::newest_of_update(ChunkKey key) {
-  const PendingUpdates::Update& update = updates_.at(key);
-  EncodedChunkPtr chunk = context_.chunks.newer(key, update.has);
-  const EncodedChunkPtr& given = update.chunk;
-  if (given != nullptr && (chunk == nullptr || chunk->revision() < given->revision())) chunk = given;
-  return chunk;
-}
-
-void Delivery::resume_updates() {
-  if (pauses_.next() == Clock::time_point::max()) return;
-  const Clock::time_point now = context_.clock.now();
-  while (const auto key = pauses_.take_ended(now)) outbox_.push_update(*key);
-}
-
-void Delivery::updated(ChunkKey key, std::uint64_t revision) {
-  updates_.erase(key);
-  if (context_.chunks.revision(key) > revision) add_update(key, revision);
-}
-
-void Delivery::ask_for_updates() {
-  while (const auto key = updates_.next_wanted()) {
-    if (context_.chunks.newer(*key, updates_.at(*key).has) != nullptr) {
-      outbox_.push_update(*key);
-      updates_.found();
-      continue;
-    }
-    const bool half = updates_.under_way() >= kMaxUpdatesUnderWay ||
-                      updates_.chunk_bytes() > context_.limits.queued_bytes / 2;
-    if (half || queue_full_ || !has_room()) {
-      return;
-    } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
-      waiters->update = true;
-    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon) == 1) {
-      waits_.add(*key, context_.clock.now()).update = true;
-    } else {
-      queue_full_ = true;
-      return;
-    }
-    updates_.asked();
-  }
-}
-
-void Delivery::answer_update(ChunkKey key, ChunkAnswer answer) {
-  if (!answer) {
-    replies_.error(
-        about_view_chunk(view_.number(), key), ErrorCode::internal,
-        fmt::format("chunk {} of the View was edited, and failed: {}", to_string(key), answer.error().reason),
-        retry_after::kFailed);
-    updates_.erase(key);
-  } else if ((*answer)->revision() > updates_.at(key).has) {
-    updates_.give(key, *std::move(answer));
-    outbox_.push_update(key);
-  } else {
-    updates_.want(key);  // it was made before the edit
-  }
 }
 
 void Delivery::abandon() {
@@ -471,7 +338,7 @@ void Delivery::abandon() {
 
 std::size_t Delivery::bytes() const {
   constexpr std::size_t kPerRequest = 128;  // in the source's queue
-  return view_.bytes() + requests_.bytes() + updates_.bytes() + pauses_.bytes() +
+  return outbox_.chunk_bytes() + view_.bytes() + requests_.bytes() + updates_.bytes() + pauses_.bytes() +
          (requests_.size() + waits_.size()) * kPerRequest;
 }
 

@@ -26,8 +26,7 @@ RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& addr
 
 Session::Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address)
     : context_{context},
-      replies_{outbox_, context.metrics},
-      delivery_{context_, mailbox, replies_, outbox_, credit_},
+      delivery_{context_, mailbox},
       editing_{context.edits, std::move(mailbox), replies_},
       edit_admission_{{context.limits.edits, context.chunks, context.memory, context.edits}},
       rates_{rates_of(context, address), address, context.limits.requests_in_flight},
@@ -136,7 +135,7 @@ void Session::take_mail() {
 
 void Session::input_ended() {
   if (state_ == State::connected) return abandon();
-  credit_.lift();
+  delivery_.credit().lift();
   editing_.input_ended();
   if (state_ == State::joined) state_ = State::finishing;
   close_if_served();
@@ -208,7 +207,7 @@ void Session::on(const wire::Hello& hello) {
   greeting_ = *std::move(greeting);
   const std::string& subject = greeting_->grant.subject;
   if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
-  credit_ = Credit{greeting_->window_bytes};
+  delivery_.credit() = Credit{greeting_->window_bytes};
   if (greeting_->grant.rights.has(Right::gateway)) rates_.become_gateway(received_at_);
   replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
   state_ = State::joined;
@@ -291,7 +290,7 @@ void Session::on(const wire::GetHeights& get) {
 }
 
 void Session::on(const wire::Credit& credit) {
-  if (auto taken = credit_.taken(credit.total_bytes()); !taken) {
+  if (auto taken = delivery_.credit().taken(credit.total_bytes()); !taken) {
     fail(ErrorCode::malformed, taken.error().message);
   }
 }
@@ -370,10 +369,10 @@ void Session::refuse_pending(std::uint32_t id) {
 Clock::time_point Session::sendable_at() {
   constexpr Clock::time_point kAtOnce{};
   constexpr Clock::time_point kNever = Clock::time_point::max();
-  if (outbox_.has_control()) return kAtOnce;
-  const bool waits = outbox_.sendable(credit_);
+  if (delivery_.outbox().has_control()) return kAtOnce;
+  const bool waits = delivery_.sendable();
   // No further output follows in a closed session.
-  const bool pauses = !waits && !closing() && credit_.may_send();
+  const bool pauses = !waits && !closing() && delivery_.credit().may_send();
   const Clock::time_point from = waits ? kAtOnce : pauses ? delivery_.updates_resume() : kNever;
   if (from == kNever) return kNever;
   const Clock::time_point now = context_.clock.now();
@@ -385,19 +384,15 @@ Clock::time_point Session::sendable_at() {
 
 Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   const Clock::time_point now = context_.clock.now();
-  delivery_.resume_updates();
   Output output{shared_from};
-  output.reserve(std::min(enough_bytes, outbox_.bytes_to_copy(shared_from)));
+  output.reserve(std::min(enough_bytes, delivery_.outbox().bytes_to_copy(shared_from)));
   const SessionRates::Allowance allowance = rates_.allowance(now);
-  const Outbox::Taken taken = outbox_.take(
-      {enough_bytes, allowance.chunks, allowance.bytes}, credit_, output,
-      [this](Outbox::Entry& entry) { return delivery_.write(entry); },
-      [this](ChunkKey key) { return delivery_.write_update(key); },
-      [this](ChunkKey key) { return delivery_.write_resend(key); });
-  rates_.sent(now, taken.chunks, output.size());
+  const Delivery::Written written =
+      delivery_.write({enough_bytes, allowance.chunks, allowance.bytes}, output);
+  rates_.sent(now, written.chunks, output.size());
   writing_bytes_ = output.held_bytes();
-  context_.metrics.chunks_sent.add(taken.chunks);
-  context_.metrics.chunk_bytes_sent.add(taken.chunk_bytes);
+  context_.metrics.chunks_sent.add(written.chunks);
+  context_.metrics.chunk_bytes_sent.add(written.chunk_bytes);
   close_if_served();
   return output;
 }
@@ -408,8 +403,8 @@ void Session::written() {
 }
 
 void Session::note_memory() {
-  memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + outbox_.chunk_bytes() +
-               delivery_.bytes() + editing_.bytes() + edit_admission_.bytes() + view_bytes_to_come());
+  memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + delivery_.bytes() +
+               editing_.bytes() + edit_admission_.bytes() + view_bytes_to_come());
 }
 
 std::size_t Session::view_bytes_to_come() const {

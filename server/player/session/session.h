@@ -34,8 +34,7 @@
 #include "player/session/id_map.h"
 #include "player/session/replies.h"
 #include "player/session/session_context.h"
-#include "player/view/credit.h"
-#include "player/view/outbox.h"
+#include "player/view/output.h"
 #include "runtime/clock.h"
 
 namespace talus::server {
@@ -112,7 +111,8 @@ class Session {
   /// True if there are answers or updates that credit allows, no chunks are queued, and the answers have at
   /// most about `most_bytes`.
   [[nodiscard]] bool has_little_to_write(std::size_t most_bytes) const {
-    return outbox_.sendable(credit_) && outbox_.chunk_bytes() == 0 && outbox_.control_bytes() <= most_bytes;
+    const Outbox& outbox = delivery_.outbox();
+    return delivery_.sendable() && outbox.chunk_bytes() == 0 && outbox.control_bytes() <= most_bytes;
   }
   /// Takes the frames to write now: `enough_bytes` and at most one frame more. Chunks of at least
   /// `shared_from` bytes are not copied.
@@ -121,7 +121,7 @@ class Session {
   void written();
   /// Bytes queued for the client that need no credit. Above limits.queued_bytes the caller stops reading.
   [[nodiscard]] std::size_t queued_bytes() const {
-    return outbox_.control_bytes() + delivery_.requests().heights_bytes();
+    return delivery_.outbox().control_bytes() + delivery_.requests().heights_bytes();
   }
   /// Bytes of unanswered edits, which wait for their ground or their turn. Above a quarter of
   /// limits.queued_bytes the caller stops reading, so that a few sessions cannot take the memory of all.
@@ -186,10 +186,8 @@ class Session {
   const SessionContext context_;
   State state_ = State::connected;
   std::optional<Greeting> greeting_;
-  Credit credit_{0};
-  Outbox outbox_;
-  Replies replies_;
   Delivery delivery_;
+  Replies& replies_ = delivery_.replies();
   Editing editing_;
   EditAdmission edit_admission_;
   SessionRates rates_;

@@ -1,5 +1,5 @@
 // With generator threads, which a gate holds where a test must be sure of what they do.
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -14,12 +14,12 @@
 #include <optional>
 #include <vector>
 
-#include "base_chunks_bench.h"
 #include "chunks/generation/background_thread.h"
+#include "chunks_bench.h"
 #include "failing_allocations.h"
 #include "fake_generator.h"
 
-namespace talus::server::base_chunks_test {
+namespace talus::server::chunks_test {
 
 TEST_CASE("many waiters, one generation") {
   FakeService fake{3};
@@ -54,7 +54,7 @@ TEST_CASE("who stops waits for the chunk in the making, not for the others of it
   const WaitingClient first;
   const WaitingClient second;
   const std::array keys{at(0), at(1), at(2), at(3)};
-  REQUIRE(fake->service.submit(first.mailbox(), keys, Urgency::later) == keys.size());
+  REQUIRE(fake->service.submit(first.mailbox(), keys, Urgency::later, Version::generated) == keys.size());
   at_first_chunk.wait(false);
   work->patch_steps = std::numeric_limits<int>::max();
   REQUIRE(queued(fake->service, second, at(100)));
@@ -66,10 +66,10 @@ TEST_CASE("who stops waits for the chunk in the making, not for the others of it
 TEST_CASE("a generated chunk is found from then on, is of the base revision, and never newer") {
   FakeService fake;
   WaitingClient client;
-  CHECK(fake.service.find(at(1)) == nullptr);
+  CHECK(fake.service.find(at(1), Version::generated) == nullptr);
   REQUIRE(queued(fake.service, client, at(1)));
   client.await(1);
-  const EncodedChunkPtr chunk = fake.service.find(at(1));
+  const EncodedChunkPtr chunk = fake.service.find(at(1), Version::generated);
   REQUIRE(chunk != nullptr);
   CHECK(chunk == *client.answers()[0].second);
   CHECK(chunk->revision() == kBaseRevision);
@@ -103,19 +103,19 @@ TEST_CASE("a column is exact once its terrain was generated, and its uniform chu
   fake.work->last_mixed_anywhere = 50;
   fake.work->first_mixed = 2;
   fake.work->last_mixed = 3;
-  CHECK(fake.service.column(at(0)).last == 50);
-  CHECK(fake.service.find({{3, 4, 3}, Lod{}}) == nullptr);
+  CHECK(fake.service.column(at(0), Version::generated).last == 50);
+  CHECK(fake.service.find({{3, 4, 3}, Lod{}}, Version::generated) == nullptr);
   WaitingClient client;
   REQUIRE(queued(fake.service, client, {{0, 2, 0}, Lod{}}));
   client.await(1);
-  const MixedRows column = fake.service.column({{3, 7, 3}, Lod{}});
+  const MixedRows column = fake.service.column({{3, 7, 3}, Lod{}}, Version::generated);
   CHECK(column.uniform_at(1) == MaterialId{2});
   CHECK_FALSE(column.uniform_at(2).has_value());
   CHECK_FALSE(column.uniform_at(3).has_value());
   CHECK(column.uniform_at(4) == kAir);
-  CHECK(fake.service.find({{3, 4, 3}, Lod{}}) != nullptr);
-  CHECK(fake.service.find({{3, 1, 3}, Lod{}}) != nullptr);
-  CHECK(fake.service.find({{3, 2, 3}, Lod{}}) == nullptr);
+  CHECK(fake.service.find({{3, 4, 3}, Lod{}}, Version::generated) != nullptr);
+  CHECK(fake.service.find({{3, 1, 3}, Lod{}}, Version::generated) != nullptr);
+  CHECK(fake.service.find({{3, 2, 3}, Lod{}}, Version::generated) == nullptr);
   CHECK(fake.work->chunks == 1);
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
     WaitingClient other;
     std::vector<ChunkKey> keys;  // more than are made under one lock
     for (std::int32_t i = 0; i < 12; ++i) keys.push_back({{i % 4, 0, i / 4}, Lod{}});
-    REQUIRE(fake.service.submit(client.mailbox(), keys, Urgency::later) == keys.size());
+    REQUIRE(fake.service.submit(client.mailbox(), keys, Urgency::later, Version::generated) == keys.size());
     // One is cancelled while its patch is made.
     fake.work->await_somebody_at_gate();
     cancel(fake.service, client, keys[1]);
@@ -242,4 +242,4 @@ TEST_CASE("whichever allocation of a generator thread fails, all who wait are an
   }
 }
 
-}  // namespace talus::server::base_chunks_test
+}  // namespace talus::server::chunks_test

@@ -1,4 +1,4 @@
-// Read-only view of the applied edit log, for chunk sources.
+// Read-only view of the applied edit log, for Chunks. server/edits implements it.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace talus::server {
 
-/// The overrides of a chunk of any level at a revision; null if all were removed.
+/// The overrides of a chunk of any level at a revision. Null: its last override was removed.
 struct EditedChunk {
   std::uint64_t revision = 0;
   std::shared_ptr<const edits::ChunkOverrides> overrides;
@@ -28,20 +28,21 @@ class AppliedEdits {
  public:
   virtual ~AppliedEdits() = default;
 
-  /// Revision of the newest edit that changed the chunk; 0 if it was never edited. Never decreases. Reads
-  /// only memory.
+  /// Returns the revision of the newest edit that changed the chunk; 0 if it was never edited. It never
+  /// falls. Reads memory alone.
   [[nodiscard]] virtual std::uint64_t revision(ChunkKey key) const = 0;
 
-  /// The smallest range of rows that has all edited chunks of the key's column and level; may be empty. Reads
-  /// only memory.
+  /// Returns the smallest span of rows of the key's column and level that has all chunks ever edited; empty
+  /// if no chunk was. Reads memory alone.
   [[nodiscard]] virtual ChunkRange edited_rows(ChunkKey key) const = 0;
 
-  /// The newest overrides of a chunk. May read the disk: for generator threads. An error is one line.
+  /// Returns the newest overrides of a chunk. It may read the disk: call it on generator threads. An error is
+  /// one line.
   [[nodiscard]] virtual tl::expected<EditedChunk, std::string> load(ChunkKey key) const = 0;
 
-  /// Voxels that changed in the chunk after revision `since`, by ascending index, with their current
-  /// materials, and the revision that they make. nullopt if they are not remembered any more, or more than
-  /// `most`. Reads only memory.
+  /// Returns the voxels that changed in the chunk after revision `since`, by rising index, with their
+  /// materials now, and the revision that they make; nullopt if that is not remembered any more, or if they
+  /// are more than `most`. Reads memory alone.
   using Changes = ChangedVoxels;
   [[nodiscard]] virtual std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
                                                              std::size_t most) const = 0;

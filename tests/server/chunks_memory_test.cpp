@@ -1,15 +1,15 @@
 // Full queues and short memory: who is refused, and who is told when there is room.
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
 #include <vector>
 
-#include "base_chunks_bench.h"
+#include "chunks_bench.h"
 #include "fake_generator.h"
 
-namespace talus::server::base_chunks_test {
+namespace talus::server::chunks_test {
 
 TEST_CASE("a client that was refused by a full queue is told when there is room, once") {
   FakeService fake{1, 4};
@@ -55,12 +55,12 @@ TEST_CASE(
   Metrics metrics;
   MemoryBudget memory{0};
   ManualClock clock;
-  BaseChunks chunks{std::make_unique<FakeGenerator>(std::make_shared<FakeWork>()),
-                    {1, 4, kJobs, 1 << 20, 1 << 20, 0},
-                    std::make_shared<spdlog::logger>("silent"),
-                    metrics,
-                    memory,
-                    clock};
+  Chunks chunks{std::make_unique<FakeGenerator>(std::make_shared<FakeWork>()),
+                {1, 4, kJobs, 1 << 20, 1 << 20, 0},
+                std::make_shared<spdlog::logger>("silent"),
+                metrics,
+                memory,
+                clock};
   WaitingClient greedy;
   WaitingClient beside;
   beside.mailbox()->join(greedy.mailbox()->flow_use());
@@ -170,8 +170,8 @@ TEST_CASE("caches shrink by slices as soon as everything else grows, and grow ag
     REQUIRE(fake.service.fit_caches());
   };
   // What a slice may free of either cache, in bytes.
-  constexpr std::uint64_t kChunkSlice = BaseChunks::kChunksPerFit * 5'300;
-  constexpr std::uint64_t kPatchSlice = BaseChunks::kTilesPerFit / 16 * 41'000;
+  constexpr std::uint64_t kChunkSlice = Chunks::kChunksPerFit * 5'300;
+  constexpr std::uint64_t kPatchSlice = Chunks::kTilesPerFit / 16 * 41'000;
   const auto used = [&](MemoryUse use) { return fake.memory.used(use); };
   fill();
   CHECK(used(MemoryUse::chunk_cache) > 20'000'000);
@@ -208,4 +208,4 @@ TEST_CASE("generators count for an eighth of the budget at most, so that somebod
   CHECK(fake.memory.takes_work());
 }
 
-}  // namespace talus::server::base_chunks_test
+}  // namespace talus::server::chunks_test

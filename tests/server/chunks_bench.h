@@ -1,12 +1,12 @@
-// What the tests of BaseChunks ask with.
+// Shared by the tests of Chunks.
 #pragma once
 
 #include <cstdint>
 
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 #include "fake_generator.h"
 
-namespace talus::server::base_chunks_test {
+namespace talus::server::chunks_test {
 
 constexpr std::uint64_t kMebibyte = 1U << 20;
 
@@ -15,7 +15,7 @@ inline ChunkKey at(std::int32_t x) {
 }
 
 inline bool queued(ChunkSource& chunks, const MailboxPtr& mailbox, ChunkKey key) {
-  return chunks.submit(mailbox, {&key, 1}, Urgency::later) == 1;
+  return chunks.submit(mailbox, {&key, 1}, Urgency::later, Version::generated) == 1;
 }
 inline bool queued(ChunkSource& chunks, const WaitingClient& client, ChunkKey key) {
   return queued(chunks, client.mailbox(), key);
@@ -25,4 +25,4 @@ inline void cancel(ChunkSource& chunks, const WaitingClient& client, ChunkKey ke
   chunks.cancel(client.id(), {&key, 1});
 }
 
-}  // namespace talus::server::base_chunks_test
+}  // namespace talus::server::chunks_test

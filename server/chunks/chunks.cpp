@@ -1,4 +1,4 @@
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,19 +21,21 @@ std::size_t bytes_of_chunks(const GenerationSettings& settings) {
 
 }  // namespace
 
-BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings,
-                       Logger log, Metrics& metrics, MemoryBudget& memory, const Clock& clock,
-                       ChunkOverlay* overlay, std::unique_ptr<ColumnCache> columns)
+Chunks::Chunks(std::unique_ptr<const Generator> generator, const GenerationSettings& settings, Logger log,
+               Metrics& metrics, MemoryBudget& memory, const Clock& clock, std::optional<Edits> edits,
+               std::unique_ptr<ColumnCache> columns)
     : generator_{std::move(generator)},
       settings_{settings},
       metrics_{metrics},
       memory_{memory},
-      overlay_{overlay},
+      edits_{edits},
       fitted_bytes_{settings.chunk_cache_bytes + settings.patch_cache_bytes},
       columns_{std::move(columns)},
       chunks_{bytes_of_chunks(settings)},
       rows_{*generator_, settings.patch_tiles, bytes_of_rows(settings)},
       maps_{settings.map_cache_bytes},
+      merged_{edits ? std::make_unique<MergedChunks>(edits->applied, log, settings.merged_cache_bytes)
+                    : nullptr},
       maker_{*generator_, chunks_, rows_, metrics, log, &maps_},
       generator_memory_{memory, settings.threads, log, settings.piece_bytes, settings.ground_bytes},
       patches_{
@@ -42,70 +44,84 @@ BaseChunks::BaseChunks(std::unique_ptr<const Generator> generator, const Generat
           settings.patch_tiles,
           settings.patch_cache_bytes,
           settings.threads},
-      pool_{{maker_, patches_, generator_memory_, metrics, memory, clock, overlay},
+      pool_{{maker_, patches_, generator_memory_, metrics, memory, clock, merged_.get()},
             {settings.threads, settings.patch_tiles, settings.queue_chunks, settings.own_chunks},
             log} {
-  if (overlay_ != nullptr) overlay_->set_capacity(settings.merged_cache_bytes);
   memory_.when_jobs_resume([this] { pool_.jobs_resume(); });
 }
 
-BaseChunks::~BaseChunks() {
+Chunks::~Chunks() {
   memory_.when_jobs_resume(nullptr);
 }
 
-void BaseChunks::start() {
+void Chunks::start() {
   pool_.start();
 }
 
-EncodedChunkPtr BaseChunks::find(ChunkKey key) {
-  EncodedChunkPtr chunk = maker_.known(key);
+EncodedChunkPtr Chunks::find(ChunkKey key, Version version) {
+  const std::uint64_t newest = version == Version::edited ? revision(key) : kBaseRevision;
+  const bool edited = newest != kBaseRevision;
+  EncodedChunkPtr chunk = edited ? merged_->newer(key, newest - 1) : maker_.known(key);
   if (chunk == nullptr) {
     metrics_.cache_misses.add();
   } else {
-    (chunk->uniform() ? metrics_.uniform_answers : metrics_.cache_hits).add();
+    (!edited && chunk->uniform() ? metrics_.uniform_answers : metrics_.cache_hits).add();
   }
   return chunk;
 }
 
-EncodedChunkPtr BaseChunks::newer(ChunkKey, std::uint64_t) {
-  return nullptr;
+EncodedChunkPtr Chunks::newer(ChunkKey key, std::uint64_t revision) {
+  return this->revision(key) <= revision ? nullptr : merged_->newer(key, revision);
 }
 
-MixedRows BaseChunks::column(ChunkKey key) {
-  return rows_.known(key);
+std::optional<ChangedVoxels> Chunks::changes_since(ChunkKey key, std::uint64_t since,
+                                                   std::size_t most) const {
+  return edits_ ? edits_->applied.changes_since(key, since, most) : std::nullopt;
 }
 
-std::size_t BaseChunks::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency) {
-  return pool_.submit(mailbox, keys, urgency);
+MixedRows Chunks::column(ChunkKey key, Version version) {
+  MixedRows rows = rows_.known(key);
+  const bool with_edits = version == Version::edited && edits_;
+  const ChunkRange edited = with_edits ? edits_->applied.edited_rows(key) : ChunkRange{};
+  if (edited.size() == 0) return rows;
+  rows.first = std::min(rows.first, static_cast<std::int32_t>(edited.first));
+  rows.last = std::max(rows.last, static_cast<std::int32_t>(edited.last));
+  return rows;
 }
 
-void BaseChunks::hasten(ClientId client, std::span<const ChunkKey> keys) {
+std::size_t Chunks::submit(const MailboxPtr& mailbox, std::span<const ChunkKey> keys, Urgency urgency,
+                           Version version) {
+  return pool_.add({mailbox, version}, keys, urgency);
+}
+
+void Chunks::hasten(ClientId client, std::span<const ChunkKey> keys) {
   pool_.hasten(client, keys);
 }
 
-void BaseChunks::cancel(ClientId client, std::span<const ChunkKey> keys) {
+void Chunks::cancel(ClientId client, std::span<const ChunkKey> keys) {
   pool_.cancel(client, keys);
 }
 
-void BaseChunks::set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+void Chunks::set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+  if (edits_) edits_->feed.watch(mailbox, boxes);
   wanted_.set(mailbox->owner(), boxes);
 }
 
-void BaseChunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) {
-  pool_.submit_heights(HeightsTask{mailbox, ticket, std::move(query)});
+void Chunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) {
+  pool_.add(HeightsTask{mailbox, ticket, std::move(query)});
 }
 
-void BaseChunks::cancel_heights(ClientId client, std::uint64_t ticket) {
+void Chunks::cancel_heights(ClientId client, std::uint64_t ticket) {
   pool_.cancel_heights(client, ticket);
 }
 
-PicturePtr BaseChunks::find_map(const map::Tile& tile) {
+PicturePtr Chunks::find_map(const map::Tile& tile) {
   PicturePtr picture = maps_.find(tile);
   if (picture != nullptr) metrics_.map_tiles_found.add();
   return picture;
 }
 
-bool BaseChunks::fit_caches() {
+bool Chunks::fit_caches() {
   pool_.jobs_resume();
   const std::unique_lock lock{fitting_, std::try_to_lock};
   if (!lock) return true;  // another thread is doing it
@@ -120,7 +136,7 @@ bool BaseChunks::fit_caches() {
     chunks_.set_capacity(share(bytes_of_chunks(settings_)));
     rows_.set_capacity(share(bytes_of_rows(settings_)));
     maps_.set_capacity(share(settings_.map_cache_bytes));
-    if (overlay_ != nullptr) overlay_->set_capacity(share(settings_.merged_cache_bytes));
+    if (merged_ != nullptr) merged_->set_capacity(share(settings_.merged_cache_bytes));
     patches_.set_capacity(share(settings_.patch_cache_bytes));
     fitted_bytes_ = allowed;
   }
@@ -130,24 +146,24 @@ bool BaseChunks::fit_caches() {
   std::size_t patches = std::max<std::size_t>(1, kTilesPerFit / tiles);
   const bool patches_fit = patches_.fit(patches);
   const bool chunks_fit = chunks_.fit(chunks) && rows_.fit(chunks) && maps_.fit(chunks) &&
-                          (overlay_ == nullptr || overlay_->fit(chunks));
-  const std::size_t merged = overlay_ == nullptr ? 0 : overlay_->bytes();
+                          (merged_ == nullptr || merged_->fit(chunks));
+  const std::size_t merged = merged_ == nullptr ? 0 : merged_->bytes();
   memory_.set(MemoryUse::chunk_cache, chunks_.bytes() + rows_.bytes() + maps_.bytes() + merged);
   memory_.set(MemoryUse::patch_cache, patches_.bytes());
   return patches_fit && chunks_fit;
 }
 
-void BaseChunks::count_columns() {
+void Chunks::count_columns() {
   if (columns_ != nullptr) memory_.set(MemoryUse::column_cache, columns_->status().memory_bytes);
 }
 
-void BaseChunks::keep_on_disk() {
+void Chunks::keep_on_disk() {
   if (columns_ == nullptr) return;
   patches_.keep_all();
   columns_->flush();
 }
 
-BaseChunks::Status BaseChunks::status() {
+Chunks::Status Chunks::status() {
   const GenerationPool::Status pool = pool_.status();
   return {pool.jobs,        pool.clients,  chunks_.bytes(),
           patches_.bytes(), maps_.bytes(), columns_ ? std::optional{columns_->status()} : std::nullopt};

@@ -1,5 +1,5 @@
 // Heights, and what is dear: patches and heights that give way to others midway.
-#include "chunks/generation/base_chunks.h"
+#include "chunks/chunks.h"
 
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "base_chunks_bench.h"
+#include "chunks_bench.h"
 #include "fake_generator.h"
 
-namespace talus::server::base_chunks_test {
+namespace talus::server::chunks_test {
 
 TEST_CASE("heights come by their ticket, failed ones too") {
   FakeService fake;
@@ -236,4 +236,4 @@ TEST_CASE("a patch that somebody still wants is made, whoever else left") {
   CHECK(fake.work->patches == 1);
 }
 
-}  // namespace talus::server::base_chunks_test
+}  // namespace talus::server::chunks_test

@@ -1,4 +1,4 @@
-#include "edits/merged_chunks.h"
+#include "chunks/merged_chunks.h"
 
 #include <exception>
 #include <string>
@@ -12,9 +12,11 @@ namespace talus::server {
 
 ChunkAnswer MergedChunks::merged(ChunkKey key, const EncodedChunkPtr& base) noexcept {
   try {
-    // Another may have waited for it too, and have it merged since.
+    const std::uint64_t newest = edits_.revision(key);
+    if (newest == kBaseRevision) return base;
+    // Another client may have waited for it too, and have had it merged since.
     EncodedChunkPtr kept = cache_.find(key);
-    if (kept != nullptr && kept->revision() == edits_.revision(key)) return kept;
+    if (kept != nullptr && kept->revision() >= newest) return kept;
     auto made = merge(key, *base);
     if (!made) {
       log_->error("chunk {} with its edits failed: {}", to_string(key), made.error());
@@ -23,7 +25,7 @@ ChunkAnswer MergedChunks::merged(ChunkKey key, const EncodedChunkPtr& base) noex
     if (kept == nullptr || kept->revision() < (*made)->revision()) cache_.put(key, *made);
     return *std::move(made);
   } catch (const std::exception&) {
-    return tl::make_unexpected(GenerationFailed{});  // there is no memory for more words
+    return tl::make_unexpected(GenerationFailed{});  // there is no memory for a reason
   }
 }
 

@@ -1,9 +1,10 @@
 // Notifies sessions of edited chunks in their Views.
 //
-// One thread gathers changes and sends them at most every kInterval, so that single edits wake no session and
-// many edits of a chunk become one change. A session receives changes in its own boxes only. If it waits for
-// the log's answer, it is not woken for kWithAnswer, so that changes and answer leave in one write. Bounded:
-// on overflow of kMaxGathered chunks, or of a Mailbox, changes collapse into "any chunk may have changed".
+// Changes are gathered, and sent at most every kInterval by one thread: an edit wakes no session by itself,
+// and many edits of a chunk are one change. Each session receives the changes in its own boxes alone. A
+// session that waits for the log's answer is about to be woken by that: changes and answer then leave in one
+// write, so nothing else wakes it for kWithAnswer. Bounded: beyond kMaxGathered chunks, and beyond what a
+// Mailbox takes of its own, "any chunk may have changed" is sent instead.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ class ChangeFeed {
   static constexpr std::size_t kMaxGathered = 16'384;
 
   explicit ChangeFeed(Logger log) : log_{std::move(log)} {}
-  /// Waits for the thread. Gathered changes that were not sent are dropped.
+  /// Waits for the thread. Changes that were gathered and not sent are never sent.
   ~ChangeFeed();
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
@@ -43,44 +44,44 @@ class ChangeFeed {
   /// Starts the thread; once.
   void start();
 
-  /// Replaces the boxes of the mailbox's owner; empty: removes the mailbox. After std::bad_alloc it is
-  /// removed, too.
+  /// Replaces the boxes in which the mailbox's owner is notified of changes; empty: it is notified of none,
+  /// and the mailbox is released. Throws std::bad_alloc, and then the owner is notified of none.
   void watch(const MailboxPtr& mailbox, std::span<const LevelBox> boxes);
 
-  /// Chunks were changed. Readers of their revisions must find these already. Does not block.
+  /// Records changes. Their revisions must be visible already. Does not wait for other threads.
   void on_changed(std::span<const ChunkChange> changes) noexcept;
 
-  // The thread's work; not on two threads at once.
-  /// Sends the gathered changes now. Sessions that expect an answer of the log are not woken.
+  // The thread calls these; not on two threads at once.
+  /// Sends the gathered changes. Sessions that expect an answer of the log are not woken, but held.
   void send();
-  /// Wakes the sessions that send() did not wake, unless they have taken their mail.
+  /// Wakes the held sessions that have not taken their mail yet.
   void wake_held();
   [[nodiscard]] bool has_held() const { return !held_.empty(); }
 
-  /// Number of mailboxes with boxes.
+  /// Returns the number of clients with boxes.
   [[nodiscard]] std::size_t watchers() const;
 
  private:
   struct Watcher {
     MailboxPtr mailbox;
     std::vector<LevelBox> boxes;
-    std::vector<ChunkChange> own;  // in this round
+    std::vector<ChunkChange> own;  // changes to be sent to it now
   };
   struct Notification {
     MailboxPtr mailbox;
-    ChunkChangesPtr changes;  // null: any
+    ChunkChangesPtr changes;  // null: any chunk may have changed
   };
 
   void run();
-  /// A notification was lost: the owner must end.
+  /// Ends the mailbox's owner, to which changes could not be sent.
   void lose(Mailbox& mailbox, const std::exception& error) const;
   [[nodiscard]] bool has_gathered() const { return any_changed_ || !gathered_.empty(); }
   void remove(const Watcher& watcher);
-  /// Notifications for all watchers that any chunk may have changed.
+  /// Returns a notification for every watcher, that any chunk may have changed.
   [[nodiscard]] std::vector<Notification> notify_all();
-  /// Notifications of the changes for the sessions that watch them.
-  [[nodiscard]] std::vector<Notification> notifications_of(std::span<const ChunkChange> changes);
-  /// Adds a change to each session that watches it, and sessions without changes so far to `watchers`.
+  /// Returns a notification for every watcher of some of the chunks.
+  [[nodiscard]] std::vector<Notification> notify_watchers(std::span<const ChunkChange> changes);
+  /// Adds a change to the watchers of its chunk, and a watcher that had no change before to `watchers`.
   void find_watchers(const ChunkChange& change, std::vector<Watcher*>& watchers);
 
   const Logger log_;
@@ -92,7 +93,7 @@ class ChangeFeed {
   bool stopping_ = false;
   bool thread_waits_ = false;  // for changes
   std::thread thread_;
-  std::vector<MailboxPtr> held_;  // used by the thread only; not woken yet
+  std::vector<MailboxPtr> held_;  // of the thread alone
 
   mutable std::mutex watching_;
   std::unordered_map<ClientId, Watcher> watchers_;

@@ -1,4 +1,4 @@
-#include "edits/change_feed.h"
+#include "chunks/change_feed.h"
 
 #include <algorithm>
 #include <exception>
@@ -84,7 +84,7 @@ void ChangeFeed::send() {
       std::vector<ChunkChange> changes;
       changes.reserve(gathered.size());
       for (const auto& [key, change] : gathered) changes.push_back(change);
-      notifications = notifications_of(changes);
+      notifications = notify_watchers(changes);
     }
   } catch (const std::bad_alloc&) {
     log_->error("no memory to notify sessions of {} edited chunks; retrying", gathered.size());
@@ -130,7 +130,7 @@ std::vector<ChangeFeed::Notification> ChangeFeed::notify_all() {
   return notifications;
 }
 
-std::vector<ChangeFeed::Notification> ChangeFeed::notifications_of(std::span<const ChunkChange> changes) {
+std::vector<ChangeFeed::Notification> ChangeFeed::notify_watchers(std::span<const ChunkChange> changes) {
   std::vector<Notification> notifications;
   std::vector<Watcher*> watchers;
   const std::lock_guard lock{watching_};
