@@ -102,7 +102,7 @@ class Editors {
     for (std::size_t i = 0; i < kEditors; ++i) {
       ++waiting_;
       const auto attached = [this, i](const auto& applied) {
-        if (!applied) fail(applied.error().reason);
+        if (!applied) fail(applied.error().message);
         answered(i);
       };
       if (!log_.append(edits::AttachEntry{{i + 1, 1}, 1, "somebody"}, attached)) fail("the log refuses");
@@ -131,7 +131,7 @@ class Editors {
     edits::EditEntry entry = std::move(own[sequences_[editor]]);
     entry.sequence = ++sequences_[editor];
     const auto taken = log_.append(std::move(entry), [this, editor](const auto& applied) {
-      if (!applied) fail(applied.error().reason);
+      if (!applied) fail(applied.error().message);
       if ((*applied)->kind != edits::Applied::Kind::done) fail("an edit was not done");
       ++edits_;
       answered(editor);
@@ -244,7 +244,7 @@ void open_store(const fs::path& path) {
       answered.wait(lock, [&] { return waiting < 500; });
       ++waiting;
       const auto done = [&](const auto& applied) {
-        if (!applied) fail(applied.error().reason);
+        if (!applied) fail(applied.error().message);
         const std::lock_guard in_turn{mutex};
         --waiting;
         answered.notify_one();
