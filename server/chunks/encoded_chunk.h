@@ -18,7 +18,7 @@ namespace talus::server {
 /// Revision of generated chunks. Every edit of a chunk has a larger one.
 inline constexpr std::uint64_t kBaseRevision = 0;
 
-/// Which chunk a client wants: as generated, or with its edits.
+/// The version of a chunk that a client wants: as generated, or with its edits.
 enum class Version : std::uint8_t { generated, edited };
 
 /// Immutable, so any thread may read it.

@@ -1,4 +1,4 @@
-// What leaves: Delivery's loop over the outbox, and the updates of chunks that the client holds.
+// Writes of Delivery: its loop over the outbox, and updates of chunks that the client holds.
 #include <algorithm>
 #include <optional>
 #include <utility>
