@@ -40,7 +40,7 @@ TEST_CASE("talus-thesis explains itself") {
     CHECK_THAT(outcome.output, Catch::Contains("--world"));
   }
   check_refused("", 2, "a command is needed: gallery, ");
-  check_refused("map --center 0,0 --size 8,8", 2, "there is no command map");
+  check_refused("map --center 0,0 --size 8,8", 2, "unknown command map");
 }
 
 TEST_CASE("gallery refuses what it cannot read or write") {
