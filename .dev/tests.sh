@@ -85,6 +85,7 @@ test_at_length() {
   stage "testing in a browser, at length" test_in_browser --full
   # File by file: every file includes what it uses, and g++ has all its warnings, also of the unit tests.
   stage "building file by file" build release-plain
+  stage "building as ./dev run does" build no-tests -DTALUS_QUICK=ON -- talusd talus-client
   by_clang
   by_clang --all
   say "fourteen hostile minutes"
