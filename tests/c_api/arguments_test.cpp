@@ -206,7 +206,7 @@ TEST_CASE("a client that has joined checks its arguments") {
     auto options = sized<talus_connect_options>();
     options.host = "127.0.0.1";
     CHECK(talus_connect(c, &options) == TALUS_ALREADY_CONNECTED);
-    check_line(client.error(), "talus_connect", "talus_discall connect() first");
+    check_line(client.error(), "talus_connect", "call talus_disconnect() first");
   }
   SECTION("of talus_decode") {
     REQUIRE(talus_get_chunk(c, 0, 0, 0, 0, nullptr, nullptr) == TALUS_OK);

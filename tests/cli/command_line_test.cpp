@@ -58,7 +58,7 @@ TEST_CASE("a flight begins where the user says") {
 }
 
 TEST_CASE("mistyped words are reported with a suggestion") {
-  check_wrong_use({"fli", "--seconds", "3"}, "no command fli; did you mean fly?");
+  check_wrong_use({"fli", "--seconds", "3"}, "unknown command fli; did you mean fly?");
   check_wrong_use({"--conect", "a:1", "fly"}, "not expected: --conect a:1; did you mean --connect?");
 }
 
