@@ -4,7 +4,7 @@
 # check_address VARIABLE: refuses a value that is not HOST:PORT.
 check_address() {
   local value="${!1:-}"
-  [[ -z "$value" ]] || { [[ "$value" =~ ^(\[[0-9a-fA-F:.]+\]|[^][:]+):([0-9]{1,5})$ ]] && ((10#${BASH_REMATCH[2]} <= 65535)); } ||
+  [[ -z "$value" ]] || { [[ "$value" =~ ^(\[[0-9a-fA-F:.]+\]|[^]:[]+):([0-9]{1,5})$ ]] && ((10#${BASH_REMATCH[2]} <= 65535)); } ||
     wrong_use "run: $1: '$value' is not HOST:PORT"
 }
 
