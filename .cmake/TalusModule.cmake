@@ -131,11 +131,11 @@ function(talus_kernel_sources)
   endif()
 endfunction()
 
-# talus_module(NAME SOURCES ... KERNELS ... SETUP ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose
-# headers lie in include/talus/<module>, known to those who link talus::NAME and to nobody else. KERNELS are sources that
-# include themselves once for each instruction set. SETUP runs once: it is compiled by -Og.
+# talus_module(NAME SOURCES ... KERNELS ... PUBLIC modules and libraries ... PRIVATE ...): a static library whose headers
+# lie in include/talus/<module>, visible only to targets that link talus::NAME. KERNELS are sources that include
+# themselves once for each instruction set.
 function(talus_module name)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;KERNELS;SETUP;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;KERNELS;PUBLIC;PRIVATE" ${ARGN})
   if(MODULE_KERNELS)
     talus_join_kernels(MODULE_KERNELS ${name} ${MODULE_KERNELS})
     talus_kernel_sources(${MODULE_KERNELS})
@@ -151,14 +151,6 @@ function(talus_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(talus_${name} PUBLIC ${MODULE_PUBLIC} PRIVATE $<BUILD_INTERFACE:talus_flags> ${MODULE_PRIVATE})
-  if(MODULE_SETUP)
-    add_library(talus_${name}_setup OBJECT ${MODULE_SETUP})
-    set_target_properties(talus_${name}_setup PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_include_directories(talus_${name}_setup PRIVATE include src)
-    target_link_libraries(talus_${name}_setup PRIVATE talus_flags ${MODULE_PUBLIC} ${MODULE_PRIVATE})
-    talus_optimise(talus_${name}_setup g)
-    target_sources(talus_${name} PRIVATE $<TARGET_OBJECTS:talus_${name}_setup>)
-  endif()
 endfunction()
 
 # talus_server_target(TARGET LEVEL): flags and unity sources of every target of the server.
