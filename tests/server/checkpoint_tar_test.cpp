@@ -233,7 +233,8 @@ TEST_CASE("a file that does not belong to a store is refused before it is writte
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFDIR})), Catch::Contains("is not a checkpoint"));
   CHECK_THAT(error(with({"db/000099.sst", "", AE_IFIFO})),
              Catch::Contains("is a link, a directory or a device"));
-  CHECK_THAT(error(with({"db/000099.sst", "x"})), Catch::Contains("\"db/000099.sst\" in it differs from its"));
+  CHECK_THAT(error(with({"db/000099.sst", "x"})),
+             Catch::Contains("\"db/000099.sst\" in it differs from its"));
   CHECK_THAT(error(with(files[3])), Catch::Contains("twice"));
   CHECK_THAT(error(with({"acknowledged", std::string(5'000, 'x')})), Catch::Contains("twice"));
   std::vector<TarFile> changed = files;
