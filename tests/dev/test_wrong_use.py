@@ -69,6 +69,9 @@ class Commands(unittest.TestCase):
         for name in ["TALUS_LISTEN", "TALUS_HTTP_LISTEN"]:
             for address in ["4780", "localhost:", "localhost:65536", ":4780", "http://localhost:4780"]:
                 self.assertEqual(self.refused("run", **{name: address}), f"run: {name}: '{address}' is not HOST:PORT\n")
+        for address in ["127.0.0.1:0", "localhost:4780", "[::1]:4780"]:
+            self.assertEqual(self.refused("run", TALUS_LISTEN=address, TALUS_HTTP_LISTEN="x"),
+                             "run: TALUS_HTTP_LISTEN: 'x' is not HOST:PORT\n")
         self.assertIn("TALUS_HTTP_LISTEN", self.refused("run", TALUS_HTTP="127.0.0.1:4782"))
 
 
