@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The load scenarios, one after the other, each against a talusd of its own; README.md says what each is for.
+# The load scenarios, one after the other, each against a talusd of its own; --help says what each is for.
 # Results go to out/load. For figures that mean something, nothing else should run on the machine.
 set -euo pipefail
 cd "$(dirname "$0")/../.."

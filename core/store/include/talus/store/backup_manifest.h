@@ -1,5 +1,5 @@
-// Text manifest of a store's backup: its files with their checksums. store_command/FORMAT.md specifies every
-// byte. Pure.
+// Text manifest of a store's backup: its files with their checksums. server/commands/store/FORMAT.md
+// specifies every byte. Pure.
 #pragma once
 
 #include <cstdint>
