@@ -103,12 +103,11 @@ tl::expected<TopCommand, Exit> read_top_command(int argc, const char* const* arg
   std::string admin;
   std::string config_file;
   std::int64_t interval = TopCommand{}.interval.count();
-  app.add_option("--admin", admin,
-                 "the server's address for operators; default: \"admin\" of --config, or TALUS_ADMIN")
+  app.add_option("--admin", admin, "the server's address for operators; default: \"admin\" of the settings")
       ->type_name("HOST:PORT");
   app.add_option("--config", config_file, "the server's settings in TOML; default: no file")
       ->type_name("FILE");
-  app.add_option("--interval", interval, "seconds between two updates, on a terminal")
+  app.add_option("--interval", interval, "seconds between updates, on a terminal")
       ->type_name("SECONDS")
       ->check(CLI::Range(1, 3600))
       ->capture_default_str();

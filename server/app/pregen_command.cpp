@@ -159,14 +159,13 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
   app.add_option("--config", config_file, "the server's settings in TOML; default: no file")
       ->type_name("FILE");
   app.add_option("--world", world,
-                 "the server's world; default: \"world\" of --config, or TALUS_WORLD. A talusd "
-                 "that runs makes its own: any other is refused")
+                 "the server's world; default: \"world\" of the settings. A running talusd refuses any other")
       ->type_name("FILE");
   app.add_option("--center", center, "the middle, in voxels")->capture_default_str()->type_name("X,Z");
   app.add_option("--radius", plan.radius, "voxels from the middle to each side")
       ->required()
       ->type_name("VOXELS");
-  app.add_option("--levels", plan.levels, "levels of detail, from the finest on: 1 to 7")
+  app.add_option("--levels", plan.levels, "levels of detail, from the finest: 1 to 7")
       ->capture_default_str()
       ->type_name("COUNT");
   app.add_option("--share", plan.share, "of the generators' time, 0.001 to 1")

@@ -59,8 +59,7 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
 
   Command command;
   std::string config_file;
-  app.add_option("--config", config_file, "settings in TOML, as in talusd.toml; default: no file")
-      ->type_name("FILE");
+  app.add_option("--config", config_file, "settings in TOML, as in talusd.toml")->type_name("FILE");
   std::array flags{Flag{"world", "world", "FILE"},           Flag{"listen", "listen", "HOST:PORT"},
                    Flag{"http", "http.listen", "HOST:PORT"}, Flag{"web", "http.web", "DIR"},
                    Flag{"admin", "admin", "HOST:PORT"},      Flag{"data", "data", "DIR"}};
@@ -72,9 +71,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
             ->type_name(std::string{flag.type});
   }
   app.add_flag("--check-config", command.check_only,
-               "check settings, world, user, keys and certificate, print ok and exit; does not try addresses "
-               "or the data "
-               "directory");
+               "check settings, world, user, keys and certificate, not addresses or the data directory; "
+               "print ok and exit");
 
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 

@@ -44,132 +44,123 @@ constexpr DurationTarget duration(std::chrono::milliseconds min, std::chrono::mi
 
 const std::array kFields{
     Field{"listen", "HOST:PORT",
-          "address for game clients; IPv6 in brackets, [::]:4780; with port 0 the system chooses a free "
-          "port, which talusd prints",
+          "address for game clients; IPv6 as [::]:4780; port 0: a free port, which talusd prints",
           EndpointTarget{[](Config& c) -> protocol::Endpoint& { return c.listen; }}},
     Field{"admin", "HOST:PORT",
-          "address for operators over HTTP: /metrics, /flows, /-/healthy, /-/ready; it asks for no password, "
-          "so choose one that players cannot reach, such as 127.0.0.1:4781; empty: not served",
+          "address for operators over HTTP; it asks for no password, so choose one that players cannot "
+          "reach, such as 127.0.0.1:4781",
           OptionalEndpointTarget{[](Config& c) -> std::optional<protocol::Endpoint>& { return c.admin; }}},
-    Field{"data", "directory",
-          "directory for the edits of one world, created if it is missing; empty: nothing is kept and no "
-          "edits are taken",
-          PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
+    Field{
+        "data", "directory",
+        "directory for one world's edits, created if missing; empty: no edits are taken, and nothing is kept",
+        PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
     Field{"world", "file", "the world's spec, a TOML file; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
     Field{"user", "user, as NAME, UID or UID:GID",
-          "user to switch to after binding ports and reading keys, if started as root; empty: does not "
-          "switch, and logs a warning if started as root",
+          "user to switch to after binding ports and reading keys, if started as root; empty: talusd stays "
+          "root, with a warning",
           TextTarget{[](Config& c) -> std::string& { return c.user; }}},
-    Field{"proxies", "networks",
-          "proxies and load balancers in front of this server, addresses and networks separated by commas; "
-          "their connections must begin with a PROXY header, version 2, whose address limits and log use; "
-          "from any other address such a header is an error",
-          NetworksTarget{[](Config& c) -> Networks& { return c.proxies; }}},
+    Field{
+        "proxies", "networks",
+        "addresses and networks of proxies in front, separated by commas; their connections must begin with "
+        "a PROXY header, version 2, whose address limits and log use; from other addresses it is an error",
+        NetworksTarget{[](Config& c) -> Networks& { return c.proxies; }}},
 
     Field{"access.secret_file", "file",
-          "file with a secret that clients may send as their token, 16 to 1,024 bytes; empty: not used",
+          "file with a secret of 16 to 1,024 bytes that clients may send as their token",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.secret_file; }}},
     Field{"access.secret_rights", "rights", "rights of clients that send the secret",
           WordTarget{[](Config& c) -> std::string& { return c.access.secret_rights; }, kRights}},
     Field{"access.signing_key_file", "file",
-          "file with the key that signs tokens, 32 to 4,096 bytes (talusd token --help); empty: signed "
-          "tokens are refused",
+          "file with the key that signs tokens, 32 to 4,096 bytes; empty: signed tokens are refused",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.signing_key_file; }}},
     Field{"access.previous_signing_key_file", "file",
-          "file with the previous signing key, whose tokens are accepted until they expire; empty: not used",
+          "file with the previous signing key, whose tokens are accepted until they expire",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.previous_signing_key_file; }}},
-    Field{"access.revoked_file", "file", "file that lists revoked signed tokens; empty: not used",
+    Field{"access.revoked_file", "file", "file that lists revoked signed tokens",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.revoked_file; }}},
     Field{"access.blocked_file", "file",
-          "file that lists addresses, networks and subjects of tokens which are not served; empty: not used",
+          "file that lists addresses, networks and token subjects that are not served",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.access.blocked_file; }}},
     Field{"access.without_token", "rights",
-          "rights of clients without a token; auto: none if a secret or a key is configured, else read",
+          "rights of clients without a token; auto: none if a secret or a key is set, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
 
     Field{"edits.protected", "boxes",
           "boxes X,Z:X,Z or X,Y,Z:X,Y,Z, separated by semicolons, that only tokens with the right admin may "
-          "edit; empty: not used",
+          "edit",
           BoxesTarget{[](Config& c) -> Boxes& { return c.edits.protected_boxes; }}},
     Field{"edits.protect_spawn", "columns",
           "distance from the world's spawn, at all heights, within which only tokens with the right admin "
-          "may edit; 0: not used",
+          "may edit; 0: off",
           number<&Config::edits, &Edits::protect_spawn>(0, 65'536)},
-    Field{"edits.gateway", "", "required: only sessions with the right gateway, of a game server, may edit",
+    Field{"edits.gateway", "", "required: only sessions with the right gateway, of game servers, may edit",
           WordTarget{[](Config& c) -> std::string& { return c.edits.gateway; }, kGateway}},
     Field{"edits.settle", "switch",
-          "true: loose material (gravel, soil, sand) slides into what is dug, and down from where it is put, "
-          "until it lies at its angle of repose",
+          "true: loose material (gravel, soil, sand) that edits undermine or place slides to its angle of "
+          "repose",
           SwitchTarget{[](Config& c) -> bool& { return c.edits.settle; }}},
     Field{"edits.history_bytes", "bytes",
-          "disk for the history of edits, which talusd store history and rollback read; the oldest records "
-          "are deleted first",
+          "disk for the history of edits (talusd store history, rollback); the oldest records go first",
           number<&Config::edits, &Edits::history_bytes>(16 * kMebibyte, 1024 * 1024 * kMebibyte)},
-    Field{"edits.history_days", "days", "time that records of the history are kept",
+    Field{"edits.history_days", "days", "time that a record of the history is kept",
           number<&Config::edits, &Edits::history_days>(1, 3650)},
 
     Field{
         "tls.certificate", "file",
         "PEM file with the certificate and its chain; clients then connect by TLS 1.3 only; empty: plain TCP",
         PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.certificate; }}},
-    Field{"tls.key", "file", "PEM file with the certificate's key, without a passphrase",
+    Field{"tls.key", "file", "PEM file with its key, without a passphrase",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.tls.key; }}},
 
-    Field{"http.listen", "HOST:PORT",
-          "address for HTTP and WebSocket of players, such as 0.0.0.0:4782; empty: not served",
+    Field{"http.listen", "HOST:PORT", "address for HTTP and WebSocket of players, such as 0.0.0.0:4782",
           OptionalEndpointTarget{
               [](Config& c) -> std::optional<protocol::Endpoint>& { return c.http.listen; }}},
-    Field{"http.web", "directory",
-          "directory of files served at / of http.listen, read at the start: the viewer; empty: not served",
+    Field{"http.web", "directory", "directory served at / of http.listen, read at the start: the viewer",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.http.web; }}},
     Field{"http.tls", "switch",
           "true: HTTP uses TLS if tls.certificate is set; false: a proxy in front speaks TLS",
           SwitchTarget{[](Config& c) -> bool& { return c.http.tls; }}},
-    Field{"http.public_chunks", "switch",
-          "true: chunks over HTTP need no token, so that every cache may keep them",
+    Field{"http.public_chunks", "switch", "true: chunks need no token, so that every cache may keep them",
           SwitchTarget{[](Config& c) -> bool& { return c.http.public_chunks; }}},
     Field{"http.origins", "origins",
-          "origins whose pages may read and stream, in addition to the server's own host; *: all; empty: "
-          "pages of all origins may read what every cache may keep, and nothing else",
+          "origins whose pages may read and stream, in addition to the server's own; *: all; empty: others "
+          "may only read what every cache may keep",
           OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
-    Field{"http.log_every", "answers", "number of HTTP answers of which one is logged; 0: not logged",
+    Field{"http.log_every", "answers", "number of HTTP answers of which one is logged; 0: off",
           number<&Config::http, &Http::log_every>(0, 1'000'000'000)},
 
     Field{"cluster.nats", "addresses",
-          "NATS servers with the log that all servers of this world share; tls:// for all if there are "
-          "passwords or tokens; empty: this server is alone",
+          "NATS servers that hold the shared log; tls:// for all if there are passwords or tokens; empty: "
+          "this server is alone",
           UrlsTarget{[](Config& c) -> ServerUrls& { return c.cluster.nats; }, kNatsSchemes}},
     Field{"cluster.store", "id of a store",
           "id of the world's store, 32 hexadecimal digits; empty: the id in the data directory, or of the "
           "peer whose store is taken",
           TextTarget{[](Config& c) -> std::string& { return c.cluster.store; }}},
     Field{"cluster.user", "user's name",
-          "user at the NATS servers, with cluster.password_file; at most one of user, token_file and "
-          "nkey_file may be set",
+          "user at the NATS servers, with password_file; set at most one of user, token_file and nkey_file",
           TextTarget{[](Config& c) -> std::string& { return c.cluster.user; }}},
-    Field{"cluster.password_file", "file", "file with the password of cluster.user",
+    Field{"cluster.password_file", "file", "file with the user's password",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.password_file; }}},
     Field{"cluster.token_file", "file", "file with a token for the NATS servers",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.token_file; }}},
-    Field{"cluster.nkey_file", "file", "file with the seed of an NKey, a line that begins with SU",
+    Field{"cluster.nkey_file", "file", "file with an NKey's seed, a line that begins with SU",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.nkey_file; }}},
-    Field{"cluster.ca", "file",
-          "PEM file with the authorities' certificates for NATS servers (tls://) and peers (https://)",
+    Field{"cluster.ca", "file", "PEM file with the authorities of NATS servers (tls://) and peers (https://)",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.ca; }}},
-    Field{"cluster.certificate", "file",
-          "PEM file with the certificate that this server shows NATS servers and peers; empty: not used",
+    Field{"cluster.certificate", "file", "PEM file with this server's certificate for NATS servers and peers",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.certificate; }}},
-    Field{"cluster.key", "file", "PEM file with the key of cluster.certificate, without a passphrase",
+    Field{"cluster.key", "file", "PEM file with its key, without a passphrase",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.key; }}},
     Field{"cluster.peers", "addresses",
-          "operators' ports of the other servers, such as https://10.0.1.2:4781, from which a server takes "
-          "the store if the log does not reach back far enough",
+          "other servers' admin addresses, such as https://10.0.1.2:4781, to take a store from if the log "
+          "does not reach back far enough",
           UrlsTarget{[](Config& c) -> ServerUrls& { return c.cluster.peers; }, kPeerSchemes}},
     Field{"cluster.peers_token_file", "file", "file with a token with the right admin, which peers require",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.cluster.peers_token_file; }}},
     Field{"cluster.replicas", "NATS servers",
-          "NATS servers that hold the log which talusd cluster init makes: 1, 3 or 5",
+          "NATS servers that hold the log of talusd cluster init: 1, 3 or 5",
           number<&Config::cluster, &Cluster::replicas>(1, 5)},
 
     Field{"threads.io", "threads", "threads that serve sockets; 0: one per core",
@@ -181,143 +172,133 @@ const std::array kFields{
           "open connections in all; protects memory and file descriptors",
           number<&Config::limits, &Limits::connections>(1, 1'000'000)},
     Field{"limits.connections_per_address", "connections",
-          "open connections from one IPv4 address or one IPv6 /64 network; raise it for players behind NAT",
+          "open connections of one address; raise it for players behind NAT",
           number<&Config::limits, &Limits::connections_per_address>(1, 1'000'000)},
     Field{"limits.handshakes_per_address_per_second", "connections",
-          "new connections per second from one address, in the long run; protects CPU time, as a TLS "
-          "handshake costs a signature",
+          "new connections of one address per second, in the long run; protects CPU time",
           number<&Config::limits, &Limits::handshakes_per_address_per_second>(1, 1'000'000)},
     Field{"limits.handshakes_per_address_burst", "connections",
-          "new connections from one address at once, after a pause; players behind one NAT who reconnect "
-          "together need it",
+          "new connections of one address at once, after a pause, as of players behind one NAT who reconnect",
           number<&Config::limits, &Limits::handshakes_per_address_burst>(1, 1'000'000)},
     Field{"limits.handshakes_in_flight", "connections", "unfinished TLS handshakes and PROXY headers in all",
           number<&Config::limits, &Limits::handshakes_in_flight>(1, 1'000'000)},
-    Field{"limits.frame_bytes", "bytes", "size of one frame from a client, with its length prefix",
+    Field{"limits.frame_bytes", "bytes", "size of a client's frame, with its length prefix",
           number<&Config::limits, &Limits::frame_bytes>(protocol::kMinClientFrameBytes, 16 * kMebibyte)},
-    Field{"limits.requests_in_flight", "requests", "unanswered chunk and height requests of one session",
+    Field{"limits.requests_in_flight", "requests", "unanswered chunk and height requests of a session",
           number<&Config::limits, &Limits::requests_in_flight>(1, 65'536)},
     Field{"limits.handshake_timeout_ms", "ms",
           "time from the connection to the client's whole Hello, with PROXY header and TLS",
           duration<&Config::limits, &Limits::handshake_timeout>(kMinTimeout, kDay)},
     Field{"limits.idle_timeout_ms", "ms",
-          "time without a whole frame from the client; an idle client sends Ping",
+          "time without a whole frame from the client; idle clients send Ping",
           duration<&Config::limits, &Limits::idle_timeout>(kMinTimeout, kDay)},
-    Field{"limits.write_timeout_ms", "ms", "time in which the client reads nothing of what it is sent",
+    Field{"limits.write_timeout_ms", "ms", "time in which the client reads nothing that it is sent",
           duration<&Config::limits, &Limits::write_timeout>(kMinTimeout, kDay)},
     Field{"limits.queued_bytes_per_session", "bytes",
-          "answers queued for one client; above it, and above a quarter of it in unanswered edits, the "
-          "server stops reading from that client",
+          "answers queued for a client; above it, and above a quarter of it in unanswered edits, the server "
+          "stops reading from the client",
           number<&Config::limits, &Limits::queued_bytes_per_session>(64 * 1024, 1024 * kMebibyte)},
     Field{"limits.window_bytes", "bytes",
-          "Chunk frames in flight that the client has not acknowledged by Credit; protects the client's link",
+          "Chunk frames in flight that the client has not acknowledged by Credit; protects its link",
           number<&Config::limits, &Limits::window_bytes>(1024, 1024 * kMebibyte)},
     Field{"limits.heights_per_request", "columns", "columns in one GetHeights",
           number<&Config::limits, &Limits::heights_per_request>(1, protocol::kMaxHeightsPerRequest)},
     Field{"limits.view_horizontal_radius", "chunks",
-          "radius of a View along x and z; at level l it may be 2^l times as large",
+          "radius of a View along x and z; 2^l times that at level l",
           number<&Config::limits, &Limits::view_horizontal_radius>(0, 512)},
-    Field{"limits.view_vertical_radius", "chunks",
-          "radius of a View along y; at level l it may be 2^l times as large",
+    Field{"limits.view_vertical_radius", "chunks", "radius of a View along y; 2^l times that at level l",
           number<&Config::limits, &Limits::view_vertical_radius>(0, 512)},
-    Field{"limits.view_chunks", "chunks", "chunks of all levels in one View",
+    Field{"limits.view_chunks", "chunks", "chunks of all levels in a View",
           number<&Config::limits, &Limits::view_chunks>(1, 4'194'304)},
     Field{"limits.memory_bytes", "bytes",
-          "memory budget; near it caches shrink, then new work and connections are refused; at least "
-          "75497472 with up to 16 threads, or 0: no limit",
+          "memory budget; near it caches shrink, then new work and connections are refused; 0: no limit, "
+          "else at least 75497472 with up to 16 threads",
           number<&Config::limits, &Limits::memory_bytes>(0, 1024 * 1024 * kMebibyte)},
 
-    Field{"rates.session_chunks", "chunks per second", "chunks sent to one session; further chunks wait",
+    Field{"rates.session_chunks", "chunks per second", "chunks sent to a session; further chunks wait",
           number<&Config::rates, &Rates::session_chunks>(0, kMaxPerSecond)},
     Field{"rates.session_bytes", "bytes per second",
-          "bytes sent to one session; further chunks wait; a session that owes more than a burst and 8 KiB "
-          "has new requests refused",
+          "bytes sent to a session; further chunks wait; new requests are refused while it owes more than a "
+          "burst and 8 KiB",
           number<&Config::rates, &Rates::session_bytes>(0, kMaxPerSecond)},
     Field{"rates.session_requests", "requests per second",
-          "chunks and heights requested by id, Views, Pings and Edits of one session; more are refused with "
-          "a time to retry",
+          "chunks and heights requested by id, Views, Pings and Edits of a session; more are refused with a "
+          "time to retry",
           number<&Config::rates, &Rates::session_requests>(0, kMaxPerSecond)},
     Field{"rates.address_chunks", "chunks per second",
-          "chunks sent to all sessions of one address; each session reserves what 10 ms earn, at most 16 "
-          "chunks and 32 KiB",
+          "chunks sent to an address; each session reserves what 10 ms earn, at most 16 chunks and 32 KiB",
           number<&Config::rates, &Rates::address_chunks>(0, kMaxPerSecond)},
-    Field{"rates.address_bytes", "bytes per second", "bytes sent to all sessions of one address",
+    Field{"rates.address_bytes", "bytes per second", "bytes sent to an address",
           number<&Config::rates, &Rates::address_bytes>(0, kMaxPerSecond)},
-    Field{"rates.address_requests", "requests per second",
-          "requests accepted from all sessions of one address",
+    Field{"rates.address_requests", "requests per second", "requests accepted from an address",
           number<&Config::rates, &Rates::address_requests>(0, kMaxPerSecond)},
     Field{"rates.session_voxels", "voxels per second",
-          "voxels that edits of one session name, fills, pastes and guards included; a burst holds at least "
-          "one edit of the largest size, 65,536 voxels",
+          "voxels that a session's edits name, with fills, pastes and guards; a burst holds at least one "
+          "edit of 65,536 voxels",
           number<&Config::rates, &Rates::session_voxels>(0, kMaxPerSecond)},
-    Field{"rates.address_voxels", "voxels per second",
-          "voxels that edits of all sessions of one address name",
+    Field{"rates.address_voxels", "voxels per second", "voxels that an address's edits name",
           number<&Config::rates, &Rates::address_voxels>(0, kMaxPerSecond)},
-    Field{
-        "rates.address_editors", "editors per hour",
-        "new editors of one address, each remembered for a day; resuming one is free; eight hours are saved "
-        "up; auto: 512, or fewer if limits.memory_bytes has room for few (65 at 256 MiB, 18 at 72 MiB)",
-        OptionalNumberTarget{
-            [](Config& c) -> std::optional<std::uint64_t>& { return c.rates.address_editors; }, 0, 65'536}},
+    Field{"rates.address_editors", "editors per hour",
+          "new editors of an address, each remembered for a day; resuming one is free; eight hours are saved "
+          "up; auto: 512, or fewer with little limits.memory_bytes (65 at 256 MiB, 18 at 72 MiB)",
+          OptionalNumberTarget{
+              [](Config& c) -> std::optional<std::uint64_t>& { return c.rates.address_editors; }, 0, 65'536}},
     Field{"rates.address_new_chunks", "chunks per hour",
-          "chunks not edited before that edits of all sessions of one address may write, settle into or have "
-          "guards in; a session pays for each of its last 128 once; eight hours are saved up, but at most "
-          "what fills the index of edited chunks in 32 hours counts",
+          "unedited chunks that an address's edits may write, settle into or guard; a session pays for each "
+          "of its last 128 once; eight hours are saved up; at most what fills the index of edited chunks in "
+          "32 hours counts",
           number<&Config::rates, &Rates::address_new_chunks>(0, 16'777'216)},
     Field{"rates.gateway_requests", "requests per second",
-          "requests accepted from one session with the right gateway, instead of session_requests and "
+          "requests accepted from a session with the right gateway, instead of session_requests and "
           "address_requests",
           number<&Config::rates, &Rates::gateway_requests>(0, kMaxPerSecond)},
     Field{"rates.gateway_voxels", "voxels per second",
-          "voxels that edits of one session with the right gateway name, instead of session_voxels and "
-          "address_voxels",
+          "voxels that such a session's edits name, instead of session_voxels and address_voxels",
           number<&Config::rates, &Rates::gateway_voxels>(0, kMaxPerSecond)},
     Field{"rates.checkpoint_bytes", "bytes per second",
-          "bytes of the store sent to all servers that take a checkpoint of it",
+          "bytes sent to all servers that take a checkpoint of the store",
           number<&Config::rates, &Rates::checkpoint_bytes>(262'144, kMaxPerSecond)},
-    Field{"rates.burst_ms", "ms",
-          "time for which an idle session or address saves up each rate, for players who join or jump",
+    Field{"rates.burst_ms", "ms", "time for which an idle session or address saves up each rate",
           duration<&Config::rates, &Rates::burst>(milliseconds{1}, milliseconds{600'000})},
 
     Field{"cache.chunk_bytes", "bytes",
-          "cache of encoded chunks; an eighth holds tiles of the map if http.listen is set",
+          "cache of encoded chunks; an eighth holds map tiles if http.listen is set",
           number<&Config::cache, &Cache::chunk_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
     Field{"cache.patch_bytes", "bytes", "cache of terrain, from which neighbouring chunks are extracted",
           number<&Config::cache, &Cache::patch_bytes>(kMebibyte, 1024 * 1024 * kMebibyte)},
     Field{"cache.disk_bytes", "bytes",
-          "cache of chunks in the data directory, which outlives a restart; chunks that are cheap to "
-          "generate are not kept; 0: not used",
+          "cache of chunks in the data directory, which outlives a restart, without chunks that are cheap to "
+          "generate; 0: off",
           number<&Config::cache, &Cache::disk_bytes>(0, 1024 * 1024 * kMebibyte)},
 
     Field{"generation.patch_tiles", "tiles",
-          "edge of the square of terrain that is generated at once; a tile is 32 columns; 0: 1, 2 or 4, by "
-          "the measured cost of the world's terrain and what limits.memory_bytes has room for",
+          "edge of the terrain generated at once, in tiles of 32 columns; 0: 1, 2 or 4, by its measured cost "
+          "and limits.memory_bytes",
           PowerOfTwoTarget{[](Config& c) -> std::uint64_t& { return c.generation.patch_tiles; }, 16}},
     Field{"generation.queue_chunks", "chunks",
-          "chunks of all clients that wait for a generator; more are refused, except for clients that wait "
-          "for nothing",
+          "chunks that wait for a generator; more are refused, except for clients that wait for nothing",
           number<&Config::generation, &Generation::queue_chunks>(1, 16'777'216)},
 
     Field{"shutdown.lead_ms", "ms",
-          "time from SIGTERM, when /-/ready begins to answer 503, until no connection is accepted, so that a "
-          "balancer sends new players elsewhere; 0: this server is alone",
+          "time from SIGTERM, when /-/ready becomes 503, until connections are refused, so that a balancer "
+          "sends new players elsewhere; 0: this server is alone",
           duration<&Config::shutdown, &Shutdown::lead>(milliseconds{0}, kDay)},
     Field{"shutdown.drain_ms", "ms",
-          "time for sending pending answers before the server ends; after a lead, players are sent away in "
-          "its first half",
+          "time to send pending answers before the server ends; after a lead, players are sent away in its "
+          "first half",
           duration<&Config::shutdown, &Shutdown::drain>(milliseconds{0}, kDay)},
 
     Field{"balance.per_second", "sessions per second",
-          "sessions sent to other servers while this one has more than its share; 0: not used",
+          "sessions sent to other servers while this one has more than its share; 0: off",
           number<&Config::balance, &Balance::per_second>(0, 100'000)},
     Field{"balance.above_percent", "percent", "excess over its share that this server may have",
           number<&Config::balance, &Balance::above_percent>(0, 1000)},
     Field{"balance.session_ms", "ms", "age below which a session is not sent away",
           duration<&Config::balance, &Balance::session>(milliseconds{0}, kDay)},
 
-    Field{"log.level", "", "lowest level that is logged",
+    Field{"log.level", "", "lowest level logged",
           WordTarget{[](Config& c) -> std::string& { return c.log.level; }, kLevels}},
-    Field{"log.format", "", "format of a log line: text, or one JSON object with time, level and text",
+    Field{"log.format", "", "text, or one JSON object a line with time, level and text",
           WordTarget{[](Config& c) -> std::string& { return c.log.format; }, kLogFormats}},
 };
 

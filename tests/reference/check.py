@@ -10,6 +10,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOML = ROOT / "server/talusd.toml"
@@ -33,6 +34,11 @@ def row(*cells):
     return f"| {' | '.join(cell(text) for text in cells)} |".replace("|  |", "| |")
 
 
+def wrapped(text):
+    return textwrap.fill(text, 120, subsequent_indent="  " if text.startswith("- ") else "",
+                         break_long_words=False, break_on_hyphens=False)
+
+
 def options(text):
     """(flag, meaning) of each option and positional in the output of --help."""
     found = []
@@ -50,33 +56,71 @@ def options(text):
 
 
 def flags(talusd):
-    rows = ["| command | flag | meaning |", "| --- | --- | --- |"]
+    """A row for each flag; commands whose flags agree share it."""
+    commands = {}
     for command in COMMANDS:
         for flag, meaning in options(output(talusd, *command.split(), "--help")):
             name = re.search(r"--[a-z-]+|^[A-Z]+", flag)[0]
             if command and name in COMMON or name == "--help":
                 continue
-            meaning = re.sub(r"^.*\((TALUS_[A-Z_]+)\)$", r"the setting of \1", meaning)
-            flag = re.sub(r"^-\w,|(?<=\w) (TEXT|REQUIRED)|:[A-Z]+ in \[[^]]*\]", "", flag)
-            rows.append(row(f"`{command or 'talusd'}`", f"`{flag.strip()}`", meaning))
-    return "\n".join(rows)
+            meaning = re.sub(r"^.*\((TALUS_[A-Z_]+)\)$", r"as `\1`", meaning)
+            flag = re.sub(r"^-\w,|(?<=\w) (TEXT|REQUIRED)|:[A-Z]+ in \[[^]]*\]", "", flag).strip()
+            commands.setdefault((flag, meaning), []).append(f"`{command or 'talusd'}`")
+    rows = [row(", ".join(names), f"`{flag}`", meaning) for (flag, meaning), names in commands.items()]
+    return "\n".join(["| command | flag | meaning |", "| --- | --- | --- |"] + rows)
+
+
+def cells(line):
+    """The cells of a row, none of other lines."""
+    return re.split(r"(?<!\\) \| ", line[2:-2]) if line.startswith("| ") else []
+
+
+def settings(text):
+    """The tables without their column "reload", below a list of the settings that need no restart."""
+    lines, reload, section = [], {}, ""
+    for line in text.strip("\n").splitlines():
+        if line.startswith("### "):
+            section = line[4:]
+        if values := cells(line):
+            when = values.pop(3)
+            line = f"| {' | '.join(values)} |"
+            if values[0].startswith("`"):
+                reload.setdefault(section, {})[f"`{section}.{values[0].strip('`')}`"] = when
+        lines.append(line)
+    lists = []
+    for when, words in {"at once": "At once", "new sessions": "For new sessions and connections"}.items():
+        keys = []
+        for section, of in reload.items():
+            names, others = [key for key in of if of[key] == when], [key for key in of if of[key] != when]
+            keys += [" except ".join([f"`{section}.*`"] + others)] if len(names) > len(others) else names
+        lists.append(wrapped(f"- {words}: {', '.join(keys)}."))
+    return "\n".join(lists + ["- After a restart: all others.", ""] + lines)
+
+
+def metrics(text):
+    """A list of the metrics, below a sentence that has their types."""
+    rows = [cells(line) for line in text.splitlines() if line.startswith("| `")]
+    histograms = ", ".join(re.sub("{.*}", "", name) for name, kind, _ in rows if kind == "histogram")
+    types = f"A name that ends in `_total` is a counter. Histograms are {histograms}. All others are gauges."
+    return "\n".join([wrapped(types), ""] + [wrapped(f"- {name}: {meaning}") for name, _, meaning in rows])
 
 
 def alerts():
-    rows = ["| alert | severity | meaning | do |", "| --- | --- | --- | --- |"]
+    rows, pages = ["| alert | meaning | do |", "| --- | --- | --- |"], []
     text = (ROOT / "docker/alerts.yml").read_text()
     for rule in re.split(r"(?m)^ +- alert: ", text)[1:]:
-        name = rule.split("\n", 1)[0]
+        name = "`" + rule.split("\n", 1)[0] + "`"
         comments = " ".join(re.findall(r"(?m)^ +# (.*)$", rule.split("annotations:")[0]))
         runbook = comments.removeprefix("Do: ") if comments.startswith("Do: ") else ""
-        severity = re.search(r"severity: (\w+)", rule)[1]
+        if re.search(r"severity: (\w+)", rule)[1] == "page":
+            pages.append(name)
         meaning = re.search(r"(?m)^ +description: (.*)$", rule)[1]
-        rows.append(row(f"`{name}`", severity, meaning, runbook[:1].upper() + runbook[1:]))
-    return "\n".join(rows)
+        rows.append(row(name, meaning, runbook[:1].upper() + runbook[1:]))
+    return "\n".join([wrapped(f"The severity is `page` for {', '.join(pages)}, else `ticket`."), ""] + rows)
 
 
 def with_tables(text, tables):
-    """The document with each table between its marks."""
+    """The document with each table or list between its marks."""
     for name, table in tables.items():
         first = f"<!-- {name}: written by tests/reference/check.py --write -->\n"
         last = f"<!-- end of {name} -->\n"
@@ -93,9 +137,9 @@ def main(arguments):
     made = {
         TOML: output(reference, "toml"),
         REFERENCE: with_tables(REFERENCE.read_text(), {
-            "settings": output(reference, "settings"),
+            "settings": settings(output(reference, "settings")),
             "flags": flags(talusd),
-            "metrics": output(reference, "metrics"),
+            "metrics": metrics(output(reference, "metrics")),
             "alerts": alerts(),
         }),
     }

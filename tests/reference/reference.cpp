@@ -23,33 +23,28 @@ struct Section {
 };
 
 constexpr std::array kSections{
-    Section{"", "The addresses, the world and the data directory."},
-    Section{
-        "access",
-        "Tokens and lists. SIGHUP reads the files again; key files and the secret must not be blank or one "
-        "repeated character."},
+    Section{"", "Addresses, world and data directory."},
+    Section{"access",
+            "Tokens and lists. SIGHUP reads the files again. Key files and the secret must not be blank or "
+            "one repeated character."},
     Section{"edits", "Bounds of edits, in addition to those of tokens (talusd token --help)."},
-    Section{"tls", "SIGHUP reads both files again for new connections. Both or neither must be set."},
+    Section{"tls", "Set both or neither. SIGHUP reads both files again, for new connections."},
     Section{"http",
-            "HTTP and WebSocket for players: chunks that caches and CDNs can keep, and the stream for "
-            "browsers. A "
+            "HTTP and WebSocket for players: chunks that caches can keep, and the stream for browsers. A "
             "connection from one of proxies may begin with a PROXY header, or name its client in "
             "X-Forwarded-For."},
     Section{"cluster",
-            "A world on several servers (CLUSTER.md): they share one log of edits, a stream of NATS "
-            "JetStream. Each "
-            "has a data directory, too. Let only the user of talusd read the files with secrets."},
+            "A world on several servers (CLUSTER.md) that share a log of edits, a stream of NATS JetStream. "
+            "Each has a data directory, too. Let only talusd's user read the files with secrets."},
     Section{"threads", "Threads."},
-    Section{"limits", "Bounds of one connection, session or message, and of memory."},
-    Section{"rates",
-            "Token buckets, per second unless the unit says otherwise; 0: no limit. An address is one IPv4 "
-            "address or "
-            "one IPv6 /64 network."},
+    Section{"limits",
+            "Bounds of one connection, session or message, and of memory. An address is one IPv4 address or "
+            "IPv6 /64 network."},
+    Section{"rates", "Token buckets; 0: no limit. Rates of an address count all its sessions."},
     Section{"cache", "Maximum sizes of caches."},
     Section{"generation", "Generators."},
     Section{"shutdown", "The end of the server, from SIGTERM on."},
-    Section{"balance",
-            "Behind a balancer that reports in its checks of /-/ready how many players each server has."},
+    Section{"balance", "Behind a balancer whose checks of /-/ready report the players of each server."},
     Section{"log", "The log on stdout."},
 };
 
@@ -75,16 +70,16 @@ struct RangeOf {
   std::string_view unit;
 
   std::string operator()(const NumberTarget& target) const {
-    return fmt::format("{} to {} {}", target.min, target.max, unit);
+    return fmt::format("{}-{} {}", target.min, target.max, unit);
   }
   std::string operator()(const OptionalNumberTarget& target) const {
-    return fmt::format("{} to {} {}, or {}", target.min, target.max, unit, kAuto);
+    return fmt::format("{}-{} {}, or {}", target.min, target.max, unit, kAuto);
   }
   std::string operator()(const PowerOfTwoTarget& target) const {
     return fmt::format("0 or a power of two to {} {}", target.max, unit);
   }
   std::string operator()(const DurationTarget& target) const {
-    return fmt::format("{} to {} {}", target.min.count(), target.max.count(), unit);
+    return fmt::format("{}-{} {}", target.min.count(), target.max.count(), unit);
   }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("{}", fmt::join(target.words, "; "));
@@ -147,13 +142,11 @@ void print_wrapped(std::string_view prefix, std::string_view text) {
 }
 
 void print_toml() {
-  print_wrapped(
-      "# ",
-      "The settings of talusd, each with its default. An environment variable overrides this file, and a "
-      "flag "
-      "overrides both: limits.connections is TALUS_LIMITS_CONNECTIONS. SIGHUP reads this file again; the log "
-      "says "
-      "what needs a restart. REFERENCE.md has the same as tables.");
+  print_wrapped("# ",
+                "The settings of talusd, each with its default. An environment variable overrides this file, "
+                "and a flag overrides both: limits.connections is TALUS_LIMITS_CONNECTIONS. An empty setting "
+                "is not used, unless its text says otherwise. SIGHUP reads this file again; the log says "
+                "what needs a restart. REFERENCE.md has the same as tables.");
   for (const Section& section : kSections) {
     if (!section.name.empty()) {
       fmt::print("\n");

@@ -122,10 +122,7 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
     return command;
   };
   const auto add_world = [&](CLI::App* command) {
-    command
-        ->add_option(
-            "--world", flags.world,
-            "the world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
+    command->add_option("--world", flags.world, "the world; default: \"world\" of the settings")
         ->type_name("FILE");
   };
   add_world(
@@ -139,10 +136,10 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
   CLI::Option* const messages =
       checking
           ->add_option("--messages", flags.messages,
-                       "number of newest messages to read, to find messages that servers cannot apply")
+                       "newest messages to read, to find any that servers cannot apply")
           ->type_name("N")
           ->capture_default_str();
-  checking->add_flag("--all", flags.all, "reads all messages that the log keeps")->excludes(messages);
+  checking->add_flag("--all", flags.all, "read all messages of the log")->excludes(messages);
   add("status", "the stream, its leader and replicas, and this server's place in it", run_status)
       ->add_flag("--json", flags.json, "as JSON, for programs");
 

@@ -77,10 +77,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
     command->add_flag("--json", flags.json, "as JSON, for programs");
   };
   const auto add_world = [&](CLI::App* command) {
-    command
-        ->add_option(
-            "--world", flags.world,
-            "the store's world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
+    command->add_option("--world", flags.world, "the store's world; default: \"world\" of the settings")
         ->type_name("FILE");
   };
   add_json(add("stat", "what the store holds, by reading all of it", store_commands::show_stat));
@@ -100,10 +97,10 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       store_commands::restore);
   restoring->add_option("DIR", flags.path, "the backup")->required();
   restoring->add_flag("--replace", flags.replace,
-                      "if the data directory holds a store, move it aside, to replaced-N in the directory");
+                      "move a store in the data directory aside, to replaced-N in it");
   add("compact", "rewrites the files without replaced or deleted data", store_commands::compact_store);
   add("export", "all edits into one file that any talusd reads", store_commands::export_file)
-      ->add_option("FILE", flags.path, "the file; one that is there is replaced when the new one is whole")
+      ->add_option("FILE", flags.path, "the file; one that is there is replaced once the new one is whole")
       ->required();
   CLI::App* const importing =
       add("import",
@@ -111,8 +108,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
           "one of them, of the file's world. The store gets a new id, and its history stays in replaced-N",
           store_commands::import_file);
   importing->add_option("FILE", flags.path, "the file")->required();
-  importing->add_flag("--keep", flags.keep,
-                      "keep the store's voxel if both have one; without it the file's voxel wins");
+  importing->add_flag("--keep", flags.keep, "keep the store's voxel if both have one; else the file's wins");
   add_world(importing);
   CLI::App* const rebasing =
       add("rebase",
@@ -120,14 +116,11 @@ int store_command(int argc, const char* const* argv, const Environment& environm
           "[[placeable]]: edits that differ from the new ground stay, and materials are matched by name. The "
           "store gets a new id, and its history stays in replaced-N",
           store_commands::rebase);
-  rebasing
-      ->add_option(
-          "--world", flags.world,
-          "the new world; default: \"world\" of --config, or TALUS_WORLD, or the one built into talusd")
+  rebasing->add_option("--world", flags.world, "the new world; default: \"world\" of the settings")
       ->type_name("FILE");
-  rebasing->add_flag("--drop-unknown", flags.drop_unknown,
-                     "drop voxels of materials that the new world does not name; without it they are counted "
-                     "and nothing changes");
+  rebasing->add_flag(
+      "--drop-unknown", flags.drop_unknown,
+      "drop voxels of materials that the new world does not name; else they are counted and nothing changes");
   CLI::App* const renaming = add("rename",
                                  "gives a material that players have placed another name: its voxels stay, "
                                  "and the world's file must then use that name for its [[placeable]]",
@@ -135,9 +128,9 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   renaming->add_option("FROM", flags.from, "the name in the store; of states \"door: open\"")->required();
   renaming->add_option("TO", flags.to, "the new name, which no material may have")->required();
   const auto add_yes = [&](CLI::App* command) {
-    command->add_flag("--yes", flags.yes,
-                      "do it; without it the command says what it would do, changes nothing, and ends with "
-                      "status 1");
+    command->add_flag(
+        "--yes", flags.yes,
+        "do it; else the command says what it would do, changes nothing, and ends with status 1");
   };
   add_world(add("join-cluster",
                 "makes the store of one machine a cluster's store: begins its stream in NATS, as [cluster] "
@@ -150,7 +143,7 @@ int store_command(int argc, const char* const* argv, const Environment& environm
                                 "the store gets a new id, as the cluster may go on under the old",
                                 store_commands::leave_with_stopped_store);
   leaving->add_flag("--keep-id", flags.keep_id,
-                    "keep the id: only if no server of the cluster is ever started again");
+                    "keep the id: only if no server of the cluster ever starts again");
   add_yes(leaving);
   CLI::App* const forking =
       add("fork",
@@ -200,9 +193,9 @@ int store_command(int argc, const char* const* argv, const Environment& environm
       ->required()
       ->type_name("TIME");
   rolling
-      ->add_option("--box", flags.box,
-                   "two corners, both in it; also as tokens have boxes, X0,Y0,Z0:X1,Y1,Z1 or, for all rows, "
-                   "X0,Z0:X1,Z1")
+      ->add_option(
+          "--box", flags.box,
+          "two corners, both in it; or a token's box, X0,Y0,Z0:X1,Y1,Z1 or, for all heights, X0,Z0:X1,Z1")
       ->required()
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   rolling->add_flag("--dry-run", flags.dry_run, "count, and change nothing");

@@ -63,22 +63,19 @@ tl::expected<std::string, Exit> token_command(int argc, const char* const* argv,
   app.add_option("--subject", subject, "name of the token's owner, for the server's log")
       ->required()
       ->type_name("NAME");
-  app.add_option("--rights", words, "read, edit, admin and gateway, separated by commas; read is required")
+  app.add_option("--rights", words, "read (required), edit, admin, gateway, separated by commas")
       ->type_name("RIGHTS")
       ->capture_default_str();
   app.add_option("--valid", valid, "time until the token expires: 90s, 30m, 12h, 7d")
       ->required()
       ->type_name("TIME");
-  app.add_option("--id", id,
-                 "the token's \"jti\", by which access.revoked_file can name it; by default 128 random bits")
+  app.add_option("--id", id, "the token's \"jti\", for access.revoked_file; default: 128 random bits")
       ->type_name("ID");
-  app.add_option(
-         "--edit-in", edit_in,
-         "boxes in which alone its holder may edit, as X,Z:X,Z for all rows or X,Y,Z:X,Y,Z, separated by "
-         "semicolons; by default the whole world")
+  app.add_option("--edit-in", edit_in,
+                 "boxes in which alone its holder may edit, X,Z:X,Z for all heights or X,Y,Z:X,Y,Z, "
+                 "separated by semicolons; default: the world")
       ->type_name("BOXES");
-  app.add_option("--edit-not-in", edit_not_in, "boxes in which its holder may not edit, in the same form")
-      ->type_name("BOXES");
+  app.add_option("--edit-not-in", edit_not_in, "boxes in which its holder may not edit")->type_name("BOXES");
   if (auto exit = parse_flags(app, argc, argv)) return tl::make_unexpected(*std::move(exit));
 
   const auto rights = Rights::parse(words);
