@@ -1,4 +1,4 @@
-// Bytes of chunks with which the application is done, and which the server may send again. PROTOCOL.md, "Credit".
+// Bytes of chunks with which the application is done, and which the server may send again. PROTOCOL.md, "Flow control".
 import type { Chunk } from '../types.js';
 
 interface Debt {
