@@ -34,10 +34,7 @@ void LostStore::start_again(const std::string& reason) {
 
 void LostStore::end() {
   wants_end_ = true;
-  if (!serving_) {
-    log_->flush();
-    std::_Exit(kStartAgain);
-  }
+  if (!serving_) std::_Exit(kStartAgain);
 }
 
 }  // namespace talus::server

@@ -56,7 +56,7 @@ namespace {
 using namespace talus::server;
 
 int failed(std::string_view line, std::string_view format = "text") {
-  fmt::print(stderr, "{}", program_line(format, spdlog::level::err, line));
+  fmt::print(stderr, "{}", program_line(format, LogLevel::error, line));
   return kFailed;
 }
 
@@ -114,7 +114,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const std::uint64_t site_bytes = site == nullptr ? 0 : site->bytes();
   if (command.check_only) {
     for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
-      fmt::print(stderr, "{}", program_line(config.log.format, spdlog::level::warn, warning));
+      fmt::print(stderr, "{}", program_line(config.log.format, LogLevel::warn, warning));
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return fail("standard output: cannot write to it");
     return 0;
@@ -308,7 +308,7 @@ int talus::server::run_program(int argc, char** argv) {
       });
     }
     if (command.error().status != 0) {
-      fmt::print(stderr, "{}", program_line(log_format, spdlog::level::err, line_of(command.error())));
+      fmt::print(stderr, "{}", program_line(log_format, LogLevel::error, line_of(command.error())));
     } else {
       fmt::print("{}", command.error().text);
       if (std::fflush(stdout) != 0) return failed("standard output: cannot write to it", log_format);

@@ -217,9 +217,8 @@ void Server::check_descriptors(std::uint64_t allowed) {
 
 void Server::run() {
   check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
-  log_->log(
-      patch_size_.expensive || patch_size_.chunks_expensive() ? spdlog::level::warn : spdlog::level::info,
-      "{}", describe(patch_size_));
+  log_->log(patch_size_.expensive || patch_size_.chunks_expensive() ? LogLevel::warn : LogLevel::info, "{}",
+            describe(patch_size_));
   chunks_.start();
   if (edits_ != nullptr) edits_->start(pregen());
   if (operators_) {
@@ -370,7 +369,7 @@ Access Server::reload_settings() {
   // Logged only after the change succeeded.
   for (const SettingChange& change : changes) {
     const bool waits = change.counts == Counts::after_restart;
-    log_->log(waits ? spdlog::level::warn : spdlog::level::info, "SIGHUP: {}", change.line);
+    log_->log(waits ? LogLevel::warn : LogLevel::info, "SIGHUP: {}", change.line);
   }
   return wanted;
 }

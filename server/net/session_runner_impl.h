@@ -431,8 +431,8 @@ void SessionRunner<S>::end(std::string_view reason) {
   clock_moved();
   session_.abandon();
   const std::string& failure = session_.failure();
-  context_.log->log(session_.failure_is_known() ? spdlog::level::debug : spdlog::level::info,
-                    "conn {} {}: ended: {}", connection_.id, connection_.address,
+  context_.log->log(session_.failure_is_known() ? LogLevel::debug : LogLevel::info, "conn {} {}: ended: {}",
+                    connection_.id, connection_.address,
                     failure.empty() ? std::string{reason} : escaped(failure, 300));
 }
 

@@ -12,7 +12,6 @@
 
 #include "net/websocket/handshake.h"
 #include "runtime/log/escape.h"
-#include "runtime/log/log_with_fields.h"
 #include "web/chunk_answers.h"
 #include "web/documents.h"
 #include "web/edits_answers.h"
@@ -176,10 +175,11 @@ void PlayerHandler::log_answer(const http::Request& request, int status, std::si
   const std::uint64_t every = context_->settings.log_every;
   const double ms =
       std::chrono::duration<double, std::milli>(shared_.clock.now() - exchange_.began()).count();
-  log_with_fields(context_->runner->log,
-                  fmt::format("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", id_,
-                              client, method, target, status, ms, bytes, every),
-                  "http", access_fields({id_, client, method, target, status, ms, bytes, every}));
+  context_->runner->log->write(
+      LogLevel::info,
+      fmt::format("conn {} {}: {} {}: {} in {:.1f} ms, {} bytes; one answer in {} is logged", id_, client,
+                  method, target, status, ms, bytes, every),
+      {"http", access_fields({id_, client, method, target, status, ms, bytes, every})});
 }
 
 }  // namespace talus::server::web

@@ -3,7 +3,6 @@
 
 #include <sys/socket.h>
 
-#include <spdlog/sinks/ostream_sink.h>
 #include <asio/post.hpp>
 #include <catch2/catch.hpp>
 
@@ -11,7 +10,6 @@
 #include <cerrno>
 #include <functional>
 #include <new>
-#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -19,6 +17,7 @@
 
 #include "descriptors_left.h"
 #include "failing_allocations.h"
+#include "logged_lines.h"
 #include "runtime/log/logger.h"
 #include "runtime/manual_clock.h"
 
@@ -30,16 +29,12 @@ namespace {
 struct Bench {
   asio::io_context io{1};
   ManualClock clock;
-  std::ostringstream log;
-  Acceptor acceptor;
+  std::shared_ptr<LoggedLines> log = std::make_shared<LoggedLines>();
+  Acceptor acceptor{io, log, clock};
   std::vector<tcp::socket> accepted;
   tcp::endpoint address;
 
-  Bench()
-      : acceptor{
-            io,
-            std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_st>(log)),
-            clock} {
+  Bench() {
     const auto listening = acceptor.listen({"127.0.0.1", 0});
     REQUIRE(listening.has_value());
     const auto port = std::stoi(listening->substr(listening->rfind(':') + 1));
@@ -56,10 +51,6 @@ struct Bench {
     tcp::socket client{io};
     client.connect(address);
     return client;
-  }
-  [[nodiscard]] std::ptrdiff_t log_lines() const {
-    const std::string text = log.str();
-    return std::count(text.begin(), text.end(), '\n');
   }
   void run_until_accepted(std::size_t count) {
     while (accepted.size() < count) io.run_one();
@@ -124,10 +115,10 @@ TEST_CASE("accepts that fail share one log line in five seconds, also where some
   std::vector<tcp::socket> clients;
   for (int i = 0; i < 4; ++i) clients.push_back(bench.connect());
   bench.run_until_accepted(3);
-  CHECK(bench.log_lines() == 1);
+  CHECK(bench.log->count() == 1);
   bench.clock.advance(std::chrono::seconds{5});
   bench.run_until_accepted(4);
-  CHECK(bench.log_lines() == 2);
+  CHECK(bench.log->count() == 2);
   CHECK_THAT(bench.log.str(),
              Catch::Contains("1 accept failed in the last 1 s, the last one: std::bad_alloc"));
   CHECK_THAT(bench.log.str(),
@@ -183,7 +174,7 @@ TEST_CASE("an acceptor that finds no memory for anything leaves its thread to ot
 TEST_CASE("an exception of a new connection's handler does not end the acceptor") {
   asio::io_context io{1};
   const ManualClock clock;
-  Acceptor acceptor{io, std::make_shared<spdlog::logger>("silent"), clock};
+  Acceptor acceptor{io, make_logger("off", "text"), clock};
   const auto listening = acceptor.listen({"127.0.0.1", 0});
   REQUIRE(listening.has_value());
   int came = 0;
@@ -203,9 +194,9 @@ TEST_CASE("an exception of a new connection's handler does not end the acceptor"
 TEST_CASE("an address in use is an error, and so is a foreign address") {
   Bench bench;
   asio::io_context io;
-  Acceptor other{io, std::make_shared<spdlog::logger>("silent"), bench.clock};
+  Acceptor other{io, make_logger("off", "text"), bench.clock};
   CHECK_FALSE(other.listen({"127.0.0.1", bench.address.port()}).has_value());
-  Acceptor nowhere{io, std::make_shared<spdlog::logger>("silent"), bench.clock};
+  Acceptor nowhere{io, make_logger("off", "text"), bench.clock};
   CHECK_FALSE(nowhere.listen({"nowhere.invalid", 1}).has_value());
 }
 

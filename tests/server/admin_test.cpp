@@ -27,7 +27,7 @@ const OperatorAnswers kAnswers{[] { return "metrics"; }, [] { return true; }, []
 
 struct Bench {
   SystemClock clock;
-  AdminServer server{clock, std::make_shared<spdlog::logger>("silent")};
+  AdminServer server{clock, make_logger("off", "text")};
   std::atomic<bool> ready = true;
   tcp::endpoint address;
   asio::io_context io;

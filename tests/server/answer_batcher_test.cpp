@@ -31,7 +31,7 @@ struct Owner {
 using Xs = std::vector<std::int32_t>;
 
 struct Bench {
-  Logger log = std::make_shared<spdlog::logger>("silent");
+  Logger log = make_logger("off", "text");
   ManualClock clock;
   AnswerBatcher answers{log, clock};
   ChunkAnswer answer = tl::make_unexpected(GenerationFailed{"of no use here"});

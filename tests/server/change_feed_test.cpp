@@ -44,7 +44,7 @@ ChunkKey at(std::int32_t x, std::int32_t y = 0, int lod = 0) {
 }
 
 struct Bench {
-  ChangeFeed feed{std::make_shared<spdlog::logger>("silent")};
+  ChangeFeed feed{make_logger("off", "text")};
   void changed(const ChunkChange& one) { feed.on_changed({&one, 1}); }
 };
 

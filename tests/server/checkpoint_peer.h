@@ -20,7 +20,7 @@ namespace talus::server::testing {
 using asio::ip::tcp;
 namespace fs = std::filesystem;
 
-inline const Logger kSilentLog = std::make_shared<spdlog::logger>("silent");
+inline const Logger kSilentLog = make_logger("off", "text");
 
 /// A server of a store: its operators' port alone.
 struct Peer {

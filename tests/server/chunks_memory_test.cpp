@@ -57,7 +57,7 @@ TEST_CASE(
   ManualClock clock;
   Chunks chunks{std::make_unique<FakeGenerator>(std::make_shared<FakeWork>()),
                 {1, 4, kJobs, 1 << 20, 1 << 20, 0},
-                std::make_shared<spdlog::logger>("silent"),
+                make_logger("off", "text"),
                 metrics,
                 memory,
                 clock};

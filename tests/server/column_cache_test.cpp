@@ -6,8 +6,7 @@
 #include <random>
 #include <span>
 
-#include <spdlog/sinks/ostream_sink.h>
-
+#include "logged_lines.h"
 #include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 
@@ -59,9 +58,7 @@ bool same(const ColumnRecord& a, const ColumnRecord& b) {
 struct Bench {
   ScratchDirectory scratch;
   ManualClock clock;
-  std::ostringstream lines;
-  Logger log =
-      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(lines));
+  std::shared_ptr<LoggedLines> log = std::make_shared<LoggedLines>();
   ColumnCacheSettings settings{.path = scratch.path() / "columns",
                                .fingerprint = kWorld,
                                .bytes = std::uint64_t{64} << 20,
@@ -148,7 +145,7 @@ TEST_CASE("columns outlive their cache") {
   CHECK(status.found == 1);
   CHECK(status.missing == 1);
   CHECK(status.lost == 0);
-  CHECK(bench.lines.str().empty());
+  CHECK(bench.log->text().empty());
 }
 
 TEST_CASE("a cache of another world, or a damaged one, begins anew and says so") {
@@ -210,7 +207,7 @@ TEST_CASE("a damaged column is missing, and others are found") {
   CHECK(found > 100);
   CHECK(found < 200);
   CHECK(cache->status().lost == 200U - static_cast<unsigned>(found));
-  CHECK(bench.lines.str().find("damaged") != std::string::npos);
+  CHECK(bench.log->text().find("damaged") != std::string::npos);
 }
 
 TEST_CASE("the oldest columns go when the disk's share is used up") {

@@ -70,7 +70,7 @@ class FakeEdits final : public AppliedEdits {
 
 struct Edited {
   FakeEdits edits;
-  Logger log = std::make_shared<spdlog::logger>("silent");
+  Logger log = make_logger("off", "text");
   Metrics metrics;
   MemoryBudget memory;
   ManualClock clock;
@@ -316,7 +316,7 @@ TEST_CASE("a row with an edited chunk is mixed, whatever the terrain knows") {
 
 TEST_CASE("the cache of merged chunks has the bytes that its capacity allows") {
   FakeEdits edits;
-  MergedChunks merged{edits, std::make_shared<spdlog::logger>("silent"), 1 << 20};
+  MergedChunks merged{edits, make_logger("off", "text"), 1 << 20};
   const EncodedChunkPtr base = encode_shared(Chunk::uniform(MaterialId{2}));
   CHECK(merged.merged(kColumn, base).value() == base);
   for (std::int32_t x = 0; x < 20; ++x) {

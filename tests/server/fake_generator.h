@@ -238,7 +238,7 @@ struct FakeService {
       : memory{memory_bytes},
         service{std::make_unique<FakeGenerator>(work),
                 {threads, 4, queue_chunks, cache_bytes, cache_bytes, own_chunks},
-                std::make_shared<spdlog::logger>("silent"),
+                make_logger("off", "text"),
                 metrics,
                 memory,
                 clock} {

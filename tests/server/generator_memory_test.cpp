@@ -5,9 +5,8 @@
 #include <memory>
 #include <thread>
 
-#include <spdlog/logger.h>
-
 #include "chunks/generation/patch_size.h"
+#include "runtime/log/logger.h"
 
 using namespace talus::server;
 
@@ -16,7 +15,7 @@ namespace {
 constexpr std::size_t kMebibyte = std::size_t{1} << 20;
 
 Logger silent() {
-  return std::make_shared<spdlog::logger>("silent");
+  return make_logger("off", "text");
 }
 
 }  // namespace

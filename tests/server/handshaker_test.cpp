@@ -17,10 +17,9 @@
 #include <asio/use_awaitable.hpp>
 #include <asio/write.hpp>
 
-#include <spdlog/sinks/sink.h>
-
 #include "certificates.h"
 #include "descriptors_left.h"
+#include "logged_lines.h"
 #include "net/descriptors.h"
 #include "net/stream.h"
 #include "runtime/manual_clock.h"
@@ -78,7 +77,7 @@ struct Bench {
                    metrics,
                    memory,
                    clock,
-                   std::make_shared<spdlog::logger>("counted", log),
+                   log,
                    [this](AcceptedConnection accepted) {
                      proxy_port = accepted.info.proxy_port ? int{*accepted.info.proxy_port} : -1;
                      const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
@@ -116,19 +115,10 @@ struct Bench {
     REQUIRE(access.reload(access_settings).has_value());
   }
   std::atomic<int> proxy_port{-2};  // of who was accepted last; -1: it came directly
-  [[nodiscard]] int log_lines() const { return log->lines; }
   [[nodiscard]] std::uint64_t refused(Refusal why) { return metrics.refused_for(why).total(); }
 
-  struct LineCount final : spdlog::sinks::sink {
-    void log(const spdlog::details::log_msg&) override { ++lines; }
-    void flush() override {}
-    void set_pattern(const std::string&) override {}
-    void set_formatter(std::unique_ptr<spdlog::formatter>) override {}
-    std::atomic<int> lines = 0;
-  };
-
   TestCertificate own = make_certificate(1);
-  std::shared_ptr<LineCount> log = std::make_shared<LineCount>();
+  std::shared_ptr<LoggedLines> log = std::make_shared<LoggedLines>();
   ManualClock clock;
   Metrics metrics;
   Admission admission;
@@ -315,7 +305,7 @@ TEST_CASE("a blocked client is refused and counted, whatever proxy names it, and
   CHECK(bench.refused(Refusal::blocked) == 3);
   bench.flows.collect(bench.clock.now());
   CHECK(bench.flows.refusals() == 3);
-  CHECK(bench.log_lines() == 1);
+  CHECK(bench.log->count() == 1);
   bench.block("198.51.100.0/24");
   Client client{bench};
   if (proxied) client.say(kProxyTcp4);

@@ -22,7 +22,7 @@ struct Bench {
   ManualClock clock;
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};
-  http::Service service{clock, std::make_shared<spdlog::logger>("silent")};
+  http::Service service{clock, make_logger("off", "text")};
   http::Connections<S> connections{service, 2};
 
   Bench() {

@@ -9,7 +9,7 @@ using namespace talus::server;
 
 TEST_CASE("an exception of a handler ends no thread") {
   constexpr int kThreads = 3;
-  IoPool pool{kThreads, std::make_shared<spdlog::logger>("silent")};
+  IoPool pool{kThreads, make_logger("off", "text")};
   std::atomic<int> still_served = 0;
   for (int thread = 0; thread < kThreads; ++thread) {
     asio::io_context& context = pool.next();

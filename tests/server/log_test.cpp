@@ -63,10 +63,10 @@ TEST_CASE("a cut text ends in dots, and one that just fits does not") {
 
 TEST_CASE("a line before there is a log is one line, in the log's format, and obeyed by no terminal") {
   const std::string text = "/tmp/\x1b[31m\n\"a\"\xff: no such file";
-  CHECK(program_line("text", spdlog::level::err, text) ==
+  CHECK(program_line("text", LogLevel::error, text) ==
         "talusd: /tmp/\\x1b[31m\\x0a\"a\"\\xff: no such file\n");
-  CHECK(program_line("text", spdlog::level::warn, "a") == "talusd: warning: a\n");
-  const std::string line = program_line("json", spdlog::level::err, text);
+  CHECK(program_line("text", LogLevel::warn, "a") == "talusd: warning: a\n");
+  const std::string line = program_line("json", LogLevel::error, text);
   CHECK(std::count(line.begin(), line.end(), '\n') == 1);
   const auto object = nlohmann::json::parse(line);
   CHECK(object.at("level") == "error");

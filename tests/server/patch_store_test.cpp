@@ -22,7 +22,7 @@ constexpr std::array kOutside{ChunkKey{{1000, 0, 1000}, Lod{}}};  // of every Vi
 struct Bench {
   std::shared_ptr<FakeWork> work = std::make_shared<FakeWork>();
   FakeGenerator generator{work};
-  Logger log = std::make_shared<spdlog::logger>("silent");
+  Logger log = make_logger("off", "text");
   Metrics metrics;
   MemoryBudget budget{0};
   ManualClock clock;
@@ -170,7 +170,7 @@ TEST_CASE("chunks of a dear patch are kept on disk when it goes, and read instea
   const ManualClock clock;
   const auto columns = ColumnCache::open(
       {.path = scratch.path() / "columns", .fingerprint = {}, .bytes = 1 << 24, .free_bytes = 0},
-      std::make_shared<spdlog::logger>("silent"), clock);
+      make_logger("off", "text"), clock);
   REQUIRE(columns.has_value());
   const ChunkRange any{-100, 100};
   const std::array asked{ChunkKey{{0, 2, 0}, Lod{}}, ChunkKey{{0, 3, 0}, Lod{}}};

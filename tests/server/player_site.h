@@ -139,7 +139,7 @@ struct PlayerSite {
   RunnerContext runner{{limits, world, both, memory, metrics, access, rates, flows, clock},
                        {65'536, 1U << 20, {10s, 60s, 15s}},
                        registry,
-                       std::make_shared<spdlog::logger>("silent")};
+                       make_logger("off", "text")};
   http::Service service{clock, runner.log, {}, 60s, 10s, 15s};
   web::WebSettings settings;
   std::shared_ptr<const web::Site> site;

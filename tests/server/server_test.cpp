@@ -7,16 +7,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <new>
-#include <sstream>
 #include <string>
-
-#include <spdlog/sinks/ostream_sink.h>
 
 #include <talus/terrain/world.h>
 
 #include "app/settings.h"
 #include "config/access/access_control.h"
 #include "in_child.h"
+#include "logged_lines.h"
 #include "runtime/log/logger.h"
 
 using namespace talus;
@@ -41,10 +39,7 @@ Config on_any_port() {
 std::string log_of_reload(const Config& config, const ReadSettings& read_settings) {
   AccessControl access{config.access, *load_keys(config.access)};
   const SystemClock clock;
-  std::ostringstream lines;
-  const auto log =
-      std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(lines));
-  log->set_pattern("%v");
+  const auto log = std::make_shared<LoggedLines>();
   {
     auto listeners = open_listeners(config, clock, log);
     REQUIRE(listeners.has_value());
@@ -64,7 +59,7 @@ std::string log_of_reload(const Config& config, const ReadSettings& read_setting
     REQUIRE_NOTHROW(server.run());
   }
   for (const int signal : {SIGHUP, SIGTERM, SIGINT}) ::signal(signal, SIG_DFL);
-  return lines.str();
+  return log->text();
 }
 
 }  // namespace

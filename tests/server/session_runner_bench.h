@@ -78,7 +78,7 @@ struct Bench {
   RunnerContext context{{limits, world, source, memory, metrics, access, rates, flows, clock, edits},
                         {65'536, 1U << 20, {10s, 60s, 15s}},
                         registry,
-                        std::make_shared<spdlog::logger>("silent")};
+                        make_logger("off", "text")};
   // Sessions that are left when the context is destroyed use what stands above.
   asio::io_context io{1};
   asio::executor_work_guard<asio::io_context::executor_type> guard{io.get_executor()};

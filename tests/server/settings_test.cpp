@@ -392,7 +392,7 @@ TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") 
 
 TEST_CASE("the least memory budget opens again when all clients have left, whatever a load took") {
   MemoryBudget budget{kMinMemoryBytes};
-  GeneratorMemory generators{budget, 64, std::make_shared<spdlog::logger>("silent")};
+  GeneratorMemory generators{budget, 64, make_logger("off", "text")};
   generators.note_patch(std::size_t{1} << 30);
   budget.set(MemoryUse::sessions, kMinMemoryBytes);
   CHECK_FALSE(budget.takes_work());

@@ -52,7 +52,7 @@ class CheckpointService::Body final : public http::BodySource {
     const double seconds = std::chrono::duration<double>(service_.parts_.clock.now() - begun_).count();
     const bool whole = sent_ == tar_->size();
     if (whole) service_.parts_.metrics.checkpoints_sent.add();
-    service_.log_->log(whole ? spdlog::level::info : spdlog::level::warn,
+    service_.log_->log(whole ? LogLevel::info : LogLevel::warn,
                        "checkpoint to {}: {} of {} bytes in {:.1f} s{}, position {}, revision {}", who_,
                        sent_, tar_->size(), seconds, whole ? "" : ", cut off", tar_->head().position,
                        tar_->head().revision);

@@ -1,5 +1,5 @@
 // JSON log lines, one object per line: {"time": RFC 3339 in UTC, "level": ..., "text": ...} plus the fields
-// of log_with_fields().
+// of a LogField.
 #pragma once
 
 #include <memory>

@@ -1,25 +1,67 @@
 // The server's log on stdout. main creates it once and passes it down.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
 
-#include <spdlog/logger.h>
-
-#if defined(FMT_VERSION) && FMT_VERSION < 100000 && !defined(FMT_HEADER_ONLY)
-// libfmt contains this instantiation but its headers do not declare it extern. Without this line every file
-// that logs would compile all of fmt's formatting.
-extern template void fmt::detail::vformat_to(buffer<char>&, string_view,
-                                             basic_format_args<buffer_context<char>>, locale_ref);
-#endif
+#include <fmt/core.h>
 
 namespace talus::server {
 
-using Logger = std::shared_ptr<spdlog::logger>;
+enum class LogLevel : std::uint8_t { trace, debug, info, warn, error, off };
+
+/// A JSON object that follows a line's text as the member `name` if the format is JSON. Text lines omit it.
+struct LogField {
+  const char* name = nullptr;  // null: no field
+  std::string json{};
+};
+
+/// A log of lines. Callable from any thread. No call throws; a line for which memory is missing is dropped.
+class Log {
+ public:
+  Log() = default;
+  virtual ~Log() = default;
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  template <class... Values>
+  void debug(fmt::format_string<Values...> text, Values&&... values) {
+    log(LogLevel::debug, text, std::forward<Values>(values)...);
+  }
+  template <class... Values>
+  void info(fmt::format_string<Values...> text, Values&&... values) {
+    log(LogLevel::info, text, std::forward<Values>(values)...);
+  }
+  template <class... Values>
+  void warn(fmt::format_string<Values...> text, Values&&... values) {
+    log(LogLevel::warn, text, std::forward<Values>(values)...);
+  }
+  template <class... Values>
+  void error(fmt::format_string<Values...> text, Values&&... values) {
+    log(LogLevel::error, text, std::forward<Values>(values)...);
+  }
+  template <class... Values>
+  void log(LogLevel level, fmt::format_string<Values...> text, Values&&... values) {
+    format(level, text, fmt::make_format_args(values...));
+  }
+
+  /// Writes a line if `level` is enabled.
+  virtual void write(LogLevel level, std::string_view text, const LogField& field = {}) = 0;
+  [[nodiscard]] virtual bool is_enabled(LogLevel level) const = 0;
+
+ private:
+  void format(LogLevel level, fmt::string_view text, fmt::format_args values);
+};
+
+using Logger = std::shared_ptr<Log>;
 
 /// `level` is trace, debug, info, warning, error or off; `format` is text or json. Config validates both.
 [[nodiscard]] Logger make_logger(std::string_view level, std::string_view format);
-/// The same log for lines that clients cause: its info lines per second are limited.
+/// The same log for lines that clients cause: its info lines per second are limited, if it is of
+/// make_logger().
 [[nodiscard]] Logger for_clients(const Logger& log);
 
 }  // namespace talus::server

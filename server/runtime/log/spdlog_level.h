@@ -1,0 +1,28 @@
+// The level of a line as spdlog has it.
+#pragma once
+
+#include <spdlog/common.h>
+
+#include "runtime/log/logger.h"
+
+namespace talus::server {
+
+[[nodiscard]] constexpr spdlog::level::level_enum spdlog_level(LogLevel level) {
+  switch (level) {
+    case LogLevel::trace:
+      return spdlog::level::trace;
+    case LogLevel::debug:
+      return spdlog::level::debug;
+    case LogLevel::info:
+      return spdlog::level::info;
+    case LogLevel::warn:
+      return spdlog::level::warn;
+    case LogLevel::error:
+      return spdlog::level::err;
+    case LogLevel::off:
+      break;
+  }
+  return spdlog::level::off;
+}
+
+}  // namespace talus::server
