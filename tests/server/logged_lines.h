@@ -10,7 +10,7 @@
 
 namespace talus::server {
 
-class LoggedLines final : public Log {
+class LoggedLines final : public LogWriter {
  public:
   void write(LogLevel /*level*/, std::string_view text, const LogField& /*field*/) override {
     const std::lock_guard lock{mutex_};

@@ -15,7 +15,7 @@
 namespace talus::server {
 namespace {
 
-class SpdLog final : public Log {
+class SpdLog final : public LogWriter {
  public:
   explicit SpdLog(std::shared_ptr<spdlog::logger> lines) : lines_{std::move(lines)} {}
 
@@ -38,7 +38,7 @@ class SpdLog final : public Log {
 
 }  // namespace
 
-void Log::format(LogLevel level, fmt::string_view text, fmt::format_args values) {
+void LogWriter::format(LogLevel level, fmt::string_view text, fmt::format_args values) {
   if (!is_enabled(level)) return;
   try {
     fmt::memory_buffer line;

@@ -20,12 +20,12 @@ struct LogField {
 };
 
 /// A log of lines. Callable from any thread. No call throws; a line for which memory is missing is dropped.
-class Log {
+class LogWriter {
  public:
-  Log() = default;
-  virtual ~Log() = default;
-  Log(const Log&) = delete;
-  Log& operator=(const Log&) = delete;
+  LogWriter() = default;
+  virtual ~LogWriter() = default;
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
 
   template <class... Values>
   void debug(fmt::format_string<Values...> text, Values&&... values) {
@@ -56,7 +56,7 @@ class Log {
   void format(LogLevel level, fmt::string_view text, fmt::format_args values);
 };
 
-using Logger = std::shared_ptr<Log>;
+using Logger = std::shared_ptr<LogWriter>;
 
 /// `level` is trace, debug, info, warning, error or off; `format` is text or json. Config validates both.
 [[nodiscard]] Logger make_logger(std::string_view level, std::string_view format);
