@@ -228,7 +228,7 @@ std::size_t ServerProcess::resident_bytes() const {
   return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-std::size_t ServerProcess::most_resident_bytes() const {
+std::size_t ServerProcess::max_resident_bytes() const {
   constexpr std::string_view kField{"VmHWM:"};
   std::ifstream in{"/proc/" + std::to_string(pid_) + "/status"};
   for (std::string line; std::getline(in, line);) {

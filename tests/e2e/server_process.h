@@ -83,7 +83,7 @@ class ServerProcess {
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
   /// The most that it ever was.
-  [[nodiscard]] std::size_t most_resident_bytes() const;
+  [[nodiscard]] std::size_t max_resident_bytes() const;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
 

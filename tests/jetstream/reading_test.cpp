@@ -148,7 +148,7 @@ TEST_CASE("requests that are sent together and not found make one pause") {
   auto pause = Reading::kFirstRetry;
   for (int i = 0; i < 4; ++i) {
     const auto wanted = reading.wanted(now);
-    CHECK(wanted.size() == Reading::kMostRequests);
+    CHECK(wanted.size() == Reading::kMaxRequests);
     for (const auto sequence : wanted) reading.not_found(sequence, now);
     CHECK(reading.next_look() == now + pause);
     now += pause;
@@ -434,16 +434,16 @@ TEST_CASE("a reader far behind sends ever more requests at once if no leader rep
   while (reading.after() < kLast) {
     const auto wanted = reading.wanted(kStart);
     REQUIRE_FALSE(wanted.empty());
-    REQUIRE(wanted.size() <= Reading::kMostRequests);
+    REQUIRE(wanted.size() <= Reading::kMaxRequests);
     for (const std::uint64_t sequence : wanted) answer(reading, sequence, kStart);
     while (reading.take()) continue;
     ++rounds;
   }
-  CHECK(rounds <= kLast / Reading::kMostRequests + 8);
+  CHECK(rounds <= kLast / Reading::kMaxRequests + 8);
   // The first that is not there ends it.
   hear(reading, kLast + 1000, kStart);
   const auto wanted = reading.wanted(kStart);
-  CHECK(wanted.size() == Reading::kMostRequests);
+  CHECK(wanted.size() == Reading::kMaxRequests);
   for (const std::uint64_t sequence : wanted) reading.not_found(sequence, kStart);
   CHECK(reading.wanted(kStart + 1s) == Sequences{kLast + 1});
 }
@@ -470,7 +470,7 @@ TEST_CASE("a reader far behind sends many requests at once, whatever the tail cl
     ++rounds;
     now += 1ms;
   }
-  CHECK(rounds <= kLast / Reading::kMostRequests + 1);
+  CHECK(rounds <= kLast / Reading::kMaxRequests + 1);
 }
 
 TEST_CASE("without a leader replicas are asked ever more at once, and the leader confirms what they gave") {
@@ -480,7 +480,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
   const auto now = kStart + Reading::kSilenceUnled;
   std::size_t rounds = 0;
   for (auto wanted = reading.wanted(now); !wanted.empty(); wanted = reading.wanted(now)) {
-    REQUIRE(wanted.size() <= Reading::kMostRequests);
+    REQUIRE(wanted.size() <= Reading::kMaxRequests);
     for (const std::uint64_t sequence : wanted) {
       if (sequence > kLast) {
         reading.not_found(sequence, now);
@@ -492,7 +492,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
     ++rounds;
   }
   CHECK(reading.after() == kLast);
-  CHECK(rounds <= kLast / Reading::kMostRequests + 8);
+  CHECK(rounds <= kLast / Reading::kMaxRequests + 8);
   CHECK(reading.next_look() <= now + Reading::kSilenceUnled);
   REQUIRE(reading.unconfirmed() == kLast);
   CHECK(reading.is_unconfirmed_after(0));
@@ -500,7 +500,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
     reading.leader_answers(true);
     for (auto wanted = reading.wanted(now); reading.unconfirmed(); wanted = reading.wanted(now)) {
       REQUIRE_FALSE(wanted.empty());
-      REQUIRE(wanted.size() <= Reading::kMostRequests);
+      REQUIRE(wanted.size() <= Reading::kMaxRequests);
       CHECK_FALSE(reading.take());
       for (const std::uint64_t sequence : wanted) {
         REQUIRE(sequence <= kLast);
@@ -553,6 +553,6 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
     reading.leader_answers(true);
     reading.leader_answers(false);
     reading.leader_answers(true);
-    CHECK(reading.wanted(now + Reading::kLastRetry).size() == Reading::kMostRequests);
+    CHECK(reading.wanted(now + Reading::kLastRetry).size() == Reading::kMaxRequests);
   }
 }

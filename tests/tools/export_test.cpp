@@ -330,8 +330,8 @@ struct Plane {
 
 // Of columns, from rows of voxels, what the planes say. `ground_row`: where the ground ends at most.
 std::uint16_t solid_voxel(const std::vector<Plane>& planes, std::int32_t row, bool coarse,
-                          std::int32_t most_row, std::int32_t depth_fx) {
-  const std::int32_t ground = std::min(terrain::boundary_row(planes.back().top_fx), most_row);
+                          std::int32_t max_row, std::int32_t depth_fx) {
+  const std::int32_t ground = std::min(terrain::boundary_row(planes.back().top_fx), max_row);
   if (row >= ground) return 0;
   if (coarse && row == ground - 1) {  // the topmost solid voxel shows what lies near the top of the stack
     std::size_t top = planes.size() - 1;
@@ -385,10 +385,10 @@ TEST_CASE("Exported voxels follow from the arrays next to them, near and far") {
       planes.insert(planes.end(), loose.rbegin(), loose.rend());
 
       const bool is_wet = surface[i] < wet_fx;
-      const std::int32_t most_row = is_wet ? sea_row - 1 : std::numeric_limits<std::int32_t>::max();
+      const std::int32_t max_row = is_wet ? sea_row - 1 : std::numeric_limits<std::int32_t>::max();
       for (std::size_t y = 0; y < voxels.size(); ++y) {
         const std::int32_t row = y0 + static_cast<std::int32_t>(y);
-        std::uint16_t expected = solid_voxel(planes, row, coarse, most_row, depth_fx);
+        std::uint16_t expected = solid_voxel(planes, row, coarse, max_row, depth_fx);
         if (expected == 0 && row < sea_row) expected = row == sea_row - 1 ? shown.back()[i] : 1;
         wrong += voxels[y][i] != expected ? 1 : 0;
         seen.insert(voxels[y][i]);

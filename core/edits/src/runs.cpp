@@ -148,7 +148,7 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
 }
 
 tl::expected<std::vector<Override>, RunsError> decode_runs(std::span<const std::byte> bytes,
-                                                           std::size_t most_voxels) {
+                                                           std::size_t max_voxels) {
   NumberReader reader{bytes};
   std::vector<MaterialId> materials(reader.take_count(1));
   for (MaterialId& id : materials) id = MaterialId{static_cast<std::uint16_t>(reader.take(UINT16_MAX))};
@@ -172,7 +172,7 @@ tl::expected<std::vector<Override>, RunsError> decode_runs(std::span<const std::
     if (i > 0 && gap == 0 && runs[i - 1].place == run.place) return tl::unexpected{RunsError::split_run};
     used[run.place] = true;
     voxels += run.length;
-    if (voxels > most_voxels) return tl::unexpected{RunsError::too_many};
+    if (voxels > max_voxels) return tl::unexpected{RunsError::too_many};
     end = run.first + run.length;
     runs[i] = run;
   }

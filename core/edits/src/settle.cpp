@@ -213,8 +213,9 @@ class Settling {
 }  // namespace
 
 std::optional<VoxelBox> settle_box(const Edit& edit) {
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
-  VoxelBox box{{kMost, kMost, kMost}, {-kMost, -kMost, -kMost}};
+  constexpr auto kMaxCoordinate = std::numeric_limits<std::int64_t>::max();
+  VoxelBox box{{kMaxCoordinate, kMaxCoordinate, kMaxCoordinate},
+               {-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate}};
   const auto add = [&](VoxelPos first, VoxelPos last) {
     box.first = {std::min(box.first.x, first.x), std::min(box.first.y, first.y),
                  std::min(box.first.z, first.z)};

@@ -32,12 +32,12 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
                                                                               const std::string& path) {
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected{std::move(regular.error())};
   if (env.FileExists(path).IsNotFound()) return std::nullopt;
-  constexpr std::size_t kMostBytes = 4096;  // many times its real size
-  std::string text(kMostBytes, 0);
+  constexpr std::size_t kMaxBytes = 4096;  // many times its real size
+  std::string text(kMaxBytes, 0);
   std::unique_ptr<rocksdb::SequentialFile> file;
   rocksdb::Slice slice;
   auto status = env.NewSequentialFile(path, &file, rocksdb::EnvOptions{});
-  if (status.ok()) status = file->Read(kMostBytes, &slice, text.data());
+  if (status.ok()) status = file->Read(kMaxBytes, &slice, text.data());
   if (!status.ok()) {
     return tl::unexpected{fmt::format("{}: {}; talusd must be able to read it", path, status.ToString())};
   }

@@ -26,7 +26,7 @@ constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
 
 /// Overhead of a batch besides its entries: the store's meta value, keys.
-constexpr std::size_t kBatchBytesAtLeast = 256;
+constexpr std::size_t kMinBatchBytes = 256;
 
 /// True if files exist that only a used database has.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
@@ -264,7 +264,7 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const Strea
   } else {
     entries_.clear();
   }
-  rocksdb::WriteBatch batch{entries_.size() + kBatchBytesAtLeast};
+  rocksdb::WriteBatch batch{entries_.size() + kMinBatchBytes};
   if (!entries_.empty()) batch.Put(log_key(meta.head.position), as_slice(entries_));
   for (const edits::Applied& each : applied.applied()) {
     for (const auto& [name, id] : each.materials) put_material(name, id, batch);

@@ -43,8 +43,8 @@ class VoxelSlab {
   }
 
   void reserve_rows(std::int64_t rows) {
-    most_rows_ = static_cast<std::size_t>(std::max<std::int64_t>(rows, 0));
-    items_.assign(most_rows_ * static_cast<std::size_t>((last_z_ - first_z_) * patch_.width), Item{});
+    max_rows_ = static_cast<std::size_t>(std::max<std::int64_t>(rows, 0));
+    items_.assign(max_rows_ * static_cast<std::size_t>((last_z_ - first_z_) * patch_.width), Item{});
   }
 
   void copy(const Chunk& chunk, ChunkCoord coord) {
@@ -68,7 +68,7 @@ class VoxelSlab {
     rows_ = std::max(rows_, static_cast<std::int32_t>(to));
   }
   [[nodiscard]] std::size_t index(std::int64_t x, std::int32_t y, std::int64_t z) const {
-    const auto row = static_cast<std::size_t>(z - first_z_) * most_rows_ + static_cast<std::size_t>(y);
+    const auto row = static_cast<std::size_t>(z - first_z_) * max_rows_ + static_cast<std::size_t>(y);
     return row * static_cast<std::size_t>(patch_.width) + static_cast<std::size_t>(x - patch_.x);
   }
 
@@ -76,7 +76,7 @@ class VoxelSlab {
   std::int32_t y0_;
   std::int64_t first_z_;
   std::int64_t last_z_;
-  std::size_t most_rows_ = 0;
+  std::size_t max_rows_ = 0;
   std::int32_t rows_ = 0;
   std::vector<Item> items_;
 };

@@ -35,7 +35,7 @@ using Done = tl::expected<void, std::string>;
 /// A store of 10 GiB may have fewer than 3,000 files by this bound, each costing two syncs.
 constexpr std::size_t kFilesOfAny = 300;
 constexpr std::uint64_t kBytesPerFile = std::uint64_t{4} << 20U;
-constexpr std::uint64_t kMostSmallFileBytes = 4'096;  // store.toml and acknowledged
+constexpr std::uint64_t kMaxSmallFileBytes = 4'096;  // store.toml and acknowledged
 constexpr std::string_view kIdentityName = "store.toml";
 
 bool has_digits_alone(std::string_view text) {
@@ -143,7 +143,7 @@ class Taking {
   Taking(TarSource& source, const fs::path& staging, const WantedStore& wanted, const OnTaken& on_taken)
       : tar_{source, on_taken},
         left_{source.size()},
-        most_files_{kFilesOfAny + static_cast<std::size_t>(source.size() / kBytesPerFile)},
+        max_files_{kFilesOfAny + static_cast<std::size_t>(source.size() / kBytesPerFile)},
         staging_{staging},
         wanted_{wanted} {}
 
@@ -174,14 +174,14 @@ class Taking {
       return no_checkpoint(fmt::format("its first file is \"{}\", not {}", entry.name, kIdentityName));
     }
     if (!manifest_.empty()) return no_checkpoint(fmt::format("\"{}\" follows its manifest", entry.name));
-    if (files_.size() >= most_files_) {
-      return no_checkpoint(fmt::format("it has over {} files, more than its size needs", most_files_));
+    if (files_.size() >= max_files_) {
+      return no_checkpoint(fmt::format("it has over {} files, more than its size needs", max_files_));
     }
     if (!names_.insert(entry.name).second) {
       return no_checkpoint(fmt::format("it has \"{}\" twice", entry.name));
     }
     const bool is_small = !is_manifest && !entry.name.starts_with("db/");
-    if (entry.bytes > left_ || (is_small && entry.bytes > kMostSmallFileBytes) ||
+    if (entry.bytes > left_ || (is_small && entry.bytes > kMaxSmallFileBytes) ||
         (is_manifest && entry.bytes > store::kMaxManifestBytes)) {
       return no_checkpoint(
           fmt::format("\"{}\" in it has {} bytes, more than it may", entry.name, entry.bytes));
@@ -298,7 +298,7 @@ class Taking {
 
   TarReader tar_;
   std::uint64_t left_;  // announced bytes not received yet
-  const std::size_t most_files_;
+  const std::size_t max_files_;
   const fs::path& staging_;
   const WantedStore& wanted_;
   store::StoreIdentity identity_;

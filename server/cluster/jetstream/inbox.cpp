@@ -30,7 +30,7 @@ constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 /// Answers contain messages as base64 in JSON.
 constexpr int kPendingAnswerBytes =
-    static_cast<int>(Reading::kMostRequests * (kStreamMessageBytes / 3 * 4 + 4096));
+    static_cast<int>(Reading::kMaxRequests * (kStreamMessageBytes / 3 * 4 + 4096));
 
 std::string new_reply_subject() {
   natsInbox* made = nullptr;
@@ -190,11 +190,12 @@ void Inbox::tail(const Arrived& arrived) {
 void Inbox::message(const Arrived& arrived) {
   const std::uint64_t sequence = number_at_end(arrived.subject());
   // Keeps one byte more than the largest message, so that the truncated bytes are invalid too.
-  constexpr std::size_t kMost = kStreamMessageBytes + 1;
-  const bool too_long = arrived.bytes().size() > kMostAnswerBytes;
-  auto stored = too_long
-                    ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMost}, 0}
-                    : parse_stored_message(arrived.text());
+  constexpr std::size_t kMaxKeptBytes = kStreamMessageBytes + 1;
+  const bool too_long = arrived.bytes().size() > kMaxApiAnswerBytes;
+  auto stored =
+      too_long
+          ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMaxKeptBytes}, 0}
+          : parse_stored_message(arrived.text());
   {
     const std::lock_guard lock{mutex_};
     const auto now = Clock::now();
@@ -203,7 +204,7 @@ void Inbox::message(const Arrived& arrived) {
       reading_.not_found(sequence, now);
       question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
     } else {
-      if (stored->bytes.size() > kMost) stored->bytes.resize(kMost);
+      if (stored->bytes.size() > kMaxKeptBytes) stored->bytes.resize(kMaxKeptBytes);
       reading_.answered(sequence, stored->bytes, now, stored->time_ns / kNsInMs);
     }
   }

@@ -33,7 +33,7 @@ void Reading::claim_held() {
 void Reading::doubt(std::uint64_t sequence) {
   doubted_.insert(sequence);
   // Keeps the lowest numbers, which matter first, however many are forged.
-  if (doubted_.size() > kMostDoubts) doubted_.erase(std::prev(doubted_.end()));
+  if (doubted_.size() > kMaxDoubts) doubted_.erase(std::prev(doubted_.end()));
 }
 
 void Reading::disputed() {
@@ -147,7 +147,7 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
   }
   if (sequence > known_) {
     claim_held();
-    claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+    claim_requests_ = std::min(2 * claim_requests_, kMaxRequests);
   }
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, From::leader, time_ms);
@@ -168,7 +168,7 @@ void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::b
   }
   // More messages may follow.
   claim_held();
-  claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+  claim_requests_ = std::min(2 * claim_requests_, kMaxRequests);
   claimed_ = std::max(claimed_, sequence + claim_requests_);
   hold(sequence, bytes, From::replica, time_ms);
   progressed(now);
@@ -277,12 +277,12 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   if (now < retry_) return wanted;
   if (led_ && !unconfirmed_.empty()) {
     for (const auto& [sequence, digest] : unconfirmed_) {
-      if (asked_.size() >= kMostRequests) break;
+      if (asked_.size() >= kMaxRequests) break;
       if (!asked_.contains(sequence)) ask(sequence);
     }
     return wanted;
   }
-  if (unconfirmed_.size() >= kMostUnconfirmed) return wanted;
+  if (unconfirmed_.size() >= kMaxUnconfirmed) return wanted;
   for (const std::uint64_t sequence : doubted_) {
     if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // only the leader can decide these
     if (!asked_.contains(sequence)) ask(sequence);
@@ -290,7 +290,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   if (known_ > after_) {
     if (now < ask_from_) return wanted;
     const std::uint64_t end = std::min(known_, after_ + kWindow);
-    for (std::uint64_t sequence = after_ + 1; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
+    for (std::uint64_t sequence = after_ + 1; sequence <= end && asked_.size() < kMaxRequests; ++sequence) {
       if (sequence > after_ + 1 && held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }
@@ -298,7 +298,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
     const bool claimed = claimed_ > after_ && now >= std::max(ask_from_, claim_retry_);
     if (claimed || now - news_ >= silence()) ask(after_ + 1);
     const std::uint64_t end = claimed ? std::min(claimed_, after_ + claim_requests_) : 0;
-    for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
+    for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMaxRequests; ++sequence) {
       if (held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }

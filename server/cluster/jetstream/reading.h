@@ -30,12 +30,12 @@ class Reading {
  public:
   using TimePoint = LogStream::TimePoint;
 
-  static constexpr std::size_t kMostRequests = 64;
+  static constexpr std::size_t kMaxRequests = 64;
   static constexpr std::uint64_t kWindow = 1024;                  // messages kept ahead
   static constexpr std::size_t kWindowBytes = 16U << 20;          // total size of kept messages
   static constexpr std::chrono::milliseconds kSilence{1000};      // then the next message is requested
   static constexpr std::chrono::milliseconds kSilenceUnled{250};  // the same without a leader
-  static constexpr std::size_t kMostUnconfirmed = 65'536;         // messages: 4 MiB
+  static constexpr std::size_t kMaxUnconfirmed = 65'536;          // messages: 4 MiB
   static constexpr std::chrono::milliseconds kAnswerIn{500};      // then a request is repeated
   static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may still bring it
   static constexpr std::chrono::milliseconds kFirstRetry{5};      // a deposed leader may have answered
@@ -122,7 +122,7 @@ class Reading {
     bool answered = false;
   };
   static constexpr std::size_t kRemembered = 1024;
-  static constexpr std::size_t kMostDoubts = 64;
+  static constexpr std::size_t kMaxDoubts = 64;
 
   [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
   void hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,

@@ -31,7 +31,7 @@ constexpr std::chrono::milliseconds kFirstWait{500};
 constexpr std::chrono::milliseconds kLongestWait{5'000};
 constexpr std::chrono::seconds kGenesisPatience{2};
 /// Maximum number of consecutive checkpoints that were too old on arrival.
-constexpr int kMostJoins = 3;
+constexpr int kMaxJoins = 3;
 
 class Preparation {
  public:
@@ -48,7 +48,7 @@ class Preparation {
     }
     auto stream = parts_.open_stream(*id_);
     if (!stream) return tl::unexpected{std::move(stream.error())};
-    for (int joins = 0; joins < kMostJoins; ++joins) {
+    for (int joins = 0; joins < kMaxJoins; ++joins) {
       auto facts = find_facts(**stream);
       if (!facts) return tl::unexpected{std::move(facts.error())};
       if (!*facts) return Prepared{*std::move(stream), joins_};

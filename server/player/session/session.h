@@ -109,10 +109,10 @@ class Session {
   /// clock.
   [[nodiscard]] Clock::time_point sendable_at();
   /// True if there are answers or updates that credit allows, no chunks are queued, and the answers have at
-  /// most about `most_bytes`.
-  [[nodiscard]] bool has_little_to_write(std::size_t most_bytes) const {
+  /// most about `max_bytes`.
+  [[nodiscard]] bool has_little_to_write(std::size_t max_bytes) const {
     const Outbox& outbox = delivery_.outbox();
-    return delivery_.sendable() && outbox.chunk_bytes() == 0 && outbox.control_bytes() <= most_bytes;
+    return delivery_.sendable() && outbox.chunk_bytes() == 0 && outbox.control_bytes() <= max_bytes;
   }
   /// Takes the frames to write now: `enough_bytes` and at most one frame more. Chunks of at least
   /// `shared_from` bytes are not copied.

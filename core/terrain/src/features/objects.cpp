@@ -22,7 +22,7 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::size_t kMaxKinds = 32;
-constexpr int kLeastSpacing = 4;
+constexpr int kMinObjectSpacing = 4;
 constexpr std::uint8_t kMaxSeen = 32;  // maximum number of objects shown by a column of level 3 to 6
 constexpr std::size_t kMaxModelNameBytes = 200;
 constexpr int kVariants = 32;        // shapes per formula; objects draw one of them and a quarter turn
@@ -427,7 +427,7 @@ class ObjectReader {
     kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
     read_models(table, kind);
     // Bounds the number of an author's models, which may be full, that reach any one column.
-    const int closest = is_file(kind) ? std::max(kLeastSpacing, kind.reach) : kLeastSpacing;
+    const int closest = is_file(kind) ? std::max(kMinObjectSpacing, kind.reach) : kMinObjectSpacing;
     kind.spacing = static_cast<int>(table.integer("spacing", closest, 64));
     kind.chance_q16 = static_cast<std::int32_t>(rounded(table.real("chance", {0, 1}) * 65536));
     if (table.has("clumps"))

@@ -24,7 +24,7 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 using Floats = hn::ScalableTag<float>;
 
-constexpr std::size_t kMostVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
+constexpr std::size_t kMaxVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
 
 /// kVectors vectors of columns on which layers are stacked.
 template <class Tag, std::size_t kVectors>
@@ -87,8 +87,8 @@ template <class StackAt>
 HWY_INLINE void over_columns(std::size_t x, std::size_t end, std::size_t width, const StackAt& stack_at) {
   const Floats f;
   const std::size_t lanes = hn::Lanes(f);
-  for (; x + kMostVectors * lanes <= end; x += kMostVectors * lanes) {
-    stack_at.template operator()<kMostVectors>(f, x);
+  for (; x + kMaxVectors * lanes <= end; x += kMaxVectors * lanes) {
+    stack_at.template operator()<kMaxVectors>(f, x);
   }
   for (; x + lanes <= end; x += lanes) stack_at.template operator()<1>(f, x);
   if (x < end && width >= lanes) {

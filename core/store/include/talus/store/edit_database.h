@@ -46,9 +46,9 @@ struct HistoryKept {
 
 /// Bounds RocksDB's memory, except the index and filter of each open table.
 struct StoreMemory {
-  std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // there are at most two
+  std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // there are at max_bytes two
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
-  [[nodiscard]] std::size_t most() const { return 2 * write_buffer_bytes + block_cache_bytes; }
+  [[nodiscard]] std::size_t max_bytes() const { return 2 * write_buffer_bytes + block_cache_bytes; }
 };
 
 struct EditDatabaseSettings {
