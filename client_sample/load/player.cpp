@@ -69,7 +69,7 @@ void Player::joined(Time now) {
   revisions_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
-  look_around(now, now, true);
+  move_view(now, now, true);
   // The phase of its ticks follows from the time when it should first have joined, however late the server
   // is.
   const Time first_tick = began_ + phase_;
@@ -94,11 +94,11 @@ void Player::act_joined(Time now) {
       tick_due_ = Time::max();
       return;
     }
-    look_around(tick_due_, now, false);
+    move_view(tick_due_, now, false);
   }
 }
 
-void Player::look_around(Time due, Time now, bool first) {
+void Player::move_view(Time due, Time now, bool first) {
   const Pose pose = motion_->at(std::chrono::duration<double>(due - began_).count());
   const glm::i64vec3 centre = chunk_at(pose.place);
   const bool moved = first || centre != chunk_at(pose_.place);
@@ -253,7 +253,7 @@ void Player::arrive(ChunkKey chunk, Time now, const Coming& how) {
   if (chunk.lod == Lod{}) {
     arrive_near(chunk.coord, now, how);
   } else if (came(rings_.arrive(chunk), chunk, how)) {
-    look_whether_full(now);
+    record_if_full(now);
   }
 }
 
@@ -274,10 +274,10 @@ void Player::arrive_near(ChunkCoord chunk, Time now, const Coming& how) {
   if (lost_ && pending_.near_waiting() == 0)
     tally().returns.record(now - *std::exchange(lost_, std::nullopt));
   if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
-  look_whether_full(now);
+  record_if_full(now);
 }
 
-void Player::look_whether_full(Time now) {
+void Player::record_if_full(Time now) {
   if (pending_.waiting() > 0) return;
   if (std::exchange(full_to_come_, false)) tally().full_view.record(now - full_since_);
   if (lost_all_) tally().full_again.record(now - *std::exchange(lost_all_, std::nullopt));

@@ -28,7 +28,7 @@ class Player final : public SimulatedClient {
   void take(const wire::EditBroadcast& broadcast) override;
   void give_up() override;
 
-  void look_around(Time due, Time now, bool first);
+  void move_view(Time due, Time now, bool first);
   void send_view(const Pose& pose);
   void record_near();
   void count_new_patches(const Box& before, Time due);
@@ -43,7 +43,7 @@ class Player final : public SimulatedClient {
   /// Counts a verdict; returns true if the chunk was awaited.
   [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how);
   /// Call when a chunk arrived: checks whether the View is complete.
-  void look_whether_full(Time now);
+  void record_if_full(Time now);
 
   std::unique_ptr<Motion> motion_;
   Clock::duration tick_;

@@ -72,7 +72,7 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
 }
 
 /// After connecting: checks that the server accepts the options, and finds the players' places.
-asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
+asio::awaitable<void> explore(client::Client& client, Plan& plan) {
   const Options& options = plan.options;
   const auto& limits = plan.world.limits;
   if (options.radius > limits.view_horizontal_radius || options.vertical > limits.view_vertical_radius) {
@@ -110,7 +110,7 @@ asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
   }
 }
 
-asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
+asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   const Options& options = plan.options;
   asio::ip::tcp::resolver resolver{io};
   const auto found =
@@ -161,7 +161,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
     client.close();
   });
   try {
-    co_await look_around(client, plan);
+    co_await explore(client, plan);
   } catch (const Failed&) {
     if (late) throw Failed{"the server did not send the ground's heights at the players' places within 30 s"};
     throw;
@@ -173,7 +173,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
 tl::expected<void, std::string> probe_world(Plan& plan) {
   asio::io_context io{1};
   std::exception_ptr thrown;
-  asio::co_spawn(io, look(io, plan), [&](const std::exception_ptr& exception) { thrown = exception; });
+  asio::co_spawn(io, probe(io, plan), [&](const std::exception_ptr& exception) { thrown = exception; });
   io.run();
   try {
     if (thrown) std::rethrow_exception(thrown);

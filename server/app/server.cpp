@@ -39,9 +39,9 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
-constexpr std::chrono::seconds kLookAtMemory{1};
-constexpr std::chrono::seconds kLookAtFlows{1};
-constexpr std::chrono::seconds kLookAtEdits{1};
+constexpr std::chrono::seconds kMemoryInterval{1};
+constexpr std::chrono::seconds kFlowsInterval{1};
+constexpr std::chrono::seconds kEditsInterval{1};
 constexpr std::size_t kTopFlows = 10;
 // The main thread counts as hung after this long without housekeeping.
 constexpr std::chrono::seconds kMaxSilence{15};
@@ -450,8 +450,8 @@ bool Server::fit_edit_cache() {
 void Server::watch_edits() {
   if (edits_ == nullptr) return;
   const auto now = clock_.now();
-  if (now - last_look_at_edits_ < kLookAtEdits) return;
-  last_look_at_edits_ = now;
+  if (now - edits_checked_at_ < kEditsInterval) return;
+  edits_checked_at_ = now;
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
   chunks_.count_columns();
@@ -467,8 +467,8 @@ void Server::watch_edits() {
 
 void Server::collect_flows() {
   const auto now = clock_.now();
-  if (now - last_look_at_flows_ < kLookAtFlows) return;
-  last_look_at_flows_ = now;
+  if (now - flows_collected_at_ < kFlowsInterval) return;
+  flows_collected_at_ = now;
   try {
     flows_.collect(now);
   } catch (const std::exception& error) {  // the next collection does the rest
@@ -478,8 +478,8 @@ void Server::collect_flows() {
 
 void Server::give_memory_back() {
   const auto now = clock_.now();
-  if (now - last_look_at_memory_ < kLookAtMemory) return;
-  last_look_at_memory_ = now;
+  if (now - memory_checked_at_ < kMemoryInterval) return;
+  memory_checked_at_ = now;
 #ifdef __GLIBC__
   if (trims_ || !trim_policy_.due(memory_.used())) return;
   // On a separate thread, because this one serves players and the system call is slow.

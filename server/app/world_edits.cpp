@@ -115,7 +115,7 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
   settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
   cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};
   parts.on_takes = [this] {
-    if (EditIntake* const intake = waits_for_log_.load()) intake->look_at_log();
+    if (EditIntake* const intake = waits_for_log_.load()) intake->resume();
   };
   parts.on_lost = std::move(shared.on_lost);
   shared_ = std::make_unique<cluster::ClusterLog>(std::move(parts), std::move(settings));

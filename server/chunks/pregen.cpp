@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Interval of checks for cancellation and for other waiting clients.
-constexpr std::chrono::milliseconds kLook{50};
+constexpr std::chrono::milliseconds kPollInterval{50};
 // Interval of progress notes, each of which writes a file of the cache.
 constexpr std::chrono::seconds kNote{10};
 // Rows of a column that the cache keeps.
@@ -84,7 +84,7 @@ class Waiting {
       keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(accepted));
       {
         std::unique_lock lock{state_->mutex};
-        state_->changed.wait_for(lock, kLook, [&] { return state_->woken; });
+        state_->changed.wait_for(lock, kPollInterval, [&] { return state_->woken; });
         state_->woken = false;
       }
       for (const Mail& mail : mailbox_->take()) {
@@ -112,9 +112,9 @@ class Waiting {
 bool wait(std::chrono::nanoseconds time, const std::function<bool()>& goes_on) {
   std::mutex mutex;
   std::condition_variable never;
-  for (; time > 0ns; time -= kLook) {
+  for (; time > 0ns; time -= kPollInterval) {
     std::unique_lock lock{mutex};
-    never.wait_for(lock, std::min<std::chrono::nanoseconds>(time, kLook));
+    never.wait_for(lock, std::min<std::chrono::nanoseconds>(time, kPollInterval));
     if (!goes_on()) return false;
   }
   return true;
@@ -210,7 +210,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
   auto noted = parts_.clock.now();
   while (progress.squares < progress.of) {
     while (parts_.others_wait()) {
-      if (!wait(kLook, goes_on)) return note().map([&] { return progress; });
+      if (!wait(kPollInterval, goes_on)) return note().map([&] { return progress; });
     }
     const auto began = parts_.clock.now();
     const std::uint64_t end = std::min<std::uint64_t>(progress.of, progress.squares + parts_.at_once);

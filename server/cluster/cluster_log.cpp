@@ -181,13 +181,13 @@ void ClusterLog::watch() {
   milliseconds left{};
   do {
     const auto began = SteadyClock::now();
-    look_at_end();
+    poll_end();
     // A failed request has already waited.
-    left = std::chrono::ceil<milliseconds>(settings_.look_interval - (SteadyClock::now() - began));
+    left = std::chrono::ceil<milliseconds>(settings_.poll_interval - (SteadyClock::now() - began));
   } while (pause(std::max(left, milliseconds{0})));
 }
 
-void ClusterLog::look_at_end() {
+void ClusterLog::poll_end() {
   const TimePoint asked = SteadyClock::now();
   std::uint64_t sequence = 0;
   std::int64_t created_ns = 0;

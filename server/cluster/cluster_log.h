@@ -44,7 +44,7 @@ class ClusterLog final : public EditLog {
   struct Settings {
     StoreWriterSettings store{};
     edits::SettleRulesPtr settles{};  // the world's rules for sliding material; null: nothing slides
-    std::chrono::milliseconds look_interval{500};  // between requests for the stream's end
+    std::chrono::milliseconds poll_interval{500};  // between requests for the stream's end
     /// Stuck servers stop publishing; after this time everything in flight is in the stream.
     std::chrono::milliseconds sure_of_stuck{10'000};
     /// Time during which every answer must report another message in place of this server's last one.
@@ -125,10 +125,10 @@ class ClusterLog final : public EditLog {
   void next_message();
   void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);
-  /// The batch's time and the store's new looked_ms; nullopt: try again.
+  /// The batch's time and the store's new asked_ms; nullopt: try again.
   struct Time {
     std::int64_t ms = 0;
-    std::int64_t looked_ms = 0;
+    std::int64_t asked_ms = 0;
   };
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
   /// True if the message, which cannot be decoded, was pushed: then it is dropped and requested from the
@@ -152,7 +152,7 @@ class ClusterLog final : public EditLog {
 
   // Called on the watching thread.
   void watch();
-  void look_at_end();
+  void poll_end();
 
   // Callable from any thread.
   /// Replaces editors_full by cut_off while this server is not at the log's end.

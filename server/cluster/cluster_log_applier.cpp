@@ -28,7 +28,7 @@ constexpr std::chrono::seconds kBetweenWarnings{1};
 
 void ClusterLog::apply_all() {
   while (!stopping()) {
-    writer_.look();
+    writer_.poll();
     bool faulty = false;
     {
       const std::lock_guard lock{mutex_};
@@ -36,12 +36,12 @@ void ClusterLog::apply_all() {
     }
     if (faulty || writer_.has_batch()) {
       // The store writer keeps running.
-      const auto left = std::chrono::ceil<milliseconds>(writer_.next_look() - SteadyClock::now());
+      const auto left = std::chrono::ceil<milliseconds>(writer_.next_poll() - SteadyClock::now());
       (void)pause(std::clamp(left, milliseconds{1}, kRetryOfFault));
       continue;
     }
     {
-      // look() may have written a pending batch.
+      // poll() may have written a pending batch.
       const store::StreamPlace place = writer_.status().stream;
       if (place.sequence != 0) applied(place.sequence);
     }
@@ -60,7 +60,7 @@ void ClusterLog::next_message() {
     return;
   }
   const std::uint64_t after = parts_.database.meta().stream.sequence;
-  const auto until = std::min(writer_.next_look(), SteadyClock::now() + kRetryOfFault);
+  const auto until = std::min(writer_.next_poll(), SteadyClock::now() + kRetryOfFault);
   auto message = parts_.stream.next(after, until);
   if (message) {
     if (!*message) return;
@@ -129,7 +129,7 @@ void ClusterLog::apply(const StreamMessage& message) {
   if (done.size() != decoded->entries.size()) done.clear();
   const BatchHead said = decoded->head;
   finish(std::move(done),
-         {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms,
+         {message.sequence, parts_.database.meta().stream.created_ns, time->asked_ms,
           hash_of_message(message.bytes)},
          &said);
 }
@@ -161,7 +161,7 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   }
   const store::StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
-  finish({}, {message.sequence, place.created_ns, place.looked_ms, hash_of_message(message.bytes)}, nullptr);
+  finish({}, {message.sequence, place.created_ns, place.asked_ms, hash_of_message(message.bytes)}, nullptr);
 }
 
 void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& fault) {
@@ -213,8 +213,8 @@ void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place,
 }
 
 std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const StreamMessage& message) {
-  const std::int64_t looked_ms = parts_.database.meta().stream.looked_ms;
-  if (!must_ask_stream(head.time_ms, looked_ms)) return Time{head.time_ms, looked_ms};
+  const std::int64_t asked_ms = parts_.database.meta().stream.asked_ms;
+  if (!must_ask_stream(head.time_ms, asked_ms)) return Time{head.time_ms, asked_ms};
   tl::expected<std::int64_t, StreamFailure> stream_ms;
   if (message.time_ms) {
     stream_ms = *message.time_ms;
@@ -242,7 +242,7 @@ std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const
           (head.time_ms - *stream_ms) / 1000);
     }
   }
-  return Time{time_ms, std::max(looked_ms, time_ms)};
+  return Time{time_ms, std::max(asked_ms, time_ms)};
 }
 
 void ClusterLog::cannot_read(const std::string& reason) {

@@ -84,7 +84,7 @@ class EditIntake final : public EditTaker {
   void stop();
 
   /// EditLog::takes_entries() has changed: resumes edits that wait for room in the log. Any thread.
-  void look_at_log() { call(); }
+  void resume() { call(); }
 
   /// Lowers the maximum of decoded chunks from kBaseBytes to `bytes`. Any thread.
   void limit_bases(std::size_t bytes);

@@ -70,8 +70,8 @@ tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(store::Edi
 }
 
 bool EditState::fit_cache() {
-  std::size_t looks = 1024;
-  return cache_.fit(looks);
+  std::size_t probes = 1024;
+  return cache_.fit(probes);
 }
 
 store::EditDatabase::Done EditState::replay() {

@@ -60,10 +60,10 @@ LocalLog::Status LocalLog::status() const {
 void LocalLog::run() {
   std::vector<Queue::Item> entries;
   while (!queue_.ended()) {
-    entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_look(), std::move(entries));
+    entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_poll(), std::move(entries));
     if (!entries.empty()) apply(entries);
     entries.clear();
-    writer_.look();
+    writer_.poll();
   }
   writer_.flush_all();
 }

@@ -55,14 +55,14 @@ bool StoreWriter::write() {
   return true;
 }
 
-StoreWriter::TimePoint StoreWriter::next_look() const {
+StoreWriter::TimePoint StoreWriter::next_poll() const {
   if (broken_) return next_check_;
   if (!flusher_.is_running()) return std::min(next_flush_, next_check_);
   // The end of a sync wakes the waiting thread.
   return flush_sync_ == 0 ? TimePoint::min() : next_check_;
 }
 
-void StoreWriter::look() {
+void StoreWriter::poll() {
   hear_sync();
   const TimePoint now = std::chrono::steady_clock::now();
   if (now >= next_check_) {

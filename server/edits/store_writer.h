@@ -36,7 +36,7 @@ class StoreWriter {
   using OnChanged = std::function<void(std::span<const ChunkChange>)>;
 
   /// `database` and `state`, which is of that database, outlive this, and from here on only this changes
-  /// them. `wake`, for a shared log: called on any thread when look() is due earlier than next_look()
+  /// them. `wake`, for a shared log: called on any thread when poll() is due earlier than next_poll()
   /// returned.
   StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
               OnChanged on_changed, std::function<void()> wake = {});
@@ -59,7 +59,7 @@ class StoreWriter {
   void drop() { pending_.reset(); }
   /// Writes the batch, makes it the state and calls `done`, which has the callbacks of its first entries.
   /// Returns false if the write failed: the outcome is unknown and only this batch may be written next;
-  /// look() retries it.
+  /// poll() retries it.
   bool store(std::vector<EditLog::Done> done, const store::StreamPlace& place);
   /// Takes the callbacks of a batch whose write failed; they are not called here any more.
   [[nodiscard]] std::vector<EditLog::Done> take_done();
@@ -72,9 +72,9 @@ class StoreWriter {
   void entered() { publish(); }
 
   /// Flushes, checks the disk, and retries failed writes, each when it is due.
-  void look();
-  /// When look() is due next; TimePoint::min(): now.
-  [[nodiscard]] TimePoint next_look() const;
+  void poll();
+  /// When poll() is due next; TimePoint::min(): now.
+  [[nodiscard]] TimePoint next_poll() const;
   /// Writes all dirty chunks and editors, unless writes fail.
   void flush_all();
 

@@ -104,8 +104,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void input_ended();
   void output_ended();
   void note_greeting();
-  void look_at_access();
-  void look_at_rates();
+  void update_access();
+  void update_rates();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
     const std::size_t queued = session_.queued_bytes();

@@ -94,8 +94,8 @@ void SessionRunner<S>::start() {
       self->spawn(&SessionRunner::watch);
     });
     // Either may have changed between its admission and its registration.
-    self->look_at_access();
-    self->look_at_rates();
+    self->update_access();
+    self->update_rates();
   });
 }
 
@@ -108,22 +108,22 @@ void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseco
 
 template <Stream S>
 void SessionRunner<S>::access_changed() {
-  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_access(); });
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->update_access(); });
 }
 
 template <Stream S>
 void SessionRunner<S>::rates_changed() {
-  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_rates(); });
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->update_rates(); });
 }
 
 template <Stream S>
-void SessionRunner<S>::look_at_rates() {
+void SessionRunner<S>::update_rates() {
   if (!open_) return;
   dispatch([&](Session& session) { session.rates_changed(slot_->rates()); });
 }
 
 template <Stream S>
-void SessionRunner<S>::look_at_access() {
+void SessionRunner<S>::update_access() {
   if (!open_) return;
   const bool blocked = context_.session.access.blocks(slot_->address());
   dispatch([&](Session& session) { session.access_changed(blocked); });

@@ -81,7 +81,7 @@ TEST_CASE("if a gateway is required only it edits, once for each sequence, and i
   const auto info = player.connect(server.port());
   REQUIRE(info.has_value());
   const VoxelPos at{info->spawn.x, info->spawn.y + 50, info->spawn.z};
-  player.look_at(at);
+  player.move_view(at);
   CHECK_THAT(forbidden(player.put(at, kStone)), Catch::Contains("edits.gateway"));
   Player gateway{world.with_token("read,edit,gateway")};
   REQUIRE(gateway.connect(server.port()).has_value());

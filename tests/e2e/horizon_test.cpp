@@ -58,8 +58,8 @@ struct Seen {
 };
 
 /// All that a player at the plain is sent.
-void look(asio::io_context& io, const ServerProcess& server, bool horizon, Seen& seen, Valley& valley,
-          client::View& view, HeightRange& heights) {
+void fly(asio::io_context& io, const ServerProcess& server, bool horizon, Seen& seen, Valley& valley,
+         client::View& view, HeightRange& heights) {
   client::Events events;
   events.on_chunk = [&](const client::ReceivedChunk& chunk) {
     if (!seen.chunks.insert(chunk.key).second) ++seen.twice;
@@ -128,7 +128,7 @@ TEST_CASE("the summit above the plain comes with a horizon, and not without") {
   Valley valley;
   client::View view;
   HeightRange heights;
-  look(io, server, horizon, seen, valley, view, heights);
+  fly(io, server, horizon, seen, valley, view, heights);
   CAPTURE(valley.plain.height, valley.summit.height);
 
   // The chunk that holds the summit's topmost voxel, of the level that the View has there.
@@ -171,7 +171,7 @@ TEST_CASE("a horizon has every chunk of its rings that is not uniform, and as ma
   Valley valley;
   client::View view;
   HeightRange heights;
-  look(io, server, true, seen, valley, view, heights);
+  fly(io, server, true, seen, valley, view, heights);
   const client::ViewShape shape{view, heights};
   CHECK(static_cast<std::int64_t>(seen.chunks.size()) == shape.count());
   CHECK(seen.mixed.size() > 300);

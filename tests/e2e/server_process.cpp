@@ -179,10 +179,10 @@ std::uint16_t ServerProcess::https_port() {
 
 std::string ServerProcess::await_line(std::string_view part) {
   for (;;) {
-    for (std::size_t end = said_.find('\n', looked_at_); end != std::string::npos;
-         end = said_.find('\n', looked_at_)) {
-      const std::string line = said_.substr(looked_at_, end - looked_at_);
-      looked_at_ = end + 1;
+    for (std::size_t end = said_.find('\n', searched_); end != std::string::npos;
+         end = said_.find('\n', searched_)) {
+      const std::string line = said_.substr(searched_, end - searched_);
+      searched_ = end + 1;
       if (line.find(part) != std::string::npos) return line;
     }
     pollfd stream{out_, POLLIN, 0};

@@ -98,7 +98,7 @@ class ServerProcess {
   int out_;
   int err_;
   std::string said_;
-  std::size_t looked_at_ = 0;  // of `said_`, by await_line
+  std::size_t searched_ = 0;  // of `said_`, by await_line
   std::uint16_t port_ = 0;
 };
 

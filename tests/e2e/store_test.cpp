@@ -150,7 +150,7 @@ TEST_CASE("a backup under edits has all that was acknowledged before it, and is 
   const ServerProcess server{editable(again)};
   Player player;
   REQUIRE(player.connect(server.port()).has_value());
-  player.look_at(origin);
+  player.move_view(origin);
   for (std::int64_t i = 0; i < std::min<std::int64_t>(before, 16); ++i) {
     CHECK(player.sees({origin.x + i, origin.y, origin.z}) == MaterialId{2});
   }
@@ -166,7 +166,7 @@ TEST_CASE("a griefer's edits are found and undone while players watch, and other
   REQUIRE(world.has_value());
   REQUIRE(viewer.connect(server.port()).has_value());
   const VoxelPos at{world->spawn.x & ~31, (world->spawn.y + 64) & ~31, world->spawn.z & ~31};
-  viewer.look_at(at);
+  viewer.move_view(at);
   client::Edit block;
   block.fills.push_back({at, {at.x + 7, at.y + 7, at.z + 7}, MaterialId{2}, std::nullopt});
   REQUIRE(griefer.edit(block).has_value());
@@ -322,7 +322,7 @@ TEST_CASE("a killed pregen is continued, and its land equals the land of a serve
     const auto world = player.connect(server.port());
     REQUIRE(world.has_value());
     for (const std::int32_t x : {-256, 0, 200}) {
-      player.look_at({x, world->spawn.y, x / 2}, 2);
+      player.move_view({x, world->spawn.y, x / 2}, 2);
       for (std::int32_t cx = -2; cx <= 2; ++cx) {
         for (std::int32_t cz = -2; cz <= 2; ++cz) {
           const auto chunk = player.store.find(

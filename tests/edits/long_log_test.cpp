@@ -24,7 +24,7 @@ constexpr std::uint64_t kLogs = 2;
 #else
 constexpr std::uint64_t kLogs = 40;
 #endif
-constexpr std::uint64_t kBetweenLooks = 500;  // at all voxels
+constexpr std::uint64_t kComparisonInterval = 500;  // at all voxels
 
 class LongLog {
  public:
@@ -32,12 +32,12 @@ class LongLog {
 
   /// What went wrong; empty: nothing did.
   std::string run() {
-    for (std::uint64_t looked = 0; model_.position() < kEntriesOfALog;) {
+    for (std::uint64_t compared = 0; model_.position() < kEntriesOfALog;) {
       if (std::string fault = add_batch(); !fault.empty()) return fault;
-      if (model_.position() < looked + kBetweenLooks) continue;
-      looked = model_.position();
+      if (model_.position() < compared + kComparisonInterval) continue;
+      compared = model_.position();
       if (store_.state.overrides(Lod{}) != model_.model().overrides()) {
-        return "after entry " + std::to_string(looked) + " the voxels are others";
+        return "after entry " + std::to_string(compared) + " the voxels are others";
       }
     }
     return cut_otherwise();

@@ -244,11 +244,11 @@ TEST_CASE("the cost of an edit is bounded, whatever its shape") {
       }
     }
     const Settled settled = edits::settle(box, kRules, voxels);
-    most = std::max(most, settled.looks);
+    most = std::max(most, settled.probes);
     CHECK(settled.moves <= kSettleMoves);
-    CHECK(settled.looks <= kSettleLooks + 1);
+    CHECK(settled.probes <= kSettleProbes + 1);
   }
-  CHECK(most > kSettleLooks / 4);  // hard enough to mean something
+  CHECK(most > kSettleProbes / 4);  // hard enough to mean something
 }
 
 TEST_CASE("a dig without loose material needs no voxel of the box, and only the base that it touches") {

@@ -106,13 +106,13 @@ TEST_CASE("a request without an answer is made again") {
   Reading reading{kStart, 7};
   hear(reading, 2, kStart);
   CHECK(reading.wanted(kStart) == Sequences{1});
-  CHECK(reading.next_look() == kStart + Reading::kAnswerIn);
+  CHECK(reading.next_poll() == kStart + Reading::kAnswerIn);
   CHECK(reading.wanted(kStart + Reading::kAnswerIn) == Sequences{1});
 }
 
 TEST_CASE("after a second of silence the next message is asked for, once a second") {
   Reading reading{kStart, 7};
-  CHECK(reading.next_look() == kStart + 1s);
+  CHECK(reading.next_poll() == kStart + 1s);
   CHECK(reading.wanted(kStart + 999ms).empty());
   CHECK(reading.wanted(kStart + 1s) == Sequences{1});
   reading.not_found(1, kStart + 1s);
@@ -126,14 +126,14 @@ TEST_CASE("a lagging replica is asked again soon, then less and less often") {
   Reading reading{kStart, 7};
   reading.learned(1, kStart);
   CHECK(reading.wanted(kStart).empty());
-  CHECK(reading.next_look() == kStart + Reading::kOnItsWay);
+  CHECK(reading.next_poll() == kStart + Reading::kOnItsWay);
   auto now = kStart + Reading::kOnItsWay;
   auto pause = Reading::kFirstRetry;
   for (int i = 0; i < 10; ++i) {
     REQUIRE(reading.wanted(now) == Sequences{1});
     reading.not_found(1, now);
     CHECK(reading.wanted(now + pause - 1ms).empty());
-    CHECK(reading.next_look() == now + pause);
+    CHECK(reading.next_poll() == now + pause);
     now += pause;
     pause = std::min(pause * 2, Reading::kLastRetry);
   }
@@ -150,7 +150,7 @@ TEST_CASE("requests that are sent together and not found make one pause") {
     const auto wanted = reading.wanted(now);
     CHECK(wanted.size() == Reading::kMaxRequests);
     for (const auto sequence : wanted) reading.not_found(sequence, now);
-    CHECK(reading.next_look() == now + pause);
+    CHECK(reading.next_poll() == now + pause);
     now += pause;
     pause *= 2;
   }
@@ -165,7 +165,7 @@ TEST_CASE("the next message is requested for a number that the tail claims, unti
     REQUIRE(reading.wanted(now) == Sequences{1});
     reading.not_found(1, now);
     CHECK(reading.wanted(now + pause - 1ms).empty());
-    CHECK(reading.next_look() == now + pause);
+    CHECK(reading.next_poll() == now + pause);
     now += pause;
     pause = std::min(pause * 2, Reading::kLastRetry);
   }
@@ -249,7 +249,7 @@ TEST_CASE("an invalid message is delivered again as the leader has it") {
   CHECK(reading.after() == 0);
   reading.heard(1, bytes_of("damaged too"), kStart);
   CHECK_FALSE(reading.take());
-  CHECK(reading.next_look() <= kStart);
+  CHECK(reading.next_poll() <= kStart);
   CHECK(reading.wanted(kStart) == Sequences{1});
   SECTION("which has another") {
     answer(reading, 1, kStart);
@@ -276,14 +276,14 @@ TEST_CASE("an invalid message is delivered again as the leader has it") {
     auto now = kStart;
     for (int i = 0; i < 8; ++i) {
       reading.not_found(1, now);
-      now = reading.next_look();
+      now = reading.next_poll();
       REQUIRE(reading.wanted(now) == Sequences{1});
     }
     reading.not_found(1, now);
     reading.heard(1, bytes_of("damaged"), now);  // which says nothing
-    CHECK(reading.next_look() == now + Reading::kLastRetry);
+    CHECK(reading.next_poll() == now + Reading::kLastRetry);
     hear(reading, 1, now);
-    CHECK(reading.next_look() == now + Reading::kDisputed);
+    CHECK(reading.next_poll() == now + Reading::kDisputed);
     CHECK(reading.wanted(now + Reading::kDisputed - 1ms).empty());
     CHECK(reading.wanted(now + Reading::kDisputed) == Sequences{1});
     answer(reading, 1, now);
@@ -493,7 +493,7 @@ TEST_CASE("without a leader replicas are asked ever more at once, and the leader
   }
   CHECK(reading.after() == kLast);
   CHECK(rounds <= kLast / Reading::kMaxRequests + 8);
-  CHECK(reading.next_look() <= now + Reading::kSilenceUnled);
+  CHECK(reading.next_poll() <= now + Reading::kSilenceUnled);
   REQUIRE(reading.unconfirmed() == kLast);
   CHECK(reading.is_unconfirmed_after(0));
   const auto confirm = [&](std::uint64_t false_one) {

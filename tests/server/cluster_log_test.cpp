@@ -88,7 +88,7 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
 
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
   ClusterInMemory cluster{2};
-  cluster.nodes[0]->settings.look_interval = 1ms;
+  cluster.nodes[0]->settings.poll_interval = 1ms;
   REQUIRE(cluster.nodes[0]->open() == "");
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());

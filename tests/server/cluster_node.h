@@ -40,7 +40,7 @@ class ClusterNode {
         env_{environment_of(disk_)} {
     settings.store.flush_interval = std::chrono::milliseconds{5};
     settings.store.retry_interval = std::chrono::milliseconds{20};
-    settings.look_interval = std::chrono::milliseconds{20};
+    settings.poll_interval = std::chrono::milliseconds{20};
     settings.sure_of_other = std::chrono::milliseconds{600};
   }
   ~ClusterNode() { close(); }

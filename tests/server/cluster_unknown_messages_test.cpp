@@ -101,7 +101,7 @@ TEST_CASE("a description of formats that is not understood stops a server, and i
 
 TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
   ClusterInMemory cluster{1};
-  cluster.nodes[0]->settings.look_interval = 1h;  // so that it is this message by which it is found
+  cluster.nodes[0]->settings.poll_interval = 1h;  // so that it is this message by which it is found
   cluster.open();
   cluster.until_applied();
   cluster.stream.make_anew();
@@ -123,7 +123,7 @@ TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be
 
 TEST_CASE("a message that is not known waits for a leader that knows it") {
   ClusterInMemory cluster{1};
-  cluster.nodes[0]->settings.look_interval = 1h;  // so that it asks for this message alone
+  cluster.nodes[0]->settings.poll_interval = 1h;  // so that it asks for this message alone
   cluster.open();
   cluster.until_applied();
   cluster.stream.say_fewer(1);

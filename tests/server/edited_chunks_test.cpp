@@ -327,8 +327,8 @@ TEST_CASE("the cache of merged chunks has the bytes that its capacity allows") {
   }
   CHECK(merged.bytes() > 20 * 200);
   merged.set_capacity(0);
-  std::size_t looks = 1000;
-  CHECK(merged.fit(looks));
+  std::size_t probes = 1000;
+  CHECK(merged.fit(probes));
   CHECK(merged.bytes() == 0);
 }
 

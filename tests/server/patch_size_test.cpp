@@ -27,17 +27,17 @@ class ScriptedClock final : public Clock {
   [[nodiscard]] time_point now() const override { return {}; }
   [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override {
-    const Tile& tile = tiles_[std::min(looks_ / 3, tiles_.size() - 1)];
-    if (looks_ % 3 == 1) time_ += tile.terrain;
-    if (looks_ % 3 == 2) time_ += tile.chunks;
-    ++looks_;
+    const Tile& tile = tiles_[std::min(calls_ / 3, tiles_.size() - 1)];
+    if (calls_ % 3 == 1) time_ += tile.terrain;
+    if (calls_ % 3 == 2) time_ += tile.chunks;
+    ++calls_;
     return time_;
   }
-  [[nodiscard]] std::size_t measured() const { return looks_ / 3; }
+  [[nodiscard]] std::size_t measured() const { return calls_ / 3; }
 
  private:
   std::vector<Tile> tiles_;
-  mutable std::size_t looks_ = 0;
+  mutable std::size_t calls_ = 0;
   mutable std::chrono::nanoseconds time_{};
 };
 

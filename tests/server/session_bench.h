@@ -230,7 +230,7 @@ struct SessionBench {
       return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list, view_number);
     });
   }
-  void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
+  void move_view(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
     say_view(chunk_x, radius, vertical_radius);
     apply_view();
   }

@@ -22,7 +22,7 @@ struct Bench : SessionBench {
   /// The View of kKey alone, which is written.
   void see() {
     if (!source.in_memory.contains(kKey)) source.in_memory[kKey] = scripted_chunk(kKey);
-    look_at(5, 0);
+    move_view(5, 0);
     REQUIRE(kinds(output()) == Kinds{Body::Chunk});
   }
   /// The first voxels change, the first of them to material 7. The chunk's new version is not in memory.
@@ -175,7 +175,7 @@ TEST_CASE("as many voxels as a broadcast has are one") {
 
 TEST_CASE("an edit between a chunk's making and its writing is found when it is written") {
   Bench bench;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   bench.source.mail(kKey, scripted_chunk(kKey));
   bench.edit(3);
   bench.tell(0, 3);  // the chunk waits to be written: nothing to do yet
@@ -202,7 +202,7 @@ TEST_CASE("an edit that is told late is broadcast once more, which does no harm"
   Bench bench;
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
   bench.edit(3);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(bench.output().at(0).revision == 3);
   bench.tell(0, 3);
   const auto said = bench.output();
@@ -213,7 +213,7 @@ TEST_CASE("an edit that is told late is broadcast once more, which does no harm"
 TEST_CASE("edits of chunks that are not in the View, or not sent, are nobody's business") {
   Bench bench;
   bench.tell(0, 1);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   bench.tell(1, 2);
   CHECK(bench.output().empty());
   CHECK(bench.source.waiting.size() == 1);
@@ -224,10 +224,10 @@ TEST_CASE("what left the View is forgotten, and comes back in its newest version
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
-  bench.look_at(8, 0);
+  bench.move_view(8, 0);
   CHECK(bench.output().empty());
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Chunk});
   CHECK(said[0].revision == 3);
@@ -240,7 +240,7 @@ TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
   bench.tell(0, 3);
   CHECK(bench.output().empty());
   REQUIRE(bench.source.waiting.contains(kKey));
-  bench.look_at(8, 0);
+  bench.move_view(8, 0);
   CHECK_FALSE(bench.source.waiting.contains(kKey));
 }
 
@@ -303,7 +303,7 @@ TEST_CASE("where any chunk may have changed, all edited ones are told from the c
   Bench bench;
   bench.source.in_memory[chunk_at(4)] = scripted_chunk(chunk_at(4));
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
-  bench.look_at(5, 1);
+  bench.move_view(5, 1);
   bench.answer_all();
   CHECK(bench.output().size() == 9);
   bench.edit(3);
@@ -320,7 +320,7 @@ TEST_CASE("ViewComplete does not wait for updates") {
   Bench bench{true, 100};
   bench.source.in_memory[kKey] = scripted_chunk(kKey);
   bench.view_number = 9;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
   bench.edit(3);
   bench.tell(0, 3);
@@ -329,7 +329,7 @@ TEST_CASE("ViewComplete does not wait for updates") {
 
 TEST_CASE("the source is told where to send changes, and forgets a session that ended") {
   Bench bench;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(bench.source.watcher == bench.mailbox);
   bench.session.abandon();
   CHECK(bench.source.watcher == nullptr);
@@ -337,7 +337,7 @@ TEST_CASE("the source is told where to send changes, and forgets a session that 
 
 TEST_CASE("updates that wait are memory of the session") {
   Bench bench{true, 1 << 20};
-  bench.look_at(0, 10);
+  bench.move_view(0, 10);
   const auto sent = bench.run_dry();
   REQUIRE(sent.size() == 21 * 21);
   std::uint64_t bytes = 0;
@@ -350,7 +350,7 @@ TEST_CASE("updates that wait are memory of the session") {
   }
   bench.take_mail();
   CHECK(bench.memory.used(MemoryUse::sessions) >= before + sent.size() * 64);
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   CHECK(bench.memory.used(MemoryUse::sessions) <= before);
 }
 
@@ -366,7 +366,7 @@ struct EditedWhole : Bench {
   explicit EditedWhole(std::int32_t radius) {
     limits.window_bytes = std::uint64_t{1} << 40;
     payload_of_source(100);
-    look_at(5, static_cast<std::uint16_t>(radius));
+    move_view(5, static_cast<std::uint16_t>(radius));
     for (const Said& each : run_dry()) edited.push_back(each.key);
   }
   void payload_of_source(std::size_t bytes) { source.payload_bytes = bytes; }
@@ -412,7 +412,7 @@ TEST_CASE("what pauses is forgotten with the View, and by a session that ends") 
   CHECK(bench.output().empty());
   REQUIRE(bench.session.sendable_at() != Clock::time_point::max());
   if (GENERATE(true, false)) {
-    bench.look_at(50, 0);
+    bench.move_view(50, 0);
   } else {
     bench.session.abandon();
   }
@@ -427,7 +427,7 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
   bench.payload_of_source(3000);
   bench.edit_all();
   bench.view_number = 2;
-  bench.look_at(5 + 9, 13);  // what it holds, and 648 chunks more
+  bench.move_view(5 + 9, 13);  // what it holds, and 648 chunks more
   std::size_t resent = 0;
   std::size_t viewed = 0;
   bool complete = false;
@@ -449,7 +449,7 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
 TEST_CASE("chunks that are to be sent again take no more than half of the room for what waits") {
   Bench bench{false};
   bench.limits.queued_bytes = 100'000;
-  bench.look_at(5, 4);
+  bench.move_view(5, 4);
   const auto sent = bench.run_dry();
   std::vector<ChunkChange> changes;
   for (const Said& each : sent) {
@@ -466,7 +466,7 @@ TEST_CASE("chunks that are to be sent again take no more than half of the room f
     bench.source.mail(key, scripted_chunk(key, 1, 5000));
   }
   bench.take_mail();
-  bench.look_at(5 + 9, 13);
+  bench.move_view(5 + 9, 13);
   CHECK(bench.source.waiting.size() > 0);
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("the memory of a replaced chunk is given back") {
 
 TEST_CASE("a source is asked for the newest revision once a chunk written") {
   SessionBench bench;
-  bench.look_at(0, 3);
+  bench.move_view(0, 3);
   CHECK(bench.run_dry().size() == 49);
   CHECK(bench.source.revisions_asked == 49);
 }

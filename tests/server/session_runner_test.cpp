@@ -169,10 +169,10 @@ TEST_CASE("Views of one session are applied twenty milliseconds apart at least")
   Bench bench;
   bench.source.rows = {0, -1, MaterialId{1}};
   const auto client = bench.greeted();
-  const auto look = [&](std::int64_t x) { bench.send(*client, view_at(x)); };
-  look(0);
+  const auto send_view = [&](std::int64_t x) { bench.send(*client, view_at(x)); };
+  send_view(0);
   CHECK_FALSE(bench.frames(*client).empty());
-  look(100);
+  send_view(100);
   CHECK(bench.frames(*client).empty());
   bench.advance(20ms);
   CHECK_FALSE(bench.frames(*client).empty());

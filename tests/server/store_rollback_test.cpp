@@ -259,9 +259,9 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
         **opened, at, [&](const VoxelHistory& change) { changes.push_back(change); }, progress));
     return changes;
   };
-  std::size_t looked = 0;
+  std::size_t compared = 0;
   for (const auto& [at, list] : griefed.changes) {
-    if (++looked > 60) break;
+    if (++compared > 60) break;
     const auto changes = changes_of(at);
     REQUIRE(changes.size() == list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {

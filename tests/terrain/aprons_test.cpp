@@ -84,7 +84,7 @@ class SlowAprons {
   [[nodiscard]] bool wall(int x, int z) const { return slope_.at(x, z) > numbers_.wall_fx; }
 
   // Every second step goes along rows and columns alone.
-  [[nodiscard]] static bool looks(int step, int i, int j) { return step % 2 == 1 || i == 0 || j == 0; }
+  [[nodiscard]] static bool probes(int step, int i, int j) { return step % 2 == 1 || i == 0 || j == 0; }
 
   // The lowest ground that is no wall in `steps` steps from wall to wall.
   [[nodiscard]] Field feet() const {
@@ -95,7 +95,7 @@ class SlowAprons {
       each([&](int x, int z) {
         if (!wall(x, z)) return;
         each_of_nine([&](int i, int j) {
-          if (looks(step, i, j) && inside(x + i, z + j))
+          if (probes(step, i, j) && inside(x + i, z + j))
             foot.at(x, z) = std::min(foot.at(x, z), before.at(x + i, z + j));
         });
       });
@@ -149,7 +149,7 @@ class SlowAprons {
         }
         std::int32_t reached = -kNever;
         each_of_nine([&](int i, int j) {
-          if ((i == 0 && j == 0) || !looks(step, i, j) || !inside(x + i, z + j)) return;
+          if ((i == 0 && j == 0) || !probes(step, i, j) || !inside(x + i, z + j)) return;
           reached = std::max(reached, before.at(x + i, z + j) - (i != 0 && j != 0 ? slant : numbers_.c_fx));
         });
         const std::int32_t h = height_.at(x, z);

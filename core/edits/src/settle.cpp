@@ -78,7 +78,7 @@ class Settling {
     return voxels_[static_cast<std::size_t>(y) * columns_.size() + number(x, z)];
   }
   [[nodiscard]] bool may_go_on() const {
-    return settled_.moves < kSettleMoves && settled_.looks < kSettleLooks;
+    return settled_.moves < kSettleMoves && settled_.probes < kSettleProbes;
   }
 
   [[nodiscard]] const SettleRule* rule_of(MaterialId material) const {
@@ -119,7 +119,7 @@ class Settling {
 
   /// From the bottom up, so that material comes down on material already at rest.
   void settle_column(int x, int z) {
-    ++settled_.looks;
+    ++settled_.probes;
     const Column& column = this->column(x, z);
     for (int y = 0; y + 1 < rows_ && may_go_on();) {
       const Rows over_room = column.loose & (column.open << 1U);
@@ -127,7 +127,7 @@ class Settling {
       const Rows left = (over_room | in_the_open) & ~below(y + 1) & ~row(0);
       if (left == 0) return;
       y = std::countr_zero(left);
-      ++settled_.looks;
+      ++settled_.probes;
       if ((over_room & row(y)) != 0) {
         if (const auto to = fall(x, y, z)) move({x, y, z}, *to);
       } else if (const auto to = slide(x, y, z)) {

@@ -38,7 +38,7 @@ void encode(const StoreMeta& meta, Bytes& out) {
   writer.fixed64(meta.flushed_link);
   writer.fixed64(meta.stream.sequence);
   writer.fixed64(static_cast<std::uint64_t>(meta.stream.created_ns));
-  writer.fixed64(static_cast<std::uint64_t>(meta.stream.looked_ms));
+  writer.fixed64(static_cast<std::uint64_t>(meta.stream.asked_ms));
   writer.fixed64(meta.stream.message_hash);
   seal(hash_of(meta_key()), out);
 }
@@ -102,7 +102,7 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.flushed_link = in.fixed64();
   meta.stream.sequence = in.fixed64();
   meta.stream.created_ns = static_cast<std::int64_t>(in.fixed64());
-  meta.stream.looked_ms = static_cast<std::int64_t>(in.fixed64());
+  meta.stream.asked_ms = static_cast<std::int64_t>(in.fixed64());
   meta.stream.message_hash = in.fixed64();
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;

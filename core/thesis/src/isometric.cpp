@@ -102,7 +102,7 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Both fade if voxels are smaller than a few pixels, as they would look like noise.
+        // Both fade if voxels are smaller than a few pixels, as they would trace like noise.
         grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
         corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 
@@ -115,13 +115,13 @@ class BandPainter {
       const float sub_y = (static_cast<float>(i / n) + 0.5F) / static_cast<float>(n);
       sample_ = static_cast<std::size_t>(i);
       const glm::vec2 place{static_cast<float>(x) + sub_x, static_cast<float>(y) + sub_y};
-      sum += glm::min(developed(look(camera_.origin(place.x, place.y), place)), glm::vec3{1});
+      sum += glm::min(developed(trace(camera_.origin(place.x, place.y), place)), glm::vec3{1});
     }
     return sum / static_cast<float>(n * n);
   }
 
  private:
-  glm::vec3 look(glm::vec3 origin, glm::vec2 pixel) {
+  glm::vec3 trace(glm::vec3 origin, glm::vec2 pixel) {
     const glm::vec3 direction = camera_.direction();
     const Sight sight = rays_.see(origin, direction);
     glm::vec3 colour =
@@ -161,7 +161,7 @@ class BandPainter {
   }
 
   // The table below the block, with its shadow, which fades at the edges of the picture so that it does not
-  // look cut off.
+  // trace cut off.
   glm::vec3 table(glm::vec3 origin, glm::vec2 pixel) const {
     const glm::vec3 direction = camera_.direction();
     const glm::vec3 point = origin + direction * (-origin.y / direction.y);

@@ -20,7 +20,7 @@ constexpr std::int64_t kJobBytes = 384;
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
 // While something expensive is made, time between checks whether it is still wanted.
-constexpr std::chrono::milliseconds kLookAgain{5};
+constexpr std::chrono::milliseconds kCheckInterval{5};
 
 // Maximum number of jobs begun and ended under one lock: for that many a lock costs little, and few wait for
 // long.
@@ -299,7 +299,7 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return;
-      for (std::size_t looks = 0; looks < kChunksAtOnce && next < keys.size(); ++looks, ++next) {
+      for (std::size_t tried = 0; tried < kChunksAtOnce && next < keys.size(); ++tried, ++next) {
         if (queue_.begin(keys[next])) {
           some.push_back({next, nullptr});
         } else {
@@ -362,11 +362,12 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
 AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
                                            std::function<bool()> is_wanted) {
   return [this, &work, spent, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
-          next = parts_.clock.now() + kLookAgain, piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
+          next = parts_.clock.now() + kCheckInterval,
+          piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
     if (stopping_) return AfterStep::give_up;
     const auto now = parts_.clock.now();
     if (now < next) return AfterStep::go_on;
-    next = now + kLookAgain;
+    next = now + kCheckInterval;
     const std::chrono::nanoseconds took = parts_.clock.thread_cpu() - began;
     const bool long_enough = took >= piece;
     const std::lock_guard lock{mutex_};

@@ -46,7 +46,7 @@ class Generator {
   [[nodiscard]] virtual EncodedChunkPtr instant(ChunkKey key) const = 0;
   /// Returns the chunk that is of one material, which may be air.
   [[nodiscard]] virtual EncodedChunkPtr uniform(MaterialId material) const = 0;
-  /// Returns the rows of any column of the level, without looking at one.
+  /// Returns the rows of any column of the level, without examining one.
   [[nodiscard]] virtual MixedRows mixed_rows_anywhere(Lod lod) const = 0;
   /// Returns the exact rows of the key's column over this patch.
   [[nodiscard]] virtual MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const = 0;

@@ -59,7 +59,7 @@ class RefusedClients {
   std::unordered_map<FlowId, std::deque<Refused>> by_flow_;  // no deque is empty
   std::list<FlowId> order_;                                  // keys of by_flow_, the next first
   std::unordered_set<ClientId> clients_;                     // clients in by_flow_
-  std::size_t look_at_size_ = 64;  // size at which dead clients are searched for again
+  std::size_t check_at_size_ = 64;  // size at which dead clients are searched for again
 };
 
 }  // namespace talus::server

@@ -38,7 +38,7 @@ TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, 
                   : std::make_shared<terrain::GroundCache>(ground_bytes, std::make_unique<MutexLock>())},
       place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
-  // Every request looks here first, and computing it costs as much as a look into the cache.
+  // Every request checks this first, and computing it costs as much as one cache lookup.
   for (int level = 0; level <= Lod::kMax; ++level) {
     rows_anywhere_[static_cast<std::size_t>(level)] = rows_of(terrain::mixed_range(*world_, Lod::of(level)));
   }

@@ -24,7 +24,7 @@ constexpr auto kSureOfLess = 15s;       // a deposed leader may report fewer mes
 constexpr auto kDenied = 3s;  // until replicas are asked again: NATS does not report restored permissions
 constexpr auto kBetweenDenials = 60s;  // of one kind, in the log
 /// Maximum delay until a reader that waits for the tail notices input of other threads.
-constexpr auto kBetweenLooks = 20ms;
+constexpr auto kPollInterval = 20ms;
 constexpr std::int64_t kNsInMs = 1'000'000;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
@@ -249,7 +249,7 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
   std::unique_lock lock{mutex_};
   const auto now = Clock::now();
   (void)ask(connect, lock, now);
-  look_for_forged();
+  find_forged();
   if (fault_) return fault_;
   const auto sequence = reading_.unconfirmed();
   if (!sequence || *sequence <= last) lacks_since_.reset();
@@ -274,7 +274,7 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
   return fault_;
 }
 
-void Inbox::look_for_forged() {
+void Inbox::find_forged() {
   const auto sequence = reading_.forged();
   if (!sequence || fault_) return;
   fault_ = StreamFailure{
@@ -331,7 +331,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
   for (;;) {
     if (waits_for_answers()) read_tail(lock);
     if (stopped_) return stream_failure(Kind::unavailable, "stopped");
-    look_for_forged();
+    find_forged();
     if (fault_) return tl::unexpected{*fault_};
     if (auto message = reading_.take()) return message;
     if (const auto gone = check_kept()) return tl::unexpected{*gone};
@@ -354,7 +354,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
     }
     if (connected_ && ask(connect, lock, now)) continue;  // something may have arrived meanwhile
     TimePoint wake = until;
-    if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
+    if (connected_) wake = std::min({wake, question_due_, reading_.next_poll()});
     wait(lock, wake);
   }
 }
@@ -473,7 +473,7 @@ void Inbox::read_tail(std::unique_lock<std::mutex>& lock) {
 void Inbox::wait(std::unique_lock<std::mutex>& lock, TimePoint until) {
   const auto source = tail_;
   if (source != nullptr && connected_) {
-    until = std::min(until, Clock::now() + kBetweenLooks);
+    until = std::min(until, Clock::now() + kPollInterval);
     if (!waits_for_answers()) {
       lock.unlock();
       const auto patience = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());

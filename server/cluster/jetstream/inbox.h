@@ -98,7 +98,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void message(const Arrived& arrived);
   /// Processes a replica's answer.
   void message_of_replica(const Arrived& arrived);
-  void look_for_forged();
+  void find_forged();
   [[nodiscard]] bool asks_replicas(TimePoint now) const;
   void info(std::uint64_t after, std::string_view text);
   void count_false();

@@ -267,7 +267,7 @@ void Reading::ask_again(TimePoint now) {
 }
 
 std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
-  looked_ = now;
+  polled_ = now;
   std::erase_if(asked_, [&](const auto& each) { return each.second <= now; });
   std::vector<std::uint64_t> wanted;
   const auto ask = [&](std::uint64_t sequence) {
@@ -306,17 +306,17 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   return wanted;
 }
 
-Reading::TimePoint Reading::next_look() const {
-  TimePoint look = TimePoint::max();
-  for (const auto& [sequence, due] : asked_) look = std::min(look, due);
-  if (retry_ > looked_) look = std::min(look, retry_);
-  if (known_ > after_ && ask_from_ > looked_) look = std::min(look, ask_from_);
+Reading::TimePoint Reading::next_poll() const {
+  TimePoint next = TimePoint::max();
+  for (const auto& [sequence, due] : asked_) next = std::min(next, due);
+  if (retry_ > polled_) next = std::min(next, retry_);
+  if (known_ > after_ && ask_from_ > polled_) next = std::min(next, ask_from_);
   if (claims_more() && known_ <= after_) {
     const TimePoint due = std::max(ask_from_, claim_retry_);
-    if (due > looked_) look = std::min(look, due);
+    if (due > polled_) next = std::min(next, due);
   }
-  if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + silence(), looked_));
-  return look;
+  if (known_ <= after_ && asked_.empty()) next = std::min(next, std::max(news_ + silence(), polled_));
+  return next;
 }
 
 }  // namespace talus::server::jetstream

@@ -87,7 +87,7 @@ class Reading {
   /// True if the tail claims more than the leader has reported: the leader must be asked for the end.
   [[nodiscard]] bool claims_more() const { return claimed_ > std::max(known_, after_); }
   /// Next time at which wanted() may return more.
-  [[nodiscard]] TimePoint next_look() const;
+  [[nodiscard]] TimePoint next_poll() const;
 
   /// Sets whether a leader answers. Without one the end is unknown, and messages are requested more often;
   /// with one, messages from replicas that take() did not return are dropped.
@@ -149,7 +149,7 @@ class Reading {
   std::map<std::uint64_t, TimePoint> asked_;  // with the due times of the answers
   std::set<std::uint64_t> doubted_;           // the tail had two of them
   TimePoint news_;
-  TimePoint looked_{};
+  TimePoint polled_{};
   TimePoint retry_{};
   TimePoint paused_{};  // when retry_ was last set
   std::chrono::milliseconds pause_ = kFirstRetry;

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMetaBytes = 141;
 struct StreamPlace {
   std::uint64_t sequence = 0;      // last applied message; 0: not in a cluster
   std::int64_t created_ns = 0;     // creation time of the stream, which identifies it
-  std::int64_t looked_ms = 0;      // the stream's clock was last consulted for this message time
+  std::int64_t asked_ms = 0;       // the stream's clock was last consulted for this message time
   std::uint64_t message_hash = 0;  // hash of message `sequence`; another hash there means another stream
   bool operator==(const StreamPlace&) const = default;
 };
