@@ -35,7 +35,7 @@ std::error_code error_of(const tls::Step& step) {
 Link::Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner)
     : socket_{io}, scratch_{scratch}, owner_{owner}, frames_{protocol::kServerFrameBytes} {}
 
-void Link::open(const Opening& opening) {
+void Link::open(const OpenOptions& opening) {
   close(false);
   frames_ = protocol::FrameReader{protocol::kServerFrameBytes};
   std::error_code error;

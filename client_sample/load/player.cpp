@@ -83,7 +83,7 @@ void Player::disconnected(bool lost) {
   record_near();
   if (lost && !lost_) lost_ = now;
   if (lost && !lost_all_) lost_all_ = lost_since().value_or(now);
-  for (const PendingChunks::Missed& missed : pending_.give_up()) {
+  for (const PendingChunks::MissedChunk& missed : pending_.give_up()) {
     if (lost) record_missed(missed, now);
   }
 }
@@ -109,7 +109,7 @@ void Player::move_view(Time due, Time now, bool first) {
   const Options& options = worker().plan().options;
   const Time jumped_before = pending_.jumped();
   const Box before = pending_.box();
-  for (const PendingChunks::Missed& missed :
+  for (const PendingChunks::MissedChunk& missed :
        pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due, now)) {
     record_missed(missed, due);
   }
@@ -169,7 +169,7 @@ void Player::send_view(const Pose& pose) {
   if (!view.rings.empty()) rings_.move_to(client::ViewShape{view, worker().plan().world.heights()});
 }
 
-void Player::record_missed(const PendingChunks::Missed& missed, Time now) {
+void Player::record_missed(const PendingChunks::MissedChunk& missed, Time now) {
   if (missed.returned) {
     ++tally().unconfirmed;
     return;
@@ -218,7 +218,7 @@ void Player::take(const wire::UniformColumn& column) {
   }
 }
 
-bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how) {
+bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const ArrivalForm& how) {
   const bool is_newer = revisions_.raise(chunk, how.revision);
   // A run may cover rows already held, without meaning that they were sent.
   switch (verdict) {
@@ -249,7 +249,7 @@ bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& 
   return true;
 }
 
-void Player::arrive(ChunkKey chunk, Time now, const Coming& how) {
+void Player::arrive(ChunkKey chunk, Time now, const ArrivalForm& how) {
   if (chunk.lod == Lod{}) {
     arrive_near(chunk.coord, now, how);
   } else if (came(rings_.arrive(chunk), chunk, how)) {
@@ -257,7 +257,7 @@ void Player::arrive(ChunkKey chunk, Time now, const Coming& how) {
   }
 }
 
-void Player::arrive_near(ChunkCoord chunk, Time now, const Coming& how) {
+void Player::arrive_near(ChunkCoord chunk, Time now, const ArrivalForm& how) {
   const PendingChunks::Arrival arrival = pending_.arrive(chunk);
   if (!came(arrival.verdict, {chunk, Lod{}}, how)) return;
   if (how.alone && arrival.ring_gap >= 0) {
@@ -294,7 +294,7 @@ void Player::give_up() {
   const Time now = Clock::now();
   near_.stop(now);
   record_near();
-  for (const PendingChunks::Missed& missed : pending_.give_up()) {
+  for (const PendingChunks::MissedChunk& missed : pending_.give_up()) {
     record_missed(missed, now);
     if (missed.returned || role() == Role::slow) continue;
     --tally().missed;

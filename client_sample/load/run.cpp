@@ -176,7 +176,7 @@ class Run {
   }
 
   void add_to_rates() {
-    const RatesSeen now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
+    const RateSample now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
     const double passed = std::chrono::duration<double>(now.at - rates_seen_.at).count();
     for (const auto& [name, share] : shares_) {
       const auto add = [&, &name = name, &share = share](const char* of, std::uint64_t count) {
@@ -252,11 +252,11 @@ class Run {
   bool interrupted_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
   Time start_{};
-  struct RatesSeen {
+  struct RateSample {
     Time at{};
     std::uint64_t chunks = 0, bytes = 0;
   };
-  RatesSeen rates_seen_;
+  RateSample rates_seen_;
   std::map<std::string, double> shares_;  // share of all arrivals, by scope of the rate
   bool measures_ = false;
   RunResult result_;

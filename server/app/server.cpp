@@ -129,10 +129,10 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
 }
 
 RunnerContextPtr Server::make_context(const Config& config) {
-  struct Kept {
+  struct OwnedContext {
     SessionLimits limits;
     RunnerContext context;
-    Kept(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
+    OwnedContext(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
         : limits{of_sessions},
           context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
                    server.rates_, server.flows_, server.clock_,
@@ -141,7 +141,7 @@ RunnerContextPtr Server::make_context(const Config& config) {
                   server.registry_,
                   server.log_of_clients_} {}
   };
-  const auto kept = std::make_shared<const Kept>(
+  const auto kept = std::make_shared<const OwnedContext>(
       session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config), *this);
   return {kept, &kept->context};
 }
@@ -179,7 +179,7 @@ std::string Server::metrics_text() {
     }
     const LocalLog::Status log = edits_->status();
     const EditState& state = edits_->state();
-    const store::HistoryKept history = edits_->history();
+    const store::HistorySpan history = edits_->history();
     gauges.edits = {
         log.head.revision,         edits_->preparing(),    log.waiting,         state.editor_count(),
         log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
@@ -289,7 +289,7 @@ void Server::stop_handling_signals() {
 
 decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
   if (edits_ == nullptr) return {};
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   checkpoints_ = std::make_unique<CheckpointService>(
       CheckpointService::Parts{access_, metrics_, clock_, config_.data,
                                [this](const auto& path) { return edits_->checkpoint(path); }},

@@ -61,20 +61,20 @@ std::string text_of(const PregenPlan& plan, int tiles, std::uint64_t done) {
 }
 
 /// Waits for the generators' answers on the caller's own thread.
-class Waiting {
+class AnswerWaiter {
  public:
-  explicit Waiting(ChunkSource& chunks)
+  explicit AnswerWaiter(ChunkSource& chunks)
       : chunks_{chunks}, mailbox_{std::make_shared<Mailbox>(next_owner(), [state = state_] {
           const std::lock_guard lock{state->mutex};
           state->woken = true;
           state->changed.notify_all();
         })} {}
-  ~Waiting() {
+  ~AnswerWaiter() {
     const std::vector<ChunkKey> left{open_.begin(), open_.end()};
     chunks_.cancel(mailbox_->owner(), left);
   }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
+  AnswerWaiter(const AnswerWaiter&) = delete;
+  AnswerWaiter& operator=(const AnswerWaiter&) = delete;
 
   /// Generates the chunks; returns false once `goes_on` does.
   [[nodiscard]] bool make(std::vector<ChunkKey> keys, const std::function<bool()>& goes_on) {
@@ -201,7 +201,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
   const int tiles = parts_.chunks.columns_together();
   const PregenSquares squares{plan, tiles};
   PregenProgress progress{read_pregen_file(parts_.progress_at, plan, tiles), squares.size()};
-  Waiting waiting{parts_.chunks};
+  AnswerWaiter waiting{parts_.chunks};
   const auto goes_on = [&] { return report(progress); };
   const auto note = [&] {
     parts_.keep();

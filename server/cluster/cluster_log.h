@@ -29,7 +29,7 @@
 namespace talus::server::cluster {
 
 /// Reason why this server's store cannot continue with the stream. Another server's store can replace it.
-enum class Lost : std::uint8_t {
+enum class StoreLoss : std::uint8_t {
   too_old,      // the stream no longer keeps the next message
   no_start,     // the store is empty, but the stream begins with a non-empty state
   other,        // the stream was recreated, or belongs to a different state
@@ -64,7 +64,7 @@ class ClusterLog final : public EditLog {
     /// Called once, with a one-line reason, on a thread of the log, if the store is lost to the cluster;
     /// nothing is applied any more. Another server's store may replace it only after stop(), or in another
     /// process.
-    std::function<void(Lost, const std::string&)> on_lost = [](Lost, const std::string&) {};
+    std::function<void(StoreLoss, const std::string&)> on_lost = [](StoreLoss, const std::string&) {};
   };
 
   ClusterLog(Parts parts, Settings settings);
@@ -78,7 +78,7 @@ class ClusterLog final : public EditLog {
   /// stream, and ends the threads. Must not be called on a thread of the log.
   void stop();
 
-  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Callback done) override;
   [[nodiscard]] bool takes_entries() const override;
   /// Checks for room for one more editor before there is an entry; append() checks that too. A server that is
   /// not at the log's end does not know all editors; its failure is cut_off instead of editors_full, and
@@ -141,7 +141,7 @@ class ClusterLog final : public EditLog {
   /// Stops at a message that other servers may know. `reason` includes the remedy.
   void get_stuck(const StreamMessage& message, const std::string& reason);
   /// `said` is the batch's head; null if the message was not a batch.
-  void finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said);
+  void finish(std::vector<Callback> done, const store::StreamPlace& place, const BatchHead* said);
   /// Handles a failure to read chunks that the message changes.
   void cannot_read(const std::string& reason);
   void can_read();
@@ -159,7 +159,7 @@ class ClusterLog final : public EditLog {
   [[nodiscard]] EditError unless_behind(EditError error) const;
   /// Returns true if applying was not stopped before.
   bool stop_applying(std::string reason);
-  void lose(Lost how, const std::string& reason);
+  void lose(StoreLoss how, const std::string& reason);
   void trouble(std::string reason);
   void tell_whether_it_takes();
   [[nodiscard]] bool stopping() const;

@@ -87,13 +87,13 @@ void ClusterLog::cannot_get(const StreamFailure& failure) {
       (void)pause(kRetryOfFault);
       break;
     case StreamFailure::Kind::gone:
-      lose(Lost::too_old, failure.reason);
+      lose(StoreLoss::too_old, failure.reason);
       break;
     case StreamFailure::Kind::other:
-      lose(Lost::other, failure.reason);
+      lose(StoreLoss::other, failure.reason);
       break;
     case StreamFailure::Kind::false_message:
-      lose(Lost::wrong_state, failure.reason);
+      lose(StoreLoss::wrong_state, failure.reason);
       break;
   }
 }
@@ -125,7 +125,7 @@ void ClusterLog::apply(const StreamMessage& message) {
     }
   }
   can_read();
-  std::vector<Done> done = publisher_.seen(decoded->head, message.bytes);
+  std::vector<Callback> done = publisher_.seen(decoded->head, message.bytes);
   if (done.size() != decoded->entries.size()) done.clear();
   const BatchHead said = decoded->head;
   finish(std::move(done),
@@ -169,7 +169,7 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& 
     const auto stream = parts_.stream.state();
     if (!stream) return cannot_get(stream.error());
     if (stream->created_ns != parts_.database.meta().stream.created_ns) {
-      return lose(Lost::other, kMadeAnew);
+      return lose(StoreLoss::other, kMadeAnew);
     }
     if (stream->last < message.sequence) {
       // A deposed leader, which may not know enabled formats either.
@@ -200,7 +200,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
   stop_applying(not_applied(message.sequence, reason));
 }
 
-void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said) {
+void ClusterLog::finish(std::vector<Callback> done, const store::StreamPlace& place, const BatchHead* said) {
   const bool stored = writer_.store(std::move(done), place);
   held_.reset();  // if not stored, the writer keeps the batch
   if (said != nullptr) compare(*said);
@@ -246,7 +246,7 @@ std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const
 }
 
 void ClusterLog::cannot_read(const std::string& reason) {
-  if (++unread_ >= kTriesToRead) return lose(Lost::wrong_state, reason);
+  if (++unread_ >= kTriesToRead) return lose(StoreLoss::wrong_state, reason);
   {
     const std::lock_guard lock{mutex_};
     unreadable_ = reason;
@@ -288,7 +288,7 @@ void ClusterLog::applied(std::uint64_t sequence) {
   }
   tell_whether_it_takes();
   if (verdict == Verdict::wrong) {
-    lose(Lost::wrong_state, comparison_.what() + ", as most servers have; this server's store is wrong");
+    lose(StoreLoss::wrong_state, comparison_.what() + ", as most servers have; this server's store is wrong");
   }
 }
 

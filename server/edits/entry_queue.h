@@ -31,7 +31,7 @@ class EntryQueue {
 
   struct Item {
     Entry entry;
-    EditLog::Done done;
+    EditLog::Callback done;
     std::size_t bytes = 0;
   };
 

@@ -32,14 +32,14 @@ void RecentChanges::forget_oldest() {
   ++oldest_;
 }
 
-const RecentChanges::StoredChange* RecentChanges::find(ChunkKey key, ChunkIndex::Edited edited) const {
+const RecentChanges::StoredChange* RecentChanges::find(ChunkKey key, ChunkIndex::ChunkEntry edited) const {
   const std::size_t place = edited.change - oldest_;
   if (place >= changes_.size()) return nullptr;
   const StoredChange& found = changes_[place];
   return found.change.key == key && found.change.revision == edited.revision ? &found : nullptr;
 }
 
-std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkIndex::Edited now,
+std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkIndex::ChunkEntry now,
                                                           std::uint64_t since, std::size_t most) const {
   const std::shared_lock lock{mutex_};
   AppliedEdits::Changes all{.revision = now.revision, .voxels = {}};

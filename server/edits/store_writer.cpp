@@ -31,13 +31,13 @@ edits::Batch& StoreWriter::begin(std::int64_t now_ms) {
   return pending_.emplace(state_, now_ms, database_.materials()).batch;
 }
 
-bool StoreWriter::store(std::vector<EditLog::Done> done, const store::StreamPlace& place) {
+bool StoreWriter::store(std::vector<EditLog::Callback> done, const store::StreamPlace& place) {
   pending_->done = std::move(done);
   pending_->place = place;
   return write();
 }
 
-std::vector<EditLog::Done> StoreWriter::take_done() {
+std::vector<EditLog::Callback> StoreWriter::take_done() {
   return std::exchange(pending_->done, {});
 }
 
@@ -48,7 +48,7 @@ bool StoreWriter::write() {
   }
   const std::vector<ChunkChange> changed = state_.commit(std::move(pending_->batch));
   publish();
-  const std::vector<edits::Applied>& applied = pending_->batch.applied();
+  const std::vector<edits::EntryResult>& applied = pending_->batch.applied();
   for (std::size_t i = 0; i < pending_->done.size(); ++i) pending_->done[i](&applied[i]);
   if (!changed.empty() && on_changed_) on_changed_(changed);
   pending_.reset();

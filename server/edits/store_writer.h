@@ -60,9 +60,9 @@ class StoreWriter {
   /// Writes the batch, makes it the state and calls `done`, which has the callbacks of its first entries.
   /// Returns false if the write failed: the outcome is unknown and only this batch may be written next;
   /// poll() retries it.
-  bool store(std::vector<EditLog::Done> done, const store::StreamPlace& place);
+  bool store(std::vector<EditLog::Callback> done, const store::StreamPlace& place);
   /// Takes the callbacks of a batch whose write failed; they are not called here any more.
-  [[nodiscard]] std::vector<EditLog::Done> take_done();
+  [[nodiscard]] std::vector<EditLog::Callback> take_done();
 
   /// True if writes fail now.
   [[nodiscard]] bool is_broken() const { return broken_; }
@@ -79,12 +79,12 @@ class StoreWriter {
   void flush_all();
 
  private:
-  struct Pending {
-    Pending(const EditState& state, std::int64_t now_ms, const edits::MaterialIds& materials)
+  struct PendingBatch {
+    PendingBatch(const EditState& state, std::int64_t now_ms, const edits::MaterialIds& materials)
         : reading{state}, batch{reading, state.editors(), state.head(), now_ms, &materials} {}
     EditState::Reader reading;
     edits::Batch batch;
-    std::vector<EditLog::Done> done;
+    std::vector<EditLog::Callback> done;
     store::StreamPlace place;
   };
 
@@ -111,7 +111,7 @@ class StoreWriter {
   std::uint64_t synced_to_ = 0;      // the last successful sync
   std::uint64_t flush_sync_ = 0;     // the sync that the flusher waits for; 0 if it does not wait
   Flusher flusher_;
-  std::optional<Pending> pending_;
+  std::optional<PendingBatch> pending_;
   bool broken_ = false;  // a write failed
   bool disk_full_ = false;
   TimePoint next_flush_;

@@ -272,8 +272,9 @@ asio::awaitable<void> SessionRunner<S>::write() {
       co_await output_waits_.wait_until(due);
       continue;
     }
-    const Unsent unsent = unsent_ ? *std::exchange(unsent_, std::nullopt)
-                                  : Unsent{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
+    const UnsentOutput unsent =
+        unsent_ ? *std::exchange(unsent_, std::nullopt)
+                : UnsentOutput{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
     const Output& output = unsent.output;
     if (output.size() == 0) {  // another session of the address took the credit
       session_.written();
@@ -333,7 +334,7 @@ bool SessionRunner<S>::write_little() {
     if (sent == output.size()) {
       session_.written();
     } else {
-      unsent_.emplace(Unsent{std::move(output), sent});
+      unsent_.emplace(UnsentOutput{std::move(output), sent});
     }
     return true;
   }

@@ -164,7 +164,7 @@ class Chaos:
         return " ".join(host.name for host in hosts)
 
 
-class Asked:
+class EditProgress:
     """Of editors: how many of their edits were answered, and how long none was, at most, since this was forgotten."""
 
     def __init__(self, editors):
@@ -188,7 +188,7 @@ with Cluster(folder) as cluster:
                cluster.editors("--editors", 4, "--lanes", 8, "--rate", 0.2 * options.rate, "--seed", options.seed, "--place", 1,
                                servers=[cluster.farm])]
     viewers = cluster.viewers("all", cluster.address_of(cluster.farm), "--players", options.viewers, "--radius", 4, "--vertical", 2)
-    chaos, answers = Chaos(cluster), Asked(editors)
+    chaos, answers = Chaos(cluster), EditProgress(editors)
     pauses, recoveries = collections.defaultdict(list), collections.defaultdict(list)
     began = compared_at = time.monotonic()
     comparisons = 0

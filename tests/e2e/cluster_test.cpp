@@ -60,7 +60,7 @@ class World {
       Player player;
       store_ = to_string(player.connect(first.port())->store_id);
     }
-    const Ended made = run_talusd({"store", "join-cluster"}, settings(0));
+    const ProgramResult made = run_talusd({"store", "join-cluster"}, settings(0));
     INFO(made.err);
     REQUIRE(made.status == 0);
     if (as == As::user) password_ = scratch_.write("password", "p");
@@ -301,15 +301,15 @@ TEST_CASE("an operator's rollback at one server is undone at all servers") {
   viewer.move_view(at);
   REQUIRE(digger.put(at, solid(*info)).has_value());
   viewer.until([&] { return viewer.sees(at) == solid(*info); });
-  const Ended rolled = run_talusd({"store", "rollback", "--subject", "", "--since", "1h", "--box",
-                                   "-10000,-10000,-10000,10000,10000,10000"},
-                                  world.settings(1));
+  const ProgramResult rolled = run_talusd({"store", "rollback", "--subject", "", "--since", "1h", "--box",
+                                           "-10000,-10000,-10000,10000,10000,10000"},
+                                          world.settings(1));
   INFO(rolled.err);
   CHECK(rolled.status == 0);
   viewer.until([&] { return viewer.sees(at) == kAir; });
   digger.move_view(at);
   CHECK(digger.sees(at) == kAir);
-  const Ended history =
+  const ProgramResult history =
       run_talusd({"store", "history", "--at",
                   std::to_string(at.x) + "," + std::to_string(at.y) + "," + std::to_string(at.z)},
                  world.settings(0));

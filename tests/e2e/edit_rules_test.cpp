@@ -27,7 +27,7 @@ struct World {
     std::vector<std::string> flags{"token",    "--key-file", key,       "--subject", "alice",
                                    "--rights", rights,       "--valid", "1h"};
     flags.insert(flags.end(), more.begin(), more.end());
-    const Ended ended = run_talusd(flags);
+    const ProgramResult ended = run_talusd(flags);
     REQUIRE(ended.status == 0);
     client::Options options;
     options.token = ended.out.substr(0, ended.out.size() - 1);

@@ -84,7 +84,7 @@ TEST_CASE("a server that never ends its handshake delays the search, and no call
 TEST_CASE("a leader is found where it answers, and leads the stream that is wanted") {
   ScriptedStream stream{test_names()};
   stream.set({true, {{1, "message"}}, {}});
-  const auto found = [&](LeaderScout::Wanted wanted) {
+  const auto found = [&](LeaderScout::Requirement wanted) {
     LeaderScout scout{url_of(stream.url()), std::make_shared<const Credentials>(), stream.names()};
     std::optional<ServerUrls> server;
     const auto until = from_now(kPatience);

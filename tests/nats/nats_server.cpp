@@ -114,7 +114,7 @@ nlohmann::json stream_of(const nlohmann::json& page, const std::string& stream) 
 
 }  // namespace
 
-std::string talusd_permissions(Allowed allowed) {
+std::string talusd_permissions(Permissions allowed) {
   // An empty list would allow all.
   return fmt::format(
       "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "

@@ -34,7 +34,7 @@ struct Bench {
   Logger log = std::make_shared<spdlog::logger>("silent");
   ManualClock clock;
   AnswerBatcher answers{log, clock};
-  ChunkAnswer answer = tl::make_unexpected(GenerationFailed{"of no use here"});
+  ChunkAnswer answer = tl::make_unexpected(GenerationError{"of no use here"});
 };
 
 }  // namespace

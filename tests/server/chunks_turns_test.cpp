@@ -33,20 +33,20 @@ TEST_CASE("a body of heights is written by the thread that makes them, once and 
   std::thread::id writer;
   int written = 0;
   HeightsQuery query{.columns = {{1, 2}, {300, 400}}};
-  query.body = [&](const HeightsFound& found) {
+  query.body = [&](const HeightsResult& found) {
     writer = std::this_thread::get_id();
     ++written;
     return std::to_string(found.heights_fx.size());
   };
   fake.service.submit_heights(client.mailbox(), 1, query);
   client.await(1);
-  const HeightsFound& found = client.heights()[0].second.value();
+  const HeightsResult& found = client.heights()[0].second.value();
   CHECK(found.body == "2");
   CHECK(found.heights_fx.empty());
   CHECK(written == 1);
   CHECK(writer != std::this_thread::get_id());
 
-  query.body = [](const HeightsFound&) -> std::string { throw std::bad_alloc{}; };
+  query.body = [](const HeightsResult&) -> std::string { throw std::bad_alloc{}; };
   fake.service.submit_heights(client.mailbox(), 2, query);
   client.await(2);
   CHECK_FALSE(client.heights()[1].second.has_value());

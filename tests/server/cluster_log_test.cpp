@@ -13,8 +13,8 @@ namespace {
 
 using namespace testing;
 using namespace std::chrono_literals;
-using cluster::Lost;
-using Kind = edits::Applied::Kind;
+using cluster::StoreLoss;
+using Kind = edits::EntryResult::Kind;
 
 TEST_CASE("an edit taken at one server is applied at all, and answered where it was taken") {
   ClusterInMemory cluster{3};
@@ -119,7 +119,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
     until([&] { return cluster.log(0).status().ready; });
     cluster.stream.make_anew();
     cluster.stream.set_quorum(true);
-    until([&] { return !cluster.log(0).status().ready && cluster.lost_of(0) == Lost::other; });
+    until([&] { return !cluster.log(0).status().ready && cluster.lost_of(0) == StoreLoss::other; });
   }
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     append_foreign(2);
   }
   until([&] { return cluster.lost_of(1).has_value(); });
-  CHECK(cluster.lost_of(1) == Lost::other);
+  CHECK(cluster.lost_of(1) == StoreLoss::other);
   CHECK_THAT(cluster.why[1], Catch::Contains(fmt::format("message {} of the stream is another", applied)));
   CHECK_FALSE(cluster.log(1).takes_entries());
   CHECK_FALSE(cluster.log(1).status().ready);
@@ -168,7 +168,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     cluster.lost[1].reset();
   }
   REQUIRE(cluster.nodes[1]->open() == "");
-  until([&] { return cluster.lost_of(1) == Lost::other; });
+  until([&] { return cluster.lost_of(1) == StoreLoss::other; });
 }
 
 TEST_CASE("a stream that gets its end again is gone on with, and so is one that keeps nothing old") {
@@ -278,13 +278,13 @@ TEST_CASE(
   ClusterNode& node = *cluster.nodes[0];
   Answers answers;
   REQUIRE(answers.apply(node.log(), attach()).has_value());
-  struct Held {
+  struct SyncHold {
     UnsafeDisk& disk;
-    explicit Held(UnsafeDisk& of) : disk{of} { disk.hold_syncs(true); }
-    ~Held() { disk.hold_syncs(false); }
+    explicit SyncHold(UnsafeDisk& of) : disk{of} { disk.hold_syncs(true); }
+    ~SyncHold() { disk.hold_syncs(false); }
   };
   {
-    const Held held{node.disk()};
+    const SyncHold held{node.disk()};
     REQUIRE(answers.apply(node.log(), write_at(1, 5)).has_value());
     node.disk().await_held_sync();
     for (std::uint64_t sequence = 2; sequence < 20; ++sequence) {

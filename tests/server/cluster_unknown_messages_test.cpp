@@ -11,8 +11,8 @@ namespace {
 
 using namespace testing;
 using namespace std::chrono_literals;
-using cluster::Lost;
-using Kind = edits::Applied::Kind;
+using cluster::StoreLoss;
+using Kind = edits::EntryResult::Kind;
 
 /// Messages that this talusd does not know, and those to come may.
 std::vector<store::Bytes> unknown_messages() {
@@ -107,7 +107,7 @@ TEST_CASE("a message that is not known is not passed over where the stream is an
   cluster.stream.make_anew();
   cluster.stream.append(unknown_messages().front());
   until([&] { return cluster.lost_of(0).has_value() || cluster.log(0).status().skipped > 0; });
-  CHECK(cluster.lost_of(0) == Lost::other);
+  CHECK(cluster.lost_of(0) == StoreLoss::other);
   CHECK(cluster.log(0).status().skipped == 0);
 }
 

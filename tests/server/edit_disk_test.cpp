@@ -19,7 +19,7 @@ namespace {
 
 using namespace testing;
 using edits::testing::Model;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// A store on a disk of the test's, and one editor.
 struct Trouble {
@@ -38,7 +38,7 @@ struct Trouble {
   void edit(const std::function<void()>& on_failure) {
     const edits::Edit edit = random_edit(random);
     ++editor.sequence;
-    std::optional<edits::Applied> applied;
+    std::optional<edits::EntryResult> applied;
     while (!(applied = store.apply(editor.entry(edit)))) {
       on_failure();
       std::this_thread::yield();  // until the log takes entries again
@@ -233,7 +233,7 @@ TEST_CASE("who opens the database again waits for no checkpoint, and chunks are 
   store.database_settings.env = environment.get();
   REQUIRE(store.open_without_log() == "");
   store::EditDatabase& database = store.database();
-  store::EditDatabase::Done made;
+  store::EditDatabase::Status made;
   std::thread copier{[&] { made = database.checkpoint(scratch / "copy"); }};
   disk->wait_until_stopped();
   const auto refused = database.recover();

@@ -32,20 +32,20 @@ EncodedChunkPtr of(MaterialId material) {
 struct HeldLog final : EditLog {
   struct Entry {
     LogEntry entry;
-    Done done;
+    Callback done;
   };
   std::vector<Entry> entries;
   std::optional<EditError> failure;
   std::size_t answered = 0;  // entries from the front
 
-  tl::expected<void, EditError> append(LogEntry entry, Done done) override {
+  tl::expected<void, EditError> append(LogEntry entry, Callback done) override {
     if (failure) return tl::unexpected{*failure};
     entries.push_back({std::move(entry), std::move(done)});
     return {};
   }
   void answer_one() {
-    edits::Applied applied;
-    applied.kind = edits::Applied::Kind::done;
+    edits::EntryResult applied;
+    applied.kind = edits::EntryResult::Kind::done;
     entries.at(answered++).done(&applied);
   }
   [[nodiscard]] const edits::EditEntry& edit(std::size_t index) const {
@@ -281,14 +281,14 @@ TEST_CASE("for a session whose client sends no more no ground is generated, and 
 TEST_CASE("what the log says of an edit is what its session is told") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
-  using Kind = edits::Applied::Kind;
-  const auto told = [&](edits::Applied applied) {
+  using Kind = edits::EntryResult::Kind;
+  const auto told = [&](edits::EntryResult applied) {
     bench.edit(1, {{0, 0, 0}});
     bench.clock.advance(std::chrono::milliseconds{3});
     bench.log.entries.back().done(&applied);
     return bench.only_mail<EditAnswer>().answer;
   };
-  edits::Applied applied;
+  edits::EntryResult applied;
   applied.kind = Kind::done;
   applied.result = {1, 11, 1, {}};
   CHECK(told(applied).value() == applied.result);
@@ -329,8 +329,8 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(named.editor == kEditor);
   CHECK(named.epoch == 5);
   bench.editors[kEditor].epoch = 5;
-  edits::Applied as_before;
-  as_before.kind = edits::Applied::Kind::attached;
+  edits::EntryResult as_before;
+  as_before.kind = edits::EntryResult::Kind::attached;
   bench.log.entries.back().done(&as_before);
   bench.intake.do_what_waits();
   const auto told = bench.only_mail<AttachAnswer>().answer.value();
@@ -340,8 +340,8 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(attach({{77, 77}, "eve", 0, kEditor}).editor != kEditor);
   bench.editors[kEditor].epoch = 4;
 
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   applied.revision = 12;
   bench.editors[kEditor].epoch = 5;
   attach({kEditor, "ann", 0});
@@ -361,8 +361,8 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
   Bench bench;
   bench.intake.attach(bench.session, {{}, "", 11});
   bench.intake.do_what_waits();
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   applied.revision = 10;
   bench.log.entries[0].done(&applied);
   bench.intake.do_what_waits();
@@ -377,7 +377,7 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
 
   bench.intake.attach(bench.session, {{}, "", 10});
   bench.intake.do_what_waits();
-  applied.kind = edits::Applied::Kind::superseded;
+  applied.kind = edits::EntryResult::Kind::superseded;
   bench.log.entries[2].done(&applied);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 4);
@@ -395,8 +395,8 @@ TEST_CASE("an editor whom this server does not know yet, as it comes from anothe
   editor.epoch = 3;
   editor.last_sequence = 8;
   editor.subject = "ann";
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   bench.log.entries.back().done(&applied);
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 2);
@@ -508,10 +508,10 @@ TEST_CASE("who edited much while nobody waited owes nothing for it") {
 }
 
 TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted off once") {
-  struct Exhausted final : EditLog {
+  struct ExhaustedLog final : EditLog {
     std::function<void()> meanwhile;
     std::promise<void> logged;
-    tl::expected<void, EditError> append(LogEntry, Done) override {
+    tl::expected<void, EditError> append(LogEntry, Callback) override {
       if (const auto once = std::exchange(meanwhile, nullptr)) {
         once();
         throw std::bad_alloc{};
@@ -522,7 +522,7 @@ TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted o
   };
   ScriptedSource source;
   source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
-  Exhausted log;
+  ExhaustedLog log;
   ManualClock clock;
   Metrics metrics;
   EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; }, clock, metrics},
@@ -571,10 +571,10 @@ TEST_CASE("the Attach of a session that is gone is not tried again, and so takes
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 2);
   bench.intake.forget(bench.session->owner());
-  edits::Applied superseded;
-  superseded.kind = edits::Applied::Kind::superseded;
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult superseded;
+  superseded.kind = edits::EntryResult::Kind::superseded;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   bench.editors[kEditor].epoch = 5;
   bench.log.entries[1].done(&applied);
   bench.log.entries[0].done(&superseded);
@@ -599,8 +599,8 @@ TEST_CASE("of two that attach as one editor the earlier does not try again") {
   bench.intake.do_what_waits();
   bench.intake.attach(later, {kEditor, "ann", 0});
   bench.intake.do_what_waits();
-  edits::Applied superseded;
-  superseded.kind = edits::Applied::Kind::superseded;
+  edits::EntryResult superseded;
+  superseded.kind = edits::EntryResult::Kind::superseded;
   bench.log.entries[0].done(&superseded);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 2);
@@ -615,9 +615,9 @@ TEST_CASE("a small edit goes to the log on the thread that brings it, while the 
     std::mutex mutex;
     std::condition_variable came;
     std::vector<std::pair<std::uint64_t, std::thread::id>> sequences;
-    tl::expected<void, EditError> append(LogEntry entry, Done done) override {
-      edits::Applied applied;
-      applied.kind = edits::Applied::Kind::done;
+    tl::expected<void, EditError> append(LogEntry entry, Callback done) override {
+      edits::EntryResult applied;
+      applied.kind = edits::EntryResult::Kind::done;
       done(&applied);
       const std::lock_guard lock{mutex};
       sequences.emplace_back(std::get<edits::EditEntry>(entry).sequence, std::this_thread::get_id());

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 using edits::testing::Model;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// Chunks of all levels, as the database has them.
 std::map<ChunkKey, store::StoredChunk> stored_chunks(const store::EditDatabase& database) {

@@ -68,7 +68,7 @@ class FakeEdits final : public AppliedEdits {
   mutable int loads_ = 0;
 };
 
-struct Edited {
+struct EditedBench {
   FakeEdits edits;
   Logger log = std::make_shared<spdlog::logger>("silent");
   Metrics metrics;
@@ -78,8 +78,8 @@ struct Edited {
   Chunks chunks;
   WaitingClient client;
 
-  explicit Edited(std::unique_ptr<const Generator> generator, std::size_t merged_bytes = 1 << 20,
-                  std::size_t queue_chunks = 1000, std::uint64_t memory_bytes = 0)
+  explicit EditedBench(std::unique_ptr<const Generator> generator, std::size_t merged_bytes = 1 << 20,
+                       std::size_t queue_chunks = 1000, std::uint64_t memory_bytes = 0)
       : memory{memory_bytes},
         chunks{std::move(generator),
                {.threads = 1,
@@ -112,9 +112,9 @@ struct Edited {
 };
 
 /// Of a real world.
-struct Bench : Edited {
+struct Bench : EditedBench {
   explicit Bench(std::size_t merged_bytes = 1 << 20, std::uint64_t memory_bytes = 0)
-      : Edited{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes, 1000, memory_bytes} {}
+      : EditedBench{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes, 1000, memory_bytes} {}
 
   static std::shared_ptr<const terrain::World> world() {
     static const auto one = std::make_shared<const terrain::World>(terrain::default_world());
@@ -135,10 +135,10 @@ struct Bench : Edited {
   }
 };
 
-struct Fake : Edited {
+struct Fake : EditedBench {
   std::shared_ptr<FakeWork> work;
   explicit Fake(std::shared_ptr<FakeWork> of = std::make_shared<FakeWork>())
-      : Edited{std::make_unique<FakeGenerator>(of), 1 << 20, 1}, work{std::move(of)} {}
+      : EditedBench{std::make_unique<FakeGenerator>(of), 1 << 20, 1}, work{std::move(of)} {}
   ~Fake() { work->open_gate(); }
 };
 

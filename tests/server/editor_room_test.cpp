@@ -20,7 +20,7 @@ namespace talus::server {
 namespace {
 
 using namespace testing;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// What malloc has given away. The same always under a sanitizer, which has its own.
 std::size_t allocated() {

@@ -8,7 +8,7 @@ using namespace talus::server;
 namespace {
 
 HeightsReady mail(std::uint64_t ticket) {
-  return {ticket, HeightsFound{}};
+  return {ticket, HeightsResult{}};
 }
 
 std::vector<std::uint64_t> tickets(const std::vector<Mail>& mail) {

@@ -190,7 +190,7 @@ TEST_CASE("who ignores that his edits are over the rate is thrown out, and who w
   for (int round = 0; round < 400 && shared.bench.session.state() == State::joined; ++round) {
     for (int i = 0; i < 8; ++i) fill(++id);
     std::uint32_t wait = 0;
-    for (const Said& each : shared.bench.output()) {
+    for (const SessionFrame& each : shared.bench.output()) {
       if (each.code != ErrorCode::overloaded) continue;
       ++refusals;
       wait = std::max(wait, each.retry_after_ms);

@@ -341,9 +341,9 @@ TEST_CASE("updates that wait are memory of the session") {
   const auto sent = bench.run_dry();
   REQUIRE(sent.size() == 21 * 21);
   std::uint64_t bytes = 0;
-  for (const Said& each : sent) bytes += each.frame_bytes;
+  for (const SessionFrame& each : sent) bytes += each.frame_bytes;
   const std::uint64_t before = bench.memory.used(MemoryUse::sessions);
-  for (const Said& each : sent) {
+  for (const SessionFrame& each : sent) {
     bench.source.revisions[each.key] = 1;
     bench.mailbox->put_changes(
         std::make_shared<const std::vector<ChunkChange>>(1, ChunkChange{each.key, 0, 1}));
@@ -367,7 +367,7 @@ struct EditedWhole : Bench {
     limits.window_bytes = std::uint64_t{1} << 40;
     payload_of_source(100);
     move_view(5, static_cast<std::uint16_t>(radius));
-    for (const Said& each : run_dry()) edited.push_back(each.key);
+    for (const SessionFrame& each : run_dry()) edited.push_back(each.key);
   }
   void payload_of_source(std::size_t bytes) { source.payload_bytes = bytes; }
   void edit_all() {
@@ -433,7 +433,7 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
   bool complete = false;
   while (!complete && viewed + resent < std::size_t{16} << 20) {
     bench.answer_all();
-    for (const Said& each : bench.output(16 << 10)) {
+    for (const SessionFrame& each : bench.output(16 << 10)) {
       complete = complete || each.kind == Body::ViewComplete;
       if (each.kind == Body::Chunk) (each.revision > 0 ? resent : viewed) += each.frame_bytes;
     }
@@ -452,7 +452,7 @@ TEST_CASE("chunks that are to be sent again take no more than half of the room f
   bench.move_view(5, 4);
   const auto sent = bench.run_dry();
   std::vector<ChunkChange> changes;
-  for (const Said& each : sent) {
+  for (const SessionFrame& each : sent) {
     bench.source.revisions[each.key] = 1;
     changes.push_back({each.key, 0, 1});
   }

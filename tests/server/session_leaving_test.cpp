@@ -105,7 +105,8 @@ TEST_CASE("a client that sends no more is served its requests and its View, with
   bench.apply_view();
   auto said = bench.run_dry();
   CHECK(said.size() == 100 + 25 + 1);
-  CHECK(std::count_if(said.begin(), said.end(), [](const Said& each) { return each.id != 0; }) == 100);
+  CHECK(std::count_if(said.begin(), said.end(), [](const SessionFrame& each) { return each.id != 0; }) ==
+        100);
   CHECK(bench.session.state() == State::finishing);
   bench.source.answer_heights(bench.source.waiting_heights.begin()->first);
   bench.take_mail();

@@ -66,7 +66,7 @@ TEST_CASE("a chunk that a request waits for is not asked for again for the View"
   bench.move_view(0, 1);
   CHECK(bench.source.submitted == 9);
   std::size_t to_request = 0;
-  for (const Said& said : bench.run_dry()) to_request += said.id == 7 ? 1U : 0U;
+  for (const SessionFrame& said : bench.run_dry()) to_request += said.id == 7 ? 1U : 0U;
   CHECK(to_request == 1);
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("uniform chunks of a square are sent as columns, and not requested") {
   bench.move_view(0, 1, 2);
   CHECK(bench.source.submitted == 9);
   std::size_t columns = 0;
-  for (const Said& said : bench.run_dry()) columns += said.kind == Body::UniformColumn ? 1U : 0U;
+  for (const SessionFrame& said : bench.run_dry()) columns += said.kind == Body::UniformColumn ? 1U : 0U;
   CHECK(columns == 9);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE(
   bench.move_view(0, 0, 1);  // tells the column, of which that chunk is
   std::size_t as_chunk = 0;
   std::size_t in_column = 0;
-  for (const Said& said : bench.run_dry()) {
+  for (const SessionFrame& said : bench.run_dry()) {
     as_chunk += said.kind == Body::Chunk && said.id == 0 && said.key == chunk_at(0) ? 1U : 0U;
     for (const auto& [first, last, material] : said.runs) in_column += first <= 0 && 0 <= last ? 1U : 0U;
   }

@@ -36,7 +36,7 @@ TEST_CASE("each chunk of a View is sent once, for request id 0") {
   SessionBench bench;
   bench.move_view(0, 1);
   std::set<ChunkKey> sent;
-  for (const Said& each : bench.run_dry()) {
+  for (const SessionFrame& each : bench.run_dry()) {
     CHECK(each.kind == Body::Chunk);
     CHECK(each.id == 0);
     CHECK(sent.insert(each.key).second);
@@ -328,7 +328,7 @@ TEST_CASE("with little credit a View and requests get half the bytes each, withi
   std::uint64_t taken = 0;
   // What was sent before the View was there is not shared.
   const auto read = [&](std::uint64_t& to_requests, std::uint64_t& to_view) {
-    for (const Said& each : bench.output()) {
+    for (const SessionFrame& each : bench.output()) {
       REQUIRE(each.kind == Body::Chunk);
       (each.id == 0 ? to_view : to_requests) += each.frame_bytes;
       taken += each.frame_bytes;
@@ -437,7 +437,7 @@ TEST_CASE("a walk to and fro over a border sends no chunk twice to a client that
     bench.apply_view();
     std::size_t chunks = 0;
     std::size_t confirmed = 0;
-    for (const Said& each : bench.run_dry()) {
+    for (const SessionFrame& each : bench.run_dry()) {
       chunks += each.kind == Body::Chunk ? 1 : 0;
       confirmed += each.kind == Body::Unchanged ? 1 : 0;
     }
@@ -494,7 +494,7 @@ TEST_CASE(
   bench.source.rows = {};
   bench.move_view(0, 0, 1);
   std::set<ChunkKey> sent;
-  for (const Said& each : bench.run_dry()) sent.insert(each.key);
+  for (const SessionFrame& each : bench.run_dry()) sent.insert(each.key);
   CHECK(sent == std::set{chunk_at(0, -1), chunk_at(0, 0), chunk_at(0, 1)});
 }
 
@@ -531,7 +531,7 @@ TEST_CASE("columns that are known come without credit, each once") {
   std::vector<ChunkKey> columns;
   for (bool more = true; more;) {
     const auto said = bench.output(100);
-    for (const Said& each : said) {
+    for (const SessionFrame& each : said) {
       if (each.kind != Body::UniformColumn) continue;
       columns.push_back(each.key);
       CHECK(each.runs == Runs{{-1, -1, 2}, {1, 1, 0}});
@@ -550,7 +550,7 @@ TEST_CASE("UniformColumns wait for a client that reads nothing") {
   std::set<ChunkKey> columns;
   for (bool more = true; more;) {
     const auto said = bench.output(4096);
-    for (const Said& each : said) CHECK(columns.insert(each.key).second);
+    for (const SessionFrame& each : said) CHECK(columns.insert(each.key).second);
     more = !said.empty();
   }
   CHECK(columns.size() == 41 * 41);

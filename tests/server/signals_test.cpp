@@ -37,7 +37,7 @@ TEST_CASE("threads that are started while signals are blocked never get them, an
   bool term = false;
   std::thread started;
   {
-    const SignalsBlocked blocked;
+    const SignalBlocker blocked;
     started = std::thread{[&] { term = blocks(SIGTERM); }};
   }
   started.join();

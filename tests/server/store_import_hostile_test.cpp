@@ -35,7 +35,7 @@ constexpr std::int64_t kYear = std::int64_t{365} * 86'400'000;
 fs::path write_edits(const fs::path& file, const Materials& materials, MaterialId material,
                      std::int64_t time_ms = kNow, ContentHash land = kLand) {
   std::ofstream out{file, std::ios::binary};
-  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Status {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return {};
   }};

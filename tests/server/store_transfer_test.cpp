@@ -256,7 +256,7 @@ TEST_CASE("an export whose names no import would read is refused") {
 
 TEST_CASE("the portable file's bytes are as in FORMAT.md") {
   std::string bytes;
-  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Status {
     bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
     return {};
   }};

@@ -37,13 +37,13 @@ edits::EditEntry write_of(std::uint64_t sequence) {
 }
 
 /// A store on a disk of the test's, with its writer; the test is the log's thread. One editor is attached.
-struct Written {
-  explicit Written(const StoreWriterSettings& how) : settings{how} {
+struct WriterBench {
+  explicit WriterBench(const StoreWriterSettings& how) : settings{how} {
     settings.free_bytes = 0;
     open();
     REQUIRE(store(edits::AttachEntry{kEditor, 1, "somebody"}));
   }
-  ~Written() { disk->hold_syncs(false); }
+  ~WriterBench() { disk->hold_syncs(false); }
 
   void open() {
     store::EditDatabaseSettings of_database;
@@ -119,7 +119,7 @@ TEST_CASE("a sync that fails stops the writer until the disk is mended, and what
   const bool ends_flush = GENERATE(false, true);  // else it is the periodic one
   const bool flushed_later = GENERATE(false, true);
   CAPTURE(ends_flush, flushed_later);
-  Written written{with_intervals(1h, 0ms)};
+  WriterBench written{with_intervals(1h, 0ms)};
   REQUIRE(written.store(write_of(1)));
   if (ends_flush) {
     written.poll_until([&] { return written.all_acknowledged(); });
@@ -150,7 +150,7 @@ TEST_CASE("a sync that fails stops the writer until the disk is mended, and what
 
 TEST_CASE("a flush that a fault ended is not taken for synced by what it waited for then") {
   // Long enough that the first poll begins no periodic sync: with one the test shows less.
-  Written written{with_intervals(0ms, 300ms)};
+  WriterBench written{with_intervals(0ms, 300ms)};
   REQUIRE(written.store(write_of(1)));
   written.writer->poll();
   written.await_end_of_sync();
@@ -168,7 +168,7 @@ TEST_CASE("a flush that a fault ended is not taken for synced by what it waited 
 }
 
 TEST_CASE("a waiter for a sync is woken when it ends") {
-  Written written{with_intervals(0ms, 1h)};
+  WriterBench written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
   written.writer->poll();
   CHECK(written.writer->next_poll() > std::chrono::steady_clock::now() + 30min);
@@ -178,7 +178,7 @@ TEST_CASE("a waiter for a sync is woken when it ends") {
 }
 
 TEST_CASE("a sync that fails where the writer is broken already does not put off its next try") {
-  Written written{with_intervals(0ms, 1h)};
+  WriterBench written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
   written.disk->hold_syncs(true);
   written.writer->poll();
@@ -196,7 +196,7 @@ TEST_CASE("a sync that fails where the writer is broken already does not put off
 }
 
 TEST_CASE("errors of syncs that began before the database was opened again are not reported") {
-  Written written{with_intervals(1h, 1h)};
+  WriterBench written{with_intervals(1h, 1h)};
   LogSyncer syncer{*written.database};
   written.disk->hold_syncs(true);
   REQUIRE(syncer.begin() == 1);

@@ -13,10 +13,10 @@ namespace {
 
 const WorkCosts kCosts{.patch = 100, .longest_piece = 25, .max_begun = 2};
 
-class Nothing final : public HeightsMaking {
+class Nothing final : public HeightsBuild {
  public:
   [[nodiscard]] bool step() override { return true; }
-  [[nodiscard]] HeightsFound take() override { return {}; }
+  [[nodiscard]] HeightsResult take() override { return {}; }
 };
 
 WorkQueue::Work take(WorkQueue& queue) {

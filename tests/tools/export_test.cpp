@@ -241,9 +241,9 @@ TEST_CASE("An export past the limit is refused before it makes anything") {
 namespace {
 
 // A region as a second hand finds it: files, and nothing of the generator.
-class Found {
+class ExportedRegion {
  public:
-  explicit Found(const ScratchDirectory& directory)
+  explicit ExportedRegion(const ScratchDirectory& directory)
       : directory_{&directory}, json_(nlohmann::json::parse(read_whole(directory / "export.json"))) {}
 
   [[nodiscard]] const nlohmann::json& json() const { return json_; }
@@ -301,15 +301,15 @@ const std::vector<Place>& places() {
   return places;
 }
 
-const Found& found(const Place& place) {
+const ExportedRegion& found(const Place& place) {
   static std::map<std::string, ScratchDirectory> directories;
-  static std::map<std::string, Found> all;
+  static std::map<std::string, ExportedRegion> all;
   if (const auto known = all.find(place.name); known != all.end()) return known->second;
   const ScratchDirectory& scratch = directories[place.name];
   ProgressBar progress{"export", "columns"};
   REQUIRE(export_region(plain_world(), {place.x, place.z, 80, 64, place.lod}, scratch.path(),
                         {.patch_edge = 40}, progress));
-  return all.emplace(place.name, Found{scratch}).first->second;
+  return all.emplace(place.name, ExportedRegion{scratch}).first->second;
 }
 
 // Indices into `eroded`, bottom up: what `planes` has after the layers, less water.
@@ -350,7 +350,7 @@ TEST_CASE("Exported voxels follow from the arrays next to them, near and far") {
   std::size_t wet = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const auto& json = region.json();
     const bool coarse = json["level"].get<int>() > 0;
     const auto surface = region.array<std::int32_t>("surface.npy").front();
@@ -414,7 +414,7 @@ TEST_CASE("Exported loose material follows from place, slope and aprons") {
   std::size_t raised = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const auto& json = region.json();
     const auto surface = region.array<std::int32_t>("surface.npy").front();
     const auto slope = region.array<std::int32_t>("slope.npy").front();
@@ -469,7 +469,7 @@ TEST_CASE("An exported look is the first whose conditions the exported quantitie
   std::size_t columns = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const std::vector<std::string> names = region.json()["fields"]["names"];
     const auto fields = region.array<std::int32_t>("fields.npy");
     const auto look = region.array<std::uint8_t>("look.npy").front();

@@ -37,9 +37,9 @@ struct Column {
 
 /// Represents rows as bits, so that the cost of an inspection depends on the loose material in the open, not
 /// on heights or depths.
-class Settling {
+class Settler {
  public:
-  Settling(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
+  Settler(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
       : width_{static_cast<int>(box.last.x - box.first.x) + 1},
         rows_{static_cast<int>(box.last.y - box.first.y) + 1},
         depth_{static_cast<int>(box.last.z - box.first.z) + 1},
@@ -50,7 +50,7 @@ class Settling {
     assert(voxels.size() == columns_.size() * static_cast<std::size_t>(rows_));
   }
 
-  Settled run() {
+  SettleWork run() {
     read();
     // In a fixed order, independent of the cause.
     while (std::exchange(any_wait_, false) && may_go_on()) {
@@ -207,7 +207,7 @@ class Settling {
   std::span<SettlingVoxel> voxels_;
   std::vector<Column> columns_;
   bool any_wait_ = false;
-  Settled settled_;
+  SettleWork settled_;
 };
 
 }  // namespace
@@ -241,8 +241,8 @@ std::optional<VoxelBox> settle_box(const Edit& edit) {
   return box;
 }
 
-Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
-  return Settling{box, rules, voxels}.run();
+SettleWork settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
+  return Settler{box, rules, voxels}.run();
 }
 
 }  // namespace talus::edits

@@ -77,7 +77,7 @@ void encode(std::string_view key, MaterialId material, Bytes& out) {
   seal(hash_of(key), out);
 }
 
-void encode(const Acknowledged& acknowledged, Bytes& out) {
+void encode(const AcknowledgedState& acknowledged, Bytes& out) {
   ByteWriter writer = begin_value(out);
   writer.fixed64(acknowledged.position);
   writer.fixed64(acknowledged.link);
@@ -177,11 +177,11 @@ std::optional<MaterialId> decode_material(std::string_view key, std::span<const 
   return in.ended() ? std::optional{MaterialId{material}} : std::nullopt;
 }
 
-std::optional<Acknowledged> decode_acknowledged(std::span<const std::byte> value) {
+std::optional<AcknowledgedState> decode_acknowledged(std::span<const std::byte> value) {
   const auto body = sealed(hash_of(kAcknowledgedKey), value);
   if (!body) return std::nullopt;
   ByteReader in{*body};
-  Acknowledged acknowledged;
+  AcknowledgedState acknowledged;
   acknowledged.position = in.fixed64();
   acknowledged.link = in.fixed64();
   return in.ended() ? std::optional{acknowledged} : std::nullopt;

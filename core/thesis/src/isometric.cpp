@@ -133,13 +133,13 @@ class BandPainter {
     return colour;
   }
 
-  glm::vec3 lit(const Meeting& meeting, glm::vec3 point) {
+  glm::vec3 lit(const RayHit& meeting, glm::vec3 point) {
     const float sun = light_.sun(point, meeting.face, sun_direction(sample_));
     const float sky = light_.sky(meeting);
     return kSunlight * sun + kSkylight * sky + kGroundlight * (meeting.face == Face::up ? 0.3F : 1.0F);
   }
 
-  glm::vec3 solid(const Meeting& meeting, glm::vec3 point) {
+  glm::vec3 solid(const RayHit& meeting, glm::vec3 point) {
     const glm::vec3 inside = point - glm::vec3{meeting.voxel};
     const FaceAxes axes = face_axes(meeting.face);
     const glm::vec2 place = glm::clamp(
@@ -153,7 +153,7 @@ class BandPainter {
            (1 - 0.16F * seam_ * (1 - seam));
   }
 
-  glm::vec3 water(const Meeting& meeting, glm::vec3 point, glm::vec3 behind, float length) {
+  glm::vec3 water(const RayHit& meeting, glm::vec3 point, glm::vec3 behind, float length) {
     const float through = 0.8F * std::exp(-length / options_.clear_water);
     const glm::vec3 own = lights_[to_integer(kWater)] * lit(meeting, point);
     const glm::vec3 mirrored = meeting.face == Face::up ? kSkylight * 0.10F : glm::vec3{0};

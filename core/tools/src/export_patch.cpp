@@ -119,8 +119,8 @@ Expected<PatchSummary> PatchWriter::write(const terrain::Region& patch) const {
   return summary;
 }
 
-PatchWriter::Done PatchWriter::write_array(const files::NpyFile& file, ExportArray array,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_array(const files::NpyFile& file, ExportArray array,
+                                             const terrain::Terrain& terrain) const {
   const terrain::Region& patch = terrain.region;
   switch (array) {
     case ExportArray::surface:
@@ -155,31 +155,31 @@ std::size_t PatchWriter::item(const terrain::Region& patch, std::size_t slice, i
 }
 
 template <typename Field>
-PatchWriter::Done PatchWriter::write_field(const files::NpyFile& file, std::size_t slice,
-                                           const terrain::Region& patch, const Field& field) const {
+PatchWriter::Status PatchWriter::write_field(const files::NpyFile& file, std::size_t slice,
+                                             const terrain::Region& patch, const Field& field) const {
   for (int z = 0; z < patch.depth; ++z) {
     if (auto done = file.write(item(patch, slice, z), field.row(z)); !done) return done;
   }
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_fields(const files::NpyFile& file, const terrain::Region& patch,
-                                            const std::vector<terrain::Field>& fields) const {
+PatchWriter::Status PatchWriter::write_fields(const files::NpyFile& file, const terrain::Region& patch,
+                                              const std::vector<terrain::Field>& fields) const {
   for (std::size_t slice = 0; slice < fields.size(); ++slice) {
     if (auto done = write_field(file, slice, patch, fields[slice]); !done) return done;
   }
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_apron(const files::NpyFile& file,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_apron(const files::NpyFile& file,
+                                             const terrain::Terrain& terrain) const {
   terrain::Field apron = terrain.surface;
   for (std::size_t i = 0; i < apron.values.size(); ++i) apron.values[i] -= terrain.bare.values[i];
   return write_field(file, 0, terrain.region, apron);
 }
 
-PatchWriter::Done PatchWriter::write_shown(const files::NpyFile& file,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_shown(const files::NpyFile& file,
+                                             const terrain::Terrain& terrain) const {
   terrain::BasicField<std::uint16_t> shown{terrain.region.width, terrain.region.depth};
   for (std::size_t plane = 0; plane < plan_.planes.size(); ++plane) {
     const MaterialId material = plan_.planes[plane];
@@ -196,8 +196,8 @@ PatchWriter::Done PatchWriter::write_shown(const files::NpyFile& file,
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_quantities(const files::NpyFile& file,
-                                                const terrain::Region& patch) const {
+PatchWriter::Status PatchWriter::write_quantities(const files::NpyFile& file,
+                                                  const terrain::Region& patch) const {
   auto sampler = terrain::PlaceSampler::make(*plan_.world, plan_.fields).value();
   const std::int64_t step = std::int64_t{1} << patch.lod.value();
   std::vector<std::int64_t> xs;

@@ -13,12 +13,12 @@
 namespace talus::tools {
 
 /// Top of one column, from above. `row` and `water_row` are the rows above it.
-struct TopsOfEdits::Seen {
+struct TopsOfEdits::ColumnTop {
   MaterialId ground = kAir;  // neither air nor water; air: not found yet
   std::int64_t row = 0;
   MaterialId water = kAir;
   std::int64_t water_row = 0;
-  bool operator==(const Seen&) const = default;
+  bool operator==(const ColumnTop&) const = default;
 };
 
 namespace {
@@ -65,7 +65,7 @@ void TopsOfEdits::add_tops(ChunkKey column, const terrain::Region& region,
   const auto merge = [&](Column& seen, const Chunk& chunk, std::int64_t y) {
     bool all = true;
     for (int i = 0; i < kChunkArea; ++i) {
-      Seen& one = seen[static_cast<std::size_t>(i)];
+      ColumnTop& one = seen[static_cast<std::size_t>(i)];
       if (one.ground != kAir) continue;
       const std::vector<Run> runs = chunk.runs(i % kChunkSize, i / kChunkSize);
       for (auto run = runs.rbegin(); run != runs.rend() && one.ground == kAir; ++run) {
@@ -112,7 +112,7 @@ void TopsOfEdits::add_tops(ChunkKey column, const terrain::Region& region,
     const std::int64_t z = origin.z + static_cast<std::int64_t>(i) / kChunkSize;
     const bool inside =
         x >= region.x && x < region.x + region.width && z >= region.z && z < region.z + region.depth;
-    const Seen& seen = after[i];
+    const ColumnTop& seen = after[i];
     if (!inside || seen.ground == kAir || seen == before[i]) continue;
     tops.push_back({x, z, seen.ground, static_cast<std::int32_t>(seen.row), seen.water,
                     static_cast<std::int32_t>(seen.water_row)});

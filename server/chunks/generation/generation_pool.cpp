@@ -32,7 +32,7 @@ constexpr std::size_t kFlowsToTell = 16;
 // Pause after memory was lacking to begin anything.
 constexpr std::chrono::milliseconds kMemoryRetry{100};
 
-const GenerationFailed kOutOfMemory{"out of memory"};
+const GenerationError kOutOfMemory{"out of memory"};
 
 /// Moves the waiters for Version::edited behind the others. Returns the number of the others.
 std::size_t partition_by_version(std::vector<Waiter>& waiters) {
@@ -287,13 +287,13 @@ std::vector<ChunkKey> GenerationPool::answer_known(std::span<const ChunkKey> key
 
 template <typename Chunk>
 void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
-  struct Answered {
+  struct PendingAnswer {
     std::size_t index = 0;
     ChunkAnswer answer;
     std::vector<Waiter> waiters{};
   };
   AnswerBatcher answers{log_, parts_.clock};
-  std::vector<Answered> some;
+  std::vector<PendingAnswer> some;
   some.reserve(std::min(keys.size(), kChunksAtOnce));
   for (std::size_t next = 0; next < keys.size();) {
     {
@@ -308,17 +308,17 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
       }
     }
     std::size_t made = 0;
-    for (Answered& each : some) {
+    for (PendingAnswer& each : some) {
       if (stopping_) break;  // a chunk may take long, and no client waits for it any more
       each.answer = chunk(each.index);
       ++made;
     }
     {
       const std::lock_guard lock{mutex_};
-      for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
+      for (PendingAnswer& each : some) each.waiters = queue_.finish(keys[each.index]);
     }
     some.resize(made);
-    for (Answered& each : some) {
+    for (PendingAnswer& each : some) {
       const ChunkKey key = keys[each.index];
       const std::size_t generated = partition_by_version(each.waiters);
       const std::span<const Waiter> waiters{each.waiters};
@@ -338,7 +338,7 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
   const AskAfterStep after_step = after_step_of(work, {}, [&] { return queue_.is_wanted(task); });
-  std::optional<GenerationFailed> failure;
+  std::optional<GenerationError> failure;
   const std::size_t left = task.left();
   do {
     auto next = parts_.maker.heights(task, after_step);

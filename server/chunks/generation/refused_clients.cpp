@@ -46,7 +46,7 @@ std::vector<MailboxPtr> RefusedClients::take_all() {
 
 void RefusedClients::forget_dead() {
   for (auto& [flow, refused] : by_flow_) {
-    std::erase_if(refused, [&](const Refused& each) {
+    std::erase_if(refused, [&](const RefusedClient& each) {
       if (!each.mailbox.expired()) return false;
       clients_.erase(each.client);
       return true;

@@ -27,7 +27,7 @@ constexpr std::size_t kManyProbes = 120;
 constexpr std::chrono::seconds kLastWait{2};
 
 bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
-                       const StreamNames& names, const LeaderScout::Wanted& wanted) {
+                       const StreamNames& names, const LeaderScout::Requirement& wanted) {
   const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
   if (!connection) return false;
   const auto info = ask_info(**connection, names);
@@ -44,7 +44,7 @@ struct LeaderScout::Probe {
   std::size_t first = 0;
   std::shared_ptr<const Credentials> credentials;
   StreamNames names;
-  Wanted wanted;
+  Requirement wanted;
 
   std::mutex mutex;
   std::condition_variable ended;
@@ -82,7 +82,7 @@ LeaderScout::~LeaderScout() {
   (void)probe->ended.wait_for(lock, kLastWait, [&] { return probe->ended_at.has_value(); });
 }
 
-std::optional<ServerUrls> LeaderScout::probe(std::chrono::milliseconds patience, Wanted wanted) {
+std::optional<ServerUrls> LeaderScout::probe(std::chrono::milliseconds patience, Requirement wanted) {
   if (probe_ == nullptr) {
     const auto now = Clock::now();
     if (now - probed_at_ < (probes_ < kManyProbes ? kBetweenScouts : kBetweenManyScouts)) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<ServerUrls> LeaderScout::probe(std::chrono::milliseconds patience,
     probe->credentials = credentials_;
     probe->names = names_;
     probe->wanted = wanted;
-    const SignalsBlocked blocked;
+    const SignalBlocker blocked;
     try {
       std::thread{[probe] { probe->run(); }}.detach();
     } catch (const std::system_error&) {

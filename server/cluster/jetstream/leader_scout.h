@@ -21,7 +21,7 @@ namespace talus::server::jetstream {
 class LeaderScout {
  public:
   /// A leader of another stream of the name, or of an older copy, is rejected.
-  struct Wanted {
+  struct Requirement {
     std::int64_t created_ns = 0;  // 0: unknown
     std::uint64_t last = 0;       // minimum last message
   };
@@ -36,7 +36,7 @@ class LeaderScout {
   /// contact with a majority. Joins or starts a probe of all servers (at most one per second; one per five
   /// seconds after two minutes). nullopt if none was found within `patience`; the probe continues for the
   /// next call.
-  [[nodiscard]] std::optional<ServerUrls> probe(std::chrono::milliseconds patience, Wanted wanted);
+  [[nodiscard]] std::optional<ServerUrls> probe(std::chrono::milliseconds patience, Requirement wanted);
   /// There is a leader: probes may be frequent again.
   void rest() { probes_ = 0; }
   /// True if a probe runs, or its result was not returned yet.

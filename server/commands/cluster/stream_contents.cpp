@@ -32,7 +32,7 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
       if (reply.error().kind == StreamFailure::Kind::refused) break;
       continue;
     }
-    auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
+    auto message = jetstream::parse_stored_message(jetstream::ReceivedMessage{reply->get()}.text());
     if (message && message->sequence == sequence) return *std::move(message);
     if (message) {
       why = fmt::format("the answer is message {}", message->sequence);

@@ -36,13 +36,13 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
   }
   auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)},
                                                     text.size() > FlowName::kMaxBytes});
-  known_.emplace(id, Known{use});
+  known_.emplace(id, KnownFlow{use});
   return use;
 }
 
 void FlowUses::check_all() {
   for (auto at = known_.begin(); at != known_.end();) {
-    Known& known = at->second;
+    KnownFlow& known = at->second;
     // A session adds its use before it goes. The second check sees for sure what it added.
     const bool left = known.use.use_count() == 1;
     const bool forgotten = std::exchange(known.left, left) && left;

@@ -29,11 +29,11 @@
 #include "limits/memory/memory_reservation.h"
 #include "limits/rates/rates.h"
 #include "player/session/delivery.h"
-#include "player/session/editing.h"
 #include "player/session/handshake.h"
 #include "player/session/id_map.h"
 #include "player/session/replies.h"
 #include "player/session/session_context.h"
+#include "player/session/session_edits.h"
 #include "player/view/output.h"
 #include "runtime/clock.h"
 
@@ -125,7 +125,7 @@ class Session {
   }
   /// Bytes of unanswered edits, which wait for their ground or their turn. Above a quarter of
   /// limits.queued_bytes the caller stops reading, so that a few sessions cannot take the memory of all.
-  [[nodiscard]] std::size_t edit_bytes() const { return editing_.unanswered_bytes(); }
+  [[nodiscard]] std::size_t edit_bytes() const { return edits_.unanswered_bytes(); }
 
   // ---- state
   /// The flow charged for this session's work. The session records refusals; the caller records bytes
@@ -188,7 +188,7 @@ class Session {
   std::optional<Greeting> greeting_;
   Delivery delivery_;
   Replies& replies_ = delivery_.replies();
-  Editing editing_;
+  SessionEdits edits_;
   EditAdmission edit_admission_;
   SessionRates rates_;
   MemoryReservation memory_;

@@ -28,12 +28,12 @@ constexpr std::size_t kMaxVectors = std::min<std::size_t>(4, kSegment / hn::MaxL
 
 /// kVectors vectors of columns on which layers are stacked.
 template <class Tag, std::size_t kVectors>
-struct Stacked {
+struct StackedVectors {
   using Ints = hn::RebindToSigned<Tag>;
   hn::Vec<Ints> most[kVectors];
   hn::Vec<Ints> reached[kVectors];
 
-  HWY_INLINE Stacked(const std::int32_t* limit, const std::int32_t* below) {
+  HWY_INLINE StackedVectors(const std::int32_t* limit, const std::int32_t* below) {
     const Ints d;
     for (std::size_t v = 0; v < kVectors; ++v) {
       most[v] = hn::LoadU(d, limit + v * hn::Lanes(d));
@@ -134,7 +134,7 @@ bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape,
            const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
   // Copied, because stores might alias the shape.
   const auto stack_at = [=, own = shape]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
       columns.template add<false>(v, own, noise);
     });
@@ -166,7 +166,7 @@ HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, 
                                    std::uint8_t* open) {
   const LinedLayer* const end = layers + count;
   const auto stack_at = [=, own = row]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     for (const LinedLayer* layer = layers; layer != end; ++layer) {
       const LayerShape shape = layer->shape;
       with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {
@@ -203,7 +203,7 @@ std::int32_t stack_inside(const LinedLayer* layers, std::size_t count, const Row
   std::int32_t room = std::numeric_limits<std::int32_t>::max();
   const auto stack_at = [=, &room, own = row]<std::size_t kVectors, class Tag>(Tag f,
                                                                                std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     for (const LinedLayer* layer = layers; layer != end; ++layer) {
       const LayerShape shape = layer->shape;
       with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {

@@ -14,7 +14,7 @@
 namespace talus::terrain {
 
 // A TomlTable is never dereferenced: it is the address of a toml::table.
-struct TomlDocument::Parsed {
+struct TomlDocument::Tree {
   toml::table root;
 };
 
@@ -385,7 +385,7 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
     return std::nullopt;
   }
   try {
-    return TomlDocument{std::make_unique<const Parsed>(Parsed{toml::parse(text)})};
+    return TomlDocument{std::make_unique<const Tree>(Tree{toml::parse(text)})};
   } catch (const toml::parse_error& bad) {
     const auto line = static_cast<int>(bad.source().begin.line);
     const std::string key = toml_key_at_line(text, line);
@@ -395,7 +395,7 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
   }
 }
 
-TomlDocument::TomlDocument(std::unique_ptr<const Parsed> parsed) : parsed_{std::move(parsed)} {}
+TomlDocument::TomlDocument(std::unique_ptr<const Tree> parsed) : parsed_{std::move(parsed)} {}
 TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
 TomlDocument& TomlDocument::operator=(TomlDocument&&) noexcept = default;
 TomlDocument::~TomlDocument() = default;

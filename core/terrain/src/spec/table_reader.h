@@ -127,9 +127,9 @@ class TomlDocument {
   [[nodiscard]] const TomlTable& root() const;
 
  private:
-  struct Parsed;
-  explicit TomlDocument(std::unique_ptr<const Parsed> parsed);
-  std::unique_ptr<const Parsed> parsed_;
+  struct Tree;
+  explicit TomlDocument(std::unique_ptr<const Tree> parsed);
+  std::unique_ptr<const Tree> parsed_;
 };
 
 }  // namespace talus::terrain

@@ -62,7 +62,7 @@ struct SettlingVoxel {
 };
 
 /// Work done by settle().
-struct Settled {
+struct SettleWork {
   int moves = 0;
   int probes = 0;
 };
@@ -70,6 +70,6 @@ struct Settled {
 /// Moves all loose material to rest. `voxels` are the box's, x fastest, then z, then y; the box has at most
 /// kSettleRows rows. Voxels outside are fixed and hold; nothing leaves the box. Stops after kSettleMoves or
 /// kSettleProbes, even if more would move. Preserves the amount of each material of the rules.
-Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
+SettleWork settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
 
 }  // namespace talus::edits
