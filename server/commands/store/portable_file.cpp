@@ -11,6 +11,7 @@
 
 #include <talus/edits/runs.h>
 #include <talus/store/bytes.h>
+#include <talus/store/keys.h>
 
 namespace talus::server {
 namespace {
