@@ -39,7 +39,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("answers come to each who waits, once and in the order in which they were made") {
+TEST_CASE("each waiting client receives its answers once, in the order in which they were made") {
   Bench bench;
   Owner one{1};
   Owner other{2};

@@ -171,7 +171,7 @@ TEST_CASE("a checkpoint that is given up leaves no directory") {
   CHECK_FALSE(fs::exists(peer.path / "talus-checkpoint-test"));
 }
 
-TEST_CASE("a tar is refused by one line where it is cut, damaged, or ends with the connection") {
+TEST_CASE("a tar that is cut, damaged, or ends with the connection is refused in one line") {
   CheckpointStore peer{7, 40};
   const std::string tar = peer.tar();
   const fs::path staging = peer.scratch / "staging";

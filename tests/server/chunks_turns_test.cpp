@@ -81,7 +81,7 @@ TEST_CASE("dear heights are made a piece at a time, and others have their turns 
   CHECK(dear.heights()[0].second.value().heights_fx.size() == scattered.size());
 }
 
-TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
+TEST_CASE("an expensive patch gives way to others midway, and resumes at the same point") {
   FakeService fake;
   fake.work->close_gate();
   fake.work->patch_steps = 100;
@@ -116,7 +116,7 @@ TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
   CHECK(fake.service.status().jobs == 0);
 }
 
-TEST_CASE("a patch that waits halfway goes with the last who wants it") {
+TEST_CASE("a half-made patch is dropped when the last client cancels it") {
   FakeService fake;
   fake.work->close_gate();
   fake.work->patch_steps = 100;
@@ -195,7 +195,7 @@ TEST_CASE("heights that are cancelled while they are made end with their piece")
   CHECK(pieces <= 8);
 }
 
-TEST_CASE("a patch that nobody wants any more is given up, and made when somebody asks again") {
+TEST_CASE("a patch that no client wants is given up, and made when a client asks again") {
   FakeService fake;
   fake.work->close_gate();
   WaitingClient client;
@@ -220,7 +220,7 @@ TEST_CASE("a patch that nobody wants any more is given up, and made when somebod
   CHECK(fake.work->patches == 2);
 }
 
-TEST_CASE("a patch that somebody still wants is made, whoever else left") {
+TEST_CASE("a patch is made as long as one client still wants it") {
   FakeService fake;
   fake.work->close_gate();
   WaitingClient client;

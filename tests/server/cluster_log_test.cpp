@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 using cluster::StoreLoss;
 using Kind = edits::EntryResult::Kind;
 
-TEST_CASE("an edit taken at one server is applied at all, and answered where it was taken") {
+TEST_CASE("an edit sent to one server is applied by all, and answered by that server") {
   ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
@@ -251,7 +251,7 @@ TEST_CASE("a server whose clock is far ahead dates what it writes by the stream,
   CHECK(cluster.log(0).status().bounded == 1);
 }
 
-TEST_CASE("a full disk stops a server where it is, and it goes on when there is room") {
+TEST_CASE("a full disk stops a server, and it resumes at the same place when there is room") {
   ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;

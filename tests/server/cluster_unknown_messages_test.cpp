@@ -99,7 +99,7 @@ TEST_CASE("a description of formats that is not understood stops a server, and i
   CHECK(cluster.log(0).status().skipped == 1);
 }
 
-TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
+TEST_CASE("an unknown message is not skipped if the stream has been replaced meanwhile") {
   ClusterInMemory cluster{1};
   cluster.nodes[0]->settings.poll_interval = 1h;  // so that it is this message by which it is found
   cluster.open();
@@ -279,7 +279,7 @@ TEST_CASE("a message that comes altered is asked of the log's leader, and applie
   CHECK(cluster.log(1).status().head.hash == cluster.log(0).status().head.hash);
 }
 
-TEST_CASE("players may look on while no server can read the next message, and not where others can") {
+TEST_CASE("players may read while no server can read the next message, but not if other servers can") {
   ClusterInMemory cluster{2};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;

@@ -111,7 +111,7 @@ TEST_CASE("a log that lost its end is refused, and the entries that are lost are
   CHECK(error.find("as a store of a new id") != std::string::npos);
 }
 
-TEST_CASE("who deletes the file of what was acknowledged goes on with what is left, as another store") {
+TEST_CASE("after the acknowledged file is deleted, the store opens with the rest, as another store") {
   KilledStore store;
   const fs::path log = store.file(".log");
   const store::EditDatabaseSettings settings = EditStore{store.path()}.database_settings;

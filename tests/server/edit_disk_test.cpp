@@ -64,7 +64,7 @@ struct Trouble {
 }  // namespace
 
 TEST_CASE(
-    "a disk that fills up, or does not sync, stops edits until it is mended; none is lost or done twice") {
+    "a disk that fills up, or does not sync, stops edits until it is repaired; no edit is lost or repeated") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   for (std::uint64_t round = 0; round < 12; ++round) {
@@ -185,8 +185,7 @@ class SlowDisk final : public rocksdb::FileSystemWrapper {
 
 }  // namespace
 
-TEST_CASE(
-    "an end that the disk lost, and another log has, is read there by the next start, and that is told") {
+TEST_CASE("an end that the disk lost, and another log has, is read there by the next start, and reported") {
   bool lost = false;
   for (std::uint64_t seed = 1; seed <= 50 && !lost; ++seed) {
     Trouble trouble{seed};
@@ -225,7 +224,7 @@ TEST_CASE(
   CHECK(lost);
 }
 
-TEST_CASE("who opens the database again waits for no checkpoint, and chunks are read meanwhile") {
+TEST_CASE("reopening the database does not wait for a checkpoint, and chunks are read meanwhile") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   const auto disk = std::make_shared<SlowDisk>("copy.tmp");
   const auto environment = rocksdb::NewCompositeEnv(disk);
@@ -245,7 +244,7 @@ TEST_CASE("who opens the database again waits for no checkpoint, and chunks are 
   CHECK(database.recover().has_value());
 }
 
-TEST_CASE("with little free space edits are refused, and the reason is told") {
+TEST_CASE("with little free space edits are refused with the reason") {
   Trouble trouble{1};
   REQUIRE(trouble.store.open() == "");
   trouble.editor.attach(trouble.store);

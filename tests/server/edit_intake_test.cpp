@@ -98,7 +98,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("that there is room for no editor is told before one attaches, and counts as a refusal") {
+TEST_CASE("a full editor table is reported before an Attach, and counts as a refusal") {
   Bench bench;
   CHECK(bench.intake.room_for_editor());
   bench.full = true;
@@ -166,7 +166,7 @@ TEST_CASE("ground that comes while the log has no room is counted at once") {
   CHECK(bench.intake.base_bytes() > before);
 }
 
-TEST_CASE("edits of a session keep their order, and those of others do not wait for them") {
+TEST_CASE("edits of a session keep their order, and edits of other sessions do not wait for them") {
   Bench bench;
   bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
   bench.edit(1, {{0, 0, 0}});
@@ -244,7 +244,7 @@ TEST_CASE("an edit of which one look-up failed needs the others no more") {
   CHECK(bench.source.waiting.empty());
 }
 
-TEST_CASE("of a session that is gone nothing more is looked up or logged") {
+TEST_CASE("nothing more of a closed session is looked up or logged") {
   Bench bench;
   bench.edit(1, {{0, 0, 0}});
   CHECK(bench.source.waiting.size() == 1);
@@ -278,7 +278,7 @@ TEST_CASE("for a session whose client sends no more no ground is generated, and 
   CHECK(bench.intake.waiting() == 0);
 }
 
-TEST_CASE("what the log says of an edit is what its session is told") {
+TEST_CASE("a session receives the log's answer to its edit") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   using Kind = edits::EntryResult::Kind;
@@ -357,7 +357,7 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(answer.revision == 12);
 }
 
-TEST_CASE("who has seen more than this server has waits, and of two who attach at once one tries again") {
+TEST_CASE("a client that has seen newer revisions waits, and one of two simultaneous Attaches is retried") {
   Bench bench;
   bench.intake.attach(bench.session, {{}, "", 11});
   bench.intake.do_what_waits();
@@ -383,7 +383,7 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
   CHECK(bench.log.entries.size() == 4);
 }
 
-TEST_CASE("an editor whom this server does not know yet, as it comes from another, is waited for") {
+TEST_CASE("an Attach of an editor that this server does not know yet waits for it") {
   Bench bench;
   const edits::EditorId elsewhere{77, 77};
   bench.intake.attach(bench.session, {elsewhere, "ann", 0});
@@ -412,7 +412,7 @@ TEST_CASE("an editor whom this server does not know yet, as it comes from anothe
   CHECK(told.last_sequence == 8);
 }
 
-TEST_CASE("in the log wait few edits, and who comes late goes before those who have sent much") {
+TEST_CASE("few edits wait in the log, and a newcomer goes before sessions that have sent many") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
@@ -459,7 +459,7 @@ TEST_CASE("in the log wait few edits, and who comes late goes before those who h
   }
 }
 
-TEST_CASE("neither small edits of many keep large ones from the log, nor those of many chunks small ones") {
+TEST_CASE("many small edits do not keep a large one from the log, nor do edits of many chunks a small one") {
   Bench bench;
   for (std::int32_t x = 0; x < 64; ++x) bench.source.in_memory[{{x, 0, 0}, Lod{}}] = of(kStone);
   const std::int32_t chunks = GENERATE(1, 64);
@@ -485,7 +485,7 @@ TEST_CASE("neither small edits of many keep large ones from the log, nor those o
   CHECK(place <= 2);
 }
 
-TEST_CASE("who edited much while nobody waited owes nothing for it") {
+TEST_CASE("edits made while no session waited are not charged later") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   EditRequest large{1, kEditor, 3, 1, {}};
@@ -507,7 +507,7 @@ TEST_CASE("who edited much while nobody waited owes nothing for it") {
   CHECK(bench.log.edit(2).editor.low == 1);
 }
 
-TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted off once") {
+TEST_CASE("if memory runs out, requests that arrive meanwhile still wait, and are uncounted once") {
   struct ExhaustedLog final : EditLog {
     std::function<void()> meanwhile;
     std::promise<void> logged;
@@ -561,7 +561,7 @@ TEST_CASE("in the log wait few bytes, but one edit alone may have more") {
   CHECK(bench.log.entries.size() == 2);
 }
 
-TEST_CASE("the Attach of a session that is gone is not tried again, and so takes nobody's editor") {
+TEST_CASE("the Attach of a closed session is not retried, and so does not take over an editor") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
   const MailboxPtr live = std::make_shared<Mailbox>(ClientId{2}, [] {});
@@ -591,7 +591,7 @@ TEST_CASE("the Attach of a session that is gone is not tried again, and so takes
   CHECK(bench.intake.waiting() == 0);
 }
 
-TEST_CASE("of two that attach as one editor the earlier does not try again") {
+TEST_CASE("if two sessions attach as one editor, the earlier one does not retry") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
   const MailboxPtr later = std::make_shared<Mailbox>(ClientId{2}, [] {});

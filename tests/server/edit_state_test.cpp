@@ -112,7 +112,7 @@ TEST_CASE("the index tells which columns of a region were edited") {
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
 }
 
-TEST_CASE("who finds a column's revision finds all chunks of that edit") {
+TEST_CASE("after a column's revision is visible, all chunks of that edit are") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   REQUIRE(store.open() == "");
@@ -192,7 +192,7 @@ TEST_CASE("changes since a revision are each voxel once, as it is now") {
   CHECK(recent.since(kChunk, 9)->voxels.size() == 1);
 }
 
-TEST_CASE("of recent changes the oldest are forgotten, and the others keep their voxels") {
+TEST_CASE("the oldest recent changes are dropped, and the others keep their voxels") {
   ChangesBench recent{1'000};
   const auto chunk = [](std::uint64_t number) {
     return ChunkKey{{static_cast<std::int32_t>(number % 3), 0, 0}, Lod{}};

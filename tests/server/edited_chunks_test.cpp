@@ -157,7 +157,7 @@ const std::vector<Override> kSome{{0, MaterialId{2}}, {17, kAir}, {30'000, Mater
 
 }  // namespace
 
-TEST_CASE("what was not edited is the base chunk, found and generated as without edits") {
+TEST_CASE("an unedited chunk is the base chunk, found and generated as without edits") {
   Bench bench;
   bench.edits.edit({{9, 9, 9}, Lod{}}, kSome);
   const EncodedChunkPtr chunk = bench.get(kColumn);
@@ -369,7 +369,7 @@ TEST_CASE("merged chunks are memory of the caches, and shrink with them") {
   CHECK(bytes_found() <= kMinBytes);
 }
 
-TEST_CASE("where no merged chunk can be kept each is made when it is asked for") {
+TEST_CASE("if no merged chunk can be kept, each is made on request") {
   Bench bench{0};
   const ChunkKey key = bench.with_ground(kColumn);
   bench.edits.edit(key, kSome);
@@ -379,7 +379,7 @@ TEST_CASE("where no merged chunk can be kept each is made when it is asked for")
   CHECK(bench.edits.loads() == 2);
 }
 
-TEST_CASE("a client of edited chunks that was refused is told of room in the queue") {
+TEST_CASE("a refused client of edited chunks is notified of room in the queue") {
   WaitingClient late;
   Fake fake;
   fake.work->close_gate();

@@ -87,7 +87,7 @@ std::optional<edits::EntryResult> apply(ClusterNode& node, LogEntry entry) {
 
 }  // namespace
 
-TEST_CASE("a store begins its stream where it stands, and once") {
+TEST_CASE("a store begins its stream at its own revision, and once") {
   Single single;
   CHECK(single.enter() == "");
   CHECK(single.meta().stream ==

@@ -52,7 +52,7 @@ TEST_CASE("a flat map holds what a std::map holds after any inserts and erasures
   CHECK(listed == plain);
 }
 
-TEST_CASE("values of a flat map stay where they are while it grows") {
+TEST_CASE("values of a flat map keep their addresses while it grows") {
   FlatMap<CrowdedKey, int> map;
   int* const first = &map[{0}];
   *first = 7;

@@ -234,7 +234,7 @@ TEST_CASE("without a certificate the series of its expiry is absent") {
   CHECK(text_of({}, {}).find("certificate") == std::string::npos);
 }
 
-TEST_CASE("the log that servers share is shown where it is") {
+TEST_CASE("metrics of the shared log are shown if there is one") {
   const Metrics metrics;
   LatencyHistogram publishing;
   publishing.add(3ms);

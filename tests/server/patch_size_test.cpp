@@ -68,7 +68,7 @@ TEST_CASE("a patch may take twice as long as a lone tile if the halo is most of 
   CHECK(size.ns_a_column() == 300'000'000ULL * 384 * 384 / (288 * 288) / (128 * 128));
 }
 
-TEST_CASE("a world is expensive where a patch of four tiles along each edge takes longer than 50 ms") {
+TEST_CASE("a world is expensive if a patch of four tiles along each edge takes longer than 50 ms") {
   CHECK_FALSE(patch_size(16, 1ms, 0).expensive);
   CHECK(patch_size(1, 4ms, 0).expensive);
   CHECK_FALSE(patch_size(1, 3ms, 0).expensive);
@@ -79,7 +79,7 @@ TEST_CASE("a configured number of tiles is kept, whatever they cost") {
   CHECK(patch_size(8, 1s, 0).patch_time == 64s);
 }
 
-TEST_CASE("a patch has fewer tiles where generators have no room, unless halos would double its price") {
+TEST_CASE("a patch has fewer tiles if generators lack room, unless halos would double its cost") {
   PatchSize size = patch_size(4, 100us, 8);
   size.tile_bytes = 100'000;
   size.chunk_time = 7us;
@@ -110,7 +110,7 @@ TEST_CASE("the dearest of the places counts, but for the first, whose memory is 
   CHECK(cost.bytes > 32 * 32 * 16);
 }
 
-TEST_CASE("measuring ends early where a tile takes long") {
+TEST_CASE("measuring ends early if a tile takes long") {
   const ScriptedClock slow{{{400ms, 3ms}}};
   CHECK(measure_tile(terrain::default_world(), slow).terrain == 400ms);
   CHECK(measure_tile(terrain::default_world(), slow).chunk == 1ms);

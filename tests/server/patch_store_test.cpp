@@ -104,7 +104,7 @@ TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each ma
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
 }
 
-TEST_CASE("of a patch in a View only the requested chunks are made, and it is released") {
+TEST_CASE("only the requested chunks of a patch in a View are made, and it is released") {
   Bench bench;
   const ChunkRange any{-100, 100};
   // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.

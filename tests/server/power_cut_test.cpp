@@ -284,7 +284,7 @@ TEST_CASE("after power cuts every acknowledged edit is present, never twice, nev
   CHECK(acknowledged > 0);
 }
 
-TEST_CASE("after power cuts what slid lies where it slid to") {
+TEST_CASE("after power cuts slid material lies where it came to rest") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   PowerCuts store{seed, true,

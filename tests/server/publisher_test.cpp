@@ -66,7 +66,7 @@ class SlowStream final : public LogStream {
   bool stopped_ = false;
 };
 
-TEST_CASE("a message is not sent at once after another where they have many entries, and is where few") {
+TEST_CASE("a message waits after another if they have many entries, and is sent at once if few") {
   constexpr std::size_t kFew = MessagePace::kFewEntries;
   const TimePoint now{5s};
   const auto next_at = [&](std::size_t sent, std::size_t waiting) {

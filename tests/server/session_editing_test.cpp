@@ -176,7 +176,7 @@ TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and i
   CHECK(shared.taker.edits[0].sequence == 2);
 }
 
-TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {
+TEST_CASE("if a gateway is required, Attach and Edit of players are refused with that reason") {
   EditingBench shared{{}, editors(), {{}, true}};
   shared.bench.attach();
   shared.bench.write_voxel(4, 1);
@@ -189,7 +189,7 @@ TEST_CASE("where a gateway is required, players are told so at Attach and at Edi
   CHECK(shared.taker.attaches.empty());
 }
 
-TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
+TEST_CASE("only a gateway may name a subject, of a limited size") {
   EditingBench player;
   player.attached();
   player.bench.write_voxel(4, 1, {}, 1, "alice");

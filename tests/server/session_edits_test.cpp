@@ -116,7 +116,7 @@ TEST_CASE("an answer from before the edit is asked for again") {
   CHECK(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("where the source is full a chunk that is to be sent again waits for room") {
+TEST_CASE("if the source is full, a chunk to be sent again waits for room") {
   Bench bench{false};
   bench.see();
   bench.edit(3);
@@ -133,7 +133,7 @@ TEST_CASE("where the source is full a chunk that is to be sent again waits for r
   CHECK(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("where it fails the client is told, and may ask for it") {
+TEST_CASE("if a chunk to be sent again fails, the client gets an Error, and may ask for it") {
   Bench bench{false};
   bench.see();
   bench.edit(3);
@@ -187,7 +187,7 @@ TEST_CASE("an edit between a chunk's making and its writing is found when it is 
   CHECK(then[0].previous_revision == 0);
 }
 
-TEST_CASE("so is one between an Unchanged's making and its writing") {
+TEST_CASE("an edit between an Unchanged's making and its writing is found when it is written") {
   Bench bench;
   bench.say_view(5, 0, 0, {scripted_chunk(kKey)}, {kKey});
   bench.apply_view();
@@ -198,7 +198,7 @@ TEST_CASE("so is one between an Unchanged's making and its writing") {
   CHECK(kinds(bench.output()) == Kinds{Body::Unchanged, Body::EditBroadcast});
 }
 
-TEST_CASE("an edit that is told late is broadcast once more, which does no harm") {
+TEST_CASE("an edit that is reported late is broadcast once more, without harm") {
   Bench bench;
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
   bench.edit(3);
@@ -210,7 +210,7 @@ TEST_CASE("an edit that is told late is broadcast once more, which does no harm"
   CHECK(said[0].revision == 3);  // what the client has: it ignores it
 }
 
-TEST_CASE("edits of chunks that are not in the View, or not sent, are nobody's business") {
+TEST_CASE("edits of chunks that are not in the View, or not sent, are not broadcast") {
   Bench bench;
   bench.tell(0, 1);
   bench.move_view(5, 0);
@@ -219,7 +219,7 @@ TEST_CASE("edits of chunks that are not in the View, or not sent, are nobody's b
   CHECK(bench.source.waiting.size() == 1);
 }
 
-TEST_CASE("what left the View is forgotten, and comes back in its newest version") {
+TEST_CASE("a chunk that left the View is forgotten, and returns in its newest version") {
   Bench bench;
   bench.see();
   bench.edit(3);
@@ -244,7 +244,7 @@ TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
   CHECK_FALSE(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("updates need credit to begin, and broadcasts count none") {
+TEST_CASE("updates need credit to begin, and broadcasts use none") {
   Bench bench{true, 100};
   bench.see();  // the window is overdrawn
   const std::uint64_t sent = scripted_chunk(kKey)->frame_bytes();
@@ -289,7 +289,7 @@ TEST_CASE("an edited chunk that the client holds is confirmed in its turn, with 
   CHECK(kinds(bench.output()) == (for_view ? Kinds{Body::EditBroadcast} : Kinds{}));
 }
 
-TEST_CASE("a request's answer is no View's: an edit after it is not told") {
+TEST_CASE("an edit is not broadcast for a chunk that was only the answer to a request") {
   Bench bench;
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
   bench.get_chunk(1, kKey);
@@ -299,7 +299,7 @@ TEST_CASE("a request's answer is no View's: an edit after it is not told") {
   CHECK(bench.output().empty());
 }
 
-TEST_CASE("where any chunk may have changed, all edited ones are told from the chunk as generated") {
+TEST_CASE("if any chunk may have changed, all edited ones are broadcast from the generated chunk") {
   Bench bench;
   bench.source.in_memory[chunk_at(4)] = scripted_chunk(chunk_at(4));
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
@@ -327,7 +327,7 @@ TEST_CASE("ViewComplete does not wait for updates") {
   CHECK(kinds(bench.output()) == Kinds{Body::ViewComplete});
 }
 
-TEST_CASE("the source is told where to send changes, and forgets a session that ended") {
+TEST_CASE("the source learns where to send changes, and forgets a session that ended") {
   Bench bench;
   bench.move_view(5, 0);
   CHECK(bench.source.watcher == bench.mailbox);
@@ -404,7 +404,7 @@ TEST_CASE("a chunk that was sent again pauses before it is sent once more, then 
   CHECK(bench.session.sendable_at() == Clock::time_point::max());
 }
 
-TEST_CASE("what pauses is forgotten with the View, and by a session that ends") {
+TEST_CASE("paused chunks are forgotten with the View, and by a session that ends") {
   EditedWhole bench{0};
   bench.edit_all();
   CHECK(bench.output().size() == 1);

@@ -93,7 +93,7 @@ TEST_CASE("answers that come together are taken by one wake-up") {
   CHECK(client->writes == writes + 1);
 }
 
-TEST_CASE("a chunk that an update needs is asked for at once, also where the stream takes bytes at once") {
+TEST_CASE("a chunk that an update needs is requested at once, even if the stream takes bytes at once") {
   Bench bench;
   const auto client = std::make_shared<Loopback>(bench.io);
   const auto runner = bench.begin<SessionRunner<EagerLoopbackStream>>(EagerLoopbackStream{client}, 1);

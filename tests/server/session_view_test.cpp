@@ -171,7 +171,7 @@ TEST_CASE("a chunk that left in a View that was never applied is sent again") {
   CHECK(bench.run_dry().size() == (away == 0 ? 0 : 1));
 }
 
-TEST_CASE("any number of Views of the same chunks between two looks has nothing sent again") {
+TEST_CASE("any number of Views of the same chunks between two applications has nothing sent again") {
   SessionBench bench;
   bench.move_view(0, 0);
   CHECK(bench.run_dry().size() == 1);

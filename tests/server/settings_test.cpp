@@ -96,7 +96,7 @@ TEST_CASE("the configuration's patch_tiles are kept, and chosen if absent") {
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
 }
 
-TEST_CASE("the log names the cost of terrain, and what to change where it is dear") {
+TEST_CASE("the log names the cost of terrain, and what to change if it is expensive") {
   CHECK(describe(patch_size(4, 100us, 0)) ==
         "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles, 0 us a chunk");
   CHECK_THAT(describe(patch_size(2, 20ms, 0)),
@@ -294,7 +294,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the store's buffers are as large as RocksDB is best with where the budget has room, and else less") {
+    "the store's buffers are as large as RocksDB is best with if the budget has room, otherwise smaller") {
   Config config;
   config.threads = {4, 4};
   constexpr std::uint64_t kMebibyte = 1U << 20U;

@@ -18,7 +18,7 @@ bool blocks(int signal) {
 
 }  // namespace
 
-TEST_CASE("a thread that blocks signals receives none, and the others still do") {
+TEST_CASE("a thread that blocks signals does not receive them, and the others still do") {
   const bool before = blocks(SIGTERM);
   bool term = false;
   bool hangup = false;

@@ -115,7 +115,7 @@ TEST_CASE("a file from a time to come leaves the store at the present, or at its
   CHECK(time_after(INT64_MAX, kNow + kYear) == kNow + kYear);  // its edits have that time
 }
 
-TEST_CASE("a generated material that the store's world has not is refused where something is built of it") {
+TEST_CASE("a generated material that the store's world lacks is refused if something is built of it") {
   const ScratchDirectory scratch;
   const Materials of_store{{"air", kAir}, {"granite", MaterialId{2}}, {"planks", MaterialId{256}}};
   const Materials of_file{{"ghost", MaterialId{37}}, {"planks", MaterialId{256}}};

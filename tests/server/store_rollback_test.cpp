@@ -246,7 +246,7 @@ TEST_CASE("a voxel that changes between a rollback's plan and its edits stays") 
   CHECK(overrides_of(griefed.store.state()).at(at) == MaterialId{9});
 }
 
-TEST_CASE("a voxel's history says who, from what, to what, and how far back it goes") {
+TEST_CASE("a voxel's history names subjects, materials before and after, and its own start") {
   GriefedStore griefed{9};
   griefed.edit(200, false);
   griefed.store.close();

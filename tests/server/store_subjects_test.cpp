@@ -31,7 +31,7 @@ int run_store_command(std::vector<const char*> flags) {
 
 }  // namespace
 
-TEST_CASE("subjects are shown as they are where that is seen, and all other bytes as \\xNN") {
+TEST_CASE("subjects are shown as they are if all characters are visible, and other bytes as \\xNN") {
   struct {
     std::string subject;
     std::string text;

@@ -177,7 +177,7 @@ TEST_CASE("a waiter for a sync is woken when it ends") {
   CHECK(written.database->meta().flushed == written.head());
 }
 
-TEST_CASE("a sync that fails where the writer is broken already does not put off its next try") {
+TEST_CASE("a sync that fails after the writer broke does not delay its next attempt") {
   WriterBench written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
   written.disk->hold_syncs(true);

@@ -85,7 +85,7 @@ TEST_CASE("facts about every column hold for a patch's columns") {
   });
 }
 
-TEST_CASE("a chunk is known at once exactly where its row is uniform everywhere") {
+TEST_CASE("a chunk is known at once if and only if its row is uniform everywhere") {
   const TerrainGenerator generator{world(), kTiles};
   const MixedRows anywhere = generator.mixed_rows_anywhere(Lod{});
   for (std::int32_t y = anywhere.first - 2; y <= anywhere.last + 2; ++y) {
