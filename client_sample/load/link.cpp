@@ -178,10 +178,10 @@ void Link::await_input() {
   });
 }
 
-void Link::take(std::size_t most) {
+void Link::take(std::size_t max_bytes) {
   if (!established_) return;
   std::error_code error;
-  const std::size_t bytes = read_some(scratch_.first(std::min(most, scratch_.size())), error);
+  const std::size_t bytes = read_some(scratch_.first(std::min(max_bytes, scratch_.size())), error);
   if (error == asio::error::would_block) return;
   if (error) return fail(words_of(error));
   received_bytes_ += bytes;

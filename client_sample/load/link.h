@@ -48,8 +48,9 @@ class Link {
   };
   void open(const OpenOptions& opening);
   void send(std::span<const std::byte> frame);
-  /// Reads at most `most` available bytes. No effect before opened(): earlier bytes belong to the handshake.
-  void take(std::size_t most);
+  /// Reads at most `max_bytes` available bytes. No effect before opened(): earlier bytes belong to the
+  /// handshake.
+  void take(std::size_t max_bytes);
   /// `abruptly`: with a reset, like a connection that is cut.
   void close(bool abruptly);
 

@@ -124,8 +124,8 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
 }
 
 std::optional<AppliedEdits::Changes> EditState::changes_since(ChunkKey key, std::uint64_t since,
-                                                              std::size_t most) const {
-  return recent_.since(key, index_.find(key), since, most);
+                                                              std::size_t max_voxels) const {
+  return recent_.since(key, index_.find(key), since, max_voxels);
 }
 
 std::optional<edits::Editor> EditState::editor(edits::EditorId id) const {

@@ -54,7 +54,7 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const override { return index_.rows(key); }
   [[nodiscard]] tl::expected<EditedChunk, std::string> load(ChunkKey key) const override;
   [[nodiscard]] std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
-                                                     std::size_t most) const override;
+                                                     std::size_t max_voxels) const override;
   /// The revision of the whole state.
   [[nodiscard]] std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
   [[nodiscard]] std::optional<edits::Editor> editor(edits::EditorId id) const;

@@ -40,7 +40,7 @@ class RecentChanges {
 
   /// See AppliedEdits::changes_since().
   [[nodiscard]] std::optional<AppliedEdits::Changes> since(ChunkKey key, ChunkIndex::ChunkEntry now,
-                                                           std::uint64_t since, std::size_t most) const;
+                                                           std::uint64_t since, std::size_t max_voxels) const;
 
  private:
   struct StoredChange {

@@ -76,9 +76,9 @@ class ScriptedSource final : public ChunkSource {
                     kept == in_memory.end() ? 0 : kept->second->revision());
   }
   [[nodiscard]] std::optional<ChangedVoxels> changes_since(ChunkKey key, std::uint64_t since,
-                                                           std::size_t most) const override {
+                                                           std::size_t max_voxels) const override {
     auto changed = changes ? changes(key, since) : std::nullopt;
-    return changed && changed->voxels.size() <= most ? changed : std::nullopt;
+    return changed && changed->voxels.size() <= max_voxels ? changed : std::nullopt;
   }
   [[nodiscard]] MixedRows column(ChunkKey key, Version) override { return rows_of ? rows_of(key) : rows; }
 

@@ -26,7 +26,7 @@ class NumberReader {
  public:
   explicit NumberReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
 
-  std::uint32_t take(std::uint32_t most) {
+  std::uint32_t take(std::uint32_t max_value) {
     std::uint64_t value = 0;
     for (int shift = 0; !fault_; shift += 7) {
       if (bytes_.empty()) {
@@ -38,7 +38,7 @@ class NumberReader {
       value |= (byte & 127) << shift;
       const bool padded = byte == 0 && shift > 0;
       // Five bytes hold 35 bits, more than any number here needs.
-      if (padded || value > most || (byte >= 128 && shift == 28)) fault_ = RunsError::bad_number;
+      if (padded || value > max_value || (byte >= 128 && shift == 28)) fault_ = RunsError::bad_number;
       if (byte < 128) break;
     }
     return fault_ ? 0 : static_cast<std::uint32_t>(value);

@@ -50,14 +50,14 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
 
 tl::expected<Contents, std::string> read_contents(
     jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
-    std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read) {
+    std::uint64_t max_messages, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read) {
   const auto info = ask_stream_info(connection, target.names);
   if (!info) return tl::unexpected{failure_of(info.error(), target.names).reason};
   const StreamState state = info->state;
   Contents contents;
   contents.last = state.last;
   contents.enabled = state.enabled;
-  contents.first = std::max(state.first, state.last - std::min(state.last, most) + 1);
+  contents.first = std::max(state.first, state.last - std::min(state.last, max_messages) + 1);
   for (std::uint64_t sequence = contents.first; sequence <= state.last; ++sequence) {
     const auto message = message_of(connection, target, sequence);
     if (!message) return tl::unexpected{message.error()};

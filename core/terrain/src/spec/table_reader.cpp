@@ -182,14 +182,14 @@ bool within(double value, Range range) {
 
 }  // namespace
 
-Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t most,
+Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t max_count,
                          const Curve& otherwise) {
   const toml::node* const node = table_of(table_).get(key);
   if (node == nullptr) return otherwise;
-  const std::string wanted = text_of("a list of 1 to ", most, " knots [x, y]");
+  const std::string wanted = text_of("a list of 1 to ", max_count, " knots [x, y]");
   const toml::array* const array = node->as_array();
   if (array == nullptr) return wrong_type(*this, *node, key, wanted), otherwise;
-  if (array->empty() || array->size() > most) {
+  if (array->empty() || array->size() > max_count) {
     fail(key, text_of(array->size(), " knots; ", wanted, " is needed"));
     return otherwise;
   }
@@ -252,13 +252,14 @@ std::vector<double> TableReader::numbers(const std::string& key, Range range,
   return wrong_type(*this, *node, key, wanted + " numbers"), std::vector<double>{};
 }
 
-std::vector<std::string> TableReader::texts(const std::string& key, std::size_t max_bytes, std::size_t most) {
+std::vector<std::string> TableReader::texts(const std::string& key, std::size_t max_bytes,
+                                            std::size_t max_count) {
   const toml::node* const node = find(*this, table_of(table_), key, "a list of strings");
   if (node == nullptr) return {};
   const toml::array* const list = node->as_array();
-  const bool sized = list != nullptr && !list->empty() && list->size() <= most;
+  const bool sized = list != nullptr && !list->empty() && list->size() <= max_count;
   if (!sized)
-    return wrong_type(*this, *node, key, text_of("a list of 1 to ", most, " strings")),
+    return wrong_type(*this, *node, key, text_of("a list of 1 to ", max_count, " strings")),
            std::vector<std::string>{};
   std::vector<std::string> texts;
   for (const toml::node& each : *list) {
