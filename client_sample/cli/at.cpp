@@ -34,7 +34,7 @@ void print(const client::Column& column, std::size_t i, const client::ColumnPlac
 
 }  // namespace
 
-asio::awaitable<CommandResult> at(Connecting connecting, AtOptions options) {
+asio::awaitable<CommandResult> at(ConnectTarget connecting, AtOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   const RequestTimeout timeout{executor, *connecting.options.clock, client,

@@ -127,9 +127,9 @@ void add_edit(CLI::App& app, EditOptions& options, Words& words) {
 }
 
 // Checks beyond the parser's. The error is one line.
-using Checked = tl::expected<CommandLine, std::string>;
+using CheckResult = tl::expected<CommandLine, std::string>;
 
-Checked check_get(CommandLine line, GetOptions options, const Words& words) {
+CheckResult check_get(CommandLine line, GetOptions options, const Words& words) {
   const auto lod = Lod::checked(words.lod);
   if (!lod) return tl::unexpected{"--lod: " + lod.error().message};
   const auto key = checked_chunk(words.x, words.y, words.z, *lod);
@@ -139,7 +139,7 @@ Checked check_get(CommandLine line, GetOptions options, const Words& words) {
   return line;
 }
 
-Checked check_at(CommandLine line, AtOptions options, const Words& words) {
+CheckResult check_at(CommandLine line, AtOptions options, const Words& words) {
   if (words.columns.size() % 2 != 0) {
     return tl::unexpected{std::string{"columns: "} + std::to_string(words.columns.back()) +
                           " has no z; X,Z of each is needed"};
@@ -151,7 +151,7 @@ Checked check_at(CommandLine line, AtOptions options, const Words& words) {
   return line;
 }
 
-Checked check_fly(CommandLine line, FlyOptions options, const Words& words) {
+CheckResult check_fly(CommandLine line, FlyOptions options, const Words& words) {
   if (!words.from.empty()) {
     options.from = client::Column{words.from[0], words.from[1]};
     const auto there = extent_around(options.from->x, options.from->z, 1, 1);
@@ -169,7 +169,7 @@ Checked check_fly(CommandLine line, FlyOptions options, const Words& words) {
   return line;
 }
 
-Checked check_map(CommandLine line, MapOptions options, const Words& words) {
+CheckResult check_map(CommandLine line, MapOptions options, const Words& words) {
   if (auto png = check_png_name(options.output, "--output"); !png) return tl::unexpected{png.error()};
   options.width = words.size[0];
   options.depth = words.size[1];
@@ -182,7 +182,7 @@ Checked check_map(CommandLine line, MapOptions options, const Words& words) {
   return line;
 }
 
-Checked check_edit(CommandLine line, EditOptions options, const Words& words) {
+CheckResult check_edit(CommandLine line, EditOptions options, const Words& words) {
   if (options.material.empty() && !words.as_generated) {
     return tl::unexpected{std::string{"edit: give --material NAME, or --as-generated"}};
   }

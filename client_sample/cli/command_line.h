@@ -12,7 +12,7 @@
 namespace talus::cli {
 
 struct CommandLine {
-  Connecting connecting;
+  ConnectTarget connecting;
   std::variant<GetOptions, AtOptions, FlyOptions, MapOptions, EditOptions> options;
 };
 

@@ -47,7 +47,7 @@ tl::expected<client::Edit, std::string> edit_of(const EditOptions& options, cons
 
 }  // namespace
 
-asio::awaitable<CommandResult> edit(Connecting connecting, EditOptions options) {
+asio::awaitable<CommandResult> edit(ConnectTarget connecting, EditOptions options) {
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};
   const RequestTimeout timeout{executor, *connecting.options.clock, client,

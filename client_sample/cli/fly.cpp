@@ -38,7 +38,7 @@ constexpr std::size_t kColumnsAtOnce = 256;
 constexpr double kLookDown = 0.16;  // slope below the horizon
 
 // Data collected during the flight.
-struct Gathered {
+struct FlightData {
   client::ChunkStore store{kStoreBytes};
   std::optional<SurfaceMap> surface;
   ViewWaits waits;
@@ -47,7 +47,7 @@ struct Gathered {
   std::optional<std::string> lost;
 };
 
-client::Events events_into(Gathered& gathered) {
+client::Events events_into(FlightData& gathered) {
   client::Events events;
   events.on_chunk = [&gathered](const client::ReceivedChunk& received) {
     gathered.waits.chunk_arrived(received.key, Clock::now());
@@ -145,7 +145,7 @@ bool same_chunk(const VoxelPos& a, const VoxelPos& b) {
          floor_div(a.z, kChunkSize) == floor_div(b.z, kChunkSize);
 }
 
-void print_summary(const Gathered& gathered, const client::Stats& stats, double seconds) {
+void print_summary(const FlightData& gathered, const client::Stats& stats, double seconds) {
   const auto ms = [&](double part) { return gathered.waits.waits().percentile_ms(part); };
   std::cout << std::fixed << std::setprecision(1) << gathered.waits.waits().count() << " chunks in "
             << seconds << " s (" << static_cast<double>(gathered.waits.waits().count()) / seconds << "/s), "
@@ -161,7 +161,7 @@ void print_summary(const Gathered& gathered, const client::Stats& stats, double 
   }
 }
 
-CommandResult save_pictures(const Gathered& gathered, const client::WorldInfo& world,
+CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo& world,
                             const FlyOptions& options, const Camera& camera, const client::View& view,
                             const std::vector<glm::dvec2>& path) {
   if (!options.output.empty()) {
@@ -187,12 +187,12 @@ CommandResult save_pictures(const Gathered& gathered, const client::WorldInfo& w
 
 }  // namespace
 
-asio::awaitable<CommandResult> fly(Connecting connecting, FlyOptions options) {
+asio::awaitable<CommandResult> fly(ConnectTarget connecting, FlyOptions options) {
   for (const auto& path : {options.output, options.view}) {
     if (const auto checked = check_output(path); !checked) co_return checked;
   }
   const auto executor = co_await asio::this_coro::executor;
-  Gathered gathered;
+  FlightData gathered;
   client::Client client{executor, connecting.options, events_into(gathered)};
   const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
   if (!world) co_return tl::unexpected{world.error().message};

@@ -60,7 +60,7 @@ tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path
 
 }  // namespace
 
-asio::awaitable<CommandResult> get(Connecting connecting, GetOptions options) {
+asio::awaitable<CommandResult> get(ConnectTarget connecting, GetOptions options) {
   if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};

@@ -143,7 +143,7 @@ class Survey {
 
 }  // namespace
 
-asio::awaitable<CommandResult> map(Connecting connecting, MapOptions options) {
+asio::awaitable<CommandResult> map(ConnectTarget connecting, MapOptions options) {
   if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
   client::Client client{executor, connecting.options};

@@ -117,7 +117,7 @@ void Scene::add_level(const client::ChunkStore& store, Lod lod) {
   levels_.push_back(std::move(level));
 }
 
-Scene::Found Scene::find(const glm::ivec3& point) const {
+Scene::CellContent Scene::find(const glm::ivec3& point) const {
   for (const Level& level : levels_) {
     const glm::ivec3 cell{point.x >> level.shift, point.y >> level.shift, point.z >> level.shift};
     const std::int32_t content = level.at(cell);
@@ -126,7 +126,7 @@ Scene::Found Scene::find(const glm::ivec3& point) const {
   return {};
 }
 
-std::uint16_t Scene::material_in(const Found& found, const glm::ivec3& point) const {
+std::uint16_t Scene::material_in(const CellContent& found, const glm::ivec3& point) const {
   if (found.content < kUnknown) return static_cast<std::uint16_t>(-2 - found.content);
   const int voxel_shift = found.level->shift - kChunkShift;
   const auto local = [&](int at) {
@@ -135,13 +135,13 @@ std::uint16_t Scene::material_in(const Found& found, const glm::ivec3& point) co
   return voxel(found, {local(point.x), local(point.y), local(point.z)});
 }
 
-std::uint16_t Scene::voxel(const Found& found, const glm::ivec3& local) const {
+std::uint16_t Scene::voxel(const CellContent& found, const glm::ivec3& local) const {
   const auto index = (local.y * kChunkSize + local.z) * kChunkSize + local.x;
   return chunks_[static_cast<std::size_t>(found.content)][static_cast<std::size_t>(index)];
 }
 
 bool Scene::solid_at(const glm::ivec3& point) const {
-  const Found found = find(point);
+  const CellContent found = find(point);
   return found.level != nullptr && solid_[material_in(found, point)];
 }
 
@@ -153,7 +153,7 @@ std::optional<Hit> Scene::cast(const glm::dvec3& from, const glm::dvec3& directi
   int axis = 1;  // along which the ray entered the current cell
   while (distance < reach) {
     const glm::ivec3 point = floored(ray.at(distance + kPast));
-    const Found found = find(point);
+    const CellContent found = find(point);
     const int shift = found.level == nullptr ? kChunkShift : found.level->shift;
     const glm::ivec3 low{point.x >> shift << shift, point.y >> shift << shift, point.z >> shift << shift};
     const bool uniform = found.level == nullptr || found.content < kUnknown;

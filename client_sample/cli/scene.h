@@ -56,16 +56,16 @@ class Scene {
 
     [[nodiscard]] std::int32_t at(const glm::ivec3& cell) const;
   };
-  struct Found {
+  struct CellContent {
     const Level* level = nullptr;
     glm::ivec3 cell{};
     std::int32_t content = kUnknown;
   };
 
   void add_level(const client::ChunkStore& store, Lod lod);
-  [[nodiscard]] Found find(const glm::ivec3& point) const;
-  [[nodiscard]] std::uint16_t material_in(const Found& found, const glm::ivec3& point) const;
-  [[nodiscard]] std::uint16_t voxel(const Found& found, const glm::ivec3& local) const;
+  [[nodiscard]] CellContent find(const glm::ivec3& point) const;
+  [[nodiscard]] std::uint16_t material_in(const CellContent& found, const glm::ivec3& point) const;
+  [[nodiscard]] std::uint16_t voxel(const CellContent& found, const glm::ivec3& local) const;
 
   VoxelPos origin_;
   std::vector<bool> solid_;  // by material

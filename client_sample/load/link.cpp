@@ -35,7 +35,7 @@ std::error_code error_of(const tls::Step& step) {
 Link::Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner)
     : socket_{io}, scratch_{scratch}, owner_{owner}, frames_{protocol::kServerFrameBytes} {}
 
-void Link::open(const Opening& opening) {
+void Link::open(const OpenOptions& opening) {
   close(false);
   frames_ = protocol::FrameReader{protocol::kServerFrameBytes};
   std::error_code error;
@@ -178,10 +178,10 @@ void Link::await_input() {
   });
 }
 
-void Link::take(std::size_t most) {
+void Link::take(std::size_t max_bytes) {
   if (!established_) return;
   std::error_code error;
-  const std::size_t bytes = read_some(scratch_.first(std::min(most, scratch_.size())), error);
+  const std::size_t bytes = read_some(scratch_.first(std::min(max_bytes, scratch_.size())), error);
   if (error == asio::error::would_block) return;
   if (error) return fail(words_of(error));
   received_bytes_ += bytes;

@@ -38,7 +38,7 @@ class Link {
   /// `io`, `scratch` and `owner` must outlive the Link.
   Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner);
 
-  struct Opening {
+  struct OpenOptions {
     asio::ip::tcp::endpoint server;
     std::optional<asio::ip::address> from;
     bool paced = false;  // only take() reads bytes, and the kernel is asked to buffer few
@@ -46,10 +46,11 @@ class Link {
     client::TlsOptions tls_options{};
     client::WebSocketOptions websocket{};
   };
-  void open(const Opening& opening);
+  void open(const OpenOptions& opening);
   void send(std::span<const std::byte> frame);
-  /// Reads at most `most` available bytes. No effect before opened(): earlier bytes belong to the handshake.
-  void take(std::size_t most);
+  /// Reads at most `max_bytes` available bytes. No effect before opened(): earlier bytes belong to the
+  /// handshake.
+  void take(std::size_t max_bytes);
   /// `abruptly`: with a reset, like a connection that is cut.
   void close(bool abruptly);
 

@@ -28,9 +28,9 @@ Box box_around(const glm::i64vec3& centre, int horizontal_radius, int vertical_r
   return {{box.x.first, box.y.first, box.z.first}, {box.x.last, box.y.last, box.z.last}};
 }
 
-std::vector<PendingChunks::Missed> PendingChunks::move_to(const Box& box, const glm::i64vec3& centre,
-                                                          Time due, Time now) {
-  std::vector<Missed> gone;
+std::vector<PendingChunks::MissedChunk> PendingChunks::move_to(const Box& box, const glm::i64vec3& centre,
+                                                               Time due, Time now) {
+  std::vector<MissedChunk> gone;
   if (box == box_) return gone;
   const auto step = static_cast<Cell>(steps_.size() + 1);
   while (!past_.empty() && (past_.back().until + kOnItsWay < now || past_.size() >= kMaxPast))
@@ -115,8 +115,8 @@ PendingChunks::Arrival PendingChunks::arrive(ChunkCoord chunk) {
   return arrival;
 }
 
-std::vector<PendingChunks::Missed> PendingChunks::give_up() {
-  std::vector<Missed> all;
+std::vector<PendingChunks::MissedChunk> PendingChunks::give_up() {
+  std::vector<MissedChunk> all;
   for (Cell& cell : cells_) {
     if ((cell & ~kReturned) != 0) all.push_back(missed(cell));
     cell = 0;
@@ -141,7 +141,7 @@ std::size_t PendingChunks::ring_of(const glm::i64vec3& at) const {
   return static_cast<std::size_t>(std::sqrt(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z));
 }
 
-PendingChunks::Missed PendingChunks::missed(Cell cell) const {
+PendingChunks::MissedChunk PendingChunks::missed(Cell cell) const {
   const Step& step = steps_[(cell & ~kReturned) - 1];
   return {step.due, step.join, (cell & kReturned) != 0};
 }

@@ -53,7 +53,7 @@ class PendingChunks {
     /// nearest ring still awaited. -1 if order is not checked.
     std::int64_t ring_gap = -1;
   };
-  struct Missed {
+  struct MissedChunk {
     Time since{};
     bool join = false;
     bool returned = false;
@@ -62,10 +62,11 @@ class PendingChunks {
   /// Sends a View due at `due` at `now`, which is later if this program was late: chunks for the previous
   /// View may be in flight until then. Chunks shared with the previous View keep their state; returns the
   /// chunks that were awaited and are no longer wanted.
-  [[nodiscard]] std::vector<Missed> move_to(const Box& box, const glm::i64vec3& centre, Time due, Time now);
+  [[nodiscard]] std::vector<MissedChunk> move_to(const Box& box, const glm::i64vec3& centre, Time due,
+                                                 Time now);
   [[nodiscard]] Arrival arrive(ChunkCoord chunk);
   /// Returns and forgets the chunks still awaited.
-  [[nodiscard]] std::vector<Missed> give_up();
+  [[nodiscard]] std::vector<MissedChunk> give_up();
 
   [[nodiscard]] const Box& box() const { return box_; }
   /// Chunks that must arrive; excludes returned ones, which the server may know to be held.
@@ -93,7 +94,7 @@ class PendingChunks {
   [[nodiscard]] std::size_t index_of(const Box& box, const glm::i64vec3& at) const;
   [[nodiscard]] bool left_lately(const glm::i64vec3& at) const;
   [[nodiscard]] std::size_t ring_of(const glm::i64vec3& at) const;
-  [[nodiscard]] Missed missed(Cell cell) const;
+  [[nodiscard]] MissedChunk missed(Cell cell) const;
 
   Box box_;
   glm::i64vec3 centre_{};

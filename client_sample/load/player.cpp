@@ -69,7 +69,7 @@ void Player::joined(Time now) {
   revisions_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
-  look_around(now, now, true);
+  move_view(now, now, true);
   // The phase of its ticks follows from the time when it should first have joined, however late the server
   // is.
   const Time first_tick = began_ + phase_;
@@ -83,7 +83,7 @@ void Player::disconnected(bool lost) {
   record_near();
   if (lost && !lost_) lost_ = now;
   if (lost && !lost_all_) lost_all_ = lost_since().value_or(now);
-  for (const PendingChunks::Missed& missed : pending_.give_up()) {
+  for (const PendingChunks::MissedChunk& missed : pending_.give_up()) {
     if (lost) record_missed(missed, now);
   }
 }
@@ -94,11 +94,11 @@ void Player::act_joined(Time now) {
       tick_due_ = Time::max();
       return;
     }
-    look_around(tick_due_, now, false);
+    move_view(tick_due_, now, false);
   }
 }
 
-void Player::look_around(Time due, Time now, bool first) {
+void Player::move_view(Time due, Time now, bool first) {
   const Pose pose = motion_->at(std::chrono::duration<double>(due - began_).count());
   const glm::i64vec3 centre = chunk_at(pose.place);
   const bool moved = first || centre != chunk_at(pose_.place);
@@ -109,7 +109,7 @@ void Player::look_around(Time due, Time now, bool first) {
   const Options& options = worker().plan().options;
   const Time jumped_before = pending_.jumped();
   const Box before = pending_.box();
-  for (const PendingChunks::Missed& missed :
+  for (const PendingChunks::MissedChunk& missed :
        pending_.move_to(box_around(centre, options.radius, options.vertical), centre, due, now)) {
     record_missed(missed, due);
   }
@@ -169,7 +169,7 @@ void Player::send_view(const Pose& pose) {
   if (!view.rings.empty()) rings_.move_to(client::ViewShape{view, worker().plan().world.heights()});
 }
 
-void Player::record_missed(const PendingChunks::Missed& missed, Time now) {
+void Player::record_missed(const PendingChunks::MissedChunk& missed, Time now) {
   if (missed.returned) {
     ++tally().unconfirmed;
     return;
@@ -218,7 +218,7 @@ void Player::take(const wire::UniformColumn& column) {
   }
 }
 
-bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how) {
+bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const ArrivalForm& how) {
   const bool is_newer = revisions_.raise(chunk, how.revision);
   // A run may cover rows already held, without meaning that they were sent.
   switch (verdict) {
@@ -249,15 +249,15 @@ bool Player::came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& 
   return true;
 }
 
-void Player::arrive(ChunkKey chunk, Time now, const Coming& how) {
+void Player::arrive(ChunkKey chunk, Time now, const ArrivalForm& how) {
   if (chunk.lod == Lod{}) {
     arrive_near(chunk.coord, now, how);
   } else if (came(rings_.arrive(chunk), chunk, how)) {
-    look_whether_full(now);
+    record_if_full(now);
   }
 }
 
-void Player::arrive_near(ChunkCoord chunk, Time now, const Coming& how) {
+void Player::arrive_near(ChunkCoord chunk, Time now, const ArrivalForm& how) {
   const PendingChunks::Arrival arrival = pending_.arrive(chunk);
   if (!came(arrival.verdict, {chunk, Lod{}}, how)) return;
   if (how.alone && arrival.ring_gap >= 0) {
@@ -274,10 +274,10 @@ void Player::arrive_near(ChunkCoord chunk, Time now, const Coming& how) {
   if (lost_ && pending_.near_waiting() == 0)
     tally().returns.record(now - *std::exchange(lost_, std::nullopt));
   if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
-  look_whether_full(now);
+  record_if_full(now);
 }
 
-void Player::look_whether_full(Time now) {
+void Player::record_if_full(Time now) {
   if (pending_.waiting() > 0) return;
   if (std::exchange(full_to_come_, false)) tally().full_view.record(now - full_since_);
   if (lost_all_) tally().full_again.record(now - *std::exchange(lost_all_, std::nullopt));
@@ -294,7 +294,7 @@ void Player::give_up() {
   const Time now = Clock::now();
   near_.stop(now);
   record_near();
-  for (const PendingChunks::Missed& missed : pending_.give_up()) {
+  for (const PendingChunks::MissedChunk& missed : pending_.give_up()) {
     record_missed(missed, now);
     if (missed.returned || role() == Role::slow) continue;
     --tally().missed;

@@ -28,22 +28,22 @@ class Player final : public SimulatedClient {
   void take(const wire::EditBroadcast& broadcast) override;
   void give_up() override;
 
-  void look_around(Time due, Time now, bool first);
+  void move_view(Time due, Time now, bool first);
   void send_view(const Pose& pose);
   void record_near();
   void count_new_patches(const Box& before, Time due);
-  void record_missed(const PendingChunks::Missed& missed, Time now);
+  void record_missed(const PendingChunks::MissedChunk& missed, Time now);
   /// Form in which a chunk arrived: in a UniformColumn with others, or in its own message.
-  struct Coming {
+  struct ArrivalForm {
     bool alone = false;
     std::uint64_t revision = 0;
   };
-  void arrive(ChunkKey chunk, Time now, const Coming& how);
-  void arrive_near(ChunkCoord chunk, Time now, const Coming& how);
+  void arrive(ChunkKey chunk, Time now, const ArrivalForm& how);
+  void arrive_near(ChunkCoord chunk, Time now, const ArrivalForm& how);
   /// Counts a verdict; returns true if the chunk was awaited.
-  [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, const Coming& how);
+  [[nodiscard]] bool came(PendingChunks::Verdict verdict, ChunkKey chunk, const ArrivalForm& how);
   /// Call when a chunk arrived: checks whether the View is complete.
-  void look_whether_full(Time now);
+  void record_if_full(Time now);
 
   std::unique_ptr<Motion> motion_;
   Clock::duration tick_;

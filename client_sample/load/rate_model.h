@@ -13,17 +13,17 @@ class RateModel {
   /// 0 per second: unlimited. The bucket is initially full.
   RateModel(std::uint64_t per_second, std::chrono::milliseconds burst)
       : per_second_{static_cast<double>(per_second)},
-        most_{per_second_ * static_cast<double>(burst.count()) / 1000},
-        level_{most_} {}
+        max_level_{per_second_ * static_cast<double>(burst.count()) / 1000},
+        level_{max_level_} {}
 
   /// `count` arrived in the next `seconds`. `counts`: this time is part of the measurement.
   void add(double seconds, double count, bool counts) {
-    level_ = std::max(0.0, std::min(most_, level_ + per_second_ * seconds) - count);
+    level_ = std::max(0.0, std::min(max_level_, level_ + per_second_ * seconds) - count);
     if (!counts) return;
     seconds_ += seconds;
     count_ += count;
     // The server has counted a quarter of a second more than the players have received.
-    if (level_ <= std::min(per_second_ / 4, most_ / 10)) empty_seconds_ += seconds;
+    if (level_ <= std::min(per_second_ / 4, max_level_ / 10)) empty_seconds_ += seconds;
   }
 
   /// The share of time, 0 to 1, in which the bucket was empty. If the bucket was not full at first, the
@@ -37,7 +37,7 @@ class RateModel {
   [[nodiscard]] double per_second() const { return per_second_; }
 
  private:
-  double per_second_, most_, level_;
+  double per_second_, max_level_, level_;
   double seconds_ = 0, count_ = 0, empty_seconds_ = 0;
 };
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kIdleJoinsPerSecond = 2000;
 constexpr std::chrono::seconds kIdleTimeout{60};
-constexpr std::chrono::milliseconds kBetweenLooks{100};
+constexpr std::chrono::milliseconds kPollInterval{100};
 constexpr std::chrono::seconds kServerSettles{3};
 constexpr std::uint64_t kSpareFiles = 64;
 
@@ -94,7 +94,7 @@ class Run {
 
   tl::expected<RunResult, std::string> go() {
     if (watch_.watches())
-      wait_until(Clock::now() + kBetweenLooks);  // until the probe's disconnect is
+      wait_until(Clock::now() + kPollInterval);  // until the probe's disconnect is
                                                  // visible
     auto before = watch_.sample();
     if (!before) return tl::unexpected{before.error()};
@@ -122,7 +122,7 @@ class Run {
     for (const auto& worker : workers_) worker->begin(true, start, Time::max());
     ProgressBar progress{"idle", "connections"};
     while (sum(&Live::joined) < idle && Clock::now() < start + kIdleTimeout && !interrupted_) {
-      wait_until(Clock::now() + kBetweenLooks);
+      wait_until(Clock::now() + kPollInterval);
       progress.show(static_cast<double>(sum(&Live::joined)) / static_cast<double>(idle), sum(&Live::joined));
     }
     result_.idle_joined = sum(&Live::joined);
@@ -176,7 +176,7 @@ class Run {
   }
 
   void add_to_rates() {
-    const RatesSeen now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
+    const RateSample now{Clock::now(), sum(&Live::chunks), sum(&Live::bytes)};
     const double passed = std::chrono::duration<double>(now.at - rates_seen_.at).count();
     for (const auto& [name, share] : shares_) {
       const auto add = [&, &name = name, &share = share](const char* of, std::uint64_t count) {
@@ -191,8 +191,8 @@ class Run {
   void watch_progress(ProgressBar& progress, Time until, Time end) {
     while (Clock::now() < until && !interrupted_) {
       const std::uint64_t chunks_before = sum(&Live::chunks) + sum(&Live::uniform);
-      const Time looked = Clock::now();
-      wait_until(std::min(until, looked + kBetweenLooks * 5));
+      const Time sampled = Clock::now();
+      wait_until(std::min(until, sampled + kPollInterval * 5));
       const Time now = Clock::now();
       add_to_rates();
       const std::uint64_t chunks = sum(&Live::chunks) + sum(&Live::uniform);
@@ -203,7 +203,7 @@ class Run {
           std::chrono::duration<double>(now - start_) / std::chrono::duration<double>(end - start_), chunks,
           fmt::format("now {:.0f}/s  {} clients{}",
                       static_cast<double>(chunks - chunks_before) /
-                          std::max(1e-3, std::chrono::duration<double>(now - looked).count()),
+                          std::max(1e-3, std::chrono::duration<double>(now - sampled).count()),
                       sum(&Live::joined), troubles == 0 ? "" : fmt::format("  {} troubles", troubles)));
     }
   }
@@ -229,7 +229,7 @@ class Run {
     // The server takes a moment to notice that they left.
     const Time deadline = Clock::now() + kServerSettles;
     do {
-      wait_until(Clock::now() + kBetweenLooks);
+      wait_until(Clock::now() + kPollInterval);
       result_.after = watch_.sample().value_or(ServerSample{});
     } while (result_.after.open_files.value_or(0) > result_.before.open_files.value_or(0) &&
              Clock::now() < deadline);
@@ -252,11 +252,11 @@ class Run {
   bool interrupted_ = false;
   std::vector<std::unique_ptr<Worker>> workers_;
   Time start_{};
-  struct RatesSeen {
+  struct RateSample {
     Time at{};
     std::uint64_t chunks = 0, bytes = 0;
   };
-  RatesSeen rates_seen_;
+  RateSample rates_seen_;
   std::map<std::string, double> shares_;  // share of all arrivals, by scope of the rate
   bool measures_ = false;
   RunResult result_;

@@ -12,7 +12,7 @@ namespace talus::load {
 namespace {
 
 constexpr std::size_t kScratchBytes = std::size_t{256} * 1024;
-constexpr std::chrono::milliseconds kBetweenLooks{20};
+constexpr std::chrono::milliseconds kPollInterval{20};
 
 /// Building material: the last solid one, so a placeable rather than a generated one if possible.
 MaterialId building_material(const client::WorldInfo& world) {
@@ -91,7 +91,7 @@ void Worker::finish(Time deadline) {
 void Worker::end_if_satisfied(Time deadline) {
   const auto satisfied = [](const auto& client) { return client->satisfied(); };
   if (Clock::now() < deadline && !std::all_of(clients_.begin(), clients_.end(), satisfied)) {
-    end_timer_.expires_after(kBetweenLooks);
+    end_timer_.expires_after(kPollInterval);
     end_timer_.async_wait([this, deadline](std::error_code) { end_if_satisfied(deadline); });
     return;
   }

@@ -19,7 +19,7 @@ using client::Column;
 constexpr std::int64_t kGroupsApart = 8192;  // voxels
 constexpr std::chrono::seconds kProbeTimeout{30};
 
-struct Failed {
+struct ProbeError {
   std::string line;
 };
 
@@ -54,7 +54,8 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
                                                       const std::vector<Column>& columns) {
   // A world may allow few tiles per request: find an accepted size by halving.
   std::size_t most = client.world()->limits.heights_per_request;
-  if (most == 0) throw Failed{"the server allows no heights in a request: limits.heights_per_request is 0"};
+  if (most == 0)
+    throw ProbeError{"the server allows no heights in a request: limits.heights_per_request is 0"};
   std::vector<std::int32_t> heights;
   while (heights.size() < columns.size()) {
     const auto from = columns.begin() + static_cast<std::ptrdiff_t>(heights.size());
@@ -65,30 +66,30 @@ asio::awaitable<std::vector<std::int32_t>> heights_of(client::Client& client,
     } else if (some.error().kind == client::ErrorKind::out_of_range && count > 1) {
       most = count / 2;
     } else {
-      throw Failed{some.error().message};
+      throw ProbeError{some.error().message};
     }
   }
   co_return heights;
 }
 
 /// After connecting: checks that the server accepts the options, and finds the players' places.
-asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
+asio::awaitable<void> explore(client::Client& client, Plan& plan) {
   const Options& options = plan.options;
   const auto& limits = plan.world.limits;
   if (options.radius > limits.view_horizontal_radius || options.vertical > limits.view_vertical_radius) {
-    throw Failed{"the server allows --radius up to " + std::to_string(limits.view_horizontal_radius) +
-                 " and --vertical up to " + std::to_string(limits.view_vertical_radius)};
+    throw ProbeError{"the server allows --radius up to " + std::to_string(limits.view_horizontal_radius) +
+                     " and --vertical up to " + std::to_string(limits.view_vertical_radius)};
   }
   const client::View view = plan.view_at({}, {});
   if (view.horizon && !limits.view_horizon)
-    throw Failed{"the server does not support a View with a --horizon"};
+    throw ProbeError{"the server does not support a View with a --horizon"};
   const std::uint64_t chunks = client::ViewShape{view, plan.world.heights()}.uncut_count();
   if (chunks > limits.view_chunks) {
-    throw Failed{"the server allows Views of " + std::to_string(limits.view_chunks) +
-                 " chunks, and this one has " + std::to_string(chunks)};
+    throw ProbeError{"the server allows Views of " + std::to_string(limits.view_chunks) +
+                     " chunks, and this one has " + std::to_string(chunks)};
   }
   if (options.in_flight > limits.requests_in_flight) {
-    throw Failed{"the server allows --in-flight up to " + std::to_string(limits.requests_in_flight)};
+    throw ProbeError{"the server allows --in-flight up to " + std::to_string(limits.requests_in_flight)};
   }
   const std::size_t groups =
       options.groups != 0 ? options.groups : options.players + options.slow + options.greedy;
@@ -110,7 +111,7 @@ asio::awaitable<void> look_around(client::Client& client, Plan& plan) {
   }
 }
 
-asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
+asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   const Options& options = plan.options;
   asio::ip::tcp::resolver resolver{io};
   const auto found =
@@ -127,7 +128,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
     if (connecting.tls.server_name.empty()) connecting.tls.server_name = options.connect.server.host;
     plan.options.connect.tls = connecting.tls;
     const auto context = client::make_tls_context(connecting.tls);
-    if (!context) throw Failed{context.error().message};
+    if (!context) throw ProbeError{context.error().message};
     plan.tls = *context;
   }
   client::Client client{io.get_executor(), connecting};
@@ -150,7 +151,7 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
     plan.servers.push_back(resolver.resolve(more.host, std::to_string(more.port))->endpoint());
   }
   if (client.world() == nullptr || !client.connected()) {
-    throw Failed{why.empty() ? "the server ended the connection right after Welcome" : why};
+    throw ProbeError{why.empty() ? "the server ended the connection right after Welcome" : why};
   }
   // Bounds the wait for a server that never answers.
   asio::steady_timer deadline{io, kProbeTimeout};
@@ -161,9 +162,10 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
     client.close();
   });
   try {
-    co_await look_around(client, plan);
-  } catch (const Failed&) {
-    if (late) throw Failed{"the server did not send the ground's heights at the players' places within 30 s"};
+    co_await explore(client, plan);
+  } catch (const ProbeError&) {
+    if (late)
+      throw ProbeError{"the server did not send the ground's heights at the players' places within 30 s"};
     throw;
   }
 }
@@ -173,11 +175,11 @@ asio::awaitable<void> look(asio::io_context& io, Plan& plan) {
 tl::expected<void, std::string> probe_world(Plan& plan) {
   asio::io_context io{1};
   std::exception_ptr thrown;
-  asio::co_spawn(io, look(io, plan), [&](const std::exception_ptr& exception) { thrown = exception; });
+  asio::co_spawn(io, probe(io, plan), [&](const std::exception_ptr& exception) { thrown = exception; });
   io.run();
   try {
     if (thrown) std::rethrow_exception(thrown);
-  } catch (const Failed& failed) {
+  } catch (const ProbeError& failed) {
     return tl::unexpected{failed.line};
   } catch (const std::system_error& error) {
     return tl::unexpected{to_string(plan.options.connect.server) + ": " + error.code().message()};

@@ -37,9 +37,9 @@ tl::expected<std::map<MaterialId, std::uint64_t>, std::string> count_uses(const 
   return uses;
 }
 
-tl::expected<edits::Applied, EditError> apply_now(EditLog& edits, LogEntry entry,
-                                                  const std::function<bool()>& waits) {
-  using Outcome = tl::expected<edits::Applied, EditError>;
+tl::expected<edits::EntryResult, EditError> apply_now(EditLog& edits, LogEntry entry,
+                                                      const std::function<bool()>& waits) {
+  using Outcome = tl::expected<edits::EntryResult, EditError>;
   const auto answer = std::make_shared<std::promise<Outcome>>();
   auto answered = answer->get_future();
   const auto taken = edits.append(std::move(entry), [answer](const auto& outcome) {
@@ -113,7 +113,7 @@ tl::expected<edits::NamedIds, std::string> bind_by_log(std::vector<std::string> 
       std::this_thread::sleep_for(kRetryToBind);
       continue;
     }
-    if (applied->kind != edits::Applied::Kind::bound) {
+    if (applied->kind != edits::EntryResult::Kind::bound) {
       return tl::unexpected{
           fmt::format("the log has no ids for the world's {} new materials; the world must "
                       "name fewer",

@@ -68,7 +68,7 @@ ClusterTools cluster_tools() {
   return tools;
 }
 
-tl::expected<join::Prepared, std::string> prepare_member(
+tl::expected<join::PreparedStore, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, store::DataDirectory& directory,
     ContentHash fingerprint, const OnJoining& on_joining,
     const std::function<void(const std::optional<AsideStore>&)>& on_aside, Logger log) {

@@ -42,7 +42,7 @@ struct ClusterKeys {
 
 /// Prepares the store in `directory` (cluster/join/prepare_store.h) and returns its log. Waits as long as
 /// neither the log nor a peer can be reached. An error is one line.
-[[nodiscard]] tl::expected<join::Prepared, std::string> prepare_member(
+[[nodiscard]] tl::expected<join::PreparedStore, std::string> prepare_member(
     const Cluster& settings, const ClusterKeys& keys, store::DataDirectory& directory,
     ContentHash fingerprint, const OnJoining& on_joining,
     const std::function<void(const std::optional<AsideStore>&)>& on_aside, Logger log);

@@ -6,9 +6,9 @@
 
 namespace talus::server {
 
-void LostStore::lose(cluster::Lost how, const std::string& reason) {
-  using cluster::Lost;
-  if (how == Lost::other) {
+void LostStore::lose(cluster::StoreLoss how, const std::string& reason) {
+  using cluster::StoreLoss;
+  if (how == StoreLoss::other) {
     log_->error("cluster: {}; no edits are taken; see \"talusd store fork --help\"", reason);
     return;
   }
@@ -18,7 +18,7 @@ void LostStore::lose(cluster::Lost how, const std::string& reason) {
         reason);
     return;
   }
-  if (how == Lost::wrong_state) {
+  if (how == StoreLoss::wrong_state) {
     if (const auto noted = join::want_rejoin(directory_, reason); !noted)
       log_->error("cluster: {}", noted.error());
   }

@@ -22,7 +22,7 @@ class LostStore {
       : directory_{std::move(directory)}, has_peers_{has_peers}, log_{std::move(log)} {}
 
   /// Callable from any thread, once. If the server is not serving yet, ends the process.
-  void lose(cluster::Lost how, const std::string& reason);
+  void lose(cluster::StoreLoss how, const std::string& reason);
   /// Ends the server so that it is started again with its store. Callable from any thread, repeatedly.
   void start_again(const std::string& reason);
   /// From now on wants_end() is polled.

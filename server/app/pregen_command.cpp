@@ -35,7 +35,7 @@
 namespace talus::server {
 namespace {
 
-using Ended = tl::expected<PregenProgress, std::string>;
+using PregenResult = tl::expected<PregenProgress, std::string>;
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -75,13 +75,13 @@ tl::expected<void, std::string> check_world(const Config& config) {
                   to_string((*world)->fingerprint()))};
 }
 
-Ended by_server(StoreConnection& server, const Config& config, const PregenPlan& plan) {
+PregenResult by_server(StoreConnection& server, const Config& config, const PregenPlan& plan) {
   if (const auto same = check_world(config); !same) return tl::unexpected{same.error()};
   Report report;
   return server.pregen(plan, [&](const PregenProgress& progress) { report(progress); });
 }
 
-Ended by_itself(const Config& config, const PregenPlan& plan) {
+PregenResult by_itself(const Config& config, const PregenPlan& plan) {
   const auto world = load_world(config.world);
   if (!world) return tl::unexpected{world.error()};
   const auto columns = column_cache_settings(config, (*world)->fingerprint());
@@ -111,7 +111,7 @@ Ended by_itself(const Config& config, const PregenPlan& plan) {
   Pregen pregen{{chunks, [] { return false; }, clock, threads, pregen_file(*columns),
                  [&chunks] { chunks.keep_on_disk(); }}};
   Report report;
-  const Ended ended = pregen.run(plan, [&](const PregenProgress& progress) {
+  const PregenResult ended = pregen.run(plan, [&](const PregenProgress& progress) {
     report(progress);
     while (!chunks.fit_caches()) {
     }
@@ -193,7 +193,7 @@ int pregen_command(int argc, const char* const* argv, const Environment& environ
 
   auto server = StoreConnection::open(config.data);
   if (!server) return pregen_failed(server.error());
-  const Ended ended = *server ? by_server(**server, config, plan) : by_itself(config, plan);
+  const PregenResult ended = *server ? by_server(**server, config, plan) : by_itself(config, plan);
   if (!ended) return pregen_failed(ended.error());
   fmt::print("{} of {} squares are made, {} columns of chunks in this run\n", ended->squares, ended->of,
              ended->columns);

@@ -147,7 +147,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     if (!prepared) return fail(prepared.error());
     shared = {
         std::move(prepared->stream), prepared->joins,
-        [lost](talus::server::cluster::Lost how, const std::string& reason) { lost->lose(how, reason); },
+        [lost](talus::server::cluster::StoreLoss how, const std::string& reason) { lost->lose(how, reason); },
         [lost](const std::string& reason) { lost->start_again(reason); }};
   }
   if (*data) {

@@ -39,9 +39,9 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
-constexpr std::chrono::seconds kLookAtMemory{1};
-constexpr std::chrono::seconds kLookAtFlows{1};
-constexpr std::chrono::seconds kLookAtEdits{1};
+constexpr std::chrono::seconds kMemoryInterval{1};
+constexpr std::chrono::seconds kFlowsInterval{1};
+constexpr std::chrono::seconds kEditsInterval{1};
 constexpr std::size_t kTopFlows = 10;
 // The main thread counts as hung after this long without housekeeping.
 constexpr std::chrono::seconds kMaxSilence{15};
@@ -129,10 +129,10 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
 }
 
 RunnerContextPtr Server::make_context(const Config& config) {
-  struct Kept {
+  struct OwnedContext {
     SessionLimits limits;
     RunnerContext context;
-    Kept(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
+    OwnedContext(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
         : limits{of_sessions},
           context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
                    server.rates_, server.flows_, server.clock_,
@@ -141,7 +141,7 @@ RunnerContextPtr Server::make_context(const Config& config) {
                   server.registry_,
                   server.log_of_clients_} {}
   };
-  const auto kept = std::make_shared<const Kept>(
+  const auto kept = std::make_shared<const OwnedContext>(
       session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config), *this);
   return {kept, &kept->context};
 }
@@ -179,7 +179,7 @@ std::string Server::metrics_text() {
     }
     const LocalLog::Status log = edits_->status();
     const EditState& state = edits_->state();
-    const store::HistoryKept history = edits_->history();
+    const store::HistorySpan history = edits_->history();
     gauges.edits = {
         log.head.revision,         edits_->preparing(),    log.waiting,         state.editor_count(),
         log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
@@ -288,7 +288,7 @@ void Server::stop_handling_signals() {
 
 decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
   if (edits_ == nullptr) return {};
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   checkpoints_ = std::make_unique<CheckpointService>(
       CheckpointService::Parts{access_, metrics_, clock_, config_.data,
                                [this](const auto& path) { return edits_->checkpoint(path); }},
@@ -449,8 +449,8 @@ bool Server::fit_edit_cache() {
 void Server::watch_edits() {
   if (edits_ == nullptr) return;
   const auto now = clock_.now();
-  if (now - last_look_at_edits_ < kLookAtEdits) return;
-  last_look_at_edits_ = now;
+  if (now - edits_checked_at_ < kEditsInterval) return;
+  edits_checked_at_ = now;
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
   chunks_.count_columns();
@@ -466,8 +466,8 @@ void Server::watch_edits() {
 
 void Server::collect_flows() {
   const auto now = clock_.now();
-  if (now - last_look_at_flows_ < kLookAtFlows) return;
-  last_look_at_flows_ = now;
+  if (now - flows_collected_at_ < kFlowsInterval) return;
+  flows_collected_at_ = now;
   try {
     flows_.collect(now);
   } catch (const std::exception& error) {  // the next collection does the rest
@@ -477,8 +477,8 @@ void Server::collect_flows() {
 
 void Server::give_memory_back() {
   const auto now = clock_.now();
-  if (now - last_look_at_memory_ < kLookAtMemory) return;
-  last_look_at_memory_ = now;
+  if (now - memory_checked_at_ < kMemoryInterval) return;
+  memory_checked_at_ = now;
 #ifdef __GLIBC__
   if (trims_ || !trim_policy_.due(memory_.used())) return;
   // On a separate thread, because this one serves players and the system call is slow.

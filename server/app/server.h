@@ -158,9 +158,9 @@ class Server {
   std::set<std::string> told_of_queries_;  // malformed balancer queries already logged
   asio::steady_timer housekeeping_timer_;
   TrimPolicy trim_policy_;
-  Clock::time_point last_look_at_memory_{};
-  Clock::time_point last_look_at_flows_{};
-  Clock::time_point last_look_at_edits_{};
+  Clock::time_point memory_checked_at_{};
+  Clock::time_point flows_collected_at_{};
+  Clock::time_point edits_checked_at_{};
   std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: not changed yet
   std::optional<std::string> edits_read_only_;  // as last logged
   std::function<bool()> end_wanted_;

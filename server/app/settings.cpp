@@ -70,12 +70,12 @@ namespace {
 /// New editors per hour. A configured rate ignores the budget, because many players may share one address.
 std::uint64_t editors_of_address(const Config& config, std::uint64_t site_bytes, std::uint64_t hours) {
   if (config.rates.address_editors) return *config.rates.address_editors;
-  constexpr std::uint64_t kMost = 512;
+  constexpr std::uint64_t kMaxEditorsPerHour = 512;
   constexpr std::uint64_t kShare = 4;
   constexpr std::uint64_t kFew = 16;  // 0 would mean unlimited
   const std::uint64_t have_room = std::min<std::uint64_t>(
       edit_state_settings(config, site_bytes).editor_bytes / EditState::kUsedEditorBytes, edits::kMaxEditors);
-  return std::min(kMost, std::max(have_room / kShare / hours, kFew));
+  return std::min(kMaxEditorsPerHour, std::max(have_room / kShare / hours, kFew));
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ tl::expected<void, std::string> check_memory(const Config& config, std::uint64_t
 
 namespace {
 
-constexpr std::uint64_t kMostRecentBytes = EditStateSettings{}.recent_bytes;
+constexpr std::uint64_t kMaxRecentBytes = EditStateSettings{}.recent_bytes;
 
 /// Permanent memory of edits within the budget.
 std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
@@ -178,10 +178,10 @@ std::uint64_t room_for_edits(const Config& config, std::uint64_t site_bytes) {
 
 /// Divides the room left by recent changes; the index may use three quarters of it.
 store::StoreMemory store_memory_of(std::uint64_t left) {
-  constexpr std::uint64_t kLeast = std::uint64_t{128} << 10U;  // for each
+  constexpr std::uint64_t kMinBytes = std::uint64_t{128} << 10U;  // for each
   store::StoreMemory memory;
-  memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kLeast, memory.write_buffer_bytes);
-  memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kLeast, memory.block_cache_bytes);
+  memory.write_buffer_bytes = std::clamp<std::uint64_t>(left / 16, kMinBytes, memory.write_buffer_bytes);
+  memory.block_cache_bytes = std::clamp<std::uint64_t>(left / 64, kMinBytes, memory.block_cache_bytes);
   return memory;
 }
 
@@ -201,7 +201,7 @@ EditStateSettings edit_state_settings(const Config& config, std::uint64_t site_b
   // At four times this size edits wait for the disk; another batch may come on top.
   constexpr std::uint64_t kTimes = 5;
   const std::uint64_t others = limit / 2 - room + settings.recent_bytes + settings.index_bytes +
-                               store_memory_of(for_index).most() + settings.editor_bytes;
+                               store_memory_of(for_index).max_bytes() + settings.editor_bytes;
   const std::uint64_t most = limit / 8 * 5;
   settings.dirty_bytes =
       std::min<std::size_t>({settings.dirty_bytes, limit / 64, (most - std::min(most, others)) / kTimes});
@@ -221,13 +221,13 @@ tl::expected<void, std::string> check_index_memory(const Config& config, std::ui
   const std::uint64_t limit = config.limits.memory_bytes;
   const EditStateSettings settings = edit_state_settings(config, site_bytes);
   if (limit == 0 || index_bytes <= settings.index_bytes) return {};
-  if (index_bytes + settings.recent_bytes + store_memory(config, site_bytes).most() <
+  if (index_bytes + settings.recent_bytes + store_memory(config, site_bytes).max_bytes() <
       room_for_edits(config, site_bytes))
     return {};
   // The room is three eighths of the budget less the program; the index may use three quarters of it.
   Config enough = config;
   enough.limits.memory_bytes = (limit / kMebibyte + 1) * kMebibyte;
-  while (index_bytes + kMostRecentBytes + store_memory(enough, site_bytes).most() >=
+  while (index_bytes + kMaxRecentBytes + store_memory(enough, site_bytes).max_bytes() >=
          room_for_edits(enough, site_bytes)) {
     enough.limits.memory_bytes += kMebibyte;
   }
@@ -239,16 +239,16 @@ tl::expected<void, std::string> check_index_memory(const Config& config, std::ui
 
 std::optional<ColumnCacheSettings> column_cache_settings(const Config& config, ContentHash fingerprint) {
   if (config.data.empty() || config.cache.disk_bytes == 0) return std::nullopt;
-  constexpr std::size_t kMostMemory = std::size_t{24} << 20U;
-  constexpr std::size_t kLeastMemory = std::size_t{3} << 19U;
+  constexpr std::size_t kMaxMemory = std::size_t{24} << 20U;
+  constexpr std::size_t kMinMemory = std::size_t{3} << 19U;
   constexpr std::uint64_t kShare = 64;  // of the budget
   const std::uint64_t limit = config.limits.memory_bytes;
-  const std::uint64_t memory = limit == 0 ? kMostMemory : limit / kShare;
+  const std::uint64_t memory = limit == 0 ? kMaxMemory : limit / kShare;
   return ColumnCacheSettings{
       .path = config.data / "columns",
       .fingerprint = fingerprint,
       .bytes = config.cache.disk_bytes,
-      .memory_bytes = std::clamp<std::size_t>(static_cast<std::size_t>(memory), kLeastMemory, kMostMemory)};
+      .memory_bytes = std::clamp<std::size_t>(static_cast<std::size_t>(memory), kMinMemory, kMaxMemory)};
 }
 
 std::size_t ground_bytes(const Config& config, const terrain::World& world) {

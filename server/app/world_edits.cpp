@@ -40,7 +40,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
     const std::filesystem::path& directory, const terrain::World& world, ContentHash store_id,
     const Clock& clock, Logger log, const EditStateSettings& state_settings, store::HistoryLimits history,
     store::StoreMemory memory, SharedLog shared) {
-  const SignalsBlocked blocked;  // for RocksDB's threads
+  const SignalBlocker blocked;  // for RocksDB's threads
   store::EditDatabaseSettings settings;
   settings.path = directory;
   settings.fingerprint = world.fingerprint();
@@ -71,7 +71,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   return edits;
 }
 
-store::EditDatabase::Done WorldEdits::name_placeables(const terrain::World& world, SharedLog shared) {
+store::EditDatabase::Status WorldEdits::name_placeables(const terrain::World& world, SharedLog shared) {
   const auto names = names_without_ids(world, *database_, *state_);
   if (!names) return tl::unexpected{names.error()};
   edits::MaterialIds ids = database_->materials();
@@ -115,7 +115,7 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
   settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
   cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};
   parts.on_takes = [this] {
-    if (EditIntake* const intake = waits_for_log_.load()) intake->look_at_log();
+    if (EditIntake* const intake = waits_for_log_.load()) intake->resume();
   };
   parts.on_lost = std::move(shared.on_lost);
   shared_ = std::make_unique<cluster::ClusterLog>(std::move(parts), std::move(settings));
@@ -130,7 +130,7 @@ LocalLog::Status WorldEdits::status() const {
 }
 
 void WorldEdits::join(const terrain::World& world, ChunkSource& chunks, Metrics& metrics, bool settles) {
-  const SignalsBlocked blocked;  // for the log's threads
+  const SignalBlocker blocked;  // for the log's threads
   if (shared_ == nullptr) {
     local_ = std::make_unique<LocalLog>(*database_, *state_, clock_, LocalLogSettings{writer_settings_, {}},
                                         tell_feed());
@@ -148,7 +148,7 @@ void WorldEdits::join(const terrain::World& world, ChunkSource& chunks, Metrics&
 }
 
 void WorldEdits::start(RunPregen pregen) {
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   feed_.start();
   intake_->start();
   auto socket = StoreSocket::open(

@@ -37,7 +37,8 @@ struct SharedLog {
   std::unique_ptr<LogStream> stream;  // null: the log is this server's own
   std::uint64_t joins = 0;            // checkpoints of peers loaded for the store
   /// Called if the store is lost to the cluster (cluster_log.h).
-  std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
+  std::function<void(cluster::StoreLoss, const std::string&)> on_lost = [](cluster::StoreLoss,
+                                                                           const std::string&) {};
   /// Called if the disk lost entries that the log can supply again (edit_database.h).
   std::function<void(const std::string&)> on_lost_end = [](const std::string&) {};
 };
@@ -84,11 +85,11 @@ class WorldEdits final : public EditedLand {
   [[nodiscard]] std::size_t base_bytes() const { return intake_->base_bytes(); }
 
   /// Callable from any thread.
-  [[nodiscard]] store::HistoryKept history() const { return database_->history(); }
+  [[nodiscard]] store::HistorySpan history() const { return database_->history(); }
   /// EditDatabase::memory_bytes(). Callable from any thread.
   [[nodiscard]] std::size_t store_bytes() const { return database_->memory_bytes(); }
   /// EditDatabase::checkpoint(). Callable from any thread.
-  [[nodiscard]] store::EditDatabase::Done checkpoint(const std::filesystem::path& path) const {
+  [[nodiscard]] store::EditDatabase::Status checkpoint(const std::filesystem::path& path) const {
     return database_->checkpoint(path);
   }
 
@@ -114,7 +115,7 @@ class WorldEdits final : public EditedLand {
         feed_{log} {}
 
   void start_shared_log(SharedLog shared, const terrain::World& world);
-  [[nodiscard]] store::EditDatabase::Done name_placeables(const terrain::World& world, SharedLog shared);
+  [[nodiscard]] store::EditDatabase::Status name_placeables(const terrain::World& world, SharedLog shared);
   /// Called by either log after a batch.
   [[nodiscard]] StoreWriter::OnChanged tell_feed() {
     return [this](std::span<const ChunkChange> changes) { feed_.on_changed(changes); };

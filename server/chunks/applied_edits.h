@@ -42,10 +42,10 @@ class AppliedEdits {
 
   /// Returns the voxels that changed in the chunk after revision `since`, by rising index, with their
   /// materials now, and the revision that they make; nullopt if that is not remembered any more, or if they
-  /// are more than `most`. Reads memory alone.
+  /// are more than `max_voxels`. Reads memory alone.
   using Changes = ChangedVoxels;
   [[nodiscard]] virtual std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
-                                                             std::size_t most) const = 0;
+                                                             std::size_t max_voxels) const = 0;
 };
 
 }  // namespace talus::server

@@ -75,8 +75,8 @@ EncodedChunkPtr Chunks::newer(ChunkKey key, std::uint64_t revision) {
 }
 
 std::optional<ChangedVoxels> Chunks::changes_since(ChunkKey key, std::uint64_t since,
-                                                   std::size_t most) const {
-  return edits_ ? edits_->applied.changes_since(key, since, most) : std::nullopt;
+                                                   std::size_t max_voxels) const {
+  return edits_ ? edits_->applied.changes_since(key, since, max_voxels) : std::nullopt;
 }
 
 MixedRows Chunks::column(ChunkKey key, Version version) {

@@ -76,7 +76,7 @@ class Chunks final : public ChunkSource {
     return edits_ ? edits_->applied.revision(key) : kBaseRevision;
   }
   [[nodiscard]] std::optional<ChangedVoxels> changes_since(ChunkKey key, std::uint64_t since,
-                                                           std::size_t most) const override;
+                                                           std::size_t max_voxels) const override;
   /// Exact once the column's terrain was generated, until that is evicted.
   [[nodiscard]] MixedRows column(ChunkKey key, Version version) override;
   [[nodiscard]] bool has_little_to_do() const override { return pool_.has_little_to_do(); }

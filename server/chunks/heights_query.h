@@ -13,11 +13,11 @@
 
 namespace talus::server {
 
-struct HeightsFound;
+struct HeightsResult;
 
 /// Writes the body of an answer. A generator's thread may call or destroy it after the client has gone, so it
 /// must own everything that it reads.
-using HeightsBody = std::function<std::string(const HeightsFound&)>;
+using HeightsBody = std::function<std::string(const HeightsResult&)>;
 
 struct HeightsQuery {
   std::vector<terrain::BaseColumn> columns{};
@@ -34,7 +34,7 @@ struct Picture {
 using PicturePtr = std::shared_ptr<const Picture>;
 
 /// In the order of the queried columns. If the query has a body, only `body` is set.
-struct HeightsFound {
+struct HeightsResult {
   std::vector<std::int32_t> heights_fx{};  // the ground's, in subvoxels
   std::vector<std::uint8_t> looks{};       // numbers in World::look_names(); empty if not requested
   std::vector<float> values{};  // for each column the values of all fields, in the order of the query

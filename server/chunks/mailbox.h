@@ -36,11 +36,11 @@ namespace talus::server {
 enum class ClientId : std::uint64_t {};
 
 /// The generator failed (out of memory); a retry may succeed.
-struct GenerationFailed {
+struct GenerationError {
   std::string reason;
 };
-using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationFailed>;
-using HeightsAnswer = tl::expected<HeightsFound, GenerationFailed>;
+using ChunkAnswer = tl::expected<EncodedChunkPtr, GenerationError>;
+using HeightsAnswer = tl::expected<HeightsResult, GenerationError>;
 
 struct ChunkReady {
   ChunkKey key;

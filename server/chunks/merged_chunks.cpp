@@ -20,12 +20,12 @@ ChunkAnswer MergedChunks::merged(ChunkKey key, const EncodedChunkPtr& base) noex
     auto made = merge(key, *base);
     if (!made) {
       log_->error("chunk {} with its edits failed: {}", to_string(key), made.error());
-      return tl::make_unexpected(GenerationFailed{std::move(made.error())});
+      return tl::make_unexpected(GenerationError{std::move(made.error())});
     }
     if (kept == nullptr || kept->revision() < (*made)->revision()) cache_.put(key, *made);
     return *std::move(made);
   } catch (const std::exception&) {
-    return tl::make_unexpected(GenerationFailed{});  // there is no memory for a reason
+    return tl::make_unexpected(GenerationError{});  // there is no memory for a reason
   }
 }
 

@@ -33,7 +33,7 @@ class MergedChunks {
 
   /// See ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { cache_.set_capacity(capacity_bytes); }
-  [[nodiscard]] bool fit(std::size_t& looks) { return cache_.fit(looks); }
+  [[nodiscard]] bool fit(std::size_t& probes) { return cache_.fit(probes); }
   [[nodiscard]] std::size_t bytes() const { return cache_.bytes(); }
 
  private:

@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // Interval of checks for cancellation and for other waiting clients.
-constexpr std::chrono::milliseconds kLook{50};
+constexpr std::chrono::milliseconds kPollInterval{50};
 // Interval of progress notes, each of which writes a file of the cache.
 constexpr std::chrono::seconds kNote{10};
 // Rows of a column that the cache keeps.
@@ -61,20 +61,20 @@ std::string text_of(const PregenPlan& plan, int tiles, std::uint64_t done) {
 }
 
 /// Waits for the generators' answers on the caller's own thread.
-class Waiting {
+class AnswerWaiter {
  public:
-  explicit Waiting(ChunkSource& chunks)
+  explicit AnswerWaiter(ChunkSource& chunks)
       : chunks_{chunks}, mailbox_{std::make_shared<Mailbox>(next_owner(), [state = state_] {
           const std::lock_guard lock{state->mutex};
           state->woken = true;
           state->changed.notify_all();
         })} {}
-  ~Waiting() {
+  ~AnswerWaiter() {
     const std::vector<ChunkKey> left{open_.begin(), open_.end()};
     chunks_.cancel(mailbox_->owner(), left);
   }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
+  AnswerWaiter(const AnswerWaiter&) = delete;
+  AnswerWaiter& operator=(const AnswerWaiter&) = delete;
 
   /// Generates the chunks; returns false once `goes_on` does.
   [[nodiscard]] bool make(std::vector<ChunkKey> keys, const std::function<bool()>& goes_on) {
@@ -84,7 +84,7 @@ class Waiting {
       keys.erase(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(accepted));
       {
         std::unique_lock lock{state_->mutex};
-        state_->changed.wait_for(lock, kLook, [&] { return state_->woken; });
+        state_->changed.wait_for(lock, kPollInterval, [&] { return state_->woken; });
         state_->woken = false;
       }
       for (const Mail& mail : mailbox_->take()) {
@@ -112,9 +112,9 @@ class Waiting {
 bool wait(std::chrono::nanoseconds time, const std::function<bool()>& goes_on) {
   std::mutex mutex;
   std::condition_variable never;
-  for (; time > 0ns; time -= kLook) {
+  for (; time > 0ns; time -= kPollInterval) {
     std::unique_lock lock{mutex};
-    never.wait_for(lock, std::min<std::chrono::nanoseconds>(time, kLook));
+    never.wait_for(lock, std::min<std::chrono::nanoseconds>(time, kPollInterval));
     if (!goes_on()) return false;
   }
   return true;
@@ -201,7 +201,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
   const int tiles = parts_.chunks.columns_together();
   const PregenSquares squares{plan, tiles};
   PregenProgress progress{read_pregen_file(parts_.progress_at, plan, tiles), squares.size()};
-  Waiting waiting{parts_.chunks};
+  AnswerWaiter waiting{parts_.chunks};
   const auto goes_on = [&] { return report(progress); };
   const auto note = [&] {
     parts_.keep();
@@ -210,7 +210,7 @@ tl::expected<PregenProgress, std::string> Pregen::run(
   auto noted = parts_.clock.now();
   while (progress.squares < progress.of) {
     while (parts_.others_wait()) {
-      if (!wait(kLook, goes_on)) return note().map([&] { return progress; });
+      if (!wait(kPollInterval, goes_on)) return note().map([&] { return progress; });
     }
     const auto began = parts_.clock.now();
     const std::uint64_t end = std::min<std::uint64_t>(progress.of, progress.squares + parts_.at_once);

@@ -14,9 +14,9 @@ namespace talus::server::cluster {
 /// Upper bound for the difference between correct clocks.
 inline constexpr std::int64_t kClocksDifferMs = 60'000;
 
-/// True if the stream must be asked when it took a batch stated at `said_ms`. `looked_ms` is StreamPlace's.
-[[nodiscard]] constexpr bool must_ask_stream(std::int64_t said_ms, std::int64_t looked_ms) {
-  return said_ms > looked_ms && said_ms - looked_ms > kClocksDifferMs;
+/// True if the stream must be asked when it took a batch stated at `said_ms`. `asked_ms` is StreamPlace's.
+[[nodiscard]] constexpr bool must_ask_stream(std::int64_t said_ms, std::int64_t asked_ms) {
+  return said_ms > asked_ms && said_ms - asked_ms > kClocksDifferMs;
 }
 
 /// Effective time of a batch that the stream took at `stream_ms`.

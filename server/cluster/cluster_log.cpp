@@ -82,7 +82,7 @@ bool ClusterLog::takes_entries() const {
   return !status().read_only;
 }
 
-tl::expected<void, EditError> ClusterLog::append(LogEntry entry, Done done) {
+tl::expected<void, EditError> ClusterLog::append(LogEntry entry, Callback done) {
   if (auto admitted = admit_to_log(entry, parts_.state, parts_.clock); !admitted) {
     return tl::unexpected{unless_behind(std::move(admitted.error()))};
   }
@@ -181,13 +181,13 @@ void ClusterLog::watch() {
   milliseconds left{};
   do {
     const auto began = SteadyClock::now();
-    look_at_end();
+    poll_end();
     // A failed request has already waited.
-    left = std::chrono::ceil<milliseconds>(settings_.look_interval - (SteadyClock::now() - began));
+    left = std::chrono::ceil<milliseconds>(settings_.poll_interval - (SteadyClock::now() - began));
   } while (pause(std::max(left, milliseconds{0})));
 }
 
-void ClusterLog::look_at_end() {
+void ClusterLog::poll_end() {
   const TimePoint asked = SteadyClock::now();
   std::uint64_t sequence = 0;
   std::int64_t created_ns = 0;
@@ -236,10 +236,10 @@ void ClusterLog::look_at_end() {
   tell_whether_it_takes();
   if (!stream || !is_of_stream) return;
   if (stream->created_ns != created_ns) {
-    lose(Lost::other, kMadeAnew);
+    lose(StoreLoss::other, kMadeAnew);
   } else if (shorter) {
-    lose(Lost::other, fmt::format("the stream ends at message {}, and this server has applied {}",
-                                  stream->last, sequence));
+    lose(StoreLoss::other, fmt::format("the stream ends at message {}, and this server has applied {}",
+                                       stream->last, sequence));
   }
 }
 
@@ -272,7 +272,7 @@ bool ClusterLog::stop_applying(std::string reason) {
   return true;
 }
 
-void ClusterLog::lose(Lost how, const std::string& reason) {
+void ClusterLog::lose(StoreLoss how, const std::string& reason) {
   if (stop_applying(reason)) parts_.on_lost(how, reason);
 }
 

@@ -29,7 +29,7 @@
 namespace talus::server::cluster {
 
 /// Reason why this server's store cannot continue with the stream. Another server's store can replace it.
-enum class Lost : std::uint8_t {
+enum class StoreLoss : std::uint8_t {
   too_old,      // the stream no longer keeps the next message
   no_start,     // the store is empty, but the stream begins with a non-empty state
   other,        // the stream was recreated, or belongs to a different state
@@ -44,7 +44,7 @@ class ClusterLog final : public EditLog {
   struct Settings {
     StoreWriterSettings store{};
     edits::SettleRulesPtr settles{};  // the world's rules for sliding material; null: nothing slides
-    std::chrono::milliseconds look_interval{500};  // between requests for the stream's end
+    std::chrono::milliseconds poll_interval{500};  // between requests for the stream's end
     /// Stuck servers stop publishing; after this time everything in flight is in the stream.
     std::chrono::milliseconds sure_of_stuck{10'000};
     /// Time during which every answer must report another message in place of this server's last one.
@@ -64,7 +64,7 @@ class ClusterLog final : public EditLog {
     /// Called once, with a one-line reason, on a thread of the log, if the store is lost to the cluster;
     /// nothing is applied any more. Another server's store may replace it only after stop(), or in another
     /// process.
-    std::function<void(Lost, const std::string&)> on_lost = [](Lost, const std::string&) {};
+    std::function<void(StoreLoss, const std::string&)> on_lost = [](StoreLoss, const std::string&) {};
   };
 
   ClusterLog(Parts parts, Settings settings);
@@ -78,7 +78,7 @@ class ClusterLog final : public EditLog {
   /// stream, and ends the threads. Must not be called on a thread of the log.
   void stop();
 
-  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Callback done) override;
   [[nodiscard]] bool takes_entries() const override;
   /// Checks for room for one more editor before there is an entry; append() checks that too. A server that is
   /// not at the log's end does not know all editors; its failure is cut_off instead of editors_full, and
@@ -125,10 +125,10 @@ class ClusterLog final : public EditLog {
   void next_message();
   void cannot_get(const StreamFailure& failure);
   void apply(const StreamMessage& message);
-  /// The batch's time and the store's new looked_ms; nullopt: try again.
+  /// The batch's time and the store's new asked_ms; nullopt: try again.
   struct Time {
     std::int64_t ms = 0;
-    std::int64_t looked_ms = 0;
+    std::int64_t asked_ms = 0;
   };
   [[nodiscard]] std::optional<Time> time_of(const BatchHead& head, const StreamMessage& message);
   /// True if the message, which cannot be decoded, was pushed: then it is dropped and requested from the
@@ -141,7 +141,7 @@ class ClusterLog final : public EditLog {
   /// Stops at a message that other servers may know. `reason` includes the remedy.
   void get_stuck(const StreamMessage& message, const std::string& reason);
   /// `said` is the batch's head; null if the message was not a batch.
-  void finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said);
+  void finish(std::vector<Callback> done, const store::StreamPlace& place, const BatchHead* said);
   /// Handles a failure to read chunks that the message changes.
   void cannot_read(const std::string& reason);
   void can_read();
@@ -152,14 +152,14 @@ class ClusterLog final : public EditLog {
 
   // Called on the watching thread.
   void watch();
-  void look_at_end();
+  void poll_end();
 
   // Callable from any thread.
   /// Replaces editors_full by cut_off while this server is not at the log's end.
   [[nodiscard]] EditError unless_behind(EditError error) const;
   /// Returns true if applying was not stopped before.
   bool stop_applying(std::string reason);
-  void lose(Lost how, const std::string& reason);
+  void lose(StoreLoss how, const std::string& reason);
   void trouble(std::string reason);
   void tell_whether_it_takes();
   [[nodiscard]] bool stopping() const;

@@ -28,7 +28,7 @@ constexpr std::chrono::seconds kBetweenWarnings{1};
 
 void ClusterLog::apply_all() {
   while (!stopping()) {
-    writer_.look();
+    writer_.poll();
     bool faulty = false;
     {
       const std::lock_guard lock{mutex_};
@@ -36,12 +36,12 @@ void ClusterLog::apply_all() {
     }
     if (faulty || writer_.has_batch()) {
       // The store writer keeps running.
-      const auto left = std::chrono::ceil<milliseconds>(writer_.next_look() - SteadyClock::now());
+      const auto left = std::chrono::ceil<milliseconds>(writer_.next_poll() - SteadyClock::now());
       (void)pause(std::clamp(left, milliseconds{1}, kRetryOfFault));
       continue;
     }
     {
-      // look() may have written a pending batch.
+      // poll() may have written a pending batch.
       const store::StreamPlace place = writer_.status().stream;
       if (place.sequence != 0) applied(place.sequence);
     }
@@ -60,7 +60,7 @@ void ClusterLog::next_message() {
     return;
   }
   const std::uint64_t after = parts_.database.meta().stream.sequence;
-  const auto until = std::min(writer_.next_look(), SteadyClock::now() + kRetryOfFault);
+  const auto until = std::min(writer_.next_poll(), SteadyClock::now() + kRetryOfFault);
   auto message = parts_.stream.next(after, until);
   if (message) {
     if (!*message) return;
@@ -87,13 +87,13 @@ void ClusterLog::cannot_get(const StreamFailure& failure) {
       (void)pause(kRetryOfFault);
       break;
     case StreamFailure::Kind::gone:
-      lose(Lost::too_old, failure.reason);
+      lose(StoreLoss::too_old, failure.reason);
       break;
     case StreamFailure::Kind::other:
-      lose(Lost::other, failure.reason);
+      lose(StoreLoss::other, failure.reason);
       break;
     case StreamFailure::Kind::false_message:
-      lose(Lost::wrong_state, failure.reason);
+      lose(StoreLoss::wrong_state, failure.reason);
       break;
   }
 }
@@ -125,11 +125,11 @@ void ClusterLog::apply(const StreamMessage& message) {
     }
   }
   can_read();
-  std::vector<Done> done = publisher_.seen(decoded->head, message.bytes);
+  std::vector<Callback> done = publisher_.seen(decoded->head, message.bytes);
   if (done.size() != decoded->entries.size()) done.clear();
   const BatchHead said = decoded->head;
   finish(std::move(done),
-         {message.sequence, parts_.database.meta().stream.created_ns, time->looked_ms,
+         {message.sequence, parts_.database.meta().stream.created_ns, time->asked_ms,
           hash_of_message(message.bytes)},
          &said);
 }
@@ -161,7 +161,7 @@ void ClusterLog::skip(const StreamMessage& message, const std::string& reason) {
   }
   const store::StreamPlace place = parts_.database.meta().stream;
   (void)writer_.begin(parts_.state.head().time_ms);
-  finish({}, {message.sequence, place.created_ns, place.looked_ms, hash_of_message(message.bytes)}, nullptr);
+  finish({}, {message.sequence, place.created_ns, place.asked_ms, hash_of_message(message.bytes)}, nullptr);
 }
 
 void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& fault) {
@@ -169,7 +169,7 @@ void ClusterLog::meet_unknown(const StreamMessage& message, const MessageFault& 
     const auto stream = parts_.stream.state();
     if (!stream) return cannot_get(stream.error());
     if (stream->created_ns != parts_.database.meta().stream.created_ns) {
-      return lose(Lost::other, kMadeAnew);
+      return lose(StoreLoss::other, kMadeAnew);
     }
     if (stream->last < message.sequence) {
       // A deposed leader, which may not know enabled formats either.
@@ -200,7 +200,7 @@ void ClusterLog::get_stuck(const StreamMessage& message, const std::string& reas
   stop_applying(not_applied(message.sequence, reason));
 }
 
-void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place, const BatchHead* said) {
+void ClusterLog::finish(std::vector<Callback> done, const store::StreamPlace& place, const BatchHead* said) {
   const bool stored = writer_.store(std::move(done), place);
   held_.reset();  // if not stored, the writer keeps the batch
   if (said != nullptr) compare(*said);
@@ -213,8 +213,8 @@ void ClusterLog::finish(std::vector<Done> done, const store::StreamPlace& place,
 }
 
 std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const StreamMessage& message) {
-  const std::int64_t looked_ms = parts_.database.meta().stream.looked_ms;
-  if (!must_ask_stream(head.time_ms, looked_ms)) return Time{head.time_ms, looked_ms};
+  const std::int64_t asked_ms = parts_.database.meta().stream.asked_ms;
+  if (!must_ask_stream(head.time_ms, asked_ms)) return Time{head.time_ms, asked_ms};
   tl::expected<std::int64_t, StreamFailure> stream_ms;
   if (message.time_ms) {
     stream_ms = *message.time_ms;
@@ -242,11 +242,11 @@ std::optional<ClusterLog::Time> ClusterLog::time_of(const BatchHead& head, const
           (head.time_ms - *stream_ms) / 1000);
     }
   }
-  return Time{time_ms, std::max(looked_ms, time_ms)};
+  return Time{time_ms, std::max(asked_ms, time_ms)};
 }
 
 void ClusterLog::cannot_read(const std::string& reason) {
-  if (++unread_ >= kTriesToRead) return lose(Lost::wrong_state, reason);
+  if (++unread_ >= kTriesToRead) return lose(StoreLoss::wrong_state, reason);
   {
     const std::lock_guard lock{mutex_};
     unreadable_ = reason;
@@ -288,7 +288,7 @@ void ClusterLog::applied(std::uint64_t sequence) {
   }
   tell_whether_it_takes();
   if (verdict == Verdict::wrong) {
-    lose(Lost::wrong_state, comparison_.what() + ", as most servers have; this server's store is wrong");
+    lose(StoreLoss::wrong_state, comparison_.what() + ", as most servers have; this server's store is wrong");
   }
 }
 

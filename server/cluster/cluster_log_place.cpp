@@ -30,10 +30,10 @@ bool ClusterLog::find_place() {
   if (place.sequence == 0) {
     if (!begin_at_genesis(*stream)) return false;
   } else if (place.created_ns != stream->created_ns) {
-    lose(Lost::other, kMadeAnew);
+    lose(StoreLoss::other, kMadeAnew);
     return false;
   } else if (stream->first > place.sequence + 1) {
-    lose(Lost::too_old,
+    lose(StoreLoss::too_old,
          fmt::format("the stream keeps messages from {} on, and this server has messages up to {}",
                      stream->first, place.sequence));
     return false;
@@ -76,7 +76,7 @@ bool ClusterLog::is_as_applied(const StreamState& stream, const store::StreamPla
   // A faulty replica may have answered; the next request may reach another.
   const auto now = SteadyClock::now();
   if (!other_since_) other_since_ = now;
-  if (now - *other_since_ > settings_.sure_of_other) lose(Lost::other, reason);
+  if (now - *other_since_ > settings_.sure_of_other) lose(StoreLoss::other, reason);
   return false;
 }
 
@@ -84,7 +84,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   const edits::Head& own = parts_.state.head();
   const bool is_empty = own.position == 0;
   if (stream.first > 1) {
-    lose(is_empty ? Lost::no_start : Lost::too_old,
+    lose(is_empty ? StoreLoss::no_start : StoreLoss::too_old,
          fmt::format("the stream keeps messages from {} on, and this server has no message of it",
                      stream.first));
     return false;
@@ -119,12 +119,12 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
         "loose material slides differently in this world and the stream's; all servers of a store must have "
         "the same world");
   } else if (genesis->head != own) {
-    lose(is_empty ? Lost::no_start : Lost::other,
+    lose(is_empty ? StoreLoss::no_start : StoreLoss::other,
          fmt::format("the stream begins at revision {}, entry {}; this server's store is at revision {}, "
                      "entry {}",
                      genesis->head.revision, genesis->head.position, own.revision, own.position));
   } else {
-    store::EditDatabase::Done entered;
+    store::EditDatabase::Status entered;
     if (is_empty && !genesis->materials.empty()) entered = parts_.database.bind(genesis->materials);
     if (entered) entered = parts_.database.enter({1, stream.created_ns, 0, hash_of_message((*first)->bytes)});
     writer_.entered();

@@ -67,9 +67,9 @@ std::optional<MaterialId> get_optional(store::ByteReader& in) {
 }
 
 /// Reads a count of items that take at least `bytes` each.
-std::size_t count_of(store::ByteReader& in, std::size_t bytes, std::size_t most) {
+std::size_t count_of(store::ByteReader& in, std::size_t bytes, std::size_t max_count) {
   const std::size_t count = in.count();
-  if (count > most || count > in.left() / bytes) in.fail();
+  if (count > max_count || count > in.left() / bytes) in.fail();
   return in.ok() ? count : 0;
 }
 

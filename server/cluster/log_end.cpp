@@ -15,9 +15,9 @@ void LogEnd::heard(std::uint64_t last, TimePoint asked) {
   } else {
     ahead_.push_back({last, asked});
   }
-  if (ahead_.size() > kMostLooks) {
+  if (ahead_.size() > kMaxReports) {
     // Far behind: half of the reports suffice.
-    std::deque<Look> thinner;
+    std::deque<Report> thinner;
     for (std::size_t i = 0; i < ahead_.size(); i += 2) thinner.push_back(ahead_[i]);
     ahead_.swap(thinner);
   }
@@ -32,7 +32,7 @@ void LogEnd::answered(TimePoint asked) {
   const auto since = std::exchange(silent_since_, std::nullopt);
   if (!since || asked - *since <= kSilent) return;
   const auto silence = asked - *since;
-  for (Look& look : ahead_) look.asked += silence;
+  for (Report& report : ahead_) report.asked += silence;
   heard_ += silence;
 }
 

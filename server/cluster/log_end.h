@@ -39,14 +39,14 @@ class LogEnd {
   [[nodiscard]] std::uint64_t lag() const { return last_ > applied_ ? last_ - applied_ : 0; }
 
  private:
-  static constexpr std::size_t kMostLooks = 256;
-  struct Look {
+  static constexpr std::size_t kMaxReports = 256;
+  struct Report {
     std::uint64_t last = 0;
     TimePoint asked;
   };
   void judge();
 
-  std::deque<Look> ahead_;  // reports whose `last` is not applied yet, by ascending time
+  std::deque<Report> ahead_;  // reports whose `last` is not applied yet, by ascending time
   std::optional<TimePoint> silent_since_;
   TimePoint heard_{};  // when the leader was last asked
   std::uint64_t last_ = 0;

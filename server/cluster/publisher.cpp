@@ -55,9 +55,9 @@ EditError Publisher::cut_off() const {
                       why.empty() ? "" : ": ", why)};
 }
 
-tl::expected<void, EditError> Publisher::append(LogEntry entry, EditLog::Done done) {
+tl::expected<void, EditError> Publisher::append(LogEntry entry, EditLog::Callback done) {
   if (!takes()) return tl::unexpected{cut_off()};
-  Encoded encoded;
+  EncodedMessage encoded;
   encode(entry, encoded.bytes);
   const std::size_t size = encoded.bytes.size() + kLengthBytes;
   if (size + batch_overhead(parts_.settles) > kMaxMessageBytes) {
@@ -95,9 +95,9 @@ std::size_t Publisher::open() const {
   return open;
 }
 
-std::vector<EditLog::Done> Publisher::seen(const BatchHead& head, std::span<const std::byte> message) {
+std::vector<EditLog::Callback> Publisher::seen(const BatchHead& head, std::span<const std::byte> message) {
   if (head.publisher != id_) return {};
-  std::vector<EditLog::Done> done;
+  std::vector<EditLog::Callback> done;
   {
     const std::lock_guard lock{mutex_};
     const auto open = open_.find(head.number);
@@ -160,7 +160,7 @@ void Publisher::run() {
     if (!stand) stand = parts_.stand();
     const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<store::Bytes> entries;
-    Open open;
+    OpenMessage open;
     for (Queue::Item& each : taken) {
       entries.push_back(std::move(each.entry.bytes));
       open.done.push_back(std::move(each.done));
@@ -230,7 +230,7 @@ void Publisher::set_takes(bool takes) {
 void Publisher::refuse(const std::vector<Queue::Item>& waiting) const {
   if (waiting.empty()) return;
   // They are in no message, so their outcome is known.
-  const tl::expected<const edits::Applied*, EditError> failure = tl::unexpected{cut_off()};
+  const tl::expected<const edits::EntryResult*, EditError> failure = tl::unexpected{cut_off()};
   for (const Queue::Item& each : waiting) each.done(failure);
 }
 
@@ -243,17 +243,17 @@ void Publisher::refuse_all() {
 }
 
 void Publisher::answer_open() {
-  std::map<std::uint64_t, Open> open;
+  std::map<std::uint64_t, OpenMessage> open;
   {
     const std::lock_guard lock{mutex_};
     open.swap(open_);
   }
-  const tl::expected<const edits::Applied*, EditError> failure = edit_error(
+  const tl::expected<const edits::EntryResult*, EditError> failure = edit_error(
       EditErrorCode::unwritable,
       fmt::format("the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
                   trouble()));
   for (const auto& [number, each] : open) {
-    for (const EditLog::Done& done : each.done) done(failure);
+    for (const EditLog::Callback& done : each.done) done(failure);
   }
 }
 

@@ -67,7 +67,7 @@ class Publisher {
 
   /// Fails with cut_off while the stream accepts nothing, and with out_of_range if the entry does not fit
   /// into a message. Callable from any thread.
-  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, EditLog::Done done);
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, EditLog::Callback done);
   /// The next message will report the state `stand`. Callable from any thread.
   void say(const Stand& stand);
 
@@ -78,7 +78,8 @@ class Publisher {
 
   /// Called for a batch seen in the stream. Returns the callbacks of its entries if it is this server's and
   /// seen first; otherwise empty. Callable from any thread.
-  [[nodiscard]] std::vector<EditLog::Done> seen(const BatchHead& head, std::span<const std::byte> message);
+  [[nodiscard]] std::vector<EditLog::Callback> seen(const BatchHead& head,
+                                                    std::span<const std::byte> message);
 
   /// True if it is this server's batch and was not seen before. Callable from any thread.
   [[nodiscard]] bool is_open(const BatchHead& head, std::span<const std::byte> message) const;
@@ -92,13 +93,13 @@ class Publisher {
   [[nodiscard]] std::uint64_t republished() const { return republished_.total(); }
 
  private:
-  struct Encoded {
+  struct EncodedMessage {
     store::Bytes bytes;
   };
-  using Queue = EntryQueue<Encoded>;
+  using Queue = EntryQueue<EncodedMessage>;
   /// A message not seen in the stream yet.
-  struct Open {
-    std::vector<EditLog::Done> done;
+  struct OpenMessage {
+    std::vector<EditLog::Callback> done;
     std::vector<std::byte> seal;  // the message's checksum
     bool seen = false;
   };
@@ -123,7 +124,7 @@ class Publisher {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::uint64_t, Open> open_;  // by batch number
+  std::map<std::uint64_t, OpenMessage> open_;  // by batch number
   std::optional<Stand> to_say_;
   std::string trouble_;
   struct RightTime {

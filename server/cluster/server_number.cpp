@@ -12,9 +12,9 @@
 namespace talus::server::cluster {
 
 std::uint32_t server_number(const std::filesystem::path& directory) {
-  constexpr std::size_t kMostNumberBytes = 16;
+  constexpr std::size_t kMaxNumberBytes = 16;
   const std::filesystem::path file = directory / "server_number";
-  if (const auto text = files::read_regular_file(file, kMostNumberBytes)) {
+  if (const auto text = files::read_regular_file(file, kMaxNumberBytes)) {
     std::uint32_t number = 0;
     const char* const end = text->data() + text->size();
     const auto [stop, error] = std::from_chars(text->data(), end, number, 16);

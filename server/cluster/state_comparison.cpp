@@ -48,7 +48,7 @@ std::optional<StateComparison::Claim> StateComparison::heard(const Claim& claim,
   if (server == server_of(self_) || claim.revision < dispute_->revision) return std::nullopt;
   const auto before = dispute_->votes.find(server);
   if (before == dispute_->votes.end()) {
-    if (dispute_->votes.size() < kMostVoters) dispute_->votes.emplace(server, vote);
+    if (dispute_->votes.size() < kMaxVoters) dispute_->votes.emplace(server, vote);
   } else if (before->second.publisher != vote.publisher || before->second.revision <= vote.revision) {
     before->second = vote;
   }
@@ -73,7 +73,7 @@ StateComparison::Verdict StateComparison::judge(TimePoint now) {
     return Verdict::wrong;
   }
   for (const auto& [server, vote] : dispute_->votes) {
-    if (vote.difference != kNone && wrong_.size() < kMostVoters) wrong_.insert(vote.publisher);
+    if (vote.difference != kNone && wrong_.size() < kMaxVoters) wrong_.insert(vote.publisher);
   }
   dispute_.reset();
   return Verdict::same;

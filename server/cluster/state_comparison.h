@@ -34,7 +34,7 @@ class StateComparison {
   static constexpr std::chrono::seconds kVoting{2};
   /// Number of states remembered; reports about older ones cannot be compared.
   static constexpr std::size_t kRemembered = 65'536;
-  static constexpr std::size_t kMostVoters = 256;
+  static constexpr std::size_t kMaxVoters = 256;
 
   struct Claim {
     std::uint64_t publisher = 0;

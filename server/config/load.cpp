@@ -19,7 +19,7 @@
 namespace talus::server {
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 std::vector<std::string_view> known_keys() {
   std::vector<std::string_view> keys;
@@ -47,7 +47,7 @@ std::optional<std::string> list_text(const toml::array& list) {
   return text;
 }
 
-Done set_from_node(const Field& field, Config& config, const toml::node& node) {
+Status set_from_node(const Field& field, Config& config, const toml::node& node) {
   if (is_number(field) && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
   if (is_switch && node.is_boolean()) {
@@ -72,26 +72,26 @@ class TomlFile {
   TomlFile(Settings& settings, std::string_view name, const toml::table& root)
       : settings_{settings}, name_{name}, root_{root} {}
 
-  [[nodiscard]] Done apply() { return apply_table(root_, {}); }
+  [[nodiscard]] Status apply() { return apply_table(root_, {}); }
 
  private:
   [[nodiscard]] std::string place(const toml::key& key) const {
     return fmt::format("{}:{}", name_, key.source().begin.line);
   }
-  [[nodiscard]] Done fail(const toml::key& key, std::string_view text) const {
+  [[nodiscard]] Status fail(const toml::key& key, std::string_view text) const {
     return tl::make_unexpected(fmt::format("{}: {}", place(key), text));
   }
 
-  Done apply_table(const toml::table& table, std::string_view prefix) {
+  Status apply_table(const toml::table& table, std::string_view prefix) {
     for (const auto& [key, node] : table) {
       const std::string path =
           prefix.empty() ? std::string{key.str()} : fmt::format("{}.{}", prefix, std::string_view{key.str()});
-      if (Done done = apply_node(key, path, node); !done) return done;
+      if (Status done = apply_node(key, path, node); !done) return done;
     }
     return {};
   }
 
-  Done apply_node(const toml::key& key, const std::string& path, const toml::node& node) {
+  Status apply_node(const toml::key& key, const std::string& path, const toml::node& node) {
     if (is_table(path)) {
       if (const auto* const inner = node.as_table()) return apply_table(*inner, path);
       return fail(key, fmt::format("{}: is a table; write [{}]", path, path));
@@ -101,7 +101,7 @@ class TomlFile {
       return fail(
           key, fmt::format("{}: no such key; did you mean {}?", escaped(path), nearest(path, known_keys())));
     }
-    if (Done done = set_from_node(*field, settings_.config, node); !done) {
+    if (Status done = set_from_node(*field, settings_.config, node); !done) {
       return fail(key, fmt::format("{}: {}", path, done.error()));
     }
     settings_.origins.set(field->key, place(key));
@@ -152,9 +152,9 @@ void warn_of_unknown(Settings& settings, const Environment& environment) {
   }
 }
 
-Done set_from_variable(Settings& settings, std::string_view key, const std::string& variable,
-                       std::string_view value) {
-  if (Done done = set_from_text(*find_field(key), settings.config, value); !done) {
+Status set_from_variable(Settings& settings, std::string_view key, const std::string& variable,
+                         std::string_view value) {
+  if (Status done = set_from_text(*find_field(key), settings.config, value); !done) {
     return tl::make_unexpected(fmt::format("{}: {}", variable, done.error()));
   }
   settings.origins.set(key, variable);
@@ -175,7 +175,7 @@ Environment process_environment() {
   return environment;
 }
 
-Done apply_toml(Settings& settings, std::string_view toml, std::string_view file) {
+Status apply_toml(Settings& settings, std::string_view toml, std::string_view file) {
   if (const auto fault = find_toml_fault(toml)) {
     return tl::make_unexpected(fmt::format("{}:{}: {}", file, fault->line, fault->what));
   }
@@ -187,7 +187,7 @@ Done apply_toml(Settings& settings, std::string_view toml, std::string_view file
   }
 }
 
-Done apply_file(Settings& settings, const std::filesystem::path& file) {
+Status apply_file(Settings& settings, const std::filesystem::path& file) {
   // Never blocks, even on a pipe.
   const auto read = files::SecretFile::read(file, kMaxTomlBytes);
   if (!read) {
@@ -197,12 +197,12 @@ Done apply_file(Settings& settings, const std::filesystem::path& file) {
   return apply_toml(settings, read->text(), file.string());
 }
 
-Done apply_environment(Settings& settings, const Environment& environment) {
+Status apply_environment(Settings& settings, const Environment& environment) {
   for (const Field& field : fields()) {
     const std::string name = variable_name(field.key);
     const auto found = environment.find(name);
     if (found == environment.end()) continue;
-    if (Done done = set_from_variable(settings, field.key, name, found->second); !done) return done;
+    if (Status done = set_from_variable(settings, field.key, name, found->second); !done) return done;
   }
   warn_of_unknown(settings, environment);
   return {};

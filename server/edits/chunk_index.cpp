@@ -34,7 +34,7 @@ bool ChunkIndex::is_touched(ChunkKey key) const {
   return (regions_[region / 64].load(std::memory_order_acquire) >> (region % 64) & 1) != 0;
 }
 
-ChunkIndex::Edited ChunkIndex::find(ChunkKey key) const {
+ChunkIndex::ChunkEntry ChunkIndex::find(ChunkKey key) const {
   if (!is_touched(key)) return {};
   const ChunkKey column = column_of(key);
   const Shard& shard = shards_[shard_of(column, kShards)];
@@ -103,7 +103,7 @@ void ChunkIndex::raise_column(ChunkKey key, std::uint64_t revision) {
   places.set(place_of(key));
 }
 
-std::uint64_t ChunkIndex::raise(ChunkKey key, Edited edited) {
+std::uint64_t ChunkIndex::raise(ChunkKey key, ChunkEntry edited) {
   const ChunkKey column = column_of(key);
   Shard& shard = shards_[shard_of(column, kShards)];
   const std::lock_guard lock{shard.mutex};

@@ -30,11 +30,11 @@ class ChunkIndex {
   /// a region.
   static constexpr std::size_t kMaxBytesEach = (Lod::kMax + 1) * (kRegionBytes + kColumnBytes + kChunkBytes);
 
-  struct Edited {
+  struct ChunkEntry {
     std::uint64_t revision = 0;  // 0: never edited
     std::uint32_t change = 0;    // where RecentChanges may have the edit that made this revision
   };
-  [[nodiscard]] Edited find(ChunkKey key) const;
+  [[nodiscard]] ChunkEntry find(ChunkKey key) const;
   /// 0 if the chunk was never edited.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const { return find(key).revision; }
   /// See AppliedEdits::edited_rows().
@@ -44,7 +44,7 @@ class ChunkIndex {
   [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const;
 
   /// Sets the chunk's revision, unless it has a later one. Returns the revision before.
-  std::uint64_t raise(ChunkKey key, Edited edited);
+  std::uint64_t raise(ChunkKey key, ChunkEntry edited);
   /// Sets the revision of the chunk's column in the same way. Call it after raise() of all chunks of the
   /// edit.
   void raise_column(ChunkKey key, std::uint64_t revision);

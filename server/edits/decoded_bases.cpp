@@ -21,8 +21,8 @@ std::size_t bytes_of(const Chunk& chunk) {
 void DecodedBases::set_capacity(std::size_t bytes) {
   if (bytes == capacity_bytes_) return;
   chunks_.set_capacity(capacity_bytes_ = bytes);
-  std::size_t looks = SIZE_MAX;  // they are few
-  (void)chunks_.fit(looks);
+  std::size_t probes = SIZE_MAX;  // they are few
+  (void)chunks_.fit(probes);
 }
 
 DecodedChunkPtr DecodedBases::find(ChunkCoord chunk) {

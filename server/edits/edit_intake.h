@@ -84,7 +84,7 @@ class EditIntake final : public EditTaker {
   void stop();
 
   /// EditLog::takes_entries() has changed: resumes edits that wait for room in the log. Any thread.
-  void look_at_log() { call(); }
+  void resume() { call(); }
 
   /// Lowers the maximum of decoded chunks from kBaseBytes to `bytes`. Any thread.
   void limit_bases(std::size_t bytes);
@@ -154,7 +154,7 @@ class EditIntake final : public EditTaker {
   /// The log's answer to an Attach.
   struct AttachOutcome {
     ClientId client{};
-    tl::expected<edits::Applied::Kind, EditError> outcome;
+    tl::expected<edits::EntryResult::Kind, EditError> outcome;
     EditorSession as;  // if attached; without `known`
   };
 
@@ -207,9 +207,9 @@ class EditIntake final : public EditTaker {
   /// Any thread. If there is no memory for the mail the session ends, and its client retries.
   static void send(const MailboxPtr& session, Mail mail) noexcept;
 
-  /// `done` is called as part of an EditLog::Done.
-  template <typename Done>
-  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done);
+  /// `done` is called as part of an EditLog::Callback.
+  template <typename Callback>
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Callback done);
 
   const Parts parts_;
   const Rules rules_;
@@ -249,8 +249,8 @@ class EditIntake final : public EditTaker {
   std::thread thread_;
 };
 
-template <typename Done>
-tl::expected<void, EditError> EditIntake::append(LogEntry entry, Done done) {
+template <typename Callback>
+tl::expected<void, EditError> EditIntake::append(LogEntry entry, Callback done) {
   const std::size_t bytes = bytes_of(entry);
   const auto leaves = [this, bytes] {
     --log_entries_;

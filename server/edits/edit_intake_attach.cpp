@@ -50,7 +50,7 @@ void EditIntake::log_attach(Lane& lane) {
                                  attaching.request.subject};
   // Reads the editor on the log's thread, before another entry can change it.
   auto done = [this, session = lane.session, editor = entry.editor,
-               epoch = entry.epoch](const tl::expected<const edits::Applied*, EditError>& outcome) {
+               epoch = entry.epoch](const tl::expected<const edits::EntryResult*, EditError>& outcome) {
     try {
       AttachOutcome answered{
           session->owner(), outcome.map([](const auto* applied) { return applied->kind; }), {}};
@@ -84,7 +84,7 @@ std::optional<edits::Editor> EditIntake::editor_of(edits::EditorId id, const std
 }
 
 void EditIntake::attached(const AttachOutcome& answered) {
-  using Kind = edits::Applied::Kind;
+  using Kind = edits::EntryResult::Kind;
   Lane* const lane = find_lane(answered.client);
   if (lane == nullptr || !lane->attaching) return;  // the session is gone
   PendingAttach& attaching = *lane->attaching;

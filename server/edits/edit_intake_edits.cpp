@@ -14,10 +14,10 @@ using Code = EditErrorCode;
 
 /// The answer to the client for the outcome in the log.
 tl::expected<edits::EditResult, EditError> answer_of(
-    const tl::expected<const edits::Applied*, EditError>& outcome) {
-  using Kind = edits::Applied::Kind;
+    const tl::expected<const edits::EntryResult*, EditError>& outcome) {
+  using Kind = edits::EntryResult::Kind;
   if (!outcome) return tl::unexpected{outcome.error()};
-  const edits::Applied& applied = **outcome;
+  const edits::EntryResult& applied = **outcome;
   switch (applied.kind) {
     case Kind::done:
     case Kind::conflict:
@@ -136,7 +136,7 @@ void EditIntake::log_edit(const Lane& lane, Preparation edit) {
                          std::move(edit.touched)};
   ++*lane.in_log;
   auto done = [this, session = lane.session, id, received_at = edit.edit.received_at,
-               in_log = lane.in_log](const tl::expected<const edits::Applied*, EditError>& outcome) {
+               in_log = lane.in_log](const tl::expected<const edits::EntryResult*, EditError>& outcome) {
     --*in_log;
     try {
       auto result = answer_of(outcome);

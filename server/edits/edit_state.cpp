@@ -29,7 +29,7 @@ EditedChunk edited_chunk(std::uint64_t revision, edits::ChunkOverrides overrides
 
 /// Appends the current voxels of a chunk that an edit wrote, and returns their number; 0 if they are too many
 /// to remember, or a voxel of a coarser level is as generated, which is not known here.
-std::uint32_t add_voxels_now(const edits::Applied& applied, std::size_t write,
+std::uint32_t add_voxels_now(const edits::EntryResult& applied, std::size_t write,
                              std::vector<Override>& voxels) {
   const std::size_t before = voxels.size();
   if (applied.writes[write].writes.size() > RecentChanges::kMaxVoxels) return 0;
@@ -70,11 +70,11 @@ tl::expected<std::unique_ptr<EditState>, std::string> EditState::open(store::Edi
 }
 
 bool EditState::fit_cache() {
-  std::size_t looks = 1024;
-  return cache_.fit(looks);
+  std::size_t probes = 1024;
+  return cache_.fit(probes);
 }
 
-store::EditDatabase::Done EditState::replay() {
+store::EditDatabase::Status EditState::replay() {
   Replay replay{database_, index_};
   auto good = database_.for_each_editor(
       [&](edits::EditorId id, store::StoredEditor&& editor) { replay.start(id, std::move(editor)); });
@@ -124,8 +124,8 @@ tl::expected<EditedChunk, std::string> EditState::load(ChunkKey key) const {
 }
 
 std::optional<AppliedEdits::Changes> EditState::changes_since(ChunkKey key, std::uint64_t since,
-                                                              std::size_t most) const {
-  return recent_.since(key, index_.find(key), since, most);
+                                                              std::size_t max_voxels) const {
+  return recent_.since(key, index_.find(key), since, max_voxels);
 }
 
 std::optional<edits::Editor> EditState::editor(edits::EditorId id) const {
@@ -160,13 +160,13 @@ std::vector<ChunkChange> EditState::commit(edits::Batch&& batch) {
   recent.reserve(batch.applied().size());
   std::vector<Override> recent_voxels;
   recent_voxels.reserve(batch.applied().size());
-  for (const edits::Applied& applied : batch.applied()) {
+  for (const edits::EntryResult& applied : batch.applied()) {
     for (std::size_t i = 0; i < applied.writes.size(); ++i) {
       const ChunkKey key = applied.writes[i].key;
       const auto [place, added] = places.emplace(key);
       if (added) {
         place = changed.size();
-        const ChunkIndex::Edited before = index_.find(key);
+        const ChunkIndex::ChunkEntry before = index_.find(key);
         changed.push_back({key, before.revision, before.revision});
         newest.push_back(before.change);
       }
@@ -282,7 +282,7 @@ void EditState::mark_clean(ChunkKey key, std::uint64_t revision) {
 const edits::ChunkOverrides* EditState::Reader::find(ChunkKey key) const {
   if (const EditedChunk* const dirty = state_.dirty(key)) return dirty->overrides.get();
   if (state_.revision(key) == 0) return nullptr;
-  const Held& chunk = held(key);
+  const HeldOverrides& chunk = held(key);
   if (chunk.fault) error_ = chunk.fault;
   return chunk.overrides.get();
 }
@@ -295,7 +295,7 @@ std::optional<std::string> EditState::Reader::fault_of(std::span<const ChunkKey>
   return std::nullopt;
 }
 
-const EditState::Reader::Held& EditState::Reader::held(ChunkKey key) const {
+const EditState::Reader::HeldOverrides& EditState::Reader::held(ChunkKey key) const {
   const auto [held, added] = held_.try_emplace(key);
   if (added) {
     if (auto loaded = state_.load(key)) {

@@ -54,7 +54,7 @@ class EditState final : public AppliedEdits {
   [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const override { return index_.rows(key); }
   [[nodiscard]] tl::expected<EditedChunk, std::string> load(ChunkKey key) const override;
   [[nodiscard]] std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
-                                                     std::size_t most) const override;
+                                                     std::size_t max_voxels) const override;
   /// The revision of the whole state.
   [[nodiscard]] std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
   [[nodiscard]] std::optional<edits::Editor> editor(edits::EditorId id) const;
@@ -108,7 +108,7 @@ class EditState final : public AppliedEdits {
 
  private:
   EditState(store::EditDatabase& database, const EditStateSettings& settings);
-  [[nodiscard]] store::EditDatabase::Done replay();
+  [[nodiscard]] store::EditDatabase::Status replay();
 
   struct Dirty {
     EditedChunk chunk;
@@ -149,14 +149,14 @@ class EditState::Reader final : public edits::OverrideSource {
   [[nodiscard]] std::optional<std::string> fault_of(std::span<const ChunkKey> chunks) const;
 
  private:
-  struct Held {
+  struct HeldOverrides {
     std::shared_ptr<const edits::ChunkOverrides> overrides;
     std::optional<std::string> fault;  // why it cannot be read
   };
-  [[nodiscard]] const Held& held(ChunkKey chunk) const;
+  [[nodiscard]] const HeldOverrides& held(ChunkKey chunk) const;
 
   const EditState& state_;
-  mutable std::unordered_map<ChunkKey, Held> held_;
+  mutable std::unordered_map<ChunkKey, HeldOverrides> held_;
   mutable std::optional<std::string> error_;
 };
 

@@ -31,7 +31,7 @@ class EntryQueue {
 
   struct Item {
     Entry entry;
-    EditLog::Done done;
+    EditLog::Callback done;
     std::size_t bytes = 0;
   };
 
@@ -56,26 +56,26 @@ class EntryQueue {
     return {};
   }
 
-  /// Removes and returns at most `most` entries and, except for the first, `most_bytes`. Blocks while the
+  /// Removes and returns at most `max_items` entries and, except for the first, `max_bytes`. Blocks while the
   /// queue is empty, until `until`, stop() or wake(); TimePoint::min() never blocks. `taken` is empty; its
   /// memory is reused.
-  [[nodiscard]] std::vector<Item> take(std::size_t most, std::size_t most_bytes, TimePoint until,
+  [[nodiscard]] std::vector<Item> take(std::size_t max_items, std::size_t max_bytes, TimePoint until,
                                        std::vector<Item> taken = {}) {
     std::unique_lock lock{mutex_};
     if (until != TimePoint::min()) {
       wake_.wait_until(lock, until, [&] { return stopping_ || woken_ || waiting_now() != 0; });
       woken_ = false;
     }
-    if (first_ == 0 && queue_.size() <= most && bytes_ <= most_bytes) {  // the usual case: all
+    if (first_ == 0 && queue_.size() <= max_items && bytes_ <= max_bytes) {  // the usual case: all
       queue_.swap(taken);
       bytes_ = 0;
       return taken;
     }
-    taken.reserve(std::min(waiting_now(), most));
+    taken.reserve(std::min(waiting_now(), max_items));
     std::size_t bytes = 0;
-    while (waiting_now() != 0 && taken.size() < most) {
+    while (waiting_now() != 0 && taken.size() < max_items) {
       const std::size_t size = queue_[first_].bytes;
-      if (!taken.empty() && bytes + size > most_bytes) break;
+      if (!taken.empty() && bytes + size > max_bytes) break;
       bytes += size;
       bytes_ -= size;
       taken.push_back(std::move(queue_[first_++]));

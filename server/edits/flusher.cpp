@@ -24,7 +24,7 @@ void Flusher::start() {
   running_ = true;
 }
 
-store::EditDatabase::Done Flusher::step() {
+store::EditDatabase::Status Flusher::step() {
   if (flushed_) {
     clean_some();
     return {};
@@ -64,7 +64,7 @@ store::EditDatabase::Done Flusher::step() {
   return mark();
 }
 
-store::EditDatabase::Done Flusher::mark() {
+store::EditDatabase::Status Flusher::mark() {
   const auto synced = synced_();
   if (!synced) return tl::unexpected{synced.error()};
   if (!*synced) return {};

@@ -23,11 +23,11 @@ class Flusher {
 
   /// Returns true if all values that were written to the database are durable; false: not yet, retry. An
   /// error is one line.
-  using Synced = std::function<tl::expected<bool, std::string>()>;
+  using SyncCheck = std::function<tl::expected<bool, std::string>()>;
 
   /// Both outlive this. The first blocks for the disk.
   Flusher(EditState& state, store::EditDatabase& database);
-  Flusher(EditState& state, store::EditDatabase& database, Synced synced)
+  Flusher(EditState& state, store::EditDatabase& database, SyncCheck synced)
       : state_{state}, database_{database}, synced_{std::move(synced)} {}
 
   [[nodiscard]] bool is_running() const { return running_; }
@@ -36,19 +36,19 @@ class Flusher {
   /// Writes one slice, or checks that all are synced. An error is one line, and the next step writes the
   /// slice again. Chunks become clean only when all of them are durable: until then they are not read from
   /// the database.
-  [[nodiscard]] store::EditDatabase::Done step();
+  [[nodiscard]] store::EditDatabase::Status step();
   /// Values written since start() may be lost: all stay dirty. REQUIRES: is_running().
   void abandon();
 
  private:
   /// Everything is written: records that in the database once it is synced.
-  [[nodiscard]] store::EditDatabase::Done mark();
+  [[nodiscard]] store::EditDatabase::Status mark();
   /// Makes one slice of durable chunks clean.
   void clean_some();
 
   EditState& state_;
   store::EditDatabase& database_;
-  const Synced synced_;
+  const SyncCheck synced_;
   bool running_ = false;
   bool put_ = false;              // all is written
   bool flushed_ = false;          // and recorded; chunks are being made clean

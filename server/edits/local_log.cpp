@@ -41,7 +41,7 @@ void LocalLog::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-tl::expected<void, EditError> LocalLog::append(LogEntry entry, Done done) {
+tl::expected<void, EditError> LocalLog::append(LogEntry entry, Callback done) {
   if (auto admitted = admit_to_log(entry, state_, clock_); !admitted) return admitted;
   if (writer_.is_read_only()) {
     if (auto read_only = writer_.status().read_only) {
@@ -60,10 +60,10 @@ LocalLog::Status LocalLog::status() const {
 void LocalLog::run() {
   std::vector<Queue::Item> entries;
   while (!queue_.ended()) {
-    entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_look(), std::move(entries));
+    entries = queue_.take(kBatchEntries, kBatchBytes, writer_.next_poll(), std::move(entries));
     if (!entries.empty()) apply(entries);
     entries.clear();
-    writer_.look();
+    writer_.poll();
   }
   writer_.flush_all();
 }
@@ -74,7 +74,7 @@ void LocalLog::apply(std::vector<Queue::Item>& entries) {
     for (const Queue::Item& each : entries) each.done(failure);
     return;
   }
-  std::vector<Done> done;
+  std::vector<Callback> done;
   if (!stage(entries, false, done)) {
     writer_.drop();
     (void)stage(entries, true, done);
@@ -82,10 +82,10 @@ void LocalLog::apply(std::vector<Queue::Item>& entries) {
   if (done.empty()) return writer_.drop();
   if (writer_.store(std::move(done), database_.meta().stream)) return;
   const auto failure = edit_error(EditErrorCode::unwritable, *writer_.read_only());
-  for (const Done& each : writer_.take_done()) each(failure);
+  for (const Callback& each : writer_.take_done()) each(failure);
 }
 
-bool LocalLog::stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Done>& done) {
+bool LocalLog::stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Callback>& done) {
   const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
   edits::Batch& batch = writer_.begin(now.count());
   batch.expect(entries.size());

@@ -34,7 +34,7 @@ class LocalLog final : public EditLog {
   /// Applies and answers accepted entries, writes all dirty chunks, and stops.
   ~LocalLog() override;
 
-  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Done done) override;
+  [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Callback done) override;
 
   struct Status {
     edits::Head head;
@@ -55,7 +55,7 @@ class LocalLog final : public EditLog {
   void apply(std::vector<Queue::Item>& entries);
   /// Stages the entries as a batch and moves their callbacks to `done`. Returns false if overrides that they
   /// need cannot be read. `careful` checks each edit for that first, answers it, and stages the others.
-  [[nodiscard]] bool stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Done>& done);
+  [[nodiscard]] bool stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Callback>& done);
 
   store::EditDatabase& database_;
   EditState& state_;

@@ -28,8 +28,8 @@ class LogSyncer {
   std::uint64_t begin();
   struct SyncResult {
     std::uint64_t number = 0;
-    store::EditDatabase::Written written;
-    store::EditDatabase::Done done;
+    store::EditDatabase::SyncPoint written;
+    store::EditDatabase::Status done;
   };
   /// The last ended sync, once.
   [[nodiscard]] std::optional<SyncResult> take_ended();
@@ -46,7 +46,7 @@ class LogSyncer {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t begun_ = 0;  // the newest
-  store::EditDatabase::Written written_;
+  store::EditDatabase::SyncPoint written_;
   std::uint64_t run_ = 0;        // the newest that was started
   std::uint64_t forgotten_ = 0;  // errors up to this one are not reported
   std::optional<SyncResult> ended_;

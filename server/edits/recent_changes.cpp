@@ -32,15 +32,15 @@ void RecentChanges::forget_oldest() {
   ++oldest_;
 }
 
-const RecentChanges::StoredChange* RecentChanges::find(ChunkKey key, ChunkIndex::Edited edited) const {
+const RecentChanges::StoredChange* RecentChanges::find(ChunkKey key, ChunkIndex::ChunkEntry edited) const {
   const std::size_t place = edited.change - oldest_;
   if (place >= changes_.size()) return nullptr;
   const StoredChange& found = changes_[place];
   return found.change.key == key && found.change.revision == edited.revision ? &found : nullptr;
 }
 
-std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkIndex::Edited now,
-                                                          std::uint64_t since, std::size_t most) const {
+std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkIndex::ChunkEntry now,
+                                                          std::uint64_t since, std::size_t max_voxels) const {
   const std::shared_lock lock{mutex_};
   AppliedEdits::Changes all{.revision = now.revision, .voxels = {}};
   // From the newest change to the first after `since`.
@@ -49,7 +49,7 @@ std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkInd
     if (found == nullptr) return std::nullopt;
     const Change& change = found->change;
     // Voxels that change repeatedly count once, up to this bound.
-    if (all.voxels.size() + change.voxels > 4 * (most + kMaxVoxels)) return std::nullopt;
+    if (all.voxels.size() + change.voxels > 4 * (max_voxels + kMaxVoxels)) return std::nullopt;
     const auto first = voxels_.begin() + static_cast<std::ptrdiff_t>(found->first_voxel - oldest_voxel_);
     all.voxels.insert(all.voxels.end(), first, first + change.voxels);
     now = {change.previous, change.before};
@@ -58,7 +58,7 @@ std::optional<AppliedEdits::Changes> RecentChanges::since(ChunkKey key, ChunkInd
   std::ranges::stable_sort(all.voxels, {}, &Override::index);
   const auto same = [](Override a, Override b) { return a.index == b.index; };
   all.voxels.erase(std::unique(all.voxels.begin(), all.voxels.end(), same), all.voxels.end());
-  if (all.voxels.size() > most) return std::nullopt;
+  if (all.voxels.size() > max_voxels) return std::nullopt;
   return all;
 }
 

@@ -39,8 +39,8 @@ class RecentChanges {
   void add(std::span<const Change> changes, std::span<const Override> voxels);
 
   /// See AppliedEdits::changes_since().
-  [[nodiscard]] std::optional<AppliedEdits::Changes> since(ChunkKey key, ChunkIndex::Edited now,
-                                                           std::uint64_t since, std::size_t most) const;
+  [[nodiscard]] std::optional<AppliedEdits::Changes> since(ChunkKey key, ChunkIndex::ChunkEntry now,
+                                                           std::uint64_t since, std::size_t max_voxels) const;
 
  private:
   struct StoredChange {
@@ -48,7 +48,7 @@ class RecentChanges {
     std::uint64_t first_voxel = 0;  // its number
   };
   /// The change that made this revision of the chunk; null if it is not remembered.
-  [[nodiscard]] const StoredChange* find(ChunkKey key, ChunkIndex::Edited edited) const;
+  [[nodiscard]] const StoredChange* find(ChunkKey key, ChunkIndex::ChunkEntry edited) const;
   void forget_oldest();
 
   std::size_t capacity_bytes_;

@@ -31,13 +31,13 @@ edits::Batch& StoreWriter::begin(std::int64_t now_ms) {
   return pending_.emplace(state_, now_ms, database_.materials()).batch;
 }
 
-bool StoreWriter::store(std::vector<EditLog::Done> done, const store::StreamPlace& place) {
+bool StoreWriter::store(std::vector<EditLog::Callback> done, const store::StreamPlace& place) {
   pending_->done = std::move(done);
   pending_->place = place;
   return write();
 }
 
-std::vector<EditLog::Done> StoreWriter::take_done() {
+std::vector<EditLog::Callback> StoreWriter::take_done() {
   return std::exchange(pending_->done, {});
 }
 
@@ -48,21 +48,21 @@ bool StoreWriter::write() {
   }
   const std::vector<ChunkChange> changed = state_.commit(std::move(pending_->batch));
   publish();
-  const std::vector<edits::Applied>& applied = pending_->batch.applied();
+  const std::vector<edits::EntryResult>& applied = pending_->batch.applied();
   for (std::size_t i = 0; i < pending_->done.size(); ++i) pending_->done[i](&applied[i]);
   if (!changed.empty() && on_changed_) on_changed_(changed);
   pending_.reset();
   return true;
 }
 
-StoreWriter::TimePoint StoreWriter::next_look() const {
+StoreWriter::TimePoint StoreWriter::next_poll() const {
   if (broken_) return next_check_;
   if (!flusher_.is_running()) return std::min(next_flush_, next_check_);
   // The end of a sync wakes the waiting thread.
   return flush_sync_ == 0 ? TimePoint::min() : next_check_;
 }
 
-void StoreWriter::look() {
+void StoreWriter::poll() {
   hear_sync();
   const TimePoint now = std::chrono::steady_clock::now();
   if (now >= next_check_) {

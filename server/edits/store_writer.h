@@ -36,7 +36,7 @@ class StoreWriter {
   using OnChanged = std::function<void(std::span<const ChunkChange>)>;
 
   /// `database` and `state`, which is of that database, outlive this, and from here on only this changes
-  /// them. `wake`, for a shared log: called on any thread when look() is due earlier than next_look()
+  /// them. `wake`, for a shared log: called on any thread when poll() is due earlier than next_poll()
   /// returned.
   StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
               OnChanged on_changed, std::function<void()> wake = {});
@@ -59,10 +59,10 @@ class StoreWriter {
   void drop() { pending_.reset(); }
   /// Writes the batch, makes it the state and calls `done`, which has the callbacks of its first entries.
   /// Returns false if the write failed: the outcome is unknown and only this batch may be written next;
-  /// look() retries it.
-  bool store(std::vector<EditLog::Done> done, const store::StreamPlace& place);
+  /// poll() retries it.
+  bool store(std::vector<EditLog::Callback> done, const store::StreamPlace& place);
   /// Takes the callbacks of a batch whose write failed; they are not called here any more.
-  [[nodiscard]] std::vector<EditLog::Done> take_done();
+  [[nodiscard]] std::vector<EditLog::Callback> take_done();
 
   /// True if writes fail now.
   [[nodiscard]] bool is_broken() const { return broken_; }
@@ -72,19 +72,19 @@ class StoreWriter {
   void entered() { publish(); }
 
   /// Flushes, checks the disk, and retries failed writes, each when it is due.
-  void look();
-  /// When look() is due next; TimePoint::min(): now.
-  [[nodiscard]] TimePoint next_look() const;
+  void poll();
+  /// When poll() is due next; TimePoint::min(): now.
+  [[nodiscard]] TimePoint next_poll() const;
   /// Writes all dirty chunks and editors, unless writes fail.
   void flush_all();
 
  private:
-  struct Pending {
-    Pending(const EditState& state, std::int64_t now_ms, const edits::MaterialIds& materials)
+  struct PendingBatch {
+    PendingBatch(const EditState& state, std::int64_t now_ms, const edits::MaterialIds& materials)
         : reading{state}, batch{reading, state.editors(), state.head(), now_ms, &materials} {}
     EditState::Reader reading;
     edits::Batch batch;
-    std::vector<EditLog::Done> done;
+    std::vector<EditLog::Callback> done;
     store::StreamPlace place;
   };
 
@@ -111,7 +111,7 @@ class StoreWriter {
   std::uint64_t synced_to_ = 0;      // the last successful sync
   std::uint64_t flush_sync_ = 0;     // the sync that the flusher waits for; 0 if it does not wait
   Flusher flusher_;
-  std::optional<Pending> pending_;
+  std::optional<PendingBatch> pending_;
   bool broken_ = false;  // a write failed
   bool disk_full_ = false;
   TimePoint next_flush_;

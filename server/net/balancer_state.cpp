@@ -45,9 +45,9 @@ std::optional<BalancerShare> read_balancer_share(std::string_view text, std::str
 }
 
 std::optional<std::uint64_t> read_balancer_percent(std::string_view text) {
-  constexpr std::uint64_t kMostPercent = 1000;
+  constexpr std::uint64_t kMaxPercent = 1000;
   const auto percent = read_balancer_count(text);
-  return percent && *percent <= kMostPercent ? percent : std::nullopt;
+  return percent && *percent <= kMaxPercent ? percent : std::nullopt;
 }
 
 /// "4780" or "4800-4863".

@@ -35,20 +35,20 @@ class InFlightSlot {
 };
 
 /// A socket that closes itself at its deadline.
-struct Closing {
+struct ClosingSocket {
   InFlightSlot slot;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
   std::vector<std::byte> message;
   std::array<std::byte, 512> unread{};
 };
-using ClosingPtr = std::shared_ptr<Closing>;
+using ClosingSocketPtr = std::shared_ptr<ClosingSocket>;
 
 // Not coroutines: if Asio has no memory to begin an operation of a coroutine, the process ends. Here the
 // caller gets std::bad_alloc.
 
 // Closing with unread bytes would reset the connection and could lose the message.
-void read_to_end(const ClosingPtr& closing) {
+void read_to_end(const ClosingSocketPtr& closing) {
   closing->socket.async_read_some(asio::buffer(closing->unread),
                                   [closing](std::error_code ended, std::size_t) {
                                     if (ended) {
@@ -59,7 +59,7 @@ void read_to_end(const ClosingPtr& closing) {
                                   });
 }
 
-void send_and_close(const ClosingPtr& closing) {
+void send_and_close(const ClosingSocketPtr& closing) {
   closing->deadline.expires_after(kTimeToRead);
   closing->deadline.async_wait([closing](std::error_code cancelled) {
     std::error_code ignored;
@@ -82,8 +82,8 @@ void Refusals::refuse(asio::ip::tcp::socket socket, std::vector<std::byte> messa
   InFlightSlot slot{in_flight};
   if (full) return;
   const auto executor = socket.get_executor();
-  const auto closing = std::make_shared<Closing>(
-      Closing{std::move(slot), std::move(socket), asio::steady_timer{executor}, std::move(message)});
+  const auto closing = std::make_shared<ClosingSocket>(
+      ClosingSocket{std::move(slot), std::move(socket), asio::steady_timer{executor}, std::move(message)});
   asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 

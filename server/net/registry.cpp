@@ -11,10 +11,10 @@ constexpr std::size_t kEverybody = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 template <typename Which>
-std::vector<std::shared_ptr<Peer>> Registry::leave(std::size_t most, Which which) {
+std::vector<std::shared_ptr<Peer>> Registry::leave(std::size_t max_peers, Which which) {
   std::vector<std::shared_ptr<Peer>> leaving;
   for (auto& [id, entry] : peers_) {
-    if (leaving.size() >= most) break;
+    if (leaving.size() >= max_peers) break;
     if (entry.told || !which(entry)) continue;
     auto peer = entry.peer.lock();
     if (peer == nullptr) continue;
@@ -68,13 +68,13 @@ void Registry::tell_others_to_go(const std::string& reason) {
   for (const auto& peer : peers) peer->go_away(reason, {});
 }
 
-std::size_t Registry::tell_to_go(std::size_t most, std::optional<PortRange> ports,
+std::size_t Registry::tell_to_go(std::size_t max_peers, std::optional<PortRange> ports,
                                  Clock::time_point began_before, const std::string& reason,
                                  std::chrono::milliseconds retry_after) {
   std::vector<std::shared_ptr<Peer>> peers;
   {
     const std::lock_guard lock{mutex_};
-    peers = leave(most, [&](const Entry& entry) {
+    peers = leave(max_peers, [&](const Entry& entry) {
       return entry.session_since && *entry.session_since < began_before && entry.came_by(ports);
     });
   }

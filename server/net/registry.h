@@ -49,11 +49,12 @@ class Registry {
   void tell_all_to_go(const std::string& reason, std::chrono::milliseconds retry_after);
   /// Sends GoAway to peers without a session.
   void tell_others_to_go(const std::string& reason);
-  /// Sends GoAway to at most `most` sessions that arrived through `ports` (all if empty) before
+  /// Sends GoAway to at most `max_peers` sessions that arrived through `ports` (all if empty) before
   /// `began_before`, oldest first, so that a session just redirected here is not redirected again. Returns
   /// their number.
-  std::size_t tell_to_go(std::size_t most, std::optional<PortRange> ports, Clock::time_point began_before,
-                         const std::string& reason, std::chrono::milliseconds retry_after);
+  std::size_t tell_to_go(std::size_t max_peers, std::optional<PortRange> ports,
+                         Clock::time_point began_before, const std::string& reason,
+                         std::chrono::milliseconds retry_after);
   struct Sessions {
     std::size_t staying = 0;
     std::size_t leaving = 0;  // sent a GoAway and still connected
@@ -86,10 +87,10 @@ class Registry {
   };
 
   void tell_all(void (Peer::*what)());
-  /// Marks up to `most` peers accepted by `which` as told, skipping any already told, and returns them. Call
-  /// under the mutex.
+  /// Marks up to `max_peers` peers accepted by `which` as told, skipping any already told, and returns them.
+  /// Call under the mutex.
   template <typename Which>
-  [[nodiscard]] std::vector<std::shared_ptr<Peer>> leave(std::size_t most, Which which);
+  [[nodiscard]] std::vector<std::shared_ptr<Peer>> leave(std::size_t max_peers, Which which);
 
   mutable std::mutex mutex_;
   std::map<ConnectionId, Entry> peers_;  // the longest connected first

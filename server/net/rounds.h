@@ -74,13 +74,13 @@ class Rounds final : public asio::execution_context::service {
     }
     now_.clear();
   }
-  /// Moves at most `most` readers to now_, in the order in which they entered. Returns false if there are no
-  /// more; the next to enter posts a handler.
-  [[nodiscard]] bool take(std::size_t most) {
+  /// Moves at most `max_readers` readers to now_, in the order in which they entered. Returns false if there
+  /// are no more; the next to enter posts a handler.
+  [[nodiscard]] bool take(std::size_t max_readers) {
     now_.clear();
     const std::lock_guard lock{mutex_};
     const auto first = readers_.begin();
-    const auto end = first + static_cast<std::ptrdiff_t>(std::min(readers_.size(), most));
+    const auto end = first + static_cast<std::ptrdiff_t>(std::min(readers_.size(), max_readers));
     now_.assign(std::make_move_iterator(first), std::make_move_iterator(end));
     readers_.erase(first, end);
     if (now_.empty()) posted_ = false;

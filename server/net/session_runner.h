@@ -104,8 +104,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void input_ended();
   void output_ended();
   void note_greeting();
-  void look_at_access();
-  void look_at_rates();
+  void update_access();
+  void update_rates();
   [[nodiscard]] std::string silence() const;
   [[nodiscard]] bool too_much_queued() const {
     const std::size_t queued = session_.queued_bytes();
@@ -137,11 +137,11 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   ViewThrottle view_throttle_;
   ViewTurns& view_turns_;  // of the stream's thread
   WriteBatchSize batch_size_;
-  struct Unsent {
+  struct UnsentOutput {
     Output output;
     std::size_t from = 0;  // bytes already written
   };
-  std::optional<Unsent> unsent_;  // written before the session's next output
+  std::optional<UnsentOutput> unsent_;  // written before the session's next output
   bool reading_paused_ = false;
   bool input_ended_ = false;
   bool output_ended_ = false;

@@ -25,7 +25,7 @@ namespace talus::server {
 inline constexpr std::chrono::nanoseconds kFoundChunk{2000};
 
 // Maximum size of output that is written at once by the code that produced it.
-inline constexpr std::size_t kMostAnswerBytes = 4096;
+inline constexpr std::size_t kMaxLittleBytes = 4096;
 
 inline constexpr std::string_view kClosedByClient = "closed by the client";
 
@@ -94,8 +94,8 @@ void SessionRunner<S>::start() {
       self->spawn(&SessionRunner::watch);
     });
     // Either may have changed between its admission and its registration.
-    self->look_at_access();
-    self->look_at_rates();
+    self->update_access();
+    self->update_rates();
   });
 }
 
@@ -108,22 +108,22 @@ void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseco
 
 template <Stream S>
 void SessionRunner<S>::access_changed() {
-  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_access(); });
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->update_access(); });
 }
 
 template <Stream S>
 void SessionRunner<S>::rates_changed() {
-  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->look_at_rates(); });
+  asio::post(stream_.get_executor(), [self = this->shared_from_this()] { self->update_rates(); });
 }
 
 template <Stream S>
-void SessionRunner<S>::look_at_rates() {
+void SessionRunner<S>::update_rates() {
   if (!open_) return;
   dispatch([&](Session& session) { session.rates_changed(slot_->rates()); });
 }
 
 template <Stream S>
-void SessionRunner<S>::look_at_access() {
+void SessionRunner<S>::update_access() {
   if (!open_) return;
   const bool blocked = context_.session.access.blocks(slot_->address());
   dispatch([&](Session& session) { session.access_changed(blocked); });
@@ -272,8 +272,9 @@ asio::awaitable<void> SessionRunner<S>::write() {
       co_await output_waits_.wait_until(due);
       continue;
     }
-    const Unsent unsent = unsent_ ? *std::exchange(unsent_, std::nullopt)
-                                  : Unsent{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
+    const UnsentOutput unsent =
+        unsent_ ? *std::exchange(unsent_, std::nullopt)
+                : UnsentOutput{session_.take_output(batch_size_.bytes(), S::kGatherFrom), 0};
     const Output& output = unsent.output;
     if (output.size() == 0) {  // another session of the address took the credit
       session_.written();
@@ -322,7 +323,7 @@ bool SessionRunner<S>::write_little() {
   if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
     // No write is in flight or pending.
     const bool idle = output_waits_.deadline() != Clock::time_point::min() && !unsent_;
-    if (!idle || session_.closing() || !session_.has_little_to_write(kMostAnswerBytes)) return false;
+    if (!idle || session_.closing() || !session_.has_little_to_write(kMaxLittleBytes)) return false;
     Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
     const auto pieces = output.pieces();
     std::size_t sent = 0;
@@ -333,7 +334,7 @@ bool SessionRunner<S>::write_little() {
     if (sent == output.size()) {
       session_.written();
     } else {
-      unsent_.emplace(Unsent{std::move(output), sent});
+      unsent_.emplace(UnsentOutput{std::move(output), sent});
     }
     return true;
   }

@@ -18,12 +18,12 @@ void block_signals() {
   ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
-SignalsBlocked::SignalsBlocked() {
+SignalBlocker::SignalBlocker() {
   const sigset_t all = all_signals();
   ::pthread_sigmask(SIG_BLOCK, &all, &before_);
 }
 
-SignalsBlocked::~SignalsBlocked() {
+SignalBlocker::~SignalBlocker() {
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 

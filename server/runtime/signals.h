@@ -12,12 +12,12 @@ void block_signals();
 
 /// Blocks signals in the calling thread during its lifetime, and so for ever in threads that a library starts
 /// meanwhile.
-class SignalsBlocked {
+class SignalBlocker {
  public:
-  SignalsBlocked();
-  ~SignalsBlocked();
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+  SignalBlocker();
+  ~SignalBlocker();
+  SignalBlocker(const SignalBlocker&) = delete;
+  SignalBlocker& operator=(const SignalBlocker&) = delete;
 
  private:
   sigset_t before_{};

@@ -109,7 +109,7 @@ std::string access_fields(const AccessLine& line) {
   return fields.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-std::string heights_document(const HeightsForm& form, const HeightsFound& found) {
+std::string heights_document(const HeightsForm& form, const HeightsResult& found) {
   const std::size_t columns = found.heights_fx.size();
   std::string json = fmt::format(R"({{"subvoxels_per_voxel":{})", terrain::kSubvoxels);
   if (form.width > 0) {
@@ -135,7 +135,7 @@ std::string heights_document(const HeightsForm& form, const HeightsFound& found)
   return json;
 }
 
-std::string heights_npy(std::size_t width, const HeightsFound& found) {
+std::string heights_npy(std::size_t width, const HeightsResult& found) {
   static_assert(std::endian::native == std::endian::little);
   const std::size_t count = found.heights_fx.size();
   std::vector<std::size_t> shape{count};

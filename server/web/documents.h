@@ -59,8 +59,8 @@ struct HeightsForm {
   std::vector<std::string> fields{};  // names of the values of each column
 };
 /// Heights in subvoxels, with the looks and values of `form`.
-[[nodiscard]] std::string heights_document(const HeightsForm& form, const HeightsFound& found);
+[[nodiscard]] std::string heights_document(const HeightsForm& form, const HeightsResult& found);
 /// int32[row][column], or int32[column] for a list.
-[[nodiscard]] std::string heights_npy(std::size_t width, const HeightsFound& found);
+[[nodiscard]] std::string heights_npy(std::size_t width, const HeightsResult& found);
 
 }  // namespace talus::server::web

@@ -108,8 +108,8 @@ asio::awaitable<tl::expected<std::vector<EncodedChunkPtr>, FetchError>> Fetch::g
   co_return chunks;
 }
 
-asio::awaitable<tl::expected<HeightsFound, FetchError>> Fetch::heights(HeightsQuery query,
-                                                                       Clock::time_point deadline) {
+asio::awaitable<tl::expected<HeightsResult, FetchError>> Fetch::heights(HeightsQuery query,
+                                                                        Clock::time_point deadline) {
   const auto self = shared_from_this();
   failed_ = false;
   heights_.reset();

@@ -41,8 +41,8 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
   /// Returns the chunks in the order of `keys`. Only one call of get(), heights() or map() at a time.
   [[nodiscard]] asio::awaitable<tl::expected<std::vector<EncodedChunkPtr>, FetchError>> get(
       std::vector<ChunkKey> keys, Version version, Clock::time_point deadline);
-  [[nodiscard]] asio::awaitable<tl::expected<HeightsFound, FetchError>> heights(HeightsQuery query,
-                                                                                Clock::time_point deadline);
+  [[nodiscard]] asio::awaitable<tl::expected<HeightsResult, FetchError>> heights(HeightsQuery query,
+                                                                                 Clock::time_point deadline);
 
   /// Draws a tile of the map.
   [[nodiscard]] asio::awaitable<tl::expected<PicturePtr, FetchError>> map(const map::Tile& tile,
@@ -67,7 +67,7 @@ class Fetch : public std::enable_shared_from_this<Fetch> {
   std::size_t missing_ = 0;
   std::optional<std::uint64_t> ticket_;
   std::uint64_t last_ticket_ = 0;
-  std::optional<HeightsFound> heights_;
+  std::optional<HeightsResult> heights_;
   bool failed_ = false;
   bool gone_ = false;
 };

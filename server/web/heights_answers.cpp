@@ -33,10 +33,10 @@ tl::expected<HeightsQuery, std::string_view> query_of(const HeightsRoute& route,
 /// which other connections should not wait.
 HeightsBody body_of(const HeightsRoute& route, const WorldInfo& world) {
   const auto width = static_cast<std::size_t>(route.width);
-  if (route.npy) return [width](const HeightsFound& found) { return heights_npy(width, found); };
+  if (route.npy) return [width](const HeightsResult& found) { return heights_npy(width, found); };
   HeightsForm form{width, {}, {route.fields.begin(), route.fields.end()}};
   if (route.looks) form.looks = world.looks;
-  return [form = std::move(form)](const HeightsFound& found) { return heights_document(form, found); };
+  return [form = std::move(form)](const HeightsResult& found) { return heights_document(form, found); };
 }
 
 }  // namespace

@@ -27,14 +27,14 @@ class RecentRevisions {
   }
 
  private:
-  struct Look {
+  struct Sample {
     Clock::time_point at{};
     std::uint64_t newest = 0;
   };
 
   std::mutex mutex_;
-  std::optional<Look> before_;
-  Look last_;
+  std::optional<Sample> before_;
+  Sample last_;
 };
 
 }  // namespace talus::server::web

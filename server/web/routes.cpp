@@ -20,9 +20,9 @@ tl::unexpected<RouteError> wrong(int status, std::string text) {
   return tl::make_unexpected(RouteError{status, std::move(text)});
 }
 
-std::vector<std::string_view> split(std::string_view text, char by, std::size_t most) {
+std::vector<std::string_view> split(std::string_view text, char by, std::size_t max_parts) {
   std::vector<std::string_view> parts;
-  while (parts.size() + 1 < most) {
+  while (parts.size() + 1 < max_parts) {
     const std::size_t at = text.find(by);
     if (at == std::string_view::npos) break;
     parts.push_back(text.substr(0, at));
@@ -208,8 +208,9 @@ constexpr std::string_view kHeightForms =
     "/v1/heights?columns=X,Z;X,Z or ?x=X&z=Z&w=COLUMNS&h=ROWS[&step=S], with &looks=1, &fields=NAME,NAME and "
     "&format=npy if wanted";
 
-tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t most, HeightsRoute& route) {
-  for (const std::string_view each : split(text, ';', most + 2)) {
+tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t max_columns,
+                                            HeightsRoute& route) {
+  for (const std::string_view each : split(text, ';', max_columns + 2)) {
     const auto pair = split(each, ',', 3);
     const auto x = number_of(pair[0]);
     const auto z = pair.size() == 2 ? number_of(pair[1]) : std::nullopt;
@@ -219,18 +220,18 @@ tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t m
   return {};
 }
 
-tl::expected<void, RouteError> grid_columns(Query& query, std::size_t most, HeightsRoute& route) {
+tl::expected<void, RouteError> grid_columns(Query& query, std::size_t max_columns, HeightsRoute& route) {
   // Beyond any world; check_heights() enforces the world's bounds.
   constexpr std::int64_t kFar = std::int64_t{1} << 40;
-  const auto read = [&](std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t least,
-                        std::int64_t greatest) -> tl::expected<std::int64_t, RouteError> {
+  const auto read = [&](std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t min,
+                        std::int64_t max) -> tl::expected<std::int64_t, RouteError> {
     const auto text = query.take(key);
     const auto number = text ? number_of(*text) : otherwise;
-    if (number && *number >= least && *number <= greatest) return *number;
+    if (number && *number >= min && *number <= max) return *number;
     return wrong(400, fmt::format("{}: {} is needed; {}", key,
-                                  fmt::format("an integer from {} to {}", least, greatest), kHeightForms));
+                                  fmt::format("an integer from {} to {}", min, max), kHeightForms));
   };
-  const auto columns = static_cast<std::int64_t>(most);
+  const auto columns = static_cast<std::int64_t>(max_columns);
   const auto x = read("x", std::nullopt, -kFar, kFar);
   if (!x) return tl::make_unexpected(x.error());
   const auto z = read("z", std::nullopt, -kFar, kFar);
@@ -250,11 +251,13 @@ tl::expected<void, RouteError> grid_columns(Query& query, std::size_t most, Heig
   return {};
 }
 
-tl::expected<Route, RouteError> heights(std::string_view text, std::size_t most) {
+tl::expected<Route, RouteError> heights(std::string_view text, std::size_t max_columns) {
   Query query{text};
   HeightsRoute route;
   const auto list = query.take("columns");
-  if (const auto done = list ? list_columns(*list, most, route) : grid_columns(query, most, route); !done) {
+  if (const auto done =
+          list ? list_columns(*list, max_columns, route) : grid_columns(query, max_columns, route);
+      !done) {
     return tl::make_unexpected(done.error());
   }
   if (const auto looks = query.take("looks")) {

@@ -58,14 +58,14 @@ double wall_us() {
   return std::chrono::duration<double, std::micro>(Clock::now().time_since_epoch()).count();
 }
 
-struct Made {
+struct ColumnResult {
   std::string value;  // of a column: its chunks' payloads with their lengths
   std::vector<std::pair<ChunkKey, EncodedChunkPtr>> chunks;
 };
 
 struct Cost {
   double column_us = 0;
-  std::vector<Made> columns;
+  std::vector<ColumnResult> columns;
 };
 
 std::string value_of(const std::vector<std::pair<ChunkKey, EncodedChunkPtr>>& chunks) {
@@ -98,7 +98,7 @@ Cost make(const terrain::World& parsed, std::int32_t patches, Lod lod) {
       const terrain::Stacks stacks = making->take();
       for_each_column(patch, kPatchTiles, [&](ChunkKey column) {
         const MixedRows rows = generator.mixed_rows(stacks, column);
-        Made made;
+        ColumnResult made;
         for (std::int32_t y = rows.first; y <= rows.last; ++y) {
           const ChunkKey key{{column.coord.x, y, column.coord.z}, column.lod};
           made.chunks.emplace_back(key, generator.make_chunk(stacks, key));
@@ -108,7 +108,7 @@ Cost make(const terrain::World& parsed, std::int32_t patches, Lod lod) {
     }
   }
   cost.column_us = (cpu_us() - began) / static_cast<double>(cost.columns.size());
-  for (Made& made : cost.columns) made.value = value_of(made.chunks);
+  for (ColumnResult& made : cost.columns) made.value = value_of(made.chunks);
   return cost;
 }
 
@@ -120,7 +120,7 @@ std::string key_of(std::uint32_t column) {
 
 class Store {
  public:
-  Store(fs::path path, const std::vector<Made>& columns) : path_{std::move(path)} {
+  Store(fs::path path, const std::vector<ColumnResult>& columns) : path_{std::move(path)} {
     fs::remove_all(path_);
     options_.create_if_missing = true;
     options_.compaction_style = rocksdb::kCompactionStyleFIFO;
@@ -211,10 +211,10 @@ class Store {
   double write_us_ = 0;
 };
 
-double found_in_memory_us(const std::vector<Made>& columns) {
+double found_in_memory_us(const std::vector<ColumnResult>& columns) {
   ChunkCache cache{std::size_t{256} << 20U};
   std::size_t chunks = 0;
-  for (const Made& made : columns) {
+  for (const ColumnResult& made : columns) {
     for (const auto& [key, chunk] : made.chunks) cache.put(key, chunk);
     chunks += made.chunks.size();
   }
@@ -223,7 +223,7 @@ double found_in_memory_us(const std::vector<Made>& columns) {
   std::size_t found = 0;
   const double began = cpu_us();
   for (int round = 0; round < kRounds; ++round) {
-    for (const Made& made : columns) {
+    for (const ColumnResult& made : columns) {
       for (const auto& [key, chunk] : made.chunks) found += cache.find(key) != nullptr ? 1U : 0U;
     }
   }
@@ -236,7 +236,7 @@ void measure(const fs::path& directory, const char* name, const terrain::World& 
   const Cost cost = make(world, patches, lod);
   std::size_t chunks = 0;
   std::size_t bytes = 0;
-  for (const Made& made : cost.columns) {
+  for (const ColumnResult& made : cost.columns) {
     chunks += made.chunks.size();
     bytes += made.value.size();
   }

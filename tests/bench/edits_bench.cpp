@@ -132,7 +132,7 @@ class Editors {
     entry.sequence = ++sequences_[editor];
     const auto taken = log_.append(std::move(entry), [this, editor](const auto& applied) {
       if (!applied) fail(applied.error().message);
-      if ((*applied)->kind != edits::Applied::Kind::done) fail("an edit was not done");
+      if ((*applied)->kind != edits::EntryResult::Kind::done) fail("an edit was not done");
       ++edits_;
       answered(editor);
     });
@@ -381,7 +381,7 @@ void settle_costs() {
       edits::Batch batch{none, editors, {}, 1};
       batch.apply(edits::AttachEntry{{1, 1}, 1, ""});
       const double start = cpu_seconds();
-      const bool done = batch.apply(entry).kind == edits::Applied::Kind::done;
+      const bool done = batch.apply(entry).kind == edits::EntryResult::Kind::done;
       times.push_back((cpu_seconds() - start) * 1e6);
       if (!done) fail("an edit was not done");
     }

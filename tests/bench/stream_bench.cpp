@@ -54,13 +54,13 @@ using Publish = std::function<bool(std::span<const std::byte>)>;
 
 /// As a server publishes: one message in flight, and all edits that came meanwhile in the next. The time of
 /// each message, and of each edit from when it came.
-struct Measured {
+struct Measurement {
   Times of_messages;
   Times of_edits;
 };
 
-Measured measure(std::uint64_t edits_a_second, std::chrono::seconds length, const Publish& publish) {
-  Measured measured;
+Measurement measure(std::uint64_t edits_a_second, std::chrono::seconds length, const Publish& publish) {
+  Measurement measured;
   auto& [of_messages, of_edits] = measured;
   std::vector<std::byte> bytes(512U << 10U);
   const auto began = Clock::now();
@@ -83,7 +83,8 @@ Measured measure(std::uint64_t edits_a_second, std::chrono::seconds length, cons
   return measured;
 }
 
-void print(const char* name, std::uint64_t edits_a_second, std::chrono::seconds length, Measured measured) {
+void print(const char* name, std::uint64_t edits_a_second, std::chrono::seconds length,
+           Measurement measured) {
   auto& [of_messages, of_edits] = measured;
   fmt::print(
       "{:>12} {:>7}/s: {:>7.0f} messages/s, message p50 {:.2f} p99 {:.2f} ms; edit p50 {:.2f} p99 {:.2f} "
@@ -270,16 +271,16 @@ void bare_acknowledgements(std::chrono::seconds length, const std::string& urls,
                            std::uint64_t rate, std::size_t publishers) {
   std::vector<std::string> list;
   for (const auto& url : urls_of(urls)) list.push_back(url);
-  std::vector<Measured> each(publishers);
+  std::vector<Measurement> each(publishers);
   std::vector<std::thread> threads;
-  for (Measured& measured : each) {
+  for (Measurement& measured : each) {
     threads.emplace_back([&] {
       Bare bare{list, "talus." + store + ".log"};
       measured = measure(rate / publishers, length, [&](auto bytes) { return bare.publish(bytes); });
     });
   }
   for (std::thread& thread : threads) thread.join();
-  Measured all;
+  Measurement all;
   for (const auto& [of_messages, of_edits] : each) {
     std::ranges::copy(of_messages.all_ms, std::back_inserter(all.of_messages.all_ms));
     std::ranges::copy(of_edits.all_ms, std::back_inserter(all.of_edits.all_ms));

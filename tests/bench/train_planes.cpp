@@ -132,11 +132,11 @@ Tables fitted(const Contexts& contexts, std::size_t pairs, const Is& is, const O
   return tables;
 }
 
-using Rounded = std::array<std::array<std::int8_t, 16>, kPairs.size()>;
+using RoundedTables = std::array<std::array<std::int8_t, 16>, kPairs.size()>;
 
 /// In units, with where scores start in the first pair, of which every column has a value.
-Rounded rounded(const Tables& tables, int start) {
-  Rounded all{};
+RoundedTables rounded(const Tables& tables, int start) {
+  RoundedTables all{};
   for (std::size_t p = 0; p < kPairs.size(); ++p) {
     for (std::size_t v = 0; v < 16; ++v) {
       const auto value = static_cast<int>(std::lround(tables[p][v] * kUnit)) + (p == 0 ? start : 0);
@@ -146,7 +146,7 @@ Rounded rounded(const Tables& tables, int start) {
   return all;
 }
 
-std::size_t class_in(const Rounded& weights, const Places& places, std::size_t odd) {
+std::size_t class_in(const RoundedTables& weights, const Places& places, std::size_t odd) {
   int score = 0;
   for (std::size_t p = 0; p < pairs_of(odd); ++p) score = add_weight(score, weights[p][places[p]]);
   return class_of(score);
@@ -179,8 +179,8 @@ int main() {
     }
   }
   ByKind<Contexts> contexts;
-  ByKind<Rounded> same;
-  ByKind<Rounded> up;
+  ByKind<RoundedTables> same;
+  ByKind<RoundedTables> up;
   std::array<Counts, kClasses> by_same{};
   std::array<Counts, kClasses> by_up{};
   for (std::size_t kind = 0; kind < kRowKinds; ++kind) {

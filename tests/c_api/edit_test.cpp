@@ -78,17 +78,17 @@ TEST_CASE(
   OneWrite write{x, y, z, 2};
   const std::uint32_t request = send(client, write.edit);
   std::uint16_t seen = 0;
-  const auto look = [&](const talus_event& event) {
+  const auto note = [&](const talus_event& event) {
     if (event.type == TALUS_EVENT_CHUNK && event.level == 0 && event.x == x >> 5 && event.y == y >> 5 &&
         event.z == z >> 5)
       seen = voxel_of(decode(event.chunk), x, y, z);
   };
-  const talus_event done = client.await(TALUS_EVENT_EDITED, look);
+  const talus_event done = client.await(TALUS_EVENT_EDITED, note);
   CHECK(done.request == request);
   CHECK(done.status == TALUS_OK);
   CHECK(done.revision == 1);
   CHECK(done.changed_voxels == 1);
-  if (seen == 0) look(client.await(TALUS_EVENT_CHUNK));
+  if (seen == 0) note(client.await(TALUS_EVENT_CHUNK));
   CHECK(seen == 2);
 
   OneWrite guarded{x, y, z, 3};

@@ -25,7 +25,7 @@ TEST_CASE("a map asks for no more heights at once than the server allows") {
   const ScratchDirectory scratch;
   std::vector<std::size_t> requests;
   const auto visit = [&]() -> asio::awaitable<void> {
-    Connecting connecting{{"127.0.0.1", static_cast<std::uint16_t>(std::stoi(peer.port()))}, {}};
+    ConnectTarget connecting{{"127.0.0.1", static_cast<std::uint16_t>(std::stoi(peer.port()))}, {}};
     MapOptions options;
     options.center = client::Column{16, 16};
     options.width = options.depth = 2;

@@ -14,7 +14,7 @@ using namespace talus::cli;
 namespace {
 
 // Nobody listens on that port: a command that connects fails by that.
-const Connecting kNowhere{{"127.0.0.1", 1}, {}};
+const ConnectTarget kNowhere{{"127.0.0.1", 1}, {}};
 
 std::string error_of(asio::awaitable<CommandResult> command) {
   asio::io_context io;

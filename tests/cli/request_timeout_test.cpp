@@ -13,7 +13,7 @@ using std::chrono::seconds;
 namespace {
 
 /// A timeout of 30 seconds over a client that waits for nobody.
-struct Waiting {
+struct TimeoutBench {
   client::testing::ManualClock clock;
   asio::io_context io;
   client::Client client{io.get_executor()};
@@ -32,7 +32,7 @@ const client::ClientError kError{client::ErrorKind::server_failed, "the server s
 }  // namespace
 
 TEST_CASE("a timeout expires after its time and says so") {
-  Waiting waiting;
+  TimeoutBench waiting;
   CHECK_FALSE(waiting.expired_after(seconds{29}));
   CHECK(waiting.timeout.explain(kError) == "the server says: no luck");
   CHECK(waiting.expired_after(seconds{1}));
@@ -40,7 +40,7 @@ TEST_CASE("a timeout expires after its time and says so") {
 }
 
 TEST_CASE("a timeout that was restarted lasts its whole time again") {
-  Waiting waiting;
+  TimeoutBench waiting;
   CHECK_FALSE(waiting.expired_after(seconds{20}));
   waiting.timeout.restart();
   CHECK_FALSE(waiting.expired_after(seconds{10}));  // the old end

@@ -276,11 +276,11 @@ class Session {
   std::optional<Client> client_;
   std::function<void(Session&, Where)> act_;
   View view_;
-  struct Held {
+  struct HeldChunk {
     std::shared_ptr<const Chunk> chunk;
     int views_set = 0;  // until it came
   };
-  std::map<ChunkKey, Held> held_;  // delivered, and not left
+  std::map<ChunkKey, HeldChunk> held_;  // delivered, and not left
   int views_set_ = 0;
   bool silent_ = true;  // no event may come: not connected, or closed
   int life_ = 0;        // raised when what was asked before is over

@@ -10,13 +10,13 @@ namespace {
 using namespace testing;
 
 // A client whose only Ping is open when the server hangs up; its handler calls `then`.
-struct Interrupted {
+struct PingBench {
   asio::io_context io;
   Peer peer{io};
   int disconnects = 0;
   std::optional<Client> client;
 
-  explicit Interrupted(int reconnects) {
+  explicit PingBench(int reconnects) {
     Options options;
     options.reconnect.max_attempts = reconnects;
     options.reconnect.first_delay = std::chrono::milliseconds{1};
@@ -80,7 +80,7 @@ TEST_CASE("a client closed before the loop ran does not connect") {
 
 TEST_CASE("a client closed while its last answers fail receives no event") {
   const int reconnects = GENERATE(0, 3);
-  Interrupted m{reconnects};
+  PingBench m{reconnects};
   run(m.io, {[&] { return m.visit([&] { m.client->close(); }); }, [&] { return m.serve(); }});
   m.settle();
   CHECK(m.disconnects == 0);
@@ -88,7 +88,7 @@ TEST_CASE("a client closed while its last answers fail receives no event") {
 
 TEST_CASE("a client destroyed while its last answers fail receives no event") {
   const int reconnects = GENERATE(0, 3);
-  Interrupted m{reconnects};
+  PingBench m{reconnects};
   run(m.io, {[&] { return m.visit([&] { m.client.reset(); }); }, [&] { return m.serve(); }});
   m.settle();
   CHECK(m.disconnects == 0);
@@ -123,7 +123,7 @@ TEST_CASE("a client destroyed by the answer to its request receives no event aft
 
 TEST_CASE("a client closed and connected anew while its last answers fail stays connected") {
   const int reconnects = GENERATE(0, 3);
-  Interrupted m{reconnects};
+  PingBench m{reconnects};
   std::optional<Result<WorldInfo>> again;
   const auto anew = [&] {
     m.client->close();

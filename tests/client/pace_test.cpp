@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 constexpr Rates kRates{0, 0, 10, milliseconds{2'000}};
 
-struct Meeting {
+struct PaceBench {
   asio::io_context io;
   ManualClock clock;
   Peer peer{io};
@@ -57,7 +57,7 @@ struct Meeting {
 }  // namespace
 
 TEST_CASE("requests, Views and pings beyond the rate wait in the client") {
-  Meeting m;
+  PaceBench m;
   m.make_client();
   constexpr int kCount = 40;
   int answered = 0;
@@ -114,7 +114,7 @@ TEST_CASE("requests, Views and pings beyond the rate wait in the client") {
 }
 
 TEST_CASE("a request that the server refuses for now is sent again at the given time") {
-  Meeting m;
+  PaceBench m;
   m.make_client();
   const ChunkKey key = key_at(1, 2, 3);
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -138,7 +138,7 @@ TEST_CASE("a request that the server refuses for now is sent again at the given 
 }
 
 TEST_CASE("a refused request that was cancelled is not asked again") {
-  Meeting m;
+  PaceBench m;
   m.make_client();
   std::optional<Result<ReceivedChunk>> answer;
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -170,7 +170,7 @@ TEST_CASE("a refused request that was cancelled is not asked again") {
 }
 
 TEST_CASE("a View that the server refuses for now is sent again, and no other") {
-  Meeting m;
+  PaceBench m;
   std::vector<ClientError> errors;
   m.events.on_error = [&](const ClientError& error) { errors.push_back(error); };
   m.make_client();
@@ -195,7 +195,7 @@ TEST_CASE("a View that the server refuses for now is sent again, and no other") 
 }
 
 TEST_CASE("a chunk that comes while a View without it waits to be sent is fetched when the next one has it") {
-  Meeting m;
+  PaceBench m;
   const bool alone = GENERATE(true, false);  // or in a column
   std::vector<ChunkKey> came;
   m.events.on_chunk = [&](const ReceivedChunk& chunk) { came.push_back(chunk.key); };
@@ -242,7 +242,7 @@ TEST_CASE("a chunk that comes while a View without it waits to be sent is fetche
 }
 
 TEST_CASE("a refused ping fails, the oldest first") {
-  Meeting m;
+  PaceBench m;
   m.make_client();
   std::vector<std::string> answers;
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -267,7 +267,7 @@ TEST_CASE("a refused ping fails, the oldest first") {
 TEST_CASE(
     "a server that goes away receives no more requests, and the next one receives them after the given "
     "time") {
-  Meeting m;
+  PaceBench m;
   m.make_client(3);
   const ChunkKey key = key_at(1, 2, 3);
   const auto visit = [&]() -> asio::awaitable<void> {

@@ -32,18 +32,18 @@ struct NoOverrides final : edits::OverrideSource {
 
 /// What a server has, and how it decides.
 struct Server {
-  struct Kept {
+  struct ServerChunk {
     std::shared_ptr<const Chunk> chunk = std::make_shared<const Chunk>(Chunk::uniform(kAir));
     std::uint64_t revision = 0;
   };
-  std::map<ChunkCoord, Kept> chunks;
+  std::map<ChunkCoord, ServerChunk> chunks;
   std::uint64_t revision = 0;
 
   Server() {
     for (const ChunkCoord chunk : kChunks) chunks[chunk] = {};
   }
   [[nodiscard]] ReceivedChunk sent(ChunkCoord chunk) const {
-    const Kept& kept = chunks.at(chunk);
+    const ServerChunk& kept = chunks.at(chunk);
     return {{chunk, Lod{}}, kept.revision, content_hash(*kept.chunk), kept.chunk};
   }
   /// What settling may do: what `from` had slides into all that the edit dug in `into`, which is as before.
@@ -82,7 +82,7 @@ struct Server {
     for (const edits::ChunkChanges& each : outcome.chunks) {
       std::vector<Override> voxels;
       for (const edits::VoxelChange& voxel : each.voxels) voxels.push_back({voxel.index, voxel.after});
-      Kept& kept = chunks[each.chunk];
+      ServerChunk& kept = chunks[each.chunk];
       kept = {std::make_shared<const Chunk>(kept.chunk->with_overrides(voxels)), revision};
       changed.insert(each.chunk);
     }
@@ -328,11 +328,11 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
   for (int round = 0; round < rounds; ++round) {
     Server server;
     Player player{server};
-    struct Sent {
+    struct SentEdit {
       Prediction::Id id;
       Edit edit;
     };
-    std::deque<Sent> to_server;
+    std::deque<SentEdit> to_server;
     std::vector<std::pair<Prediction::Id, Result<EditDone>>> answers;
     std::set<ChunkCoord> updates;  // chunks of which the player has not the newest
     std::set<ChunkCoord> away;     // from the View
@@ -349,7 +349,7 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
       if (!away.contains(chunk)) player.own.put(server.sent(chunk));
     };
     const auto server_step = [&] {
-      const Sent sent = std::move(to_server.front());
+      const SentEdit sent = std::move(to_server.front());
       to_server.pop_front();
       if (below(8) == 0) {
         answers.emplace_back(sent.id, tl::unexpected{ClientError{ErrorKind::refused, "no", {}}});
@@ -370,7 +370,7 @@ TEST_CASE("when all is answered and sent, the store holds what the server holds"
       switch (below(7)) {
         case 0:
         case 1: {
-          Sent sent{{}, some_edit()};
+          SentEdit sent{{}, some_edit()};
           sent.id = player.own.begin(sent.edit);
           to_server.push_back(std::move(sent));
           break;

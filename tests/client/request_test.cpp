@@ -8,7 +8,7 @@ namespace {
 
 using namespace testing;
 
-struct Meeting {
+struct RequestBench {
   asio::io_context io;
   Peer peer{io};
   Client client{io.get_executor()};
@@ -19,7 +19,7 @@ struct Meeting {
 }  // namespace
 
 TEST_CASE("get brings the chunk that was asked for") {
-  Meeting m;
+  RequestBench m;
   const ChunkKey key = key_at(-3, 2, 5, 1);
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await m.join();
@@ -44,7 +44,7 @@ TEST_CASE("get brings the chunk that was asked for") {
 }
 
 TEST_CASE("answers in any order reach their callers, requests of one moment share a frame") {
-  Meeting m;
+  RequestBench m;
   constexpr int kCount = 20;
   int answered = 0;
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -80,7 +80,7 @@ TEST_CASE("answers in any order reach their callers, requests of one moment shar
 }
 
 TEST_CASE("no more requests are in flight than the server allows") {
-  Meeting m;
+  RequestBench m;
   constexpr std::uint32_t kAllowed = 4;
   int answered = 0;
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -112,7 +112,7 @@ TEST_CASE("no more requests are in flight than the server allows") {
 }
 
 TEST_CASE("a known chunk may be answered by Unchanged") {
-  Meeting m;
+  RequestBench m;
   const ChunkKey key = key_at(1, 2, 3);
   const ContentHash known{11, 12};
   const auto visit = [&]() -> asio::awaitable<void> {
@@ -135,7 +135,7 @@ TEST_CASE("a known chunk may be answered by Unchanged") {
 }
 
 TEST_CASE("an Error answers its request and leaves the others alone") {
-  Meeting m;
+  RequestBench m;
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await m.join();
     const auto refused = co_await m.client.get(key_at(1, 0, 0));
@@ -156,7 +156,7 @@ TEST_CASE("an Error answers its request and leaves the others alone") {
 }
 
 TEST_CASE("a cancelled request is answered once, by the server's confirmation") {
-  Meeting m;
+  RequestBench m;
   int answers = 0;
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await m.join();
@@ -194,7 +194,7 @@ TEST_CASE("a cancelled request is answered once, by the server's confirmation") 
 }
 
 TEST_CASE("heights come in the order asked") {
-  Meeting m;
+  RequestBench m;
   const std::vector<Column> columns{{1, 2}, {-3, 4}};
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await m.join();
@@ -216,7 +216,7 @@ TEST_CASE("heights come in the order asked") {
 }
 
 TEST_CASE("places have the names of Welcome") {
-  Meeting m;
+  RequestBench m;
   const std::vector<Column> one{{1, 2}};
   const std::vector<Column> two{{1, 2}, {-3, 4}};
   const std::vector<std::uint8_t> one_zero{1, 0};
@@ -259,7 +259,7 @@ TEST_CASE("places have the names of Welcome") {
 }
 
 TEST_CASE("a request that the server cannot answer is refused before it is sent") {
-  Meeting m;
+  RequestBench m;
   const auto visit = [&]() -> asio::awaitable<void> {
     const auto early = co_await m.client.get(key_at(0, 0, 0));
     CHECK(early.error().kind == ErrorKind::not_connected);
@@ -273,7 +273,7 @@ TEST_CASE("a request that the server cannot answer is refused before it is sent"
 }
 
 TEST_CASE("credit is the running total of chunk frames, sent at half a window") {
-  Meeting m;
+  RequestBench m;
   constexpr std::uint64_t kWindow = 2000;
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await m.join();

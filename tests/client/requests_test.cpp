@@ -41,12 +41,12 @@ TEST_CASE("a request is cancelled where it stands") {
   const auto sent = requests.add(request(1));
   const auto waits = requests.add(request(2));
   REQUIRE(requests.send_next(1) == sent);
-  CHECK(requests.cancel(sent) == Requests::Cancelled::in_flight);
+  CHECK(requests.cancel(sent) == Requests::CancelResult::in_flight);
   CHECK(requests.in_flight(sent) != nullptr);  // its answer may be on its way
-  CHECK(requests.cancel(waits) == Requests::Cancelled::waiting);
+  CHECK(requests.cancel(waits) == Requests::CancelResult::waiting);
   CHECK(place_of(requests.take(waits)) == 2);
   CHECK_FALSE(requests.send_next(9));
-  CHECK(requests.cancel(waits) == Requests::Cancelled::unknown);
+  CHECK(requests.cancel(waits) == Requests::CancelResult::unknown);
 }
 
 TEST_CASE(
@@ -57,7 +57,7 @@ TEST_CASE(
   const auto third = requests.add(request(3));
   const auto last = requests.add(request(4));
   for (const auto id : {first, second, third}) REQUIRE(requests.send_next(3) == id);
-  REQUIRE(requests.cancel(second) == Requests::Cancelled::in_flight);
+  REQUIRE(requests.cancel(second) == Requests::CancelResult::in_flight);
   const auto cancelled = requests.send_again();
   REQUIRE(cancelled.size() == 1);
   CHECK(place_of(cancelled[0]) == 2);
@@ -72,7 +72,7 @@ TEST_CASE("a request that a server refused for now waits again in its order, unl
   const auto third = requests.add(request(3));
   const auto last = requests.add(request(4));
   for (const auto id : {first, second, third}) REQUIRE(requests.send_next(3) == id);
-  REQUIRE(requests.cancel(third) == Requests::Cancelled::in_flight);
+  REQUIRE(requests.cancel(third) == Requests::CancelResult::in_flight);
   CHECK(requests.put_back(second));
   CHECK(requests.put_back(first));
   CHECK_FALSE(requests.put_back(third));

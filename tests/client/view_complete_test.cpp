@@ -17,16 +17,17 @@ View one_chunk_at(int x) {
 }
 
 // What was told, in order: coordinates of chunks, "complete X", "error".
-using Told = std::vector<std::string>;
+using Transcript = std::vector<std::string>;
 
 // A client that wants one chunk after the other, of x = 0, 1, ..., each when the one before is complete.
 // `answer` gets each View's number and place, and returns the frames to send; GetChunks are answered by
 // `refetched`.
-Told visit_all(int places, const std::function<std::vector<protocol::Frame>(std::uint32_t, int)>& answer,
-               const std::function<protocol::Frame(std::uint32_t, const ChunkKey&)>& refetched = {}) {
+Transcript visit_all(int places,
+                     const std::function<std::vector<protocol::Frame>(std::uint32_t, int)>& answer,
+                     const std::function<protocol::Frame(std::uint32_t, const ChunkKey&)>& refetched = {}) {
   asio::io_context io;
   Peer peer{io};
-  Told told;
+  Transcript told;
   int place = 0;
   std::optional<Client> client;
   Events events;
@@ -81,18 +82,18 @@ protocol::Frame lost_chunk_frame(std::uint32_t number, int x) {
 
 TEST_CASE("a View is complete when its server says so, once, and under its number alone") {
   std::uint32_t before = 0;
-  const Told told = visit_all(2, [&](std::uint32_t number, int x) {
+  const Transcript told = visit_all(2, [&](std::uint32_t number, int x) {
     CHECK(number != 0);
     CHECK(number != before);
     const auto stale = complete_frame(std::exchange(before, number));
     return std::vector{stale, chunk_at(x), complete_frame(number), complete_frame(number)};
   });
-  CHECK(told == Told{"0", "complete 0", "1", "complete 1"});
+  CHECK(told == Transcript{"0", "complete 0", "1", "complete 1"});
 }
 
 TEST_CASE("chunks that are missing when a View is complete are fetched first") {
   const bool bad = GENERATE(true, false);  // a bad chunk came, or none
-  const Told told = visit_all(
+  const Transcript told = visit_all(
       1,
       [&](std::uint32_t number, int x) {
         std::vector<protocol::Frame> frames;
@@ -101,12 +102,12 @@ TEST_CASE("chunks that are missing when a View is complete are fetched first") {
         return frames;
       },
       [](std::uint32_t id, const ChunkKey& key) { return chunk_frame(id, key, some_chunk(key)); });
-  CHECK(told == (bad ? Told{"error", "0", "complete 0"} : Told{"0", "complete 0"}));
+  CHECK(told == (bad ? Transcript{"error", "0", "complete 0"} : Transcript{"0", "complete 0"}));
 }
 
 TEST_CASE("a chunk of the View that the server gave up is asked for once") {
   const bool comes = GENERATE(true, false);
-  const Told told = visit_all(
+  const Transcript told = visit_all(
       1,
       [](std::uint32_t number, int x) {
         return std::vector{lost_chunk_frame(number, x), complete_frame(number)};
@@ -115,7 +116,7 @@ TEST_CASE("a chunk of the View that the server gave up is asked for once") {
         return comes ? chunk_frame(id, key, some_chunk(key))
                      : error_frame(wire::ErrorCode::internal, "no", id);
       });
-  CHECK(told == (comes ? Told{"0", "complete 0"} : Told{"error", "complete 0"}));
+  CHECK(told == (comes ? Transcript{"0", "complete 0"} : Transcript{"error", "complete 0"}));
 }
 
 }  // namespace talus::client

@@ -25,15 +25,15 @@ protocol::Frame column_frame(int x, int z, const std::vector<wire::UniformRun>& 
 }
 
 // What on_chunk and on_left_view tell while `frames` come and the view then moves to `then`.
-struct Seen {
+struct ViewEvents {
   std::multiset<ChunkKey> came;
   std::set<ChunkKey> left;
   std::vector<ClientError> errors;
 };
-Seen watch(const View& view, const std::vector<protocol::Frame>& frames, const View& then) {
+ViewEvents watch(const View& view, const std::vector<protocol::Frame>& frames, const View& then) {
   asio::io_context io;
   Peer peer{io};
-  Seen seen;
+  ViewEvents seen;
   Events events;
   events.on_chunk = [&](const ReceivedChunk& chunk) { seen.came.insert(chunk.key); };
   events.on_left_view = [&](ChunkKey key) { seen.left.insert(key); };

@@ -2,7 +2,7 @@
 """A cluster under editors and flying viewers, with whose processes and network random things happen, one after the other. Wants root.
 
 Each line of its log is one of them: what, how many edits were answered meanwhile, their longest pause, and when all servers were well
-again. Now and then the editors pause, and every voxel and every server's S are looked at. Ends with 1 at the first thing that is wrong."""
+again. Now and then the editors pause, and every voxel and every server's S are compared. Ends with 1 at the first thing that is wrong."""
 
 import argparse
 import collections
@@ -22,7 +22,7 @@ arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("--seconds", type=float, default=3600)
 arguments.add_argument("--rate", type=float, default=400, help="edits a second")
 arguments.add_argument("--viewers", type=int, default=12)
-arguments.add_argument("--compare", type=float, default=240, help="seconds between looks at all voxels and S")
+arguments.add_argument("--compare", type=float, default=240, help="seconds between comparisons of all voxels and S")
 arguments.add_argument("--patience", type=float, default=300, help="seconds in which all servers must be well again")
 arguments.add_argument("--only", action="append", help="this happens, and what else is named so; else all kinds do")
 arguments.add_argument("--seed", type=int, default=random.randrange(1 << 32))
@@ -164,7 +164,7 @@ class Chaos:
         return " ".join(host.name for host in hosts)
 
 
-class Asked:
+class EditProgress:
     """Of editors: how many of their edits were answered, and how long none was, at most, since this was forgotten."""
 
     def __init__(self, editors):
@@ -188,9 +188,9 @@ with Cluster(folder) as cluster:
                cluster.editors("--editors", 4, "--lanes", 8, "--rate", 0.2 * options.rate, "--seed", options.seed, "--place", 1,
                                servers=[cluster.farm])]
     viewers = cluster.viewers("all", cluster.address_of(cluster.farm), "--players", options.viewers, "--radius", 4, "--vertical", 2)
-    chaos, answers = Chaos(cluster), Asked(editors)
+    chaos, answers = Chaos(cluster), EditProgress(editors)
     pauses, recoveries = collections.defaultdict(list), collections.defaultdict(list)
-    began = looked = time.monotonic()
+    began = compared_at = time.monotonic()
     comparisons = 0
     failures = []
     for each in editors:
@@ -211,12 +211,12 @@ with Cluster(folder) as cluster:
             failures = [mistake["what"] for each in editors for mistake in each.mistakes if "what" in mistake]
             if tail.unlike:
                 failures.append("servers say that S differs")
-            if time.monotonic() - looked > options.compare:
+            if time.monotonic() - compared_at > options.compare:
                 wrong, revision = cluster.agreed(editors)
                 failures += wrong
                 comparisons += 1
-                looked = time.monotonic()
-                say(f"{now()} revision {revision}: every voxel and S on all servers looked at; {'wrong' if wrong else 'right'}")
+                compared_at = time.monotonic()
+                say(f"{now()} revision {revision}: every voxel and S on all servers compared; {'wrong' if wrong else 'right'}")
                 for each in editors:
                     each.go()
     except AssertionError as failure:
@@ -242,7 +242,7 @@ say(f"edits: {total['done']} answered, {total['revisions']} of them changed some
     f"answered after {max(each['p50_ms'] for each in figures):.0f} ms (p50), {max(each['p99_ms'] for each in figures):.0f} ms (p99), "
     f"{max(each['max_ms'] for each in figures) / 1000:.1f} s (the longest)")
 say(f"viewers: {seen['chunk_messages_per_s'] * seconds:.0f} messages with chunks, {seen['wrong']:.0f} wrong, {seen['unanswered']:.0f} never came, {seen['reconnects']:.0f} times reconnected")
-say(f"all voxels and S of all servers looked at {comparisons} times; S in the log held against another server's {tail.compared} times, {tail.unlike} unlike; "
+say(f"all voxels and S of all servers compared {comparisons} times; S in the log held against another server's {tail.compared} times, {tail.unlike} unlike; "
     f"{chaos.started_again} servers ended to take another's store")
 (folder / "figures.json").write_text(json.dumps({"edits": total, "pauses": pauses, "recoveries": recoveries, "viewers": seen}, indent=1))
 for line in failures:

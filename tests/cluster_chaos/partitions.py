@@ -105,7 +105,7 @@ class Chunks:
         self.sent, self.since = cluster.chunks_sent(), [time.monotonic()] * cluster.count
         self.longest = [0.0] * cluster.count
 
-    def look(self):
+    def check(self):
         for number, sent in enumerate(self.cluster.chunks_sent()):
             if sent != self.sent[number]:
                 self.sent[number], self.since[number] = sent, time.monotonic()
@@ -120,7 +120,7 @@ def cut(cluster, name, talusd, nats, sides, tail):
     began = time.monotonic()
     while time.monotonic() - began < options.seconds:
         time.sleep(0.25)
-        chunks.look()
+        chunks.check()
     texts = {server.name: server.ready_text() for server in cluster.servers}
     during = [side.figures() for side in sides]
     metrics = [server.metrics() for server in cluster.servers]
@@ -153,7 +153,7 @@ def cut(cluster, name, talusd, nats, sides, tail):
     equal_after = after()
     until(cluster.is_well, "all are ready and have the quorum", beat_s=0.02)
     well = after()
-    chunks.look()
+    chunks.check()
     stuck = [line for each in bare for line in each.end()]
     differs = sum(server.metrics()["talus_cluster_state_differs"] for server in cluster.servers)
     wrong, revision = cluster.agreed(sides)

@@ -6,7 +6,7 @@
 namespace talus::chaos {
 namespace {
 
-constexpr std::size_t kMostWrites = 12;
+constexpr std::size_t kMaxWrites = 12;
 constexpr std::int64_t kLongestEdge = 6;  // of a fill
 
 }  // namespace
@@ -50,7 +50,7 @@ void Plot::take(const Step& step) {
 
 void Plot::add_writes(Step& step) {
   std::set<std::size_t> chosen;  // each once
-  for (std::size_t count = 1 + below(kMostWrites); count > 0; --count) chosen.insert(below(voxels_.size()));
+  for (std::size_t count = 1 + below(kMaxWrites); count > 0; --count) chosen.insert(below(voxels_.size()));
   for (const std::size_t index : chosen) {
     const MaterialId material = any_material();
     step.edit.writes.push_back({voxel(index), material});

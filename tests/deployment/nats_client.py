@@ -8,7 +8,7 @@ import ssl
 import time
 
 
-class Refused(Exception):
+class RefusedError(Exception):
     """The server said -ERR, or ended the connection."""
 
 
@@ -24,7 +24,7 @@ class NatsClient:
         self.socket = socket.create_connection((host, port), timeout=timeout)
         try:
             if not self._line().startswith(b"INFO "):
-                raise Refused("no INFO")
+                raise RefusedError("no INFO")
             if folder:
                 context = ssl.create_default_context(cafile=f"{folder}/{authority}.pem")
                 context.check_hostname = host != "127.0.0.1"
@@ -34,9 +34,9 @@ class NatsClient:
             self._send(b"CONNECT " + json.dumps({"verbose": False, "pedantic": False, "headers": True, "protocol": 1,
                                                  "no_responders": True, **(hello or {})}).encode() + b"\r\n")
             self.flush()
-        except (OSError, Refused) as failure:
+        except (OSError, RefusedError) as failure:
             self.socket.close()
-            raise Refused(str(failure)) from failure
+            raise RefusedError(str(failure)) from failure
 
     def close(self):
         self.socket.close()
@@ -53,7 +53,7 @@ class NatsClient:
     def _more(self):
         data = self.socket.recv(65536)
         if not data:
-            raise Refused("the server ended the connection")
+            raise RefusedError("the server ended the connection")
         self.buffer += data
 
     def _line(self):
@@ -73,7 +73,7 @@ class NatsClient:
         until = time.monotonic() + self.timeout
         while True:
             if time.monotonic() > until:
-                raise Refused("nothing but PING")
+                raise RefusedError("nothing but PING")
             words = self._line().split()
             match words[0]:
                 case b"PING":
@@ -81,7 +81,7 @@ class NatsClient:
                 case b"PONG":
                     return "PONG"
                 case b"-ERR":
-                    raise Refused(b" ".join(words).decode())
+                    raise RefusedError(b" ".join(words).decode())
                 case b"MSG":
                     return words[1].decode(), b"", self._payload(int(words[-1]))
                 case b"HMSG":

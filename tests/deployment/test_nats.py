@@ -12,7 +12,7 @@ import time
 import unittest
 import urllib.request
 
-from nats_client import NatsClient, Refused, status
+from nats_client import NatsClient, RefusedError, status
 from nats_servers import certificates, start_cluster
 
 STORE = "0123456789abcdef0123456789abcdef"
@@ -102,7 +102,7 @@ class ShippedConfiguration(unittest.TestCase):
             ("anything", {}),
         ]:
             with self.subTest(subject), self.connect("talusd") as talusd:
-                with self.assertRaisesRegex(Refused, "Permissions Violation"):
+                with self.assertRaisesRegex(RefusedError, "Permissions Violation"):
                     talusd.ask(subject, **question)
         with self.connect("talusd") as talusd:
             info = talusd.ask(f"$JS.API.STREAM.INFO.{STREAM}")
@@ -112,7 +112,7 @@ class ShippedConfiguration(unittest.TestCase):
     def test_talusd_may_listen_to_nothing_else(self):
         for subject in [">", "*", "talus.>", LOG, "talus.*.*", "$JS.>", "$SYS.>", "$JS.API.>", "$JS.EVENT.>"]:
             with self.subTest(subject), self.connect("talusd") as talusd:
-                with self.assertRaisesRegex(Refused, "Permissions Violation"):
+                with self.assertRaisesRegex(RefusedError, "Permissions Violation"):
                     talusd.subscribe(subject, 1)
 
     def test_nobody_deletes_the_log(self):
@@ -122,7 +122,7 @@ class ShippedConfiguration(unittest.TestCase):
                 with self.subTest(subject, certificate=certificate), self.connect(certificate) as client:
                     client.publish(subject)
                     if certificate == "talus-admin":
-                        with self.assertRaisesRegex(Refused, "Permissions Violation"):
+                        with self.assertRaisesRegex(RefusedError, "Permissions Violation"):
                             client.flush()
                     else:  # his account is another, in which there is no such log
                         client.flush()
@@ -143,7 +143,7 @@ class ShippedConfiguration(unittest.TestCase):
             ("not in permissions.conf, with another's name", "stranger", {"user": "CN=talusd", "pass": ""}),
             ("a host's own", "nats-0", {}),
         ]:
-            with self.subTest(what), self.assertRaises(Refused):
+            with self.subTest(what), self.assertRaises(RefusedError):
                 self.connect(certificate, hello=hello).close()
 
     def test_without_tls_nobody_gets_in(self):
@@ -160,7 +160,7 @@ class ShippedConfiguration(unittest.TestCase):
     def test_no_route_by_a_talusds_certificate(self):
         # Whoever is a route reads and writes all subjects of all accounts.
         for certificate in [None, "talusd", "talus-admin"]:
-            with self.subTest(certificate), self.assertRaises(Refused):
+            with self.subTest(certificate), self.assertRaises(RefusedError):
                 self.route(certificate)
         self.route("nats-1")
 
@@ -186,7 +186,7 @@ class ShippedConfiguration(unittest.TestCase):
         while True:
             try:
                 return question()
-            except Refused:
+            except RefusedError:
                 if time.monotonic() > until:
                     raise
 
@@ -219,10 +219,10 @@ class ShippedConfiguration(unittest.TestCase):
                     while b"PONG" not in said:
                         data = link.recv(65536)
                         if not data or b"-ERR" in said + data:
-                            raise Refused((said + data).decode(errors="replace"))
+                            raise RefusedError((said + data).decode(errors="replace"))
                         said += data
         except OSError as failure:
-            raise Refused(str(failure)) from failure
+            raise RefusedError(str(failure)) from failure
 
     def issue(self, name, subject):
         """A client's certificate of the cluster's own authority."""

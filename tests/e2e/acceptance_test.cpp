@@ -43,7 +43,7 @@ std::string npy_bytes(const std::filesystem::path& path) {
 }
 
 void run_well(const std::string& path, const std::vector<std::string>& flags) {
-  const Ended ended = run_program(path, flags);
+  const ProgramResult ended = run_program(path, flags);
   INFO(path << ": " << ended.err);
   REQUIRE(ended.status == 0);
 }
@@ -136,14 +136,15 @@ Pair random_pair(std::mt19937_64& random) {
   return {first, second, terrain::generate_stacks(served_world(), both)};
 }
 
-struct Wanted {
+struct WantedChunk {
   ChunkKey key;
   std::size_t pair = 0;
   std::size_t connection = 0;
 };
 
 /// Every chunk of the pair that is not uniform in both tiles, the tiles by different connections.
-void add_wanted(std::vector<Wanted>& wanted, const Pair& pair, std::size_t index, std::size_t connection) {
+void add_wanted(std::vector<WantedChunk>& wanted, const Pair& pair, std::size_t index,
+                std::size_t connection) {
   const terrain::World& world = served_world();
   const auto first_rows = mixed_range(world, pair.stacks, pair.first.x, pair.first.z);
   const auto second_rows = mixed_range(world, pair.stacks, pair.second.x, pair.second.z);
@@ -159,19 +160,19 @@ class Fetcher {
  public:
   explicit Fetcher(std::uint16_t port) : clients_{greeted(port), greeted(port)} {}
 
-  void ask(std::uint32_t id, const Wanted& wanted) {
+  void ask(std::uint32_t id, const WantedChunk& wanted) {
     REQUIRE(clients_.at(wanted.connection).send(get_chunks({chunk_request(id, wanted.key)})));
   }
 
   /// The next chunk on a connection, which must have the id of something asked there.
-  std::pair<std::uint32_t, Chunk> next(std::size_t connection, const std::vector<Wanted>& wanted) {
-    const Received received = clients_.at(connection).expect();
+  std::pair<std::uint32_t, Chunk> next(std::size_t connection, const std::vector<WantedChunk>& wanted) {
+    const ReceivedFrame received = clients_.at(connection).expect();
     auto& bytes = received_bytes_.at(connection);
     bytes += received.bytes();
     REQUIRE(clients_.at(connection).send(credit(bytes)));
     const auto& chunk = received.as<wire::Chunk>();
     REQUIRE(chunk.id() >= 1);
-    const Wanted& answered = wanted.at(chunk.id() - 1);
+    const WantedChunk& answered = wanted.at(chunk.id() - 1);
     REQUIRE(answered.connection == connection);
     REQUIRE(key_of(*chunk.key()) == answered.key);
     auto decoded = decode(std::as_bytes(std::span{chunk.payload()->data(), chunk.payload()->size()}));
@@ -192,7 +193,7 @@ TEST_CASE(
   INFO("TALUS_SEED=" << seed);
   std::mt19937_64 random{seed};
   std::vector<Pair> pairs;
-  std::vector<Wanted> wanted;
+  std::vector<WantedChunk> wanted;
   for (std::size_t index = 0; index < 200; ++index) {
     pairs.push_back(random_pair(random));
     add_wanted(wanted, pairs.back(), index, random() % 2);
@@ -209,7 +210,7 @@ TEST_CASE(
     for (std::size_t i = begin; i < end; ++i) fetcher.ask(static_cast<std::uint32_t>(i + 1), wanted[i]);
     for (std::size_t i = begin; i < end; ++i) {
       const auto [id, chunk] = fetcher.next(wanted[i].connection, wanted);
-      const Wanted& got = wanted[id - 1];
+      const WantedChunk& got = wanted[id - 1];
       CAPTURE(to_string(got.key));
       REQUIRE_FALSE(answered[id - 1]);
       answered[id - 1] = true;

@@ -16,7 +16,7 @@ namespace {
 
 /// A token as an operator makes it.
 std::string made(const std::string& key_file, const std::string& subject, const std::string& rights) {
-  const Ended ended = run_talusd(
+  const ProgramResult ended = run_talusd(
       {"token", "--key-file", key_file, "--subject", subject, "--rights", rights, "--valid", "1h"});
   REQUIRE(ended.status == 0);
   REQUIRE(ended.err.empty());
@@ -25,7 +25,7 @@ std::string made(const std::string& key_file, const std::string& subject, const 
 }
 
 /// What the server says first to a client with this token, which it then keeps or not.
-Received answer_to(RawClient& client, const std::string& token, const std::string& name = "client") {
+ReceivedFrame answer_to(RawClient& client, const std::string& token, const std::string& name = "client") {
   REQUIRE(client.send(hello({.client = name, .token = token})));
   return client.expect();
 }
@@ -39,7 +39,7 @@ TEST_CASE("the shared secret opens, and no other word does") {
   CHECK(answer_to(friendly, "0123456789abcdef").kind() == wire::Body::Welcome);
   for (const std::string& token : {std::string{}, std::string{"0123456789abcdeF"}, std::string(4096, 'x')}) {
     RawClient stranger{server.port()};
-    const Received received = answer_to(stranger, token);
+    const ReceivedFrame received = answer_to(stranger, token);
     CHECK(received.as<wire::Error>().code() == wire::ErrorCode::unauthorized);
     CHECK(stranger.closed());
   }
@@ -53,7 +53,7 @@ TEST_CASE("a token that talusd makes gives the rights that it names") {
     RawClient client{server.port()};
     CHECK(answer_to(client, made(key, "alice", rights)).kind() == wire::Body::Welcome);
     REQUIRE(client.send(edit(1)));
-    const Received refused = client.expect();
+    const ReceivedFrame refused = client.expect();
     CHECK(refused.as<wire::Error>().code() ==
           (rights == "read" ? wire::ErrorCode::forbidden : wire::ErrorCode::unsupported));
   }
@@ -89,7 +89,7 @@ TEST_CASE("a bad key file is one line, also where the configuration is only chec
   const ScratchDirectory scratch;
   const Settings settings{{"TALUS_ACCESS_SECRET_FILE", scratch.write("secret", "short")}};
   for (const std::vector<std::string>& flags : {std::vector<std::string>{}, {"--check-config"}}) {
-    const Ended ended = run_talusd(flags, settings);
+    const ProgramResult ended = run_talusd(flags, settings);
     CHECK(ended.status == 1);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_ACCESS_SECRET_FILE: access.secret_file "));

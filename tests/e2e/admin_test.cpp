@@ -89,7 +89,7 @@ TEST_CASE("a server that has more than its share sends sessions elsewhere, as it
   const std::string check = "GET /-/ready HTTP/1.1\r\nHost: talus\r\nConnection: close\r\n";
   const std::string state = "X-Haproxy-Server-State: UP; name=talus/a; weight=1/2; scur=2/2; qcur=0\r\n\r\n";
   CHECK(ask(admin, check + state).starts_with("HTTP/1.1 200 "));
-  const Received away = first.expect_kind<wire::GoAway>();
+  const ReceivedFrame away = first.expect_kind<wire::GoAway>();
   CHECK(away.as<wire::GoAway>().retry_after_ms() == 0);
   CHECK(first.closed());
   first.close();
@@ -135,7 +135,7 @@ TEST_CASE("an invalid request gets a 4xx, and harms nothing") {
 TEST_CASE("an address for operators that is taken is one line") {
   const ServerProcess server;
   const std::string address = "127.0.0.1:" + std::to_string(server.port());
-  const Ended ended = run_talusd({"--listen", "127.0.0.1:0", "--admin", address});
+  const ProgramResult ended = run_talusd({"--listen", "127.0.0.1:0", "--admin", address});
   CHECK(ended.status == 1);
   CHECK_THAT(ended.err, Catch::StartsWith("talusd: admin " + address + ": "));
 }

@@ -11,12 +11,12 @@ using namespace talus::e2e;
 
 namespace {
 
-Ended talus_client(const ServerProcess& server, std::vector<std::string> flags) {
+ProgramResult talus_client(const ServerProcess& server, std::vector<std::string> flags) {
   flags.insert(flags.begin(), {"--connect", "127.0.0.1:" + std::to_string(server.port())});
   return run_program(TALUS_CLIENT_PATH, flags);
 }
 
-void check_refused(const Ended& ended, int status, const std::string& part) {
+void check_refused(const ProgramResult& ended, int status, const std::string& part) {
   INFO(ended.err);
   CHECK(ended.status == status);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);

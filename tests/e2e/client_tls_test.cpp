@@ -18,13 +18,13 @@ struct Secure {
       {{"TALUS_TLS_CERTIFICATE", certificate}, {"TALUS_TLS_KEY", scratch.write("key.pem", own.key)}}};
 };
 
-Ended get(const ServerProcess& server, std::vector<std::string> flags) {
+ProgramResult get(const ServerProcess& server, std::vector<std::string> flags) {
   flags.insert(flags.begin(), {"--connect", "127.0.0.1:" + std::to_string(server.port())});
   flags.insert(flags.end(), {"get", "0", "0", "0"});
   return run_program(TALUS_CLIENT_PATH, flags);
 }
 
-void check_refused(const Ended& ended, const std::string& part) {
+void check_refused(const ProgramResult& ended, const std::string& part) {
   INFO(ended.err);
   CHECK(ended.status == 1);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
@@ -35,10 +35,13 @@ void check_refused(const Ended& ended, const std::string& part) {
 
 TEST_CASE("talus-client gets a chunk by TLS, and the same one") {
   const Secure secure;
-  const Ended by_tls = get(secure.server, {"--ca", secure.certificate, "--tls-name", "talus.example"});
+  const ProgramResult by_tls =
+      get(secure.server, {"--ca", secure.certificate, "--tls-name", "talus.example"});
   INFO(by_tls.err);
   CHECK(by_tls.status == 0);
-  const auto hash = [](const Ended& ended) { return ended.out.substr(0, ended.out.find("revision")); };
+  const auto hash = [](const ProgramResult& ended) {
+    return ended.out.substr(0, ended.out.find("revision"));
+  };
   CHECK_THAT(hash(by_tls), Catch::Contains("hash "));
   CHECK(hash(by_tls) == hash(get(ServerProcess{}, {})));
 }

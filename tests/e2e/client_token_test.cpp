@@ -20,7 +20,7 @@ TEST_CASE(
   CHECK(get({"--token-file", secret}).status == 0);
   CHECK(get({}, {{"TALUS_TOKEN", "0123456789abcdef"}}).status == 0);
   CHECK(get({}, {{"TALUS_TOKEN_FILE", secret}}).status == 0);
-  const Ended missing = get({});
+  const ProgramResult missing = get({});
   CHECK(missing.status == 1);
   CHECK_THAT(missing.err, Catch::Contains("this server asks for a token"));
   CHECK_THAT(get({}, {{"TALUS_TOKEN", "guess"}}).err, Catch::Contains("the token is not accepted"));

@@ -60,7 +60,7 @@ class World {
       Player player;
       store_ = to_string(player.connect(first.port())->store_id);
     }
-    const Ended made = run_talusd({"store", "join-cluster"}, settings(0));
+    const ProgramResult made = run_talusd({"store", "join-cluster"}, settings(0));
     INFO(made.err);
     REQUIRE(made.status == 0);
     if (as == As::user) password_ = scratch_.write("password", "p");
@@ -155,7 +155,7 @@ class Builders {
       const Builder& builder = *builders_[i];
       for (std::int64_t x = 0; x <= builder.done; ++x) {
         const VoxelPos at{origin_.x + x, origin_.y, origin_.z + static_cast<std::int64_t>(i)};
-        if (!viewer.sees(at)) viewer.look_at(at);
+        if (!viewer.sees(at)) viewer.move_view(at);
         CAPTURE(i, x);
         CHECK(viewer.sees(at) == (x < builder.done ? stone_ : kAir));
       }
@@ -208,7 +208,7 @@ TEST_CASE("a player's build at one server reaches players at another, and all se
   CHECK(to_string(info->store_id) == world.store());
   REQUIRE(viewer.connect(world.port(1)).has_value());
   const VoxelPos at{info->spawn.x, info->spawn.y + 40, info->spawn.z};
-  viewer.look_at(at);
+  viewer.move_view(at);
   REQUIRE(digger.put(at, solid(*info))->changed == 1);
   viewer.until([&] { return viewer.sees(at) == solid(*info); });
   // And the other way.
@@ -298,18 +298,18 @@ TEST_CASE("an operator's rollback at one server is undone at all servers") {
   REQUIRE(info.has_value());
   REQUIRE(viewer.connect(world.port(1)).has_value());
   const VoxelPos at{info->spawn.x, info->max_y + 8, info->spawn.z};
-  viewer.look_at(at);
+  viewer.move_view(at);
   REQUIRE(digger.put(at, solid(*info)).has_value());
   viewer.until([&] { return viewer.sees(at) == solid(*info); });
-  const Ended rolled = run_talusd({"store", "rollback", "--subject", "", "--since", "1h", "--box",
-                                   "-10000,-10000,-10000,10000,10000,10000"},
-                                  world.settings(1));
+  const ProgramResult rolled = run_talusd({"store", "rollback", "--subject", "", "--since", "1h", "--box",
+                                           "-10000,-10000,-10000,10000,10000,10000"},
+                                          world.settings(1));
   INFO(rolled.err);
   CHECK(rolled.status == 0);
   viewer.until([&] { return viewer.sees(at) == kAir; });
-  digger.look_at(at);
+  digger.move_view(at);
   CHECK(digger.sees(at) == kAir);
-  const Ended history =
+  const ProgramResult history =
       run_talusd({"store", "history", "--at",
                   std::to_string(at.x) + "," + std::to_string(at.y) + "," + std::to_string(at.z)},
                  world.settings(0));
@@ -343,7 +343,7 @@ TEST_CASE("cut off from the log a server serves chunks, refuses edits, says so, 
   CHECK_THAT(gave_up.err, Catch::Contains("has not answered within 3 s; it said: ") &&
                               Catch::Contains("no edits are taken"));
 #endif
-  player.look_at({at.x + 400, at.y, at.z});  // land that nobody has seen
+  player.move_view({at.x + 400, at.y, at.z});  // land that nobody has seen
   for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().go_on(i);
   player.until([&] { return doubtful.has_value(); });
   CHECK(doubtful->has_value());

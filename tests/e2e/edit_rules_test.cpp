@@ -27,7 +27,7 @@ struct World {
     std::vector<std::string> flags{"token",    "--key-file", key,       "--subject", "alice",
                                    "--rights", rights,       "--valid", "1h"};
     flags.insert(flags.end(), more.begin(), more.end());
-    const Ended ended = run_talusd(flags);
+    const ProgramResult ended = run_talusd(flags);
     REQUIRE(ended.status == 0);
     client::Options options;
     options.token = ended.out.substr(0, ended.out.size() - 1);
@@ -81,7 +81,7 @@ TEST_CASE("if a gateway is required only it edits, once for each sequence, and i
   const auto info = player.connect(server.port());
   REQUIRE(info.has_value());
   const VoxelPos at{info->spawn.x, info->spawn.y + 50, info->spawn.z};
-  player.look_at(at);
+  player.move_view(at);
   CHECK_THAT(forbidden(player.put(at, kStone)), Catch::Contains("edits.gateway"));
   Player gateway{world.with_token("read,edit,gateway")};
   REQUIRE(gateway.connect(server.port()).has_value());

@@ -279,7 +279,7 @@ TEST_CASE("talus-gen exports the land as players left it, once the server is gon
                  store,
                  "-o",
                  (scratch / "export").string()};
-    const Ended refused = run_program(TALUS_GEN_PATH, exporting);
+    const ProgramResult refused = run_program(TALUS_GEN_PATH, exporting);
     CHECK(refused.status == 1);
     CHECK_THAT(refused.err, Catch::Contains("talusd store backup"));
     const std::string backup = (scratch / "backup").string();
@@ -289,7 +289,7 @@ TEST_CASE("talus-gen exports the land as players left it, once the server is gon
     from_backup.back() = (scratch / "export-of-backup").string();
     REQUIRE(run_program(TALUS_GEN_PATH, from_backup).status == 0);
   }
-  const Ended exported = run_program(TALUS_GEN_PATH, exporting);
+  const ProgramResult exported = run_program(TALUS_GEN_PATH, exporting);
   INFO(exported.err);
   REQUIRE(exported.status == 0);
   const auto json = nlohmann::json::parse(read_whole(scratch / "export" / "export.json"));

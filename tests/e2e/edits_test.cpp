@@ -63,8 +63,8 @@ TEST_CASE("a player's build reaches others at once, at every level, and outlives
     REQUIRE(viewer.connect(server.port()).has_value());
     stone = solid(*world);
     at = {world->spawn.x & ~63, (world->spawn.y + 64) & ~63, world->spawn.z & ~63};
-    viewer.look_at(at, 1, {{Lod::of(1), 4}, {Lod::of(2), 8}});
-    digger.look_at(at);
+    viewer.move_view(at, 1, {{Lod::of(1), 4}, {Lod::of(2), 8}});
+    digger.move_view(at);
     CHECK(viewer.sees(at) == kAir);
 
     client::Edit block;
@@ -92,7 +92,7 @@ TEST_CASE("a player's build reaches others at once, at every level, and outlives
   const ServerProcess again{editable(scratch / "data")};
   Player late;
   REQUIRE(late.connect(again.port()).has_value());
-  late.look_at(at, 1, {{Lod::of(1), 4}});
+  late.move_view(at, 1, {{Lod::of(1), 4}});
   CHECK(late.sees(at) == stone);
   CHECK(late.sees({at.x + 15, at.y + 15, at.z + 15}) == stone);
   CHECK(late.sees({at.x + 16, at.y, at.z}) == kAir);
@@ -118,8 +118,8 @@ TEST_CASE("if loose material settles a hole fills from its edges, for all viewer
   REQUIRE(world.has_value());
   REQUIRE(viewer.connect(server.port()).has_value());
   const VoxelPos spawn = world->spawn;
-  digger.look_at(spawn);
-  viewer.look_at(spawn);
+  digger.move_view(spawn);
+  viewer.move_view(spawn);
   // The loose ground of this world is some 12 voxels deep.
   const VoxelPos first{spawn.x - 2, spawn.y - 9, spawn.z - 2};
   const VoxelPos last{spawn.x + 2, spawn.y + 2, spawn.z + 2};
@@ -264,7 +264,7 @@ TEST_CASE("a server killed under its editors loses no acknowledged edit, and app
     total += static_cast<std::uint64_t>(editor.done);
     for (std::int64_t x = 0; x <= editor.done; ++x) {
       const VoxelPos at{origin.x + x, origin.y, origin.z + i};
-      if (!viewer.sees(at)) viewer.look_at(at);
+      if (!viewer.sees(at)) viewer.move_view(at);
       CAPTURE(i, x);
       CHECK(viewer.sees(at) == (x < editor.done ? stone : kAir));
     }

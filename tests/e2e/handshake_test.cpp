@@ -16,7 +16,7 @@ namespace {
 
 /// The next frame is this Error, and after it the connection closes; returns its text.
 std::string closing_error(RawClient& client, wire::ErrorCode code) {
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const auto& error = received.as<wire::Error>();
   CHECK(std::string{wire::EnumNameErrorCode(error.code())} == wire::EnumNameErrorCode(code));
   CHECK(client.closed());
@@ -29,7 +29,7 @@ TEST_CASE("Welcome describes the world and the limits") {
   const ServerProcess server{{{"TALUS_LIMITS_REQUESTS_IN_FLIGHT", "77"}}};
   RawClient client{server.port()};
   REQUIRE(client.send(hello({.window_bytes = 5000})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const auto& welcome = received.as<wire::Welcome>();
 
   const terrain::World& world = served_world();

@@ -51,15 +51,15 @@ asio::awaitable<Valley> find_valley(client::Client& client) {
   co_return Valley{*std::min_element(places.begin(), places.end(), lower), summit};
 }
 
-struct Seen {
+struct ReceivedChunks {
   std::set<ChunkKey> chunks;
   std::set<ChunkKey> mixed;
   std::size_t twice = 0;
 };
 
 /// All that a player at the plain is sent.
-void look(asio::io_context& io, const ServerProcess& server, bool horizon, Seen& seen, Valley& valley,
-          client::View& view, HeightRange& heights) {
+void fly(asio::io_context& io, const ServerProcess& server, bool horizon, ReceivedChunks& seen,
+         Valley& valley, client::View& view, HeightRange& heights) {
   client::Events events;
   events.on_chunk = [&](const client::ReceivedChunk& chunk) {
     if (!seen.chunks.insert(chunk.key).second) ++seen.twice;
@@ -108,7 +108,7 @@ std::multiset<ChunkKey> sent_for(const ServerProcess& server, const client::View
   std::multiset<ChunkKey> sent;
   std::uint64_t bytes = 0;
   while (true) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     if (received.kind() == wire::Body::ViewComplete) return sent;
     if (received.kind() != wire::Body::Chunk) continue;
     sent.insert(key_of(*received.as<wire::Chunk>().key()));
@@ -124,11 +124,11 @@ TEST_CASE("the summit above the plain comes with a horizon, and not without") {
   CAPTURE(horizon);
   const ServerProcess server{{kClassicWorld}};
   asio::io_context io;
-  Seen seen;
+  ReceivedChunks seen;
   Valley valley;
   client::View view;
   HeightRange heights;
-  look(io, server, horizon, seen, valley, view, heights);
+  fly(io, server, horizon, seen, valley, view, heights);
   CAPTURE(valley.plain.height, valley.summit.height);
 
   // The chunk that holds the summit's topmost voxel, of the level that the View has there.
@@ -167,11 +167,11 @@ TEST_CASE("the summit above the plain comes with a horizon, and not without") {
 TEST_CASE("a horizon has every chunk of its rings that is not uniform, and as many as the client counts") {
   const ServerProcess server{{{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/features.toml"}}};
   asio::io_context io;
-  Seen seen;
+  ReceivedChunks seen;
   Valley valley;
   client::View view;
   HeightRange heights;
-  look(io, server, true, seen, valley, view, heights);
+  fly(io, server, true, seen, valley, view, heights);
   const client::ViewShape shape{view, heights};
   CHECK(static_cast<std::int64_t>(seen.chunks.size()) == shape.count());
   CHECK(seen.mixed.size() > 300);

@@ -33,7 +33,7 @@ protocol::Frame random_bytes(std::mt19937& random, std::size_t count) {
 }
 
 wire::ErrorCode closing_code(RawClient& client) {
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const wire::ErrorCode code = received.as<wire::Error>().code();
   CHECK(client.closed());
   return code;
@@ -78,7 +78,7 @@ void attack(std::mt19937& random, std::uint16_t port) {
 void check_served(RawClient& client, std::uint32_t id, std::uint64_t& taken_bytes) {
   const auto place = static_cast<std::int32_t>(id);
   REQUIRE(client.send(get_chunks({chunk_request(id, at(place % 1000, 0, place / 1000))})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   REQUIRE(received.as<wire::Chunk>().id() == id);
   taken_bytes += received.bytes();
   REQUIRE(client.send(credit(taken_bytes)));

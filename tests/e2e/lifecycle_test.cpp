@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Exit status 1 (2 for wrong use) and one line on stderr; returns the line.
-std::string one_line(const Ended& ended, int status = 1) {
+std::string one_line(const ProgramResult& ended, int status = 1) {
   CHECK(ended.status == status);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
   return ended.err;
@@ -76,7 +76,7 @@ TEST_CASE("SIGTERM and SIGINT: GoAway, pending answers, exit 0") {
   REQUIRE(client.send(credit(bytes)));
   (void)client.expect_kind<wire::Chunk>();
   CHECK(client.closed());
-  const Received refused = idle.expect();  // GoAway never comes before Welcome
+  const ReceivedFrame refused = idle.expect();  // GoAway never comes before Welcome
   CHECK(refused.as<wire::Error>().code() == wire::ErrorCode::overloaded);
   CHECK(refused.as<wire::Error>().retry_after_ms() > 0);
   CHECK(idle.closed());
@@ -115,7 +115,7 @@ TEST_CASE("with a lead the server goes on for it, and sends players elsewhere on
   clients.push_back(greeted(server.port()));
   std::vector<std::chrono::steady_clock::time_point> told;
   for (RawClient& client : clients) {
-    const Received away = client.expect_kind<wire::GoAway>();
+    const ReceivedFrame away = client.expect_kind<wire::GoAway>();
     CHECK(away.as<wire::GoAway>().retry_after_ms() == 0);
     told.push_back(std::chrono::steady_clock::now());
     CHECK(client.closed());
@@ -157,7 +157,7 @@ TEST_CASE("requests after GoAway are refused by their ids") {
   server.signal(SIGTERM);
   (void)client.expect_kind<wire::GoAway>();
   REQUIRE(client.send(get_chunks({chunk_request(3, at(0, 0, 0))})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   CHECK(received.as<wire::Error>().request_id() == 3);
   CHECK(received.as<wire::Error>().retry_after_ms() > 0);
 }
@@ -222,7 +222,7 @@ TEST_CASE("the flag --check-config says ok, or what is wrong and where") {
   const ScratchDirectory scratch;
   const std::string right = scratch.write("right.toml", "[limits]\nconnections = 5\n");
   const std::string wrong = scratch.write("wrong.toml", "[limits]\nconections = 5\n");
-  const Ended ended = run_talusd({"--check-config", "--config", right});
+  const ProgramResult ended = run_talusd({"--check-config", "--config", right});
   CHECK(ended.status == 0);
   CHECK(ended.out == "ok\n");
   CHECK_THAT(one_line(run_talusd({"--check-config", "--config", wrong})),
@@ -237,8 +237,8 @@ TEST_CASE("why a server does not start is said in the log's format, and obeyed b
              Catch::StartsWith("talusd: world: /nowhere/\\x1b[31m.toml: "));
   CHECK_THAT(one_line(run_talusd({"--config", nowhere})),
              Catch::StartsWith("talusd: /nowhere/\\x1b[31m.toml: "));
-  for (const Ended& ended : {run_talusd({"--config", in_json, "--world", nowhere}),
-                             run_talusd({"--config", nowhere}, {{"TALUS_LOG_FORMAT", "json"}})}) {
+  for (const ProgramResult& ended : {run_talusd({"--config", in_json, "--world", nowhere}),
+                                     run_talusd({"--config", nowhere}, {{"TALUS_LOG_FORMAT", "json"}})}) {
     CHECK_THAT(one_line(ended), Catch::StartsWith("{\"time\":") && Catch::Contains("\"level\":\"error\"") &&
                                     Catch::Contains("/nowhere/\\\\x1b[31m.toml: ") && Catch::EndsWith("}\n"));
   }

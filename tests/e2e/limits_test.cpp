@@ -20,7 +20,7 @@ namespace {
 
 /// Sends `bytes` one at a time, with a pause only while nothing comes from the server; returns what came
 /// before they were all sent.
-std::optional<Received> drip(RawClient& client, const protocol::Frame& bytes) {
+std::optional<ReceivedFrame> drip(RawClient& client, const protocol::Frame& bytes) {
   for (const std::byte each : bytes) {
     if (!client.send({&each, 1})) break;
     if (auto received = client.receive_within(milliseconds{20})) return received;
@@ -28,7 +28,7 @@ std::optional<Received> drip(RawClient& client, const protocol::Frame& bytes) {
   return client.receive_within(milliseconds{0});
 }
 
-void check_timeout(RawClient& client, const std::optional<Received>& received) {
+void check_timeout(RawClient& client, const std::optional<ReceivedFrame>& received) {
   REQUIRE(received.has_value());
   CHECK(received->as<wire::Error>().code() == wire::ErrorCode::timeout);
   CHECK(client.closed());
@@ -66,7 +66,7 @@ TEST_CASE("one connection too many from an address is refused with a reason", "[
   RawClient first = greeted(server.port());
   RawClient second = greeted(server.port());
   RawClient third{server.port()};
-  const Received refused = third.expect();
+  const ReceivedFrame refused = third.expect();
   CHECK(refused.as<wire::Error>().code() == wire::ErrorCode::overloaded);
   CHECK(refused.as<wire::Error>().retry_after_ms() > 0);
   CHECK(third.closed());
@@ -88,7 +88,7 @@ TEST_CASE("a place is free again when its connection has ended", "[tcp]") {
   for (;;) {
     RawClient next{server.port()};
     (void)next.send(hello());
-    const Received received = next.expect();
+    const ReceivedFrame received = next.expect();
     if (received.kind() == wire::Body::Welcome) break;
     REQUIRE(received.as<wire::Error>().code() == wire::ErrorCode::overloaded);
   }
@@ -102,7 +102,7 @@ TEST_CASE("requests over the limit are refused by their ids, the others answered
   REQUIRE(client.send(get_chunks(requests)));
   int chunks = 0;
   for (std::uint32_t answer = 1; answer <= 5; ++answer) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     if (received.kind() == wire::Body::Chunk) {
       ++chunks;
     } else {
@@ -117,7 +117,7 @@ TEST_CASE("heights over the limit are refused") {
   const ServerProcess server{{{"TALUS_LIMITS_HEIGHTS_PER_REQUEST", "2"}}};
   RawClient client = greeted(server.port());
   REQUIRE(client.send(get_heights(6, {{0, 0}, {1, 0}, {2, 0}})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   CHECK(received.as<wire::Error>().request_id() == 6);
   CHECK(received.as<wire::Error>().code() == wire::ErrorCode::too_large);
 }
@@ -128,7 +128,7 @@ TEST_CASE("a View comes whole where the generators' queue holds one of its chunk
   REQUIRE(client.send(view({.horizontal_radius = 1})));
   std::set<std::pair<std::int32_t, std::int32_t>> columns;
   for (int chunk = 0; chunk < 9; ++chunk) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     const wire::ChunkKey& key = *received.as<wire::Chunk>().key();
     columns.emplace(key.x(), key.z());
   }
@@ -143,7 +143,7 @@ TEST_CASE("a client over its rate is refused with a time, and served after it") 
   int refused = 0;
   milliseconds wait{0};
   for (int answer = 0; answer < 3; ++answer) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     if (received.kind() != wire::Body::Error) continue;
     ++refused;
     CHECK(received.as<wire::Error>().code() == wire::ErrorCode::overloaded);
@@ -214,7 +214,7 @@ TEST_CASE("a server without memory to spare refuses connections, and takes them 
     REQUIRE(clients.size() < 250);
     clients.emplace_back(server.port());
     (void)clients.back().send(hello());
-    const Received first = clients.back().expect();
+    const ReceivedFrame first = clients.back().expect();
     refused = first.kind() == wire::Body::Error;
     if (refused) {
       CHECK(first.as<wire::Error>().code() == wire::ErrorCode::overloaded);
@@ -234,7 +234,7 @@ TEST_CASE("a server without memory to spare refuses connections, and takes them 
     REQUIRE(std::chrono::steady_clock::now() < give_up);
     RawClient client{server.port()};
     (void)client.send(hello());
-    const std::optional<Received> first = client.receive();
+    const std::optional<ReceivedFrame> first = client.receive();
     received = first ? wire::EnumNameBody(first->kind()) : "the end of the connection";
     if (received == "Error") received = first->as<wire::Error>().text()->str();
   }

@@ -70,7 +70,7 @@ class Growth {
   explicit Growth(const ServerProcess& server) : server_{server}, idle_{server.resident_bytes()} {}
 
   void check(const std::string& what) const {
-    const std::size_t most = server_.most_resident_bytes() - idle_;
+    const std::size_t most = server_.max_resident_bytes() - idle_;
     std::cout << what << ": resident memory grew by " << (most >> 20) << " MiB at most, of "
               << (kBudget >> 20) << "\n";
     CHECK(most < kMayGrow);

@@ -278,17 +278,17 @@ TEST_CASE("each path of openapi.json answers as it says, with each parameter, by
 
 TEST_CASE("openapi.json names what it refers to, and uses all that it names") {
   std::set<std::string> used;
-  const std::function<void(const json&)> look = [&](const json& value) {
+  const std::function<void(const json&)> check_references = [&](const json& value) {
     if (value.is_object() && value.contains("$ref")) {
       const std::string name = value["$ref"];
       CHECK(document().contains(json::json_pointer{name.substr(1)}));
       used.insert(name);
     }
     if (value.is_structured()) {
-      for (const json& inner : value) look(inner);
+      for (const json& inner : value) check_references(inner);
     }
   };
-  look(document());
+  check_references(document());
   for (const auto& [kind, components] : document()["components"].items()) {
     if (kind == "securitySchemes") continue;
     for (const auto& [name, component] : components.items()) {

@@ -51,7 +51,7 @@ double value_of(const std::string& text, const std::string& series) {
 }
 
 void check_blocked(RawClient& client) {
-  const Received said = client.expect();
+  const ReceivedFrame said = client.expect();
   CHECK(said.as<wire::Error>().code() == wire::ErrorCode::unauthorized);
   CHECK(said.as<wire::Error>().text()->str() == "this server's operator has blocked you");
   CHECK(client.closed());
@@ -67,7 +67,8 @@ TEST_CASE("the flow that uses most is on the operators' port, and in talusd top"
                         {"TALUS_RATES_BURST_MS", "1000"}},
                        {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();
-  const Ended token = run_talusd({"token", "--key-file", key, "--subject", "greedy", "--valid", "1h"});
+  const ProgramResult token =
+      run_talusd({"token", "--key-file", key, "--subject", "greedy", "--valid", "1h"});
   RawClient client{server.port()};
   REQUIRE(client.send(hello({.token = token.out.substr(0, token.out.size() - 1)})));
   (void)client.expect_kind<wire::Welcome>();
@@ -85,11 +86,11 @@ TEST_CASE("the flow that uses most is on the operators' port, and in talusd top"
   CHECK(metrics.find("greedy") == std::string::npos);
 
   const std::string address = "127.0.0.1:" + std::to_string(admin);
-  const Ended top = run_talusd({"top"}, {{"TALUS_ADMIN", address}});
+  const ProgramResult top = run_talusd({"top"}, {{"TALUS_ADMIN", address}});
   CHECK(top.status == 0);
   CHECK(top.err.empty());
   CHECK_THAT(top.out, Catch::Contains("GENERATOR TIME") && Catch::Contains("subject greedy"));
-  const Ended nobody = run_talusd({"top", "--admin", "127.0.0.1:1"});
+  const ProgramResult nobody = run_talusd({"top", "--admin", "127.0.0.1:1"});
   CHECK(nobody.status == 1);
   CHECK_THAT(nobody.err, Catch::StartsWith("talusd top: http://127.0.0.1:1/flows: "));
 }
@@ -162,12 +163,12 @@ TEST_CASE("SIGHUP says which settings have changed, and they count") {
   {
     RawClient fresh{server.port()};  // the second connection, and the last
     REQUIRE(fresh.send(hello({})));
-    const Received welcome = fresh.expect_kind<wire::Welcome>();
+    const ReceivedFrame welcome = fresh.expect_kind<wire::Welcome>();
     const auto* limits = welcome.as<wire::Welcome>().limits();
     CHECK(limits->requests_in_flight() == 2);
     CHECK(limits->session_rates()->requests() == 1);
     RawClient third{server.port()};
-    const Received full = third.expect();
+    const ReceivedFrame full = third.expect();
     CHECK_THAT(full.as<wire::Error>().text()->str(), Catch::Contains("2 connections"));
   }
   // Who was there has its old limits, and the new rates. All Pings come before a token is earned back, or
@@ -217,7 +218,8 @@ TEST_CASE("a subject is blocked while the server runs, and others of its address
   const std::string list = scratch.write("blocked", "");
   ServerProcess server{{{"TALUS_ACCESS_SIGNING_KEY_FILE", key}, {"TALUS_ACCESS_BLOCKED_FILE", list}}};
   const auto enter = [&](const std::string& subject) {
-    const Ended token = run_talusd({"token", "--key-file", key, "--subject", subject, "--valid", "1h"});
+    const ProgramResult token =
+        run_talusd({"token", "--key-file", key, "--subject", subject, "--valid", "1h"});
     RawClient client{server.port()};
     REQUIRE(client.send(hello({.token = token.out.substr(0, token.out.size() - 1)})));
     return client;

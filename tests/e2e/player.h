@@ -51,7 +51,7 @@ struct Player {
     one.writes.push_back({voxel, material});
     return edit(std::move(one));
   }
-  void look_at(VoxelPos centre, std::uint16_t radius = 1, std::vector<client::LodRing> rings = {}) {
+  void move_view(VoxelPos centre, std::uint16_t radius = 1, std::vector<client::LodRing> rings = {}) {
     client::View view;
     view.centre = centre;
     view.horizontal_radius = radius;

@@ -18,7 +18,7 @@ using namespace talus::e2e;
 
 namespace {
 
-constexpr std::size_t kMostUnanswered = 256;
+constexpr std::size_t kMaxUnanswered = 256;
 
 /// A player whose store shows own edits at once.
 struct Builder {
@@ -51,7 +51,7 @@ struct Builder {
     REQUIRE(world->has_value());
     return **world;
   }
-  void look_at(VoxelPos at) {
+  void move_view(VoxelPos at) {
     client::View view;
     view.centre = at;
     view.horizontal_radius = view.vertical_radius = 1;
@@ -93,8 +93,8 @@ TEST_CASE(
   const auto world = one.join(server.port());
   (void)two.join(server.port());
   const VoxelPos at{world.spawn.x, world.spawn.y + 40, world.spawn.z};
-  one.look_at(at);
-  two.look_at(at);
+  one.move_view(at);
+  two.move_view(at);
   one.edit(write_of(at, kStone, kAir));
   CHECK(one.sees(at) == kStone);
   one.until([&] { return one.own.open() == 0; });
@@ -128,7 +128,7 @@ TEST_CASE("loose material that slides over the borders of chunks is predicted as
   const auto middle = [](std::int64_t of) { return floor_div(of, kChunkSize) * kChunkSize + kChunkSize / 2; };
   const VoxelPos at{middle(world.spawn.x) + kChunkSize / 2, middle(world.spawn.y + 64),
                     middle(world.spawn.z)};
-  builder.look_at(at);
+  builder.move_view(at);
   client::Edit build;
   build.fills.push_back({{at.x - 7, at.y - 1, at.z - 7}, {at.x + 7, at.y - 1, at.z + 7}, kStone, {}});
   build.fills.push_back({{at.x - 2, at.y, at.z - 1}, {at.x - 1, at.y, at.z + 1}, kStone, {}});
@@ -143,7 +143,7 @@ TEST_CASE("loose material that slides over the borders of chunks is predicted as
   CHECK(builder.sees(at) == loose->id);
   Player late;
   REQUIRE(late.connect(server.port()).has_value());
-  late.look_at(at);
+  late.move_view(at);
   builder.until([&] {
     bool same = true;
     late.store.for_each([&](const client::ReceivedChunk& chunk) {
@@ -169,8 +169,8 @@ TEST_CASE("when two who build over one another are done, both see what the serve
   const auto world = one.join(server.port());
   (void)two.join(server.port());
   const VoxelPos origin{world.spawn.x, world.spawn.y, world.spawn.z};
-  one.look_at(origin);
-  two.look_at(origin);
+  one.move_view(origin);
+  two.move_view(origin);
   for (int step = 0; step < steps; ++step) {
     Builder& who = random() % 2 == 0 ? one : two;
     const auto near = [&] { return static_cast<std::int64_t>(random() % 8) - 4; };
@@ -178,7 +178,7 @@ TEST_CASE("when two who build over one another are done, both see what the serve
     who.edit(write_of(at, MaterialId{static_cast<std::uint16_t>(random() % 2 == 0 ? 0 : 2)}, who.sees(at)));
     who.io.poll();
     who.io.restart();
-    who.until([&] { return who.unanswered < kMostUnanswered; });
+    who.until([&] { return who.unanswered < kMaxUnanswered; });
   }
   const auto quiet = [&] { return one.unanswered + two.unanswered + one.own.open() + two.own.open() == 0; };
   while (!quiet()) {
@@ -188,7 +188,7 @@ TEST_CASE("when two who build over one another are done, both see what the serve
   // A third, who comes now, is told by the server alone.
   Player late;
   REQUIRE(late.connect(server.port()).has_value());
-  late.look_at(origin);
+  late.move_view(origin);
   const auto same = [&](Builder& builder) {
     bool all = true;
     late.store.for_each([&](const client::ReceivedChunk& chunk) {

@@ -61,7 +61,7 @@ TEST_CASE("root's talusd becomes the configured user, in all threads, and serves
   {
     RawClient client{server.port()};
     REQUIRE(client.send(hello({.token = "0123456789abcdef"})));
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     CHECK(received.as<wire::Welcome>().store_id()->low() != 0);
     REQUIRE(client.send(get_chunks({chunk_request(1, at(0, 0, 0))})));
     (void)client.expect_kind<wire::Chunk>();
@@ -81,8 +81,8 @@ TEST_CASE("root's talusd becomes the configured user, in all threads, and serves
 TEST_CASE("a data directory that its user may not use is one line") {
   if (root_is_needed()) return;
   const ScratchDirectory scratch;
-  const Ended ended = run_talusd({"--listen", "127.0.0.1:0", "--data", scratch.path().string()},
-                                 {{"TALUS_USER", "4780:4781"}});
+  const ProgramResult ended = run_talusd({"--listen", "127.0.0.1:0", "--data", scratch.path().string()},
+                                         {{"TALUS_USER", "4780:4781"}});
   CHECK(ended.status == 1);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
   CHECK_THAT(ended.err, Catch::Contains("Permission denied") && Catch::Contains("runs as user 4780:4781"));
@@ -93,7 +93,7 @@ TEST_CASE("root is warned, and root is not a user to switch to") {
   ServerProcess server;
   server.signal(SIGTERM);
   CHECK_THAT(server.wait().out, Catch::Contains("talusd runs as root"));
-  const Ended ended = run_talusd({"--check-config"}, {{"TALUS_USER", "root"}});
+  const ProgramResult ended = run_talusd({"--check-config"}, {{"TALUS_USER", "root"}});
   CHECK(ended.status == 1);
   CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_USER: user: \"root\" is root"));
 }

@@ -21,13 +21,13 @@ constexpr int kPatienceMs = 60'000;
 
 }  // namespace
 
-Received::Received(protocol::Frame frame) : frame_{std::move(frame)} {
+ReceivedFrame::ReceivedFrame(protocol::Frame frame) : frame_{std::move(frame)} {
   const auto message = protocol::read_message(frame_);
   REQUIRE(message.has_value());
   message_ = *message;
 }
 
-void Received::check_kind(wire::Body expected) const {
+void ReceivedFrame::check_kind(wire::Body expected) const {
   if (kind() == wire::Body::Error) {
     UNSCOPED_INFO("Error: " << static_cast<const wire::Error*>(message_->body())->text()->str());
   }
@@ -116,8 +116,8 @@ bool RawClient::send_raw(std::span<const std::byte> bytes) {
 }
 
 std::optional<std::size_t> RawClient::send_some(std::span<const std::byte> bytes) {
-  constexpr std::size_t kMostWrapped = std::size_t{64} * 1024;
-  const std::size_t fresh = websocket_ && unsent_.empty() ? std::min(bytes.size(), kMostWrapped) : 0;
+  constexpr std::size_t kMaxWrapped = std::size_t{64} * 1024;
+  const std::size_t fresh = websocket_ && unsent_.empty() ? std::min(bytes.size(), kMaxWrapped) : 0;
   if (fresh > 0) unsent_ = wrapped(bytes.first(fresh));
   if (websocket_) bytes = unsent_;
   ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -167,7 +167,7 @@ void RawClient::take(std::span<std::byte> came) {
   }
 }
 
-std::optional<Received> RawClient::receive() {
+std::optional<ReceivedFrame> RawClient::receive() {
   while (whole_.empty() && !ended_) {
     const bool something = fill(kPatienceMs);
     REQUIRE(something);
@@ -175,15 +175,15 @@ std::optional<Received> RawClient::receive() {
   return receive_within(std::chrono::milliseconds{0});
 }
 
-std::optional<Received> RawClient::receive_within(std::chrono::milliseconds patience) {
+std::optional<ReceivedFrame> RawClient::receive_within(std::chrono::milliseconds patience) {
   if (whole_.empty() && !ended_) (void)fill(static_cast<int>(patience.count()));
   if (whole_.empty()) return std::nullopt;
-  Received received{std::move(whole_.front())};
+  ReceivedFrame received{std::move(whole_.front())};
   whole_.pop_front();
   return received;
 }
 
-Received RawClient::expect() {
+ReceivedFrame RawClient::expect() {
   auto received = receive();
   REQUIRE(received.has_value());
   return *std::move(received);

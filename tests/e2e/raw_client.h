@@ -20,9 +20,9 @@
 namespace talus::e2e {
 
 /// A received frame and its verified message.
-class Received {
+class ReceivedFrame {
  public:
-  explicit Received(protocol::Frame frame);
+  explicit ReceivedFrame(protocol::Frame frame);
   [[nodiscard]] wire::Body kind() const { return message_->body_type(); }
   /// The body; fails the test if it is of another kind.
   template <typename Table>
@@ -63,18 +63,18 @@ class RawClient {
 
   /// The next frame; none where the server has closed the connection. Fails the test where neither
   /// happens for a long time.
-  [[nodiscard]] std::optional<Received> receive();
+  [[nodiscard]] std::optional<ReceivedFrame> receive();
   /// The next frame if it begins to come within `patience`.
-  [[nodiscard]] std::optional<Received> receive_within(std::chrono::milliseconds patience);
+  [[nodiscard]] std::optional<ReceivedFrame> receive_within(std::chrono::milliseconds patience);
   /// The next frame, which must be one.
-  [[nodiscard]] Received expect();
+  [[nodiscard]] ReceivedFrame expect();
   /// Whether the server closes the connection, having said nothing more.
   [[nodiscard]] bool closed();
 
   /// As expect(), and it must be of this kind: returns the frame.
   template <typename Table>
-  [[nodiscard]] Received expect_kind() {
-    Received received = expect();
+  [[nodiscard]] ReceivedFrame expect_kind() {
+    ReceivedFrame received = expect();
     (void)received.as<Table>();
     return received;
   }

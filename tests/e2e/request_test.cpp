@@ -21,7 +21,7 @@ using namespace talus::e2e;
 namespace {
 
 /// The id that a frame answers; 0 where it answers none.
-std::uint32_t answered_id(const Received& received) {
+std::uint32_t answered_id(const ReceivedFrame& received) {
   switch (received.kind()) {
     case wire::Body::Chunk:
       return received.as<wire::Chunk>().id();
@@ -37,7 +37,7 @@ std::uint32_t answered_id(const Received& received) {
 }
 
 wire::ErrorCode error_for(RawClient& client, std::uint32_t id) {
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const auto& error = received.as<wire::Error>();
   CHECK(error.request_id() == id);
   return error.code();
@@ -80,7 +80,7 @@ TEST_CASE("chunks are the generator's, at every level and at the world's ends") 
   }
   REQUIRE(client.send(get_chunks(requests)));
   for (std::size_t answers = 0; answers < keys.size(); ++answers) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     const auto& chunk = received.as<wire::Chunk>();
     const ChunkKey key = key_of(*chunk.key());
     REQUIRE(key == keys.at(chunk.id() - 1));
@@ -126,7 +126,7 @@ TEST_CASE("a known chunk is confirmed, not sent") {
   RawClient client = greeted(server.port());
   const ContentHash known = content_hash(terrain::generate_chunk(served_world(), at(1, 0, 1)));
   REQUIRE(client.send(get_chunks({chunk_request(9, at(1, 0, 1), known)})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   CHECK(received.as<wire::Unchanged>().id() == 9);
   CHECK(hash_of(*received.as<wire::Unchanged>().hash()) == known);
 }
@@ -167,7 +167,7 @@ TEST_CASE("an id in flight is refused, the request it names goes on") {
   RawClient client = greeted(server.port());
   REQUIRE(client.send(get_chunks({chunk_request(5, at(90, 0, 0)), chunk_request(5, at(91, 0, 0))})));
   CHECK(error_for(client, 5) == wire::ErrorCode::duplicate_id);
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   CHECK(key_of(*received.as<wire::Chunk>().key()) == at(90, 0, 0));
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("heights are the surface's") {
   std::vector<wire::ColumnPos> wire_columns;
   for (const auto& column : columns) wire_columns.emplace_back(column.x, column.z);
   REQUIRE(client.send(get_heights(8, wire_columns)));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const auto& heights = *received.as<wire::Heights>().heights_fx();
   CHECK(std::vector<std::int32_t>(heights.begin(), heights.end()) ==
         terrain::surface_heights(served_world(), columns));
@@ -188,7 +188,7 @@ TEST_CASE("looks and fields come with the heights, numbered as in Welcome") {
   const ServerProcess server;
   RawClient client{server.port()};
   REQUIRE(client.send(hello({})));
-  const Received greeting = client.expect();
+  const ReceivedFrame greeting = client.expect();
   const auto& welcome = greeting.as<wire::Welcome>();
   const std::vector<std::string> names = terrain::place_names(served_world());
   REQUIRE(welcome.fields()->size() == names.size());
@@ -200,7 +200,7 @@ TEST_CASE("looks and fields come with the heights, numbered as in Welcome") {
     const auto column_list = b.CreateVectorOfStructs(wire_columns);
     return wire::CreateGetHeights(b, 8, column_list, true, b.CreateVector(std::vector<std::uint8_t>{0}));
   })));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   const auto& heights = received.as<wire::Heights>();
   const auto places = terrain::places_at(served_world(), columns, std::vector{names[0]});
   CHECK(std::vector<std::uint8_t>(heights.looks()->begin(), heights.looks()->end()) == places.looks);

@@ -73,7 +73,7 @@ bool read_some(int fd, std::string& text) {
 
 /// Reads both streams to their ends, whichever has something, so that neither pipe fills up; false where
 /// nothing came for so long.
-bool read_to_end(int out, int err, Ended& ended, int patience_ms = kPatienceMs) {
+bool read_to_end(int out, int err, ProgramResult& ended, int patience_ms = kPatienceMs) {
   std::array<pollfd, 2> streams{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
   while (streams[0].fd >= 0 || streams[1].fd >= 0) {
     if (::poll(streams.data(), streams.size(), patience_ms) <= 0) return false;
@@ -109,9 +109,10 @@ Transport tested_transport() {
   return wanted != nullptr && std::string_view{wanted} == "websocket" ? Transport::websocket : Transport::tcp;
 }
 
-Ended run_program(const std::string& path, const std::vector<std::string>& flags, const Settings& settings) {
+ProgramResult run_program(const std::string& path, const std::vector<std::string>& flags,
+                          const Settings& settings) {
   const ChildProcess child = start(path, flags, settings);
-  Ended ended;
+  ProgramResult ended;
   (void)read_to_end(child.out, child.err, ended);
   ended.status = reap(child.pid);
   ended.err = talus::test::without_progress(ended.err);
@@ -120,7 +121,7 @@ Ended run_program(const std::string& path, const std::vector<std::string>& flags
   return ended;
 }
 
-Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings) {
+ProgramResult run_talusd(const std::vector<std::string>& flags, const Settings& settings) {
   return run_program(TALUSD_PATH, flags, settings);
 }
 
@@ -135,7 +136,7 @@ ServerProcess::ServerProcess(Settings settings, std::vector<std::string> flags,
 ServerProcess::~ServerProcess() {
   if (pid_ > 0) {
     // A second signal ends it at once, whoever is still connected; it may also meet it on its way out.
-    Ended ended;
+    ProgramResult ended;
     const auto patience_ends = std::chrono::steady_clock::now() + std::chrono::milliseconds{kPatienceMs};
     bool over = false;
     while (!over && std::chrono::steady_clock::now() < patience_ends) {
@@ -179,10 +180,10 @@ std::uint16_t ServerProcess::https_port() {
 
 std::string ServerProcess::await_line(std::string_view part) {
   for (;;) {
-    for (std::size_t end = said_.find('\n', looked_at_); end != std::string::npos;
-         end = said_.find('\n', looked_at_)) {
-      const std::string line = said_.substr(looked_at_, end - looked_at_);
-      looked_at_ = end + 1;
+    for (std::size_t end = said_.find('\n', searched_); end != std::string::npos;
+         end = said_.find('\n', searched_)) {
+      const std::string line = said_.substr(searched_, end - searched_);
+      searched_ = end + 1;
       if (line.find(part) != std::string::npos) return line;
     }
     pollfd stream{out_, POLLIN, 0};
@@ -201,8 +202,8 @@ void ServerProcess::freeze() const {
   ::waitpid(pid_, nullptr, WUNTRACED);
 }
 
-Ended ServerProcess::wait() {
-  Ended ended;
+ProgramResult ServerProcess::wait() {
+  ProgramResult ended;
   ended.out = said_;
   (void)read_to_end(out_, err_, ended);
   ended.status = reap(std::exchange(pid_, -1));
@@ -228,7 +229,7 @@ std::size_t ServerProcess::resident_bytes() const {
   return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-std::size_t ServerProcess::most_resident_bytes() const {
+std::size_t ServerProcess::max_resident_bytes() const {
   constexpr std::string_view kField{"VmHWM:"};
   std::ifstream in{"/proc/" + std::to_string(pid_) + "/status"};
   for (std::string line; std::getline(in, line);) {

@@ -32,7 +32,7 @@ using Settings = std::map<std::string, std::string>;
 inline const Settings::value_type kClassicWorld{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/classic.toml"};
 
 /// How a program that was not expected to go on ended.
-struct Ended {
+struct ProgramResult {
   int status = -1;  // exit status; 128 + n for signal n
   std::string out;
   std::string err;  // of run_program() without lines of progress
@@ -46,10 +46,10 @@ struct ChildProcess {
 };
 
 /// Runs a program to its end.
-[[nodiscard]] Ended run_program(const std::string& path, const std::vector<std::string>& flags,
-                                const Settings& settings = {});
+[[nodiscard]] ProgramResult run_program(const std::string& path, const std::vector<std::string>& flags,
+                                        const Settings& settings = {});
 /// Runs talusd to its end.
-[[nodiscard]] Ended run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
+[[nodiscard]] ProgramResult run_talusd(const std::vector<std::string>& flags, const Settings& settings = {});
 
 /// A server on a free port of 127.0.0.1, unless TALUS_LISTEN is among the settings. If it still runs it ends
 /// with its object, and the test fails if it ends with an error: what a sanitizer found does not pass unseen.
@@ -75,7 +75,7 @@ class ServerProcess {
   /// SIGSTOP; returns when all its threads stand still, which is later than kill() does.
   void freeze() const;
   /// Waits for the end and returns how it was.
-  [[nodiscard]] Ended wait();
+  [[nodiscard]] ProgramResult wait();
   /// What /proc says of each of its threads: the rest of the line that begins with `field`.
   [[nodiscard]] std::vector<std::string> of_threads(std::string_view field) const;
   /// Reads what the server says until a line has `part` in it; the line. Fails the test if none comes.
@@ -83,7 +83,7 @@ class ServerProcess {
   /// Resident memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
   /// The most that it ever was.
-  [[nodiscard]] std::size_t most_resident_bytes() const;
+  [[nodiscard]] std::size_t max_resident_bytes() const;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
 
@@ -98,7 +98,7 @@ class ServerProcess {
   int out_;
   int err_;
   std::string said_;
-  std::size_t looked_at_ = 0;  // of `said_`, by await_line
+  std::size_t searched_ = 0;  // of `said_`, by await_line
   std::uint16_t port_ = 0;
 };
 

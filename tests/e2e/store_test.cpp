@@ -36,19 +36,19 @@ Settings editable(const fs::path& data) {
           {"TALUS_RATES_ADDRESS_VOXELS", "100000000"}};
 }
 
-Ended store(std::vector<std::string> flags) {
+ProgramResult store(std::vector<std::string> flags) {
   flags.insert(flags.begin(), "store");
   return run_talusd(flags);
 }
 /// What it prints; the test fails where it does not succeed.
 std::string sound(const std::vector<std::string>& flags) {
-  const Ended ended = store(flags);
+  const ProgramResult ended = store(flags);
   INFO(ended.err);
   REQUIRE(ended.status == 0);
   return ended.out;
 }
 std::string refused(const std::vector<std::string>& flags) {
-  const Ended ended = store(flags);
+  const ProgramResult ended = store(flags);
   INFO(ended.out);
   REQUIRE(ended.status == 1);
   CHECK(ended.err.find('\n') == ended.err.size() - 1);
@@ -114,7 +114,7 @@ TEST_CASE("a backup under edits has all that was acknowledged before it, and is 
     while (built < 50) build();
     before = built;
     for (const char* const name : {"backup", "second"}) {
-      Ended ended;
+      ProgramResult ended;
       std::atomic<bool> done = false;
       std::thread command{[&] {
         ended = store({"backup", (scratch / name).string(), "--data", data.string()});
@@ -150,7 +150,7 @@ TEST_CASE("a backup under edits has all that was acknowledged before it, and is 
   const ServerProcess server{editable(again)};
   Player player;
   REQUIRE(player.connect(server.port()).has_value());
-  player.look_at(origin);
+  player.move_view(origin);
   for (std::int64_t i = 0; i < std::min<std::int64_t>(before, 16); ++i) {
     CHECK(player.sees({origin.x + i, origin.y, origin.z}) == MaterialId{2});
   }
@@ -166,7 +166,7 @@ TEST_CASE("a griefer's edits are found and undone while players watch, and other
   REQUIRE(world.has_value());
   REQUIRE(viewer.connect(server.port()).has_value());
   const VoxelPos at{world->spawn.x & ~31, (world->spawn.y + 64) & ~31, world->spawn.z & ~31};
-  viewer.look_at(at);
+  viewer.move_view(at);
   client::Edit block;
   block.fills.push_back({at, {at.x + 7, at.y + 7, at.z + 7}, MaterialId{2}, std::nullopt});
   REQUIRE(griefer.edit(block).has_value());
@@ -209,7 +209,7 @@ TEST_CASE("a second talusd, and a command that writes, are kept from a directory
   const ScratchDirectory scratch;
   const fs::path data = scratch / "data";
   const ServerProcess server{editable(data)};
-  const Ended second = run_talusd({"--listen", "127.0.0.1:0"}, editable(data));
+  const ProgramResult second = run_talusd({"--listen", "127.0.0.1:0"}, editable(data));
   CHECK(second.status == 1);
   CHECK(second.err.find("another talusd uses it") != std::string::npos);
   for (const char* const command : {"compact", "rebase"}) {
@@ -296,7 +296,7 @@ TEST_CASE("a killed pregen is continued, and its land equals the land of a serve
   const std::string data = (scratch / "data").string();
   const std::vector<std::string> pregen{"pregen", "--radius", "300", "--data", data};
   const auto finished = [&] {
-    const Ended ended = run_talusd(pregen, settings);
+    const ProgramResult ended = run_talusd(pregen, settings);
     INFO(ended.err);
     CHECK(ended.status == 0);
     return ended.out;
@@ -322,7 +322,7 @@ TEST_CASE("a killed pregen is continued, and its land equals the land of a serve
     const auto world = player.connect(server.port());
     REQUIRE(world.has_value());
     for (const std::int32_t x : {-256, 0, 200}) {
-      player.look_at({x, world->spawn.y, x / 2}, 2);
+      player.move_view({x, world->spawn.y, x / 2}, 2);
       for (std::int32_t cx = -2; cx <= 2; ++cx) {
         for (std::int32_t cz = -2; cz <= 2; ++cz) {
           const auto chunk = player.store.find(

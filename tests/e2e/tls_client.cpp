@@ -24,7 +24,7 @@ void TlsClient::send(const protocol::Frame& frame) {
   asio::write(stream_, asio::buffer(frame));
 }
 
-std::optional<Received> TlsClient::receive() {
+std::optional<ReceivedFrame> TlsClient::receive() {
   while (!frames_.has_frame()) {
     if (unread_.empty()) {
       std::array<char, 4096> buffer{};
@@ -36,7 +36,7 @@ std::optional<Received> TlsClient::receive() {
     REQUIRE(taken.has_value());
     unread_.erase(0, *taken);
   }
-  Received received{protocol::Frame{frames_.frame().begin(), frames_.frame().end()}};
+  ReceivedFrame received{protocol::Frame{frames_.frame().begin(), frames_.frame().end()}};
   frames_.pop();
   return received;
 }

@@ -26,10 +26,10 @@ class TlsClient {
 
   void send(const protocol::Frame& frame);
   /// The next frame; none where the server has said that it ends.
-  [[nodiscard]] std::optional<Received> receive();
+  [[nodiscard]] std::optional<ReceivedFrame> receive();
   /// As receive(), and it must be one of this kind.
   template <typename Table>
-  [[nodiscard]] Received expect_kind() {
+  [[nodiscard]] ReceivedFrame expect_kind() {
     auto received = receive();
     if (!received) throw std::runtime_error{"the server ended the connection"};
     (void)received->template as<Table>();

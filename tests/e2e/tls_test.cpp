@@ -168,7 +168,7 @@ TEST_CASE("a start and --check-config end with one line where key and certificat
   secure.write({make_certificate(2).certificate, make_certificate(3).key});
   const std::vector<std::string> start{"--listen", "127.0.0.1:0"};
   for (const auto& flags : {start, std::vector<std::string>{"--check-config"}}) {
-    const Ended ended = run_talusd(flags, secure.settings());
+    const ProgramResult ended = run_talusd(flags, secure.settings());
     CHECK(ended.status == 1);
     CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
     CHECK_THAT(ended.err, Catch::StartsWith("talusd: TALUS_TLS_KEY: tls.key " + secure.key));

@@ -22,7 +22,7 @@ struct Arrivals {
 Arrivals receive(RawClient& client, std::size_t count) {
   Arrivals came;
   while (came.all.size() < count) {
-    const Received received = client.expect();
+    const ReceivedFrame received = client.expect();
     if (received.kind() == wire::Body::UniformColumn) {
       const auto& column = received.as<wire::UniformColumn>();
       for (const wire::UniformRun* run : *column.runs()) {
@@ -137,7 +137,7 @@ TEST_CASE("a View over the limits is refused and the old one stays") {
   REQUIRE(client.send(view({.horizontal_radius = 2})));
   (void)receive_chunks(client, 1);  // the window of one byte is overdrawn by one frame
   REQUIRE(client.send(view({.horizontal_radius = 3})));
-  const Received received = client.expect();
+  const ReceivedFrame received = client.expect();
   CHECK(received.as<wire::Error>().code() == wire::ErrorCode::too_large);
   CHECK_THAT(received.as<wire::Error>().text()->str(), Catch::Contains("view_horizontal_radius 2"));
 }
@@ -162,7 +162,7 @@ TEST_CASE("Chunk frames stop at the window and go on with Credit") {
     for (std::uint64_t nonce = 1; nonce <= 2; ++nonce) {
       REQUIRE(client.send(ping(nonce)));
       for (;;) {
-        const Received received = client.expect();
+        const ReceivedFrame received = client.expect();
         if (received.kind() == wire::Body::Pong) break;
         (void)received.as<wire::Chunk>();
         ++chunks;

@@ -42,7 +42,7 @@ TEST_CASE("talusd serves a directory of files as of its start, next to /v1") {
 
 TEST_CASE("a directory that cannot be served ends talusd with one line") {
   const ScratchDirectory dist;
-  const Ended ended = run_talusd({"--http", "127.0.0.1:0", "--web", dist.path().string()});
+  const ProgramResult ended = run_talusd({"--http", "127.0.0.1:0", "--web", dist.path().string()});
   CHECK(ended.status == 1);
   CHECK_THAT(ended.err,
              Catch::Contains("http.web: ") && Catch::Contains("has no index.html") && Catch::EndsWith("\n"));

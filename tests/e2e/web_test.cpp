@@ -46,8 +46,8 @@ TEST_CASE("chunks by HTTP and by WebSocket equal chunks by TCP") {
     const protocol::Frame ask = get_chunks({chunk_request(++id, key)});
     by_tcp.send(ask);
     by_socket.send(ask);
-    const Received tcp_answer = by_tcp.expect_kind<wire::Chunk>();
-    const Received socket_answer = by_socket.expect_kind<wire::Chunk>();
+    const ReceivedFrame tcp_answer = by_tcp.expect_kind<wire::Chunk>();
+    const ReceivedFrame socket_answer = by_socket.expect_kind<wire::Chunk>();
     const Answer answer = by_http.get(root + path_of(key));
     CHECK(answer.status == 200);
     CHECK_THAT(answer.head, Catch::Contains("Cache-Control: public, max-age=31536000, immutable\r\n"));
@@ -123,7 +123,7 @@ TEST_CASE("heights by HTTP equal heights by TCP") {
   ServerProcess server{{kClassicWorld}, kWithHttp};
   RawClient by_tcp = greeted(server.port());
   by_tcp.send(get_heights(1, {{10, -20}, {74, -20}, {10, 44}, {74, 44}}));
-  const Received heights = by_tcp.expect_kind<wire::Heights>();
+  const ReceivedFrame heights = by_tcp.expect_kind<wire::Heights>();
   HttpClient client{server.http_port()};
   const Answer answer = client.get("/v1/heights?x=10&z=-20&w=2&h=2&step=64");
   REQUIRE(answer.status == 200);

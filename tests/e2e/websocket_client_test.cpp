@@ -23,7 +23,7 @@ using namespace talus::e2e;
 
 namespace {
 
-using Seen = std::map<ChunkKey, ContentHash>;
+using HashesByChunk = std::map<ChunkKey, ContentHash>;
 
 const std::vector<std::string> kWithHttp{"--http", "127.0.0.1:0"};
 
@@ -62,25 +62,25 @@ struct Visitor {
   }
 
   asio::io_context io;
-  Seen seen;
+  HashesByChunk seen;
   int complete = 0;
   int reconnects = 0;
   client::Client client;
 };
 
-Seen view_of(std::uint16_t port, const client::Options& options) {
+HashesByChunk view_of(std::uint16_t port, const client::Options& options) {
   Visitor visitor{options};
   visitor.connect(port);
   visitor.run_until([&] { return visitor.complete > 0; });
   return visitor.seen;
 }
 
-Ended get_chunk(std::vector<std::string> flags) {
+ProgramResult get_chunk(std::vector<std::string> flags) {
   flags.insert(flags.end(), {"get", "0", "0", "0"});
   return run_program(TALUS_CLIENT_PATH, flags);
 }
 
-void check_refused(const Ended& ended, const std::string& part) {
+void check_refused(const ProgramResult& ended, const std::string& part) {
   INFO(ended.err);
   CHECK(ended.status == 1);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
@@ -91,7 +91,7 @@ void check_refused(const Ended& ended, const std::string& part) {
 
 TEST_CASE("a View by WebSocket is that by TCP") {
   ServerProcess server{{kClassicWorld}, kWithHttp};
-  const Seen by_tcp = view_of(server.port(), {});
+  const HashesByChunk by_tcp = view_of(server.port(), {});
   CHECK(by_tcp.size() == 9 * 5 * 9);
   CHECK(view_of(server.http_port(), by_websocket()) == by_tcp);
 }
@@ -107,13 +107,14 @@ TEST_CASE("a View by WebSocket in TLS is that by TCP in TLS") {
                        kWithHttp};
   client::Options options;
   options.tls = {true, certificate, "talus.example", true};
-  const Seen by_tcp = view_of(server.port(), options);
+  const HashesByChunk by_tcp = view_of(server.port(), options);
   CHECK(by_tcp.size() == 9 * 5 * 9);
   options.websocket.on = true;
   const std::uint16_t port = server.https_port();
   CHECK(view_of(port, options) == by_tcp);
   const std::string url = "wss://127.0.0.1:" + std::to_string(port);
-  const Ended ended = get_chunk({"--connect", url, "--ca", certificate, "--tls-name", "talus.example"});
+  const ProgramResult ended =
+      get_chunk({"--connect", url, "--ca", certificate, "--tls-name", "talus.example"});
   INFO(ended.err);
   CHECK(ended.status == 0);
 }
@@ -129,7 +130,7 @@ TEST_CASE("a client by WebSocket comes back to its View when the server does") {
     visitor.connect(server.http_port());
     visitor.run_until([&] { return visitor.complete > 0; });
   }
-  const Seen before = std::exchange(visitor.seen, {});
+  const HashesByChunk before = std::exchange(visitor.seen, {});
   const ServerProcess again{{kClassicWorld}, {"--http", address}};
   visitor.run_until([&] { return visitor.complete > 1; });
   CHECK(visitor.reconnects == 1);
@@ -139,7 +140,7 @@ TEST_CASE("a client by WebSocket comes back to its View when the server does") {
 TEST_CASE("talus-client by WebSocket says in one line what answers instead") {
   ServerProcess server{{}, kWithHttp};
   const std::string http = "ws://127.0.0.1:" + std::to_string(server.http_port());
-  const Ended ended = get_chunk({"--connect", http});
+  const ProgramResult ended = get_chunk({"--connect", http});
   INFO(ended.err);
   CHECK(ended.status == 0);
   check_refused(get_chunk({"--connect", http + "/v1/elsewhere"}), "the server answered 404");

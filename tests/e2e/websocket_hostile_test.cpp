@@ -130,7 +130,7 @@ TEST_CASE("empty fragments do not keep a connection alive: a client that sends o
   Bench bench{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "300"}}};
   RawClient bad = socket_of(bench.port);
   const Bytes some = repeated(bytes_of({0x89, 0x80, 1, 2, 3, 4, 0x82, 0x80, 1, 2, 3, 4}), 10);
-  std::optional<Received> said;
+  std::optional<ReceivedFrame> said;
   while (!said && bad.send_raw(some)) said = bad.receive_within(std::chrono::milliseconds{10});
   REQUIRE(said);
   CHECK(said->as<wire::Error>().code() == wire::ErrorCode::timeout);

@@ -13,7 +13,7 @@ namespace talus::edits {
 namespace {
 
 using namespace testing;
-using Kind = Applied::Kind;
+using Kind = EntryResult::Kind;
 
 std::uint64_t between(std::uint64_t first, std::uint64_t last) {
   return *rc::gen::inRange<std::uint64_t>(first, last + 1);
@@ -43,27 +43,27 @@ TEST_CASE("random entries of several editors do what the model says, each edit a
     Store store;
     LogModel model;
     std::vector<Entry> log;
-    std::vector<Applied> results;
+    std::vector<EntryResult> results;
     for (std::uint64_t batches = between(1, 6); batches > 0; --batches) {
       Batch batch{store.state, store.editors, store.head, static_cast<std::int64_t>(model.position())};
       for (std::uint64_t entries = between(1, 10); entries > 0; --entries) {
         const Entry entry = any_entry(model);
-        const Applied& applied =
-            std::visit([&](const auto& each) -> const Applied& { return batch.apply(each); }, entry);
+        const EntryResult& applied =
+            std::visit([&](const auto& each) -> const EntryResult& { return batch.apply(each); }, entry);
         RC_ASSERT(model.follow(entry, applied) == "");
         log.push_back(entry);
       }
-      for (Applied& each : store.commit(batch)) results.push_back(std::move(each));
+      for (EntryResult& each : store.commit(batch)) results.push_back(std::move(each));
       RC_ASSERT(store.state.overrides(Lod{}) == model.model().overrides());
     }
     // All of it again, cut otherwise: the same.
     Store other;
-    std::vector<Applied> others;
+    std::vector<EntryResult> others;
     for (std::size_t at = 0; at < log.size();) {
       const std::size_t end = std::min(log.size(), at + between(1, 20));
       const std::vector<Entry> part(log.begin() + static_cast<std::ptrdiff_t>(at),
                                     log.begin() + static_cast<std::ptrdiff_t>(end));
-      for (Applied& each : other.apply(part, 1'000)) others.push_back(std::move(each));
+      for (EntryResult& each : other.apply(part, 1'000)) others.push_back(std::move(each));
       at = end;
     }
     RC_ASSERT(std::equal(results.begin(), results.end(), others.begin(), others.end(), same));
@@ -123,18 +123,18 @@ TEST_CASE("the set of kept results does not depend on how a log is cut into batc
     }
   }
   Store one_by_one;
-  std::vector<Applied> expected;
+  std::vector<EntryResult> expected;
   for (const Entry& entry : log) expected.push_back(one_by_one.apply({entry}, 5).at(0));
-  CHECK(std::ranges::count(expected, Kind::repeat, &Applied::kind) > 300);
-  CHECK(std::ranges::count(expected, Kind::not_applied, &Applied::kind) > 100);
+  CHECK(std::ranges::count(expected, Kind::repeat, &EntryResult::kind) > 300);
+  CHECK(std::ranges::count(expected, Kind::not_applied, &EntryResult::kind) > 100);
   for (const std::size_t batch : {2U, 3U, 7U, 50U, 64U, 65U, 129U, 400U}) {
     CAPTURE(batch);
     Store store;
-    std::vector<Applied> applied;
+    std::vector<EntryResult> applied;
     for (std::size_t first = 0; first < log.size(); first += batch) {
       const auto begin = log.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end = begin + static_cast<std::ptrdiff_t>(std::min(batch, log.size() - first));
-      for (Applied& each : store.apply({begin, end}, 5)) applied.push_back(std::move(each));
+      for (EntryResult& each : store.apply({begin, end}, 5)) applied.push_back(std::move(each));
     }
     CHECK(std::ranges::equal(applied, expected, same));
     CHECK(store.editors.all() == one_by_one.editors.all());
@@ -177,7 +177,7 @@ Store full_store(std::uint64_t used) {
       entries.emplace_back(AttachEntry{{i, 0}, 1, ""});
       if (i % used == 0) entries.emplace_back(EditEntry{{i, 0}, 1, 1, {}, {}});
     }
-    for (const Applied& each : store.apply(entries, static_cast<std::int64_t>(first))) {
+    for (const EntryResult& each : store.apply(entries, static_cast<std::int64_t>(first))) {
       REQUIRE((each.kind == Kind::attached || each.kind == Kind::done));
     }
   }
@@ -211,15 +211,15 @@ TEST_CASE("too many editors evict the ones that never edited, however a log is c
     if (i % 5 == 0) entries.emplace_back(EditEntry{{i % 23 + 1, 9}, i / 23 + 1, i, {}, {}});
     if (i % 7 == 0) entries.emplace_back(AttachEntry{{2 * i + 1, 0}, 2, ""});  // uses that one again
   }
-  std::vector<Applied> first;
+  std::vector<EntryResult> first;
   std::optional<Store> result;
   for (const std::size_t size : {entries.size(), std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
     Store store = full;
-    std::vector<Applied> all;
+    std::vector<EntryResult> all;
     for (std::size_t at = 0; at < entries.size(); at += size) {
       const auto from = entries.begin() + static_cast<std::ptrdiff_t>(at);
       const auto count = static_cast<std::ptrdiff_t>(std::min(size, entries.size() - at));
-      for (Applied& each : store.apply({from, from + count}, 100'000)) all.push_back(std::move(each));
+      for (EntryResult& each : store.apply({from, from + count}, 100'000)) all.push_back(std::move(each));
       CHECK(store.editors.size() == kMaxEditors);
     }
     if (first.empty()) {

@@ -33,7 +33,7 @@ TEST_CASE("a guard that does not hold stops all of an edit, in every chunk") {
 
 TEST_CASE("guards see the state before the edit, and earlier edits of the batch") {
   State state;
-  Staging staging{state, state.hash};
+  StagingArea staging{state, state.hash};
   Edit edit;
   edit.writes.push_back({{1, 1, 1}, kPlanks});
   staging.stage(outcome_of(edit, staging));
@@ -71,7 +71,7 @@ TEST_CASE("writes, fills and a paste are applied in this order, each on the resu
 
 TEST_CASE("filling as generated removes edits where `only` matches") {
   State state;
-  Staging staging{state, state.hash};
+  StagingArea staging{state, state.hash};
   Edit build;
   build.writes.push_back({{0, 0, 0}, kPlanks});
   build.writes.push_back({{1, 0, 0}, MaterialId{201}});
@@ -113,7 +113,7 @@ TEST_CASE("the largest edit changes every one of its voxels") {
   State state;
   Edit edit;
   edit.fills.push_back({{-16, -16, -16}, {47, 15, 15}, kPlanks, {}});
-  Staging staging{state, state.hash};
+  StagingArea staging{state, state.hash};
   const Outcome outcome = outcome_of(edit, staging);
   CHECK(outcome.changed == kMaxVoxels);
   CHECK(outcome.chunks.size() == 12);

@@ -2,10 +2,10 @@
 
 namespace talus::edits::testing {
 
-using Kind = Applied::Kind;
+using Kind = EntryResult::Kind;
 
-std::vector<Applied> Store::commit(Batch& batch) {
-  std::vector<Applied> applied = batch.applied();
+std::vector<EntryResult> Store::commit(Batch& batch) {
+  std::vector<EntryResult> applied = batch.applied();
   head = batch.head();
   state.hash = head.hash;
   for (auto& [id, editor] : std::move(batch).take_editors()) {
@@ -19,13 +19,13 @@ std::vector<Applied> Store::commit(Batch& batch) {
   return applied;
 }
 
-std::vector<Applied> Store::apply(const std::vector<Entry>& entries, std::int64_t now_ms) {
+std::vector<EntryResult> Store::apply(const std::vector<Entry>& entries, std::int64_t now_ms) {
   Batch batch{state, editors, head, now_ms};
   for (const Entry& each : entries) std::visit([&](const auto& entry) { batch.apply(entry); }, each);
   return commit(batch);
 }
 
-bool same(const Applied& a, const Applied& b) {
+bool same(const EntryResult& a, const EntryResult& b) {
   return a.kind == b.kind && a.editor == b.editor && a.position == b.position && a.revision == b.revision &&
          a.result == b.result && a.changes == b.changes && a.writes == b.writes;
 }
@@ -36,7 +36,7 @@ const LogModel::Editor& LogModel::editor(EditorId id) const {
   return known == editors_.end() ? kNobody : known->second;
 }
 
-std::string LogModel::follow(const Entry& entry, const Applied& applied) {
+std::string LogModel::follow(const Entry& entry, const EntryResult& applied) {
   std::string fault;
   const auto* const attach = std::get_if<AttachEntry>(&entry);
   const Kind kind = attach != nullptr ? apply(*attach) : apply(std::get<EditEntry>(entry), applied, fault);
@@ -60,7 +60,7 @@ Kind LogModel::apply(const AttachEntry& attach) {
   return Kind::attached;
 }
 
-Kind LogModel::apply(const EditEntry& edit, const Applied& applied, std::string& fault) {
+Kind LogModel::apply(const EditEntry& edit, const EntryResult& applied, std::string& fault) {
   Editor& editor = editors_[edit.editor];
   if (editor.epoch == 0 || editor.epoch != edit.epoch) return Kind::expired;
   if (edit.sequence <= editor.last) {

@@ -25,11 +25,11 @@ struct Store {
   Head head;
 
   /// Stores what the batch did.
-  std::vector<Applied> commit(Batch& batch);
-  std::vector<Applied> apply(const std::vector<Entry>& entries, std::int64_t now_ms);
+  std::vector<EntryResult> commit(Batch& batch);
+  std::vector<EntryResult> apply(const std::vector<Entry>& entries, std::int64_t now_ms);
 };
 
-[[nodiscard]] bool same(const Applied& a, const Applied& b);
+[[nodiscard]] bool same(const EntryResult& a, const EntryResult& b);
 
 class LogModel {
  public:
@@ -47,11 +47,12 @@ class LogModel {
   [[nodiscard]] const Editor& editor(EditorId id) const;
 
   /// The next entry, which the model has then. What is wrong with `applied`; empty: nothing.
-  [[nodiscard]] std::string follow(const Entry& entry, const Applied& applied);
+  [[nodiscard]] std::string follow(const Entry& entry, const EntryResult& applied);
 
  private:
-  [[nodiscard]] Applied::Kind apply(const AttachEntry& attach);
-  [[nodiscard]] Applied::Kind apply(const EditEntry& edit, const Applied& applied, std::string& fault);
+  [[nodiscard]] EntryResult::Kind apply(const AttachEntry& attach);
+  [[nodiscard]] EntryResult::Kind apply(const EditEntry& edit, const EntryResult& applied,
+                                        std::string& fault);
 
   Model model_;
   std::map<EditorId, Editor> editors_;

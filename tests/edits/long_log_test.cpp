@@ -24,7 +24,7 @@ constexpr std::uint64_t kLogs = 2;
 #else
 constexpr std::uint64_t kLogs = 40;
 #endif
-constexpr std::uint64_t kBetweenLooks = 500;  // at all voxels
+constexpr std::uint64_t kComparisonInterval = 500;  // at all voxels
 
 class LongLog {
  public:
@@ -32,19 +32,19 @@ class LongLog {
 
   /// What went wrong; empty: nothing did.
   std::string run() {
-    for (std::uint64_t looked = 0; model_.position() < kEntriesOfALog;) {
+    for (std::uint64_t compared = 0; model_.position() < kEntriesOfALog;) {
       if (std::string fault = add_batch(); !fault.empty()) return fault;
-      if (model_.position() < looked + kBetweenLooks) continue;
-      looked = model_.position();
+      if (model_.position() < compared + kComparisonInterval) continue;
+      compared = model_.position();
       if (store_.state.overrides(Lod{}) != model_.model().overrides()) {
-        return "after entry " + std::to_string(looked) + " the voxels are others";
+        return "after entry " + std::to_string(compared) + " the voxels are others";
       }
     }
     return cut_otherwise();
   }
 
   /// Of each kind, how many entries.
-  [[nodiscard]] const std::map<Applied::Kind, std::uint64_t>& kinds() const { return kinds_; }
+  [[nodiscard]] const std::map<EntryResult::Kind, std::uint64_t>& kinds() const { return kinds_; }
 
  private:
   std::uint64_t below(std::uint64_t end) { return random_() % end; }
@@ -94,8 +94,8 @@ class LongLog {
     Batch batch{store_.state, store_.editors, store_.head, static_cast<std::int64_t>(model_.position())};
     for (std::uint64_t left = 1 + below(20); left > 0; --left) {
       log_.push_back(any_entry());
-      const Applied& applied =
-          std::visit([&](const auto& each) -> const Applied& { return batch.apply(each); }, log_.back());
+      const EntryResult& applied =
+          std::visit([&](const auto& each) -> const EntryResult& { return batch.apply(each); }, log_.back());
       if (std::string fault = model_.follow(log_.back(), applied); !fault.empty()) return fault;
       ++kinds_[applied.kind];
     }
@@ -123,7 +123,7 @@ class LongLog {
   Store store_;
   LogModel model_;
   std::vector<Entry> log_;
-  std::map<Applied::Kind, std::uint64_t> kinds_;
+  std::map<EntryResult::Kind, std::uint64_t> kinds_;
 };
 
 }  // namespace
@@ -137,7 +137,7 @@ TEST_CASE("a million random entries in long logs do what the model says, however
     CAPTURE(first + log);
     LongLog entries{first + log};
     REQUIRE(entries.run() == "");
-    using Kind = Applied::Kind;
+    using Kind = EntryResult::Kind;
     for (const Kind kind : {Kind::attached, Kind::superseded, Kind::done, Kind::conflict, Kind::repeat,
                             Kind::not_applied, Kind::expired, Kind::invalid}) {
       CAPTURE(static_cast<int>(kind));

@@ -121,7 +121,7 @@ const ChunkOverrides* State::find(ChunkKey chunk) const {
   return found == chunks.end() ? nullptr : &found->second;
 }
 
-void State::commit(const Staging& staging) {
+void State::commit(const StagingArea& staging) {
   hash = staging.hash();
   write(staging.chunks());
 }

@@ -41,7 +41,7 @@ struct State final : OverrideSource {
   StateHash hash;
 
   [[nodiscard]] const ChunkOverrides* find(ChunkKey chunk) const override;
-  void commit(const Staging& staging);
+  void commit(const StagingArea& staging);
   void write(const std::unordered_map<ChunkKey, StagedChunk>& staged);
   /// Overrides of one level, by voxel of that level.
   [[nodiscard]] std::map<VoxelPos, MaterialId> overrides(Lod lod) const;

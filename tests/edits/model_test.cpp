@@ -67,7 +67,7 @@ TEST_CASE("batches of edits do what the model does; a batch that is dropped does
     Model model;
     State state;
     for (int batch = *rc::gen::inRange(1, 5); batch > 0; --batch) {
-      Staging staging{state, state.hash};
+      StagingArea staging{state, state.hash};
       Model staged = model;
       for (int edits = *rc::gen::inRange(1, 6); edits > 0; --edits) {
         const Edit edit = any_edit(staged);
@@ -92,7 +92,7 @@ TEST_CASE(
     Model model;
     State state;
     std::vector<ChunkWrites> log;
-    Staging staging{state, state.hash};
+    StagingArea staging{state, state.hash};
     for (int edits = *rc::gen::inRange(1, 8); edits > 0; --edits) {
       const Edit edit = any_edit(model);
       const auto outcome = evaluate(edit, base_of(edit), staging);
@@ -115,7 +115,7 @@ TEST_CASE("undoing all edits from the last to the first leaves nothing, at any l
     State state;
     std::vector<Edit> undos;
     const auto apply = [&](const Edit& edit) {
-      Staging staging{state, state.hash};
+      StagingArea staging{state, state.hash};
       const Outcome outcome = evaluate(edit, base_of(edit), staging).value();
       RC_ASSERT(result_of(outcome) == model.apply(edit));
       staging.stage(outcome);

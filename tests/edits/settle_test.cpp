@@ -243,12 +243,12 @@ TEST_CASE("the cost of an edit is bounded, whatever its shape") {
         voxels.push_back({now, y < base ? kRock : kAir, y >= base});
       }
     }
-    const Settled settled = edits::settle(box, kRules, voxels);
-    most = std::max(most, settled.looks);
+    const SettleWork settled = edits::settle(box, kRules, voxels);
+    most = std::max(most, settled.probes);
     CHECK(settled.moves <= kSettleMoves);
-    CHECK(settled.looks <= kSettleLooks + 1);
+    CHECK(settled.probes <= kSettleProbes + 1);
   }
-  CHECK(most > kSettleLooks / 4);  // hard enough to mean something
+  CHECK(most > kSettleProbes / 4);  // hard enough to mean something
 }
 
 TEST_CASE("a dig without loose material needs no voxel of the box, and only the base that it touches") {
@@ -286,7 +286,7 @@ TEST_CASE("placed sand slides on land without sand") {
   CHECK(batch.apply(entry_of(1, put)).result.changed == 1);
   Edit dig;
   dig.writes.push_back({{5, 9, 5}, kAir});
-  const Applied& applied = batch.apply(entry_of(2, dig));
+  const EntryResult& applied = batch.apply(entry_of(2, dig));
   REQUIRE(applied.changes.size() == 1);
   CHECK(applied.changes[0].voxels.size() == 2);  // the rock is sand, and the sand is gone
   CHECK(applied.changes[0].voxels[0].after == kSand);
@@ -326,8 +326,8 @@ TEST_CASE("an entry with rules settles where it is applied, all in one edit, and
   }
   Batch batch{state, editors, {}, 1};
   batch.apply(AttachEntry{{1, 1}, 1, ""});
-  const Applied& applied = batch.apply(entry);
-  REQUIRE(applied.kind == Applied::Kind::done);
+  const EntryResult& applied = batch.apply(entry);
+  REQUIRE(applied.kind == EntryResult::Kind::done);
   CHECK(applied.revision == 1);
   std::map<MaterialId, int> became;
   int outside = 0;
@@ -345,7 +345,7 @@ TEST_CASE("an entry with rules settles where it is applied, all in one edit, and
   EditEntry lacks = entry;
   lacks.sequence = 2;
   lacks.base.erase(lacks.base.begin());
-  CHECK(batch.apply(lacks).kind == Applied::Kind::invalid);
+  CHECK(batch.apply(lacks).kind == EntryResult::Kind::invalid);
   EditEntry without = entry;
   without.sequence = 3;
   without.settles = nullptr;

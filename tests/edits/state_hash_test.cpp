@@ -9,13 +9,13 @@
 namespace talus::edits {
 namespace {
 
-struct Added {
+struct AddedOverride {
   ChunkCoord chunk;
   Override voxel;
 };
 
-std::vector<Added> any_overrides() {
-  std::vector<Added> all;
+std::vector<AddedOverride> any_overrides() {
+  std::vector<AddedOverride> all;
   for (int left = *rc::gen::inRange(0, 40); left > 0; --left) {
     const auto coordinate = [] { return *rc::gen::element<std::int32_t>(INT32_MIN, -1, 0, 1, INT32_MAX); };
     const auto index = *rc::gen::inRange<std::uint16_t>(0, kChunkVolume);
@@ -43,7 +43,7 @@ TEST_CASE("S is the sum modulo 2^128, in any order") {
     __extension__ using Wide = unsigned __int128;
     Wide sum = 0;
     StateHash hash;
-    for (const Added& each : all) {
+    for (const AddedOverride& each : all) {
       StateHash one;
       one.add(each.chunk, each.voxel);
       sum += (Wide{one.high} << 64) + one.low;
@@ -53,7 +53,7 @@ TEST_CASE("S is the sum modulo 2^128, in any order") {
     RC_ASSERT(hash.high == static_cast<std::uint64_t>(sum >> 64));
     std::reverse(all.begin(), all.end());
     StateHash backwards;
-    for (const Added& each : all) backwards.add(each.chunk, each.voxel);
+    for (const AddedOverride& each : all) backwards.add(each.chunk, each.voxel);
     RC_ASSERT(backwards == hash);
   }));
 }
@@ -62,7 +62,7 @@ TEST_CASE("an added chunk can be removed, first or last") {
   CHECK(rc::check([] {
     const auto all = any_overrides();
     StateHash hash;
-    for (const Added& each : all) hash.add(each.chunk, each.voxel);
+    for (const AddedOverride& each : all) hash.add(each.chunk, each.voxel);
     StateHash rest;
     for (std::size_t i = all.size() / 2; i < all.size(); ++i) rest.add(all[i].chunk, all[i].voxel);
     for (std::size_t i = 0; i < all.size() / 2; ++i) hash.remove(all[i].chunk, all[i].voxel);

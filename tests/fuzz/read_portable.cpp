@@ -24,12 +24,12 @@ void require(bool holds, std::string_view what) {
   std::abort();
 }
 
-struct Read {
+struct PortableContents {
   PortableHeader header;
   std::vector<PortableChunk> chunks;
 };
 
-std::optional<Read> read(const store::Bytes& bytes) {
+std::optional<PortableContents> read(const store::Bytes& bytes) {
   std::size_t at = 0;
   auto reader = PortableReader::open([&](std::span<std::byte> into) {
     require(into.size() <= kMaxPortableBlock, "no more than a block is asked for");
@@ -39,7 +39,7 @@ std::optional<Read> read(const store::Bytes& bytes) {
     return tl::expected<std::size_t, std::string>{count};
   });
   if (!reader) return std::nullopt;
-  Read all{reader->header(), {}};
+  PortableContents all{reader->header(), {}};
   for (;;) {
     auto chunk = reader->next();
     if (!chunk) return std::nullopt;
@@ -49,9 +49,9 @@ std::optional<Read> read(const store::Bytes& bytes) {
   }
 }
 
-store::Bytes written(const Read& all) {
+store::Bytes written(const PortableContents& all) {
   store::Bytes bytes;
-  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Status {
     bytes.insert(bytes.end(), piece.begin(), piece.end());
     return {};
   }};

@@ -16,8 +16,8 @@ using namespace talus;
 using namespace talus::terrain;
 
 // More would make runs slow; other tests have such worlds.
-constexpr int kMostErosion = 4;
-constexpr std::size_t kMostLayers = 64;
+constexpr int kMaxErosion = 4;
+constexpr std::size_t kMaxStrata = 64;
 
 void check(bool holds) {
   if (!holds) std::abort();
@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   check(World::parse(text, "again.toml")->fingerprint() == world->fingerprint());
-  if (world->spec().erosion_steps > kMostErosion || world->strata().size() > kMostLayers) return 0;
+  if (world->spec().erosion_steps > kMaxErosion || world->strata().size() > kMaxStrata) return 0;
   const Lod lod = Lod::of(static_cast<int>(size % (Lod::kMax + 1)));
   const Region patch{-kChunkSize, 0, 2 * kChunkSize, kChunkSize, lod};
   const Stacks stacks = generate_stacks(*world, patch);

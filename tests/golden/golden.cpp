@@ -77,12 +77,12 @@ const Sample kWorlds[] = {
     {"alpine", "core/worlds/alpine", ""}};
 
 /// Hashes of all chunks' voxels, and all payloads.
-struct Made {
+struct PlaceData {
   std::vector<std::uint64_t> content;
   std::vector<std::byte> payloads;
 };
 
-void make_place(const terrain::World& world, const Place& place, Made& made) {
+void make_place(const terrain::World& world, const Place& place, PlaceData& made) {
   const Lod lod = Lod::of(place.lod);
   const int width = place.tiles * kChunkSize;
   const terrain::Stacks stacks = terrain::generate_stacks(
@@ -102,7 +102,7 @@ void make_place(const terrain::World& world, const Place& place, Made& made) {
   }
 }
 
-void print(const std::string& what, const Made& made, std::ostream& out) {
+void print(const std::string& what, const PlaceData& made, std::ostream& out) {
   const auto digest = [](const void* data, std::size_t bytes) {
     const XXH128_hash_t hash = XXH3_128bits(data, bytes);
     return to_string(ContentHash{hash.low64, hash.high64});
@@ -115,7 +115,7 @@ void print(const std::string& what, const Made& made, std::ostream& out) {
 // A tile of each, at all levels, near, far and at the ends.
 void print_random_regions(std::ostream& out) {
   constexpr int kCount = 100;
-  Made made;
+  PlaceData made;
   int worlds = 0;
   for (int i = 0; i < kCount; ++i) {
     const auto seed = static_cast<std::uint64_t>(i);
@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
     }
     text << name << ' ' << to_string(world->fingerprint()) << '\n';
     for (const Place& place : kPlaces) {
-      Made made;
+      PlaceData made;
       make_place(*world, place, made);
       print(place.what, made, text);
     }

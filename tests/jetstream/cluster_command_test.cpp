@@ -63,7 +63,7 @@ void describe(jetstream::Connection& connection, const Target& target, const std
   const auto reply = connection.request("$JS.API.STREAM.UPDATE." + target.names.stream, settings.dump(),
                                         std::chrono::seconds{10});
   REQUIRE(reply);
-  CHECK_FALSE(nlohmann::json::parse(jetstream::Arrived{reply->get()}.text()).contains("error"));
+  CHECK_FALSE(nlohmann::json::parse(jetstream::ReceivedMessage{reply->get()}.text()).contains("error"));
 }
 
 std::string lines_of(const Target& target, const cluster::Genesis& genesis) {

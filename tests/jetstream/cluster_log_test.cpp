@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 using namespace testing;
 using SteadyClock = std::chrono::steady_clock;
 using edits::testing::base_of;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 const jetstream::StreamNames kNames = jetstream::StreamNames::of(kClusterIdentity.store_id);
 
@@ -164,7 +164,7 @@ class Editors {
             return;
           }
           times_ms_.push_back(std::chrono::duration<double, std::milli>(SteadyClock::now() - began).count());
-          const edits::Applied& outcome = **applied;
+          const edits::EntryResult& outcome = **applied;
           if (outcome.kind != Kind::done || outcome.result.sequence != sequence ||
               outcome.result.changed != 1) {
             fault_ = "an edit was answered as if it were another";
@@ -253,7 +253,7 @@ TEST_CASE("servers that start next to a replica with other messages continue, an
   for (std::size_t i = 0; i < 3; ++i) {
     ClusterNode& node = cluster.node(i);
     std::string why;
-    node.on_lost = [&](cluster::Lost, const std::string& reason) { why = reason; };
+    node.on_lost = [&](cluster::StoreLoss, const std::string& reason) { why = reason; };
     node.close();
     REQUIRE(node.open() == "");
     Servers::until([&] { return node.log().status().ready || !why.empty(); });

@@ -17,13 +17,13 @@ NatsMessage message_of(std::size_t bytes) {
 TEST_CASE("messages that are done with are freed many at once, and large ones soon") {
   REQUIRE(nats_Open(-1) == NATS_OK);  // as a connection does
   DiscardedMessages discarded;
-  for (std::size_t i = 1; i < DiscardedMessages::kMost; ++i) discarded.add(message_of(10));
-  CHECK(discarded.size() == DiscardedMessages::kMost - 1);
+  for (std::size_t i = 1; i < DiscardedMessages::kMaxMessages; ++i) discarded.add(message_of(10));
+  CHECK(discarded.size() == DiscardedMessages::kMaxMessages - 1);
   discarded.add(message_of(10));
   CHECK(discarded.size() == 0);
   discarded.add(message_of(10));
   CHECK(discarded.size() == 1);
-  discarded.add(message_of(DiscardedMessages::kMostBytes));
+  discarded.add(message_of(DiscardedMessages::kMaxBytes));
   CHECK(discarded.size() == 0);
 }
 

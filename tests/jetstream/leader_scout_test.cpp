@@ -70,13 +70,13 @@ TEST_CASE("a server that never ends its handshake delays the search, and no call
   LeaderScout scout{url_of(silent->url()), std::make_shared<const Credentials>(std::move(credentials)),
                     test_names()};
   const auto began = std::chrono::steady_clock::now();
-  for (int i = 0; i < 10; ++i) CHECK_FALSE(scout.look(100ms, {}));
+  for (int i = 0; i < 10; ++i) CHECK_FALSE(scout.probe(100ms, {}));
   CHECK(std::chrono::steady_clock::now() - began < 30s);
-  CHECK(scout.is_looking());
+  CHECK(scout.is_probing());
   silent.reset();  // else libnats would wait for it while the program ends
   const auto until = from_now(kPatience);
-  while (scout.is_looking()) {
-    (void)scout.look(100ms, {});
+  while (scout.is_probing()) {
+    (void)scout.probe(100ms, {});
     REQUIRE(std::chrono::steady_clock::now() < until);
   }
 }
@@ -84,13 +84,13 @@ TEST_CASE("a server that never ends its handshake delays the search, and no call
 TEST_CASE("a leader is found where it answers, and leads the stream that is wanted") {
   ScriptedStream stream{test_names()};
   stream.set({true, {{1, "message"}}, {}});
-  const auto found = [&](LeaderScout::Wanted wanted) {
+  const auto found = [&](LeaderScout::Requirement wanted) {
     LeaderScout scout{url_of(stream.url()), std::make_shared<const Credentials>(), stream.names()};
     std::optional<ServerUrls> server;
     const auto until = from_now(kPatience);
     do {
-      server = scout.look(500ms, wanted);
-    } while (scout.is_looking() && std::chrono::steady_clock::now() < until);
+      server = scout.probe(500ms, wanted);
+    } while (scout.is_probing() && std::chrono::steady_clock::now() < until);
     return server;
   };
   const auto created = nanoseconds_of("2026-01-01T00:00:00Z").value();

@@ -70,7 +70,7 @@ void make_stream(const NatsServers& servers, const StreamNames& names, std::uint
 std::string ask(const NatsServers& servers, const std::string& subject, const std::string& text) {
   const auto reply = connected_to(servers.url_list())->request(subject, text, std::chrono::seconds{5});
   if (!reply) throw std::runtime_error{reply.error().reason};
-  return std::string{Arrived{reply->get()}.text()};
+  return std::string{ReceivedMessage{reply->get()}.text()};
 }
 
 std::vector<std::uint64_t> last_of_each(const NatsServers& servers, const std::string& stream) {

@@ -51,7 +51,7 @@ class JoiningServers {
 
   /// A file with a token of these rights.
   std::string token(const std::string& name, const std::string& rights) const {
-    const Ended made = run_talusd(
+    const ProgramResult made = run_talusd(
         {"token", "--key-file", scratch / "key", "--subject", name, "--rights", rights, "--valid", "1h"});
     REQUIRE(made.status == 0);
     const std::string file = scratch.write(name, made.out);
@@ -90,12 +90,12 @@ class JoiningServers {
   }
 
   /// "talusd store COMMAND ..." of `data`.
-  [[nodiscard]] Ended store(const std::string& data, std::vector<std::string> flags) const {
+  [[nodiscard]] ProgramResult store(const std::string& data, std::vector<std::string> flags) const {
     flags.insert(flags.begin(), "store");
     return run_talusd(flags, settings(data));
   }
   [[nodiscard]] json stat(const std::string& data) const {
-    const Ended ended = store(data, {"stat", "--json"});
+    const ProgramResult ended = store(data, {"stat", "--json"});
     INFO(ended.err);
     REQUIRE(ended.status == 0);
     return json::parse(ended.out);
@@ -108,7 +108,7 @@ class JoiningServers {
       build(alone->port(), edits);
     }
     store_id.clear();
-    const Ended joined = store(data, {"join-cluster"});
+    const ProgramResult joined = store(data, {"join-cluster"});
     INFO(joined.err);
     REQUIRE(joined.status == 0);
     store_id = stat(data)["store_id"];

@@ -74,7 +74,7 @@ TEST_CASE("a running server that the stream has left behind ends with a status o
   servers.build(a->port(), 30);
   servers.forget();
   b->signal(SIGCONT);
-  const Ended ended = b->wait();
+  const ProgramResult ended = b->wait();
   CHECK(ended.status == 75);
   CHECK_THAT(ended.out, Catch::Contains("takes another server's store when it is started again"));
   b = servers.start(servers.joiner("b", {a->admin_port()}));
@@ -200,7 +200,7 @@ TEST_CASE(
     line = "no peer's store could be taken; all are asked again in 1000 ms";
   }
   settings["TALUS_LISTEN"] = "127.0.0.1:0";
-  const Ended ended = run_program("/usr/bin/timeout", {"4", TALUSD_PATH}, settings);
+  const ProgramResult ended = run_program("/usr/bin/timeout", {"4", TALUSD_PATH}, settings);
   CHECK_THAT(ended.out, Catch::Contains(line));
   CHECK_FALSE(fs::exists(fs::path{servers.scratch / "b"} / "store.toml"));
   CHECK(JoiningServers::is_ready(*a));

@@ -12,7 +12,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   }
   const json before = servers.stat("a");
   CHECK(servers.store("a", {"join-cluster"}).status == 0);
-  const Ended twice = servers.store("a", {"join-cluster"});
+  const ProgramResult twice = servers.store("a", {"join-cluster"});
   CHECK(twice.status == 1);
   CHECK_THAT(twice.err, Catch::Contains("is in a cluster already"));
   servers.store_id = before["store_id"];
@@ -21,7 +21,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
     CHECK(during[same] == before[same]);
   {
     // Alone it would go on without the others.
-    const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a", false));
+    const ProgramResult refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a", false));
     CHECK(refused.status == 1);
     CHECK_THAT(refused.err, Catch::Contains("talusd store leave-cluster"));
     const auto member = servers.start(servers.settings("a"));
@@ -29,7 +29,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   }
   during = servers.stat("a");
   CHECK(during["revision"] == before["revision"].get<int>() + 10);
-  const Ended asked = servers.store("a", {"leave-cluster"});
+  const ProgramResult asked = servers.store("a", {"leave-cluster"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err,
              Catch::Contains("nothing is changed yet") && Catch::Contains("it has all that the stream has"));
@@ -38,7 +38,7 @@ TEST_CASE("into a cluster and back a store keeps its revisions, hash and players
   servers.scratch.write("a/rejoin", "its store was found to be wrong");  // which it says of the cluster's
   std::vector<std::string> flags{"leave-cluster", "--yes"};
   if (keeps_id) flags.emplace_back("--keep-id");
-  const Ended left = servers.store("a", flags);
+  const ProgramResult left = servers.store("a", flags);
   INFO(left.err);
   CHECK(left.status == 0);
   const json after = servers.stat("a");
@@ -59,7 +59,7 @@ TEST_CASE("a server that leaves a cluster reports how far it is behind") {
     await("readiness", [&] { return JoiningServers::is_ready(*b); });
   }
   servers.build(a->port(), 3);
-  const Ended asked = servers.store("b", {"leave-cluster"});
+  const ProgramResult asked = servers.store("b", {"leave-cluster"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err, Catch::Contains("more, whose edits are not in it"));
   CHECK_THAT(servers.store("a", {"leave-cluster", "--yes"}).err, Catch::Contains("a talusd uses it"));
@@ -81,14 +81,14 @@ TEST_CASE("if the stream is lost a server refuses to continue, and a fork begins
                            1);
     CHECK_THAT(servers.store("a", {"join-cluster"}).err, Catch::Contains("is in a cluster already"));
   }
-  const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
+  const ProgramResult refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
   CHECK(refused.status == 1);
   CHECK_THAT(refused.err, Catch::Contains("talusd store fork"));
-  const Ended asked = servers.store("a", {"fork"});
+  const ProgramResult asked = servers.store("a", {"fork"});
   CHECK(asked.status == 1);
   CHECK_THAT(asked.err, Catch::Contains("nothing is changed yet"));
   servers.scratch.write("a/rejoin", "its store was found to be wrong");
-  const Ended forked = servers.store("a", {"fork", "--yes"});
+  const ProgramResult forked = servers.store("a", {"fork", "--yes"});
   INFO(forked.err);
   REQUIRE(forked.status == 0);
   const json after = servers.stat("a");
@@ -107,11 +107,11 @@ TEST_CASE("a stream with other settings is refused by name, both at the start an
   JoiningServers servers;
   servers.begin("a");
   servers.change_stream("max_msgs", 1'000'000);
-  const Ended refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
+  const ProgramResult refused = run_talusd({"--listen", "127.0.0.1:0"}, servers.settings("a"));
   CHECK(refused.status == 1);
   CHECK_THAT(refused.err, Catch::Contains("max_msgs is 1000000 and should be -1"));
   REQUIRE(servers.store("a", {"leave-cluster", "--yes", "--keep-id"}).status == 0);
-  const Ended outside = servers.store("a", {"join-cluster"});
+  const ProgramResult outside = servers.store("a", {"join-cluster"});
   CHECK(outside.status == 1);
   CHECK_THAT(outside.err, Catch::Contains("max_msgs is 1000000 and should be -1"));
   servers.change_stream("max_msgs", -1);
@@ -166,14 +166,14 @@ TEST_CASE("a fork whose stream cannot be made leaves the store in its cluster") 
     // There are not so many hosts.
     Settings wants_more = servers.settings("a");
     wants_more["TALUS_CLUSTER_REPLICAS"] = "3";
-    const Ended refused = run_talusd({"store", "fork", "--yes"}, wants_more);
+    const ProgramResult refused = run_talusd({"store", "fork", "--yes"}, wants_more);
     CHECK(refused.status == 1);
     CHECK_THAT(refused.err,
                Catch::Contains("nothing is changed") && Catch::Contains("replicas > 1 not supported"));
     CHECK(servers.stat("a") == before);
     servers.nats->kill(0);
   }
-  const Ended away = servers.store("a", {"fork", "--yes"});
+  const ProgramResult away = servers.store("a", {"fork", "--yes"});
   CHECK(away.status == 1);
   CHECK(away.err.find('\n') == away.err.size() - 1);
   CHECK_THAT(away.err, Catch::Contains("nothing is changed"));
@@ -188,11 +188,11 @@ TEST_CASE("without NATS a store does not move, and stays as it is") {
   }
   const json before = servers.stat("a");
   Settings none = servers.settings("a", false);
-  const Ended unnamed = run_talusd({"store", "join-cluster"}, none);
+  const ProgramResult unnamed = run_talusd({"store", "join-cluster"}, none);
   CHECK(unnamed.status == 1);
   CHECK_THAT(unnamed.err, Catch::Contains("cluster.nats: no NATS server is named"));
   servers.nats->kill(0);
-  const Ended away = servers.store("a", {"join-cluster"});
+  const ProgramResult away = servers.store("a", {"join-cluster"});
   CHECK(away.status == 1);
   CHECK(away.err.find('\n') == away.err.size() - 1);
   CHECK(servers.stat("a") == before);

@@ -29,8 +29,8 @@ using Clock = std::chrono::steady_clock;
 /// Sends what comes back where it came from, and where it began it counts.
 class End : public std::enable_shared_from_this<End> {
  public:
-  using Counted = std::function<void(Clock::duration)>;
-  End(tcp::socket socket, std::size_t bytes, Counted counted)
+  using OnEcho = std::function<void(Clock::duration)>;
+  End(tcp::socket socket, std::size_t bytes, OnEcho counted)
       : socket_{std::move(socket)}, buffer_(bytes), counted_{std::move(counted)} {
     socket_.set_option(tcp::no_delay{true});
   }
@@ -53,7 +53,7 @@ class End : public std::enable_shared_from_this<End> {
  private:
   tcp::socket socket_;
   std::vector<char> buffer_;
-  Counted counted_;
+  OnEcho counted_;
   Clock::time_point sent_{};
 };
 
@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < connections; ++i) {
     tcp::socket near{clients};
     near.connect(acceptor.local_endpoint());
-    std::make_shared<End>(acceptor.accept(), bytes, End::Counted{})->receive();
+    std::make_shared<End>(acceptor.accept(), bytes, End::OnEcho{})->receive();
     std::make_shared<End>(std::move(near), bytes, [&](Clock::duration time) { trips.record(time); })->send();
   }
   std::thread serving{[&] { server.run(); }};

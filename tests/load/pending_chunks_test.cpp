@@ -13,8 +13,8 @@ namespace {
 
 const Time kStart = Time{} + seconds{1000};
 
-std::vector<PendingChunks::Missed> go(PendingChunks& pending, std::int64_t x, Clock::duration at,
-                                      int radius = 2) {
+std::vector<PendingChunks::MissedChunk> go(PendingChunks& pending, std::int64_t x, Clock::duration at,
+                                           int radius = 2) {
   const glm::i64vec3 centre{x, 0, 0};
   return pending.move_to(box_around(centre, radius, 1), centre, kStart + at, kStart + at);
 }

@@ -27,18 +27,18 @@ constexpr milliseconds kBetweenPings{50};
 constexpr seconds kSettling{2};  // in which the first chunks come
 constexpr seconds kDuration{15};
 
-struct Measured {
+struct Measurement {
   talus::measure::Histogram waits;
   std::uint64_t chunk_bytes = 0;
   bool failed = false;
 };
 
-Measured measure_pings(std::uint16_t server_port, std::uint64_t bytes_per_second, std::uint16_t radius) {
+Measurement measure_pings(std::uint16_t server_port, std::uint64_t bytes_per_second, std::uint16_t radius) {
   load::Faults link;
   link.bytes_per_second = bytes_per_second;
   link.queue_bytes = 4096;
   const load::FaultProxy proxy{server_port, {}, bytes_per_second == 0 ? load::Faults{} : link};
-  Measured measured;
+  Measurement measured;
   asio::io_context io;
   const client::Options options;  // named: of a temporary GCC 12 says that it may be uninitialised
   client::Client client{io.get_executor(), options};
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   const auto port = static_cast<std::uint16_t>(std::strtoul(argv[1], nullptr, 10));
   const std::uint64_t kilobits = std::strtoull(argv[2], nullptr, 10);
   const auto radius = static_cast<std::uint16_t>(std::strtoul(argv[3], nullptr, 10));
-  const Measured measured = measure_pings(port, kilobits * 125, radius);
+  const Measurement measured = measure_pings(port, kilobits * 125, radius);
   if (measured.failed) {
     std::fprintf(stderr, "talus-pong: no server answers on 127.0.0.1:%u\n", unsigned{port});
     return 1;

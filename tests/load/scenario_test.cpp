@@ -12,13 +12,13 @@
 
 using namespace talus;
 using namespace talus::load;
-using e2e::Ended;
+using e2e::ProgramResult;
 using e2e::ServerProcess;
 using Words = std::vector<std::string>;
 
 namespace {
 
-Ended run_load(std::uint16_t port, const Words& more) {
+ProgramResult run_load(std::uint16_t port, const Words& more) {
   Words words{"--connect", "127.0.0.1:" + std::to_string(port), "--drain", "60", "--verify", "20"};
   words.insert(words.end(), more.begin(), more.end());
   return e2e::run_program(TALUS_LOAD_PATH, words);
@@ -31,7 +31,7 @@ void check_clean(const Words& more, const e2e::Settings& settings = {}) {
   for (const char* threshold : {"wrong>0", "errors>0", "disconnects>0", "unanswered>0", "chunks_per_s==0"}) {
     words.insert(words.end(), {"--fail-if", threshold});
   }
-  const Ended ended = run_load(server.port(), words);
+  const ProgramResult ended = run_load(server.port(), words);
   INFO(ended.out);
   INFO(ended.err);
   CHECK(ended.status == 0);
@@ -50,7 +50,7 @@ Words twenty(const Words& more) {
   return words;
 }
 
-std::string said(const Ended& ended) {
+std::string said(const ProgramResult& ended) {
   return ended.out + ended.err;
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("players of all kinds get what is right by WebSocket, slow readers too
     for (const char* threshold : {"wrong>0", "errors>0", "unanswered>0", "chunks_per_s==0"}) {
       words.insert(words.end(), {"--fail-if", threshold});
     }
-    const Ended ended = run_load(server.port(), words);
+    const ProgramResult ended = run_load(server.port(), words);
     INFO(said(ended));
     CHECK(ended.status == 0);
   }
@@ -112,7 +112,7 @@ TEST_CASE("players of all kinds get what is right by TLS") {
   for (const char* threshold : {"wrong>0", "unanswered>0", "errors>0", "disconnects>0", "chunks_per_s==0"}) {
     words.insert(words.end(), {"--fail-if", threshold});
   }
-  const Ended ended = run_load(server.port(), words);
+  const ProgramResult ended = run_load(server.port(), words);
   INFO(said(ended));
   CHECK(ended.status == 0);
 }
@@ -122,7 +122,7 @@ TEST_CASE("load by TLS without the authority says what to give") {
   const TestCertificate own = make_certificate(1);
   const ServerProcess server{{{"TALUS_TLS_CERTIFICATE", scratch.write("c.pem", own.certificate)},
                               {"TALUS_TLS_KEY", scratch.write("k.pem", own.key)}}};
-  const Ended ended = run_load(server.port(), twenty({"--tls"}));
+  const ProgramResult ended = run_load(server.port(), twenty({"--tls"}));
   CHECK(ended.status == 1);
   CHECK_THAT(ended.err, Catch::Contains("certificate verify failed") && Catch::Contains("--ca FILE"));
 }
@@ -147,7 +147,7 @@ TEST_CASE("players follow a trace") {
 
 TEST_CASE("a threshold that holds ends the program with 1 and one line") {
   const ServerProcess server;
-  const Ended ended =
+  const ProgramResult ended =
       run_load(server.port(), {"--players", "1", "--duration", "0.2", "--fail-if", "joins>0"});
   CHECK(ended.status == 1);
   CHECK(ended.err == "talus-load: --fail-if joins>0: joins is 1\n");
@@ -175,7 +175,7 @@ TEST_CASE("the results are written, and compared with earlier ones") {
 
   Words second = little;
   second.insert(second.end(), {"--compare", json});
-  const Ended ended = run_load(server.port(), second);
+  const ProgramResult ended = run_load(server.port(), second);
   CHECK(ended.status == 0);
   CHECK(ended.out.find("compared with " + json) != std::string::npos);
 }
@@ -185,21 +185,21 @@ TEST_CASE("builders see each other's acknowledged edits, also when connections a
   const ServerProcess server{
       {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
   const std::string json = (scratch.path() / "run.json").string();
-  const Ended ended = run_load(server.port(), {"--players",    "6",
-                                               "--edits",      "20",
-                                               "--edit-group", "3",
-                                               "--duration",   "3",
-                                               "--radius",     "2",
-                                               "--vertical",   "1",
-                                               "--churn",      "2",
-                                               "--threads",    "2",
-                                               "--json",       json,
-                                               "--fail-if",    "wrong>0",
-                                               "--fail-if",    "unanswered>0",
-                                               "--fail-if",    "errors>0",
-                                               "--fail-if",    "edit_ack_max_ms==0",
-                                               "--fail-if",    "edit_arrival_max_ms==0",
-                                               "--fail-if",    "cuts==0"});
+  const ProgramResult ended = run_load(server.port(), {"--players",    "6",
+                                                       "--edits",      "20",
+                                                       "--edit-group", "3",
+                                                       "--duration",   "3",
+                                                       "--radius",     "2",
+                                                       "--vertical",   "1",
+                                                       "--churn",      "2",
+                                                       "--threads",    "2",
+                                                       "--json",       json,
+                                                       "--fail-if",    "wrong>0",
+                                                       "--fail-if",    "unanswered>0",
+                                                       "--fail-if",    "errors>0",
+                                                       "--fail-if",    "edit_ack_max_ms==0",
+                                                       "--fail-if",    "edit_arrival_max_ms==0",
+                                                       "--fail-if",    "cuts==0"});
   INFO(said(ended));
   CHECK(ended.status == 0);
   const auto written = nlohmann::json::parse(std::ifstream{json});
@@ -212,7 +212,7 @@ TEST_CASE("builders in a closed loop send the next edit when one is answered") {
   const ScratchDirectory scratch;
   const ServerProcess server{
       {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
-  const Ended ended =
+  const ProgramResult ended =
       run_load(server.port(), {"--players", "2", "--edit-in-flight", "2", "--duration", "0.5", "--radius",
                                "1", "--vertical", "1", "--fail-if", "wrong>0", "--fail-if", "edits<20"});
   INFO(said(ended));
@@ -225,7 +225,7 @@ TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees w
       {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
   const std::string edits = (scratch.path() / "edits").string();
   for (const char* const seed : {"1", "2"}) {
-    const Ended ended = run_load(
+    const ProgramResult ended = run_load(
         server.port(), {"--players", "4", "--edits", "40", "--edit-group", "2", "--duration", "1", "--radius",
                         "1", "--vertical", "1", "--churn", "1", "--seed", seed, "--edits-file", edits});
     INFO(said(ended));
@@ -234,7 +234,7 @@ TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees w
   const auto compare = [&] {
     return e2e::run_program(TALUS_EDITS_MODEL_PATH, {edits, "127.0.0.1", std::to_string(server.port())});
   };
-  const Ended same = compare();
+  const ProgramResult same = compare();
   INFO(said(same));
   CHECK(same.status == 0);
   std::istringstream figures{same.out};
@@ -252,7 +252,7 @@ TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees w
     std::ofstream written{edits};
     for (const std::string& line : changed) written << line << '\n';
     written.close();
-    const Ended other = compare();
+    const ProgramResult other = compare();
     CHECK(other.status == 1);
     CHECK(other.err.find(why) != std::string::npos);
   };
@@ -273,8 +273,8 @@ TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees w
 
 TEST_CASE("a server that takes no edits fails a run of builders") {
   const ServerProcess server;
-  const Ended ended = run_load(server.port(), {"--players", "1", "--edits", "10", "--duration", "0.3",
-                                               "--radius", "1", "--vertical", "1"});
+  const ProgramResult ended = run_load(server.port(), {"--players", "1", "--edits", "10", "--duration", "0.3",
+                                                       "--radius", "1", "--vertical", "1"});
   CHECK(ended.status == 1);
   CHECK(ended.err.find("talus-load: no edit was acknowledged") == 0);
 }
@@ -284,8 +284,9 @@ TEST_CASE("flipped bits are found") {
   Faults flip;
   flip.flip_every = 9001;
   const FaultProxy proxy{server.port(), {}, flip};
-  const Ended ended = run_load(proxy.port(), {"--players", "1", "--duration", "1", "--model", "stand",
-                                              "--verify", "100", "--drain", "0.5", "--fail-if", "wrong>0"});
+  const ProgramResult ended =
+      run_load(proxy.port(), {"--players", "1", "--duration", "1", "--model", "stand", "--verify", "100",
+                              "--drain", "0.5", "--fail-if", "wrong>0"});
   INFO(said(ended));
   CHECK(ended.status == 1);
   CHECK(ended.err.find("--fail-if wrong>0") != std::string::npos);
@@ -296,7 +297,7 @@ TEST_CASE("connections that the network cuts are counted, and come back") {
   Faults cut;
   cut.cut_after = 20'001;
   const FaultProxy proxy{server.port(), {}, cut, 4};
-  const Ended ended = run_load(
+  const ProgramResult ended = run_load(
       proxy.port(), {"--players", "3", "--duration", "3", "--radius", "4", "--vertical", "2", "--fail-if",
                      "wrong>0", "--fail-if", "unanswered>0", "--fail-if", "disconnects!=3", "--fail-if",
                      "reconnects!=3", "--fail-if", "return_max_ms==0"});
@@ -305,14 +306,14 @@ TEST_CASE("connections that the network cuts are counted, and come back") {
 }
 
 TEST_CASE("a server that is not there is one line and 1") {
-  const Ended ended = e2e::run_program(TALUS_LOAD_PATH, {"--connect", "127.0.0.1:1"});
+  const ProgramResult ended = e2e::run_program(TALUS_LOAD_PATH, {"--connect", "127.0.0.1:1"});
   CHECK(ended.status == 1);
   CHECK(ended.err.find("talus-load: 127.0.0.1:1: ") == 0);
   CHECK(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
 }
 
 TEST_CASE("a trace that is not there is named") {
-  const Ended ended = e2e::run_program(TALUS_LOAD_PATH, {"--model", "trace:/no/such"});
+  const ProgramResult ended = e2e::run_program(TALUS_LOAD_PATH, {"--model", "trace:/no/such"});
   CHECK(ended.status == 1);
   CHECK(ended.err.find("/no/such: cannot be read") != std::string::npos);
 }

@@ -24,7 +24,7 @@
 namespace talus::nats_test {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{10};
+constexpr std::chrono::milliseconds kPollInterval{10};
 constexpr int kPageTimeoutMs = 1000;
 constexpr std::chrono::seconds kPatience{60};
 
@@ -114,7 +114,7 @@ nlohmann::json stream_of(const nlohmann::json& page, const std::string& stream) 
 
 }  // namespace
 
-std::string talusd_permissions(Allowed allowed) {
+std::string talusd_permissions(Permissions allowed) {
   // An empty list would allow all.
   return fmt::format(
       "no_auth_user: all\nauthorization {{ users = [ {{ user: all, password: p }}, {{ user: talus, password: "
@@ -328,7 +328,7 @@ void NatsServers::await(const std::string& what, std::chrono::seconds patience,
       for (std::size_t server = 0; server < count(); ++server) said += log(server);
       throw std::runtime_error{"waited in vain for " + what + ":\n" + said};
     }
-    std::this_thread::sleep_for(kBetweenLooks);
+    std::this_thread::sleep_for(kPollInterval);
   }
 }
 

@@ -28,12 +28,12 @@ struct NatsSettings {
 
 /// Lines of a server's configuration: whoever says no name may do all, and the user "talus" what a talusd
 /// must be allowed, but for what is false.
-struct Allowed {
+struct Permissions {
   bool messages = true;  // single ones
   bool tail = true;
   bool answers = true;
 };
-[[nodiscard]] std::string talusd_permissions(Allowed allowed = {});
+[[nodiscard]] std::string talusd_permissions(Permissions allowed = {});
 
 /// Servers on ports of 127.0.0.1 that are theirs also while they are away, whose files lie in a scratch
 /// directory. All of them end with the object, and with the thread that started them. What fails throws

@@ -113,7 +113,7 @@ class Hostile(unittest.TestCase):
 
     def test_scores_that_are_kept_are_bounded(self):
         columns = decoder.Columns("level", "odd")
-        columns.MOST = 100
+        columns.MAX_KEYS = 100
         for key in range(1000):
             self.assertEqual(columns[key], columns[key])
         self.assertLessEqual(len(columns), 100)

@@ -105,7 +105,7 @@ TEST_CASE("without descriptors a connection that is closed makes room for the ne
   CHECK_FALSE(bench.accepted.front().is_open());
 }
 
-TEST_CASE("accepts that fail share one log line in five seconds, also where some succeed between them") {
+TEST_CASE("failed accepts share one log line in five seconds, even if some succeed between them") {
   Bench bench;
   int failures = 0;
   bench.next_context = [&]() -> asio::io_context& {

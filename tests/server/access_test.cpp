@@ -253,7 +253,7 @@ TEST_CASE("talusd token refuses an unprintable subject for an editor") {
   }
 }
 
-TEST_CASE("talusd token bounds where its holder edits, and the server reads the bounds") {
+TEST_CASE("talusd token limits the boxes in which its holder may edit, and the server reads them") {
   const Files files;
   const std::string key = files.settings.signing_key_file.string();
   const auto made = command({"--key-file", key.c_str(), "--subject", "a", "--rights", "read,edit", "--valid",

@@ -34,12 +34,12 @@ struct Bench {
   Logger log = make_logger("off", "text");
   ManualClock clock;
   AnswerBatcher answers{log, clock};
-  ChunkAnswer answer = tl::make_unexpected(GenerationFailed{"of no use here"});
+  ChunkAnswer answer = tl::make_unexpected(GenerationError{"of no use here"});
 };
 
 }  // namespace
 
-TEST_CASE("answers come to each who waits, once and in the order in which they were made") {
+TEST_CASE("each waiting client receives its answers once, in the order in which they were made") {
   Bench bench;
   Owner one{1};
   Owner other{2};

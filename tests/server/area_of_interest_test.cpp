@@ -161,7 +161,7 @@ TEST_CASE("everything out to the last ring is covered") {
   }));
 }
 
-TEST_CASE("no coarse chunk stands where finer ones cover it whole") {
+TEST_CASE("no coarse chunk is in a View if finer ones cover it completely") {
   CHECK(rc::check([] {
     const View view = random_view();
     const auto keys = chunks_in_view(view);

@@ -48,8 +48,8 @@ class ClockReference {
       remove(static_cast<std::size_t>(old - entries_.begin()));
   }
   void set_capacity(std::size_t capacity) { capacity_ = capacity; }
-  void fit(std::size_t looks) {
-    for (; looks > 0 && bytes_held() > capacity_; --looks) {
+  void fit(std::size_t probes) {
+    for (; probes > 0 && bytes_held() > capacity_; --probes) {
       const std::size_t at = step();
       if (!std::exchange(entries_[at].used, false)) remove(at);
     }
@@ -121,11 +121,11 @@ TEST_CASE("ClockCache keeps what a row of entries and a hand would keep, and nev
         cache.set_capacity(smaller);
         reference.set_capacity(smaller);
       } else if (bytes > 520) {
-        auto looks = static_cast<std::size_t>(bytes - 520);
-        reference.fit(looks);
-        const bool fits = cache.fit(looks);
+        auto probes = static_cast<std::size_t>(bytes - 520);
+        reference.fit(probes);
+        const bool fits = cache.fit(probes);
         RC_ASSERT(fits == (cache.bytes() <= reference.capacity()));
-        if (!fits) RC_ASSERT(looks == 0U);
+        if (!fits) RC_ASSERT(probes == 0U);
         std::erase_if(held, [&](const auto& entry) { return !cache.holds(entry.first); });
       } else {
         const std::size_t most = std::max(cache.bytes(), reference.capacity());
@@ -168,8 +168,8 @@ TEST_CASE("a smaller capacity is fitted a slice a call, and the rest is found th
   int calls = 0;
   while (!fits) {
     const std::size_t before = cache.size();
-    std::size_t looks = 40;
-    fits = cache.fit(looks);
+    std::size_t probes = 40;
+    fits = cache.fit(probes);
     ++calls;
     REQUIRE(before - cache.size() <= 40);
     int found = 0;
@@ -242,16 +242,16 @@ TEST_CASE("a cache that lacks the memory to give its memory back fits all the sa
   for (int key = 0; key < 1000; ++key) cache.put(key, key, 100);
   cache.set_capacity(8 * kEntry);
   bool failed = false;
-  std::size_t looks = 1000;
+  std::size_t probes = 1000;
   {
     const talus::test::FailingAllocations failing{0};
-    REQUIRE(cache.fit(looks));
+    REQUIRE(cache.fit(probes));
     failed = failing.has_failed();
   }
   CHECK(failed);
   CHECK(cache.size() == 8);
   for (int i = 0; i < 2; ++i) {
-    CHECK(cache.fit(looks));  // the first gives it back
+    CHECK(cache.fit(probes));  // the first gives it back
     int found = 0;
     for (int key = 0; key < 1000; ++key) found += cache.holds(key) ? 1 : 0;
     CHECK(found == 8);
@@ -307,9 +307,9 @@ TEST_CASE("a sharded cache of a smaller capacity fits after calls that look at n
   bool fits = false;
   while (!fits) {
     const std::size_t before = held();
-    std::size_t looks = 100;
-    fits = cache.fit(looks);
-    REQUIRE(before - held() == 100 - looks);
+    std::size_t probes = 100;
+    fits = cache.fit(probes);
+    REQUIRE(before - held() == 100 - probes);
   }
   CHECK(cache.bytes() <= 1 << 16);
   CHECK(cache.bytes() > 1 << 15);

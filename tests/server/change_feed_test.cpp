@@ -102,15 +102,15 @@ TEST_CASE("a client with a pending answer receives its changes with it, or is wo
   Bench bench;
   Client answered{1};
   Client waits{2};
-  Client looks_on{3};
-  for (Client* const client : {&answered, &waits, &looks_on}) {
+  Client watches{3};
+  for (Client* const client : {&answered, &waits, &watches}) {
     bench.feed.watch(client->mailbox, boxes_around(0, 2));
   }
   answered.mailbox->expect_answer(true);
   waits.mailbox->expect_answer(true);
   bench.changed(change(at(1), 0, 1));
   bench.feed.send();
-  CHECK(looks_on.wakes == 1);
+  CHECK(watches.wakes == 1);
   CHECK(answered.wakes + waits.wakes == 0);
   CHECK(answered.take().size() == 1);
   CHECK(bench.feed.has_held());

@@ -46,7 +46,7 @@ TEST_CASE("a store is given for a token with the right admin alone") {
   CHECK(peer.metrics.checkpoints_refused.total() == 3);
 }
 
-TEST_CASE("a joiner takes the store of a peer over HTTP, and tries the next where one fails") {
+TEST_CASE("a joining server takes a peer's store over HTTP, and tries the next peer if one fails") {
   Peer peer;
   Peer foreign{8};
   ScratchDirectory scratch{ScratchDirectory::memory()};

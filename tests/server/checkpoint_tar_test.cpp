@@ -44,13 +44,13 @@ class TextSource final : public TarSource {
   std::size_t at_ = 0;
 };
 
-struct Taken {
+struct TarResult {
   std::string error;
   store::StoreMeta meta;
 };
 
 /// Into a directory of its own.
-Taken take(TextSource source, const WantedStore& wanted, const fs::path& staging) {
+TarResult take(TextSource source, const WantedStore& wanted, const fs::path& staging) {
   fs::remove_all(staging);
   fs::create_directory(staging);
   const auto meta = take_checkpoint(source, staging, wanted, [](std::uint64_t) {});
@@ -121,7 +121,7 @@ TEST_CASE("a checkpoint's tar becomes the same store, whatever pieces it comes i
   const std::string tar = peer.tar();
   CHECK_FALSE(fs::exists(peer.path / "talus-checkpoint-test"));  // it took it away
   for (const std::size_t piece : {std::size_t{1}, std::size_t{511}, std::size_t{1} << 20U}) {
-    const Taken taken = take(TextSource{tar, piece}, {{1, 2}, peer.id()}, peer.scratch / "staging");
+    const TarResult taken = take(TextSource{tar, piece}, {{1, 2}, peer.id()}, peer.scratch / "staging");
     REQUIRE(taken.error == "");
     CHECK(taken.meta.head == peer.head());
     EditStore joined{peer.scratch / "staging"};
@@ -141,7 +141,7 @@ TEST_CASE("a store of whatever time has a tar") {
     batch.apply(edits::AttachEntry{{8, 9}, 1, "of the end of time"});
     REQUIRE(peer.store.database().append(batch, {}).has_value());
   }
-  const Taken taken = take(TextSource{peer.tar()}, {{1, 2}, peer.id()}, peer.scratch / "staging");
+  const TarResult taken = take(TextSource{peer.tar()}, {{1, 2}, peer.id()}, peer.scratch / "staging");
   REQUIRE(taken.error == "");
   CHECK(taken.meta.head.time_ms == INT64_MAX);
 }
@@ -154,7 +154,7 @@ TEST_CASE("a checkpoint while edits go on is of one moment") {
     while (!stop) (void)peer.editor.edit(peer.store, random_edit(random));
   }};
   for (int i = 0; i < 20; ++i) {
-    const Taken taken = take(TextSource{peer.tar()}, {{1, 2}, std::nullopt}, peer.scratch / "staging");
+    const TarResult taken = take(TextSource{peer.tar()}, {{1, 2}, std::nullopt}, peer.scratch / "staging");
     CHECK(taken.error == "");
   }
   stop = true;
@@ -171,7 +171,7 @@ TEST_CASE("a checkpoint that is given up leaves no directory") {
   CHECK_FALSE(fs::exists(peer.path / "talus-checkpoint-test"));
 }
 
-TEST_CASE("a tar is refused by one line where it is cut, damaged, or ends with the connection") {
+TEST_CASE("a tar that is cut, damaged, or ends with the connection is refused in one line") {
   CheckpointStore peer{7, 40};
   const std::string tar = peer.tar();
   const fs::path staging = peer.scratch / "staging";
@@ -191,7 +191,7 @@ TEST_CASE("a tar is refused by one line where it is cut, damaged, or ends with t
     std::string damaged = tar;
     const std::size_t at = random() % (tar.size() - 1024);
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
-    const Taken taken = take(TextSource{damaged}, wanted, staging);
+    const TarResult taken = take(TextSource{damaged}, wanted, staging);
     INFO(at);
     // Padding and fields of headers that say nothing of a file's bytes or name.
     if (taken.error.empty()) {

@@ -11,7 +11,7 @@
 
 namespace talus::server::chunks_test {
 
-TEST_CASE("a client that was refused by a full queue is told when there is room, once") {
+TEST_CASE("a client that a full queue refused is notified once when there is room") {
   FakeService fake{1, 4};
   fake.work->close_gate();
   WaitingClient greedy;
@@ -49,7 +49,7 @@ TEST_CASE("a job that is cancelled makes room for a client that was refused") {
 }
 
 TEST_CASE(
-    "a flow that fills its part of the queue keeps no other out, and who waits for nothing is told of room") {
+    "a flow that fills its part of the queue keeps no other out, and idle clients are notified of room") {
   // Without start(): jobs end by cancellation, so all happens in this thread.
   constexpr std::int32_t kJobs = 400;
   Metrics metrics;
@@ -87,7 +87,7 @@ TEST_CASE(
   CHECK(told(greedy) == 0);  // any of its chunks that comes tells as much
 }
 
-TEST_CASE("a client that was refused for want of memory is told when it is there again") {
+TEST_CASE("a client refused for lack of memory is notified when there is memory again") {
   FakeService fake{1, 1000, 800 * kMebibyte};
   fake.work->close_gate();
   WaitingClient other;
@@ -106,7 +106,7 @@ TEST_CASE("a client that was refused for want of memory is told when it is there
   client.await(1);
 }
 
-TEST_CASE("where sessions hold the memory for good, each is still served, one after the other") {
+TEST_CASE("if sessions keep the memory, each is still served, one after the other") {
   FakeService fake{1, 1000, 800 * kMebibyte};
   fake.memory.set(MemoryUse::sessions, 640 * kMebibyte);
   fake.work->close_gate();
@@ -197,7 +197,7 @@ TEST_CASE("caches shrink by slices as soon as everything else grows, and grow ag
   CHECK(used(MemoryUse::chunk_cache) > 20'000'000);
 }
 
-TEST_CASE("generators count for an eighth of the budget at most, so that somebody can come") {
+TEST_CASE("generators count for at most an eighth of the budget, so that new clients can connect") {
   FakeService fake{2, 1000, 128 * kMebibyte};
   fake.work->patch_columns = 4'000'000;
   WaitingClient client;

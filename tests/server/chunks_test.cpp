@@ -35,7 +35,7 @@ TEST_CASE("many waiters, one generation") {
   CHECK(fake.work->patches == 1);
 }
 
-TEST_CASE("who stops waits for the chunk in the making, not for the others of its patch") {
+TEST_CASE("a stop waits for the chunk being made, not for the others of its patch") {
   auto fake = std::make_unique<FakeService>(3);  // of which one is kept for others
   const std::shared_ptr<FakeWork> work = fake->work;
   std::atomic<bool> at_first_chunk{false};
@@ -195,7 +195,7 @@ TEST_CASE("the time of generators is added to the flow in whose turn it was") {
   CHECK(beside.mailbox()->flow_use()->used(FlowMeasure::generator) == 0);
 }
 
-TEST_CASE("a client that cannot be woken harms nobody") {
+TEST_CASE("a client that cannot be woken does not affect others") {
   FakeService fake;
   const auto broken = std::make_shared<Mailbox>(ClientId{1'000'000}, [] { throw std::bad_alloc{}; });
   REQUIRE(queued(fake.service, broken, at(1)));
@@ -206,7 +206,8 @@ TEST_CASE("a client that cannot be woken harms nobody") {
   client.await(2);
 }
 
-TEST_CASE("whichever allocation of a generator thread fails, all who wait are answered, and it goes on") {
+TEST_CASE(
+    "if any allocation of a generator thread fails, all waiting clients are answered and it continues") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);

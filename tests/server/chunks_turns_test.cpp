@@ -33,20 +33,20 @@ TEST_CASE("a body of heights is written by the thread that makes them, once and 
   std::thread::id writer;
   int written = 0;
   HeightsQuery query{.columns = {{1, 2}, {300, 400}}};
-  query.body = [&](const HeightsFound& found) {
+  query.body = [&](const HeightsResult& found) {
     writer = std::this_thread::get_id();
     ++written;
     return std::to_string(found.heights_fx.size());
   };
   fake.service.submit_heights(client.mailbox(), 1, query);
   client.await(1);
-  const HeightsFound& found = client.heights()[0].second.value();
+  const HeightsResult& found = client.heights()[0].second.value();
   CHECK(found.body == "2");
   CHECK(found.heights_fx.empty());
   CHECK(written == 1);
   CHECK(writer != std::this_thread::get_id());
 
-  query.body = [](const HeightsFound&) -> std::string { throw std::bad_alloc{}; };
+  query.body = [](const HeightsResult&) -> std::string { throw std::bad_alloc{}; };
   fake.service.submit_heights(client.mailbox(), 2, query);
   client.await(2);
   CHECK_FALSE(client.heights()[1].second.has_value());
@@ -81,7 +81,7 @@ TEST_CASE("dear heights are made a piece at a time, and others have their turns 
   CHECK(dear.heights()[0].second.value().heights_fx.size() == scattered.size());
 }
 
-TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
+TEST_CASE("an expensive patch gives way to others midway, and resumes at the same point") {
   FakeService fake;
   fake.work->close_gate();
   fake.work->patch_steps = 100;
@@ -116,7 +116,7 @@ TEST_CASE("a dear patch gives way to others midway, and goes on where it was") {
   CHECK(fake.service.status().jobs == 0);
 }
 
-TEST_CASE("a patch that waits halfway goes with the last who wants it") {
+TEST_CASE("a half-made patch is dropped when the last client cancels it") {
   FakeService fake;
   fake.work->close_gate();
   fake.work->patch_steps = 100;
@@ -195,7 +195,7 @@ TEST_CASE("heights that are cancelled while they are made end with their piece")
   CHECK(pieces <= 8);
 }
 
-TEST_CASE("a patch that nobody wants any more is given up, and made when somebody asks again") {
+TEST_CASE("a patch that no client wants is given up, and made when a client asks again") {
   FakeService fake;
   fake.work->close_gate();
   WaitingClient client;
@@ -220,7 +220,7 @@ TEST_CASE("a patch that nobody wants any more is given up, and made when somebod
   CHECK(fake.work->patches == 2);
 }
 
-TEST_CASE("a patch that somebody still wants is made, whoever else left") {
+TEST_CASE("a patch is made as long as one client still wants it") {
   FakeService fake;
   fake.work->close_gate();
   WaitingClient client;

@@ -108,7 +108,7 @@ TEST_CASE("an end that the leader takes back is not waited for") {
   CHECK(end.lag() == 0);
 }
 
-TEST_CASE("a server that is far behind for hours remembers few looks") {
+TEST_CASE("a server that is far behind for hours keeps few reports of the end") {
   LogEnd end;
   for (int i = 0; i < 10'000; ++i)
     end.heard(static_cast<std::uint64_t>(i) + 1, LogEnd::TimePoint{} + i * 500ms);

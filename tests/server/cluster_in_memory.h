@@ -23,7 +23,7 @@
 
 namespace talus::server::testing {
 
-using Outcome = tl::expected<edits::Applied, EditError>;
+using Outcome = tl::expected<edits::EntryResult, EditError>;
 
 /// Entries that were given to a log, and their answers as they come.
 class Answers {
@@ -103,14 +103,14 @@ struct ClusterInMemory {
   SharedStream stream{empty_genesis()};
   std::vector<std::unique_ptr<ClusterNode>> nodes;
   std::mutex mutex;
-  std::vector<std::optional<cluster::Lost>> lost;
+  std::vector<std::optional<cluster::StoreLoss>> lost;
   std::vector<std::string> why;
 
   explicit ClusterInMemory(std::size_t count) : lost(count), why(count) {
     for (std::size_t i = 0; i < count; ++i) {
       nodes.push_back(
           std::make_unique<ClusterNode>(scratch / std::to_string(i), ends_of(stream, i * 100), i * 100));
-      nodes[i]->on_lost = [this, i](cluster::Lost how, const std::string& reason) {
+      nodes[i]->on_lost = [this, i](cluster::StoreLoss how, const std::string& reason) {
         const std::lock_guard lock{mutex};
         lost[i] = how;
         why[i] = reason;
@@ -125,7 +125,7 @@ struct ClusterInMemory {
   void until_applied() {
     for (auto& node : nodes) until([&] { return node->log().status().sequence == stream.state().last; });
   }
-  std::optional<cluster::Lost> lost_of(std::size_t i) {
+  std::optional<cluster::StoreLoss> lost_of(std::size_t i) {
     const std::lock_guard lock{mutex};
     return lost[i];
   }

@@ -13,10 +13,10 @@ namespace {
 
 using namespace testing;
 using namespace std::chrono_literals;
-using cluster::Lost;
-using Kind = edits::Applied::Kind;
+using cluster::StoreLoss;
+using Kind = edits::EntryResult::Kind;
 
-TEST_CASE("an edit taken at one server is applied at all, and answered where it was taken") {
+TEST_CASE("an edit sent to one server is applied by all, and answered by that server") {
   ClusterInMemory cluster{3};
   cluster.open();
   Answers answers;
@@ -88,7 +88,7 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
 
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
   ClusterInMemory cluster{2};
-  cluster.nodes[0]->settings.look_interval = 1ms;
+  cluster.nodes[0]->settings.poll_interval = 1ms;
   REQUIRE(cluster.nodes[0]->open() == "");
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
@@ -119,7 +119,7 @@ TEST_CASE("a server that starts while the log is away is ready with what it has,
     until([&] { return cluster.log(0).status().ready; });
     cluster.stream.make_anew();
     cluster.stream.set_quorum(true);
-    until([&] { return !cluster.log(0).status().ready && cluster.lost_of(0) == Lost::other; });
+    until([&] { return !cluster.log(0).status().ready && cluster.lost_of(0) == StoreLoss::other; });
   }
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     append_foreign(2);
   }
   until([&] { return cluster.lost_of(1).has_value(); });
-  CHECK(cluster.lost_of(1) == Lost::other);
+  CHECK(cluster.lost_of(1) == StoreLoss::other);
   CHECK_THAT(cluster.why[1], Catch::Contains(fmt::format("message {} of the stream is another", applied)));
   CHECK_FALSE(cluster.log(1).takes_entries());
   CHECK_FALSE(cluster.log(1).status().ready);
@@ -168,7 +168,7 @@ TEST_CASE("a stream that lost its end and went on is found out, though the serve
     cluster.lost[1].reset();
   }
   REQUIRE(cluster.nodes[1]->open() == "");
-  until([&] { return cluster.lost_of(1) == Lost::other; });
+  until([&] { return cluster.lost_of(1) == StoreLoss::other; });
 }
 
 TEST_CASE("a stream that gets its end again is gone on with, and so is one that keeps nothing old") {
@@ -251,7 +251,7 @@ TEST_CASE("a server whose clock is far ahead dates what it writes by the stream,
   CHECK(cluster.log(0).status().bounded == 1);
 }
 
-TEST_CASE("a full disk stops a server where it is, and it goes on when there is room") {
+TEST_CASE("a full disk stops a server, and it resumes at the same place when there is room") {
   ClusterInMemory cluster{2};
   cluster.open();
   Answers answers;
@@ -278,13 +278,13 @@ TEST_CASE(
   ClusterNode& node = *cluster.nodes[0];
   Answers answers;
   REQUIRE(answers.apply(node.log(), attach()).has_value());
-  struct Held {
+  struct SyncHold {
     UnsafeDisk& disk;
-    explicit Held(UnsafeDisk& of) : disk{of} { disk.hold_syncs(true); }
-    ~Held() { disk.hold_syncs(false); }
+    explicit SyncHold(UnsafeDisk& of) : disk{of} { disk.hold_syncs(true); }
+    ~SyncHold() { disk.hold_syncs(false); }
   };
   {
-    const Held held{node.disk()};
+    const SyncHold held{node.disk()};
     REQUIRE(answers.apply(node.log(), write_at(1, 5)).has_value());
     node.disk().await_held_sync();
     for (std::uint64_t sequence = 2; sequence < 20; ++sequence) {

@@ -17,8 +17,8 @@ namespace {
 
 using namespace testing;
 using namespace std::chrono_literals;
-using cluster::Lost;
-using Kind = edits::Applied::Kind;
+using cluster::StoreLoss;
+using Kind = edits::EntryResult::Kind;
 
 /// Where the store says that S is another.
 void falsify(const std::filesystem::path& path) {
@@ -48,20 +48,20 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
     cluster.stream.keep_from(5);
     cluster.open();
     until([&] { return cluster.lost_of(0).has_value(); });
-    CHECK(cluster.lost_of(0) == Lost::too_old);
+    CHECK(cluster.lost_of(0) == StoreLoss::too_old);
   }
   SECTION("before it had anything") {
     cluster.stream.keep_from(2);
     cluster.open();
     until([&] { return cluster.lost_of(0).has_value(); });
-    CHECK(cluster.lost_of(0) == Lost::no_start);
+    CHECK(cluster.lost_of(0) == StoreLoss::no_start);
   }
   SECTION("as it was made anew, while it runs") {
     cluster.open();
     cluster.until_applied();
     cluster.stream.make_anew();
     until([&] { return cluster.lost_of(0).has_value(); });
-    CHECK(cluster.lost_of(0) == Lost::other);
+    CHECK(cluster.lost_of(0) == StoreLoss::other);
     CHECK_FALSE(cluster.log(0).takes_entries());
     CHECK_FALSE(cluster.log(0).status().ready);
   }
@@ -71,9 +71,9 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
     genesis.head.position = 5;
     SharedStream other{*cluster::encode(genesis)};
     ClusterNode node{cluster.scratch / "other", ends_of(other, 5), 5};
-    std::optional<Lost> lost;
+    std::optional<StoreLoss> lost;
     std::mutex mutex;
-    node.on_lost = [&](Lost how, const std::string&) {
+    node.on_lost = [&](StoreLoss how, const std::string&) {
       const std::lock_guard lock{mutex};
       lost = how;
     };
@@ -82,7 +82,7 @@ TEST_CASE("a server whose place the stream does not keep, or whose stream is ano
       const std::lock_guard lock{mutex};
       return lost.has_value();
     });
-    CHECK(lost == Lost::no_start);
+    CHECK(lost == StoreLoss::no_start);
     node.close();
   }
 }
@@ -134,7 +134,7 @@ TEST_CASE("a server that was given a false message has a wrong state") {
   cluster.until_applied();
   cluster.stream.fail_next_as(StreamFailure::Kind::false_message);
   until([&] { return cluster.lost_of(0).has_value(); });
-  CHECK(cluster.lost_of(0) == Lost::wrong_state);
+  CHECK(cluster.lost_of(0) == StoreLoss::wrong_state);
 }
 
 TEST_CASE("while the leader says less than was applied no edits are taken, and no player comes") {
@@ -182,7 +182,7 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   cluster.until_applied();
   REQUIRE(answers.apply(cluster.log(0), write_at(3, 7)).has_value());
   until([&] { return cluster.lost_of(1).has_value(); });
-  CHECK(cluster.lost_of(1) == Lost::wrong_state);
+  CHECK(cluster.lost_of(1) == StoreLoss::wrong_state);
   CHECK_FALSE(cluster.log(1).takes_entries());
   CHECK_THAT(cluster.why[1], Catch::Contains("chunk (0, 0, 0)"));
   cluster.nodes[1]->close();
@@ -217,7 +217,7 @@ TEST_CASE("one of three servers with another state takes itself out, and the oth
     ++sequence;
     return cluster.lost_of(2).has_value();
   });
-  CHECK(cluster.lost_of(2) == Lost::wrong_state);
+  CHECK(cluster.lost_of(2) == StoreLoss::wrong_state);
   CHECK(cluster.log(2).status().differs);
   CHECK_FALSE(cluster.log(2).status().ready);
   CHECK_FALSE(cluster.log(2).takes_entries());

@@ -217,7 +217,7 @@ TEST_CASE("entries of every kind are read back") {
   CHECK(std::get<edits::AttachEntry>(*attach).epoch == 2);
 }
 
-TEST_CASE("a stream's description says from where on messages may be newer") {
+TEST_CASE("a stream's description names the first message that may be newer") {
   const std::vector<EnabledFormat> two{{2, 1'000'000}, {3, 5'000'000'000}};
   CHECK(enabled_formats("log format 2 from message 1000000").list == std::vector{two[0]});
   for (const auto* const text : {"log format 2 from message 1000000",

@@ -21,7 +21,7 @@ namespace {
 using namespace testing;
 using edits::testing::base_of;
 using edits::testing::Model;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 using std::chrono::milliseconds;
 
 std::uint64_t seed_of_run() {
@@ -62,7 +62,7 @@ class ClusterModel {
         states_.emplace(head.revision, head.hash);
         if (states_.at(head.revision) != head.hash) differ_ = true;
       };
-      nodes_.back()->on_lost = [this](cluster::Lost, const std::string& why) {
+      nodes_.back()->on_lost = [this](cluster::StoreLoss, const std::string& why) {
         const std::lock_guard lock{mutex_};
         lost_ = why;
       };
@@ -213,7 +213,7 @@ class ClusterModel {
   }
 
   void answer(Player& player, std::uint64_t connection, std::uint64_t sequence,
-              const tl::expected<const edits::Applied*, EditError>& applied) {
+              const tl::expected<const edits::EntryResult*, EditError>& applied) {
     const bool current = player.connection == connection;
     if (!applied) {
       if (current) player.in_flight[sequence] = false;

@@ -40,7 +40,7 @@ class ClusterNode {
         env_{environment_of(disk_)} {
     settings.store.flush_interval = std::chrono::milliseconds{5};
     settings.store.retry_interval = std::chrono::milliseconds{20};
-    settings.look_interval = std::chrono::milliseconds{20};
+    settings.poll_interval = std::chrono::milliseconds{20};
     settings.sure_of_other = std::chrono::milliseconds{600};
   }
   ~ClusterNode() { close(); }
@@ -58,7 +58,8 @@ class ClusterNode {
   EditStateSettings state_settings;
   /// On the log's thread, after each batch that changed something.
   std::function<void(const edits::Head&)> on_changed = [](const edits::Head&) {};
-  std::function<void(cluster::Lost, const std::string&)> on_lost = [](cluster::Lost, const std::string&) {};
+  std::function<void(cluster::StoreLoss, const std::string&)> on_lost = [](cluster::StoreLoss,
+                                                                           const std::string&) {};
   std::function<void()> on_takes = [] {};
   /// When the store is open, and nothing has begun.
   std::function<void()> before_log = [] {};
@@ -76,7 +77,7 @@ class ClusterNode {
         make_logger("off", "text"),
         [this](const auto&) { on_changed(state_->head()); },
         [this] { on_takes(); },
-        [this](cluster::Lost how, const std::string& why) { on_lost(how, why); }};
+        [this](cluster::StoreLoss how, const std::string& why) { on_lost(how, why); }};
     log_ = std::make_unique<cluster::ClusterLog>(std::move(parts), settings);
     log_->start();
     return {};

@@ -11,8 +11,8 @@ namespace {
 
 using namespace testing;
 using namespace std::chrono_literals;
-using cluster::Lost;
-using Kind = edits::Applied::Kind;
+using cluster::StoreLoss;
+using Kind = edits::EntryResult::Kind;
 
 /// Messages that this talusd does not know, and those to come may.
 std::vector<store::Bytes> unknown_messages() {
@@ -99,15 +99,15 @@ TEST_CASE("a description of formats that is not understood stops a server, and i
   CHECK(cluster.log(0).status().skipped == 1);
 }
 
-TEST_CASE("a message that is not known is not passed over where the stream is another by then") {
+TEST_CASE("an unknown message is not skipped if the stream has been replaced meanwhile") {
   ClusterInMemory cluster{1};
-  cluster.nodes[0]->settings.look_interval = 1h;  // so that it is this message by which it is found
+  cluster.nodes[0]->settings.poll_interval = 1h;  // so that it is this message by which it is found
   cluster.open();
   cluster.until_applied();
   cluster.stream.make_anew();
   cluster.stream.append(unknown_messages().front());
   until([&] { return cluster.lost_of(0).has_value() || cluster.log(0).status().skipped > 0; });
-  CHECK(cluster.lost_of(0) == Lost::other);
+  CHECK(cluster.lost_of(0) == StoreLoss::other);
   CHECK(cluster.log(0).status().skipped == 0);
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("a genesis of a newer talusd stops a server, and it says what would be
 
 TEST_CASE("a message that is not known waits for a leader that knows it") {
   ClusterInMemory cluster{1};
-  cluster.nodes[0]->settings.look_interval = 1h;  // so that it asks for this message alone
+  cluster.nodes[0]->settings.poll_interval = 1h;  // so that it asks for this message alone
   cluster.open();
   cluster.until_applied();
   cluster.stream.say_fewer(1);
@@ -279,7 +279,7 @@ TEST_CASE("a message that comes altered is asked of the log's leader, and applie
   CHECK(cluster.log(1).status().head.hash == cluster.log(0).status().head.hash);
 }
 
-TEST_CASE("players may look on while no server can read the next message, and not where others can") {
+TEST_CASE("players may read while no server can read the next message, but not if other servers can") {
   ClusterInMemory cluster{2};
   cluster.stream.enable({cluster::kLogFormat + 1, 2});
   for (auto& node : cluster.nodes) node->settings.sure_of_stuck = 300ms;

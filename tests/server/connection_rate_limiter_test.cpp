@@ -77,7 +77,7 @@ TEST_CASE("in any time t an address begins at most burst + rate * t") {
   CHECK(holds);
 }
 
-TEST_CASE("however many addresses connect, each is served, and the one that owes most is remembered") {
+TEST_CASE("any number of addresses is served, and the one that owes most is kept") {
   ConnectionRateLimiter limiter{10, 5, 1};
   (void)taken(limiter, kHere, kNow, 20);
   constexpr std::uint32_t kMany = 4 * ConnectionRateLimiter::kSets * ConnectionRateLimiter::kEntriesPerSet;

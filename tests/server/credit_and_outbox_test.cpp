@@ -34,7 +34,7 @@ constexpr std::optional<protocol::Frame> kItself;
 constexpr auto kNoUpdates = [](ChunkKey) { return Update{}; };
 constexpr auto kNoResends = [](ChunkKey) { return EncodedChunkPtr{}; };
 
-struct Sent {
+struct WriteTotals {
   std::size_t chunks = 0;
   std::size_t chunk_bytes = 0;
 };
@@ -42,8 +42,8 @@ struct Sent {
 /// One write. write(entry) may replace the entry's chunk, or returns a frame that goes in its place;
 /// write_update(key) returns what goes for an update, and write_resend(key) the whole chunk; null: nothing.
 template <typename Write, typename WriteUpdate, typename WriteResend>
-Sent write_all(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit, Output& output,
-               Write&& write, WriteUpdate&& write_update, WriteResend&& write_resend) {
+WriteTotals write_all(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit, Output& output,
+                      Write&& write, WriteUpdate&& write_update, WriteResend&& write_resend) {
   using Turn = Outbox::Write::Turn;
   Outbox::Write out{outbox, limits, credit, output};
   for (;;) {
@@ -72,13 +72,13 @@ Sent write_all(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit
   }
 }
 
-struct Taken {
+struct OutboxFrames {
   std::vector<std::byte> bytes;
   std::vector<std::uint32_t> ids;
 };
 
-Taken take(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit) {
-  Taken taken;
+OutboxFrames take(Outbox& outbox, const Outbox::WriteLimits& limits, Credit& credit) {
+  OutboxFrames taken;
   Output output;
   (void)write_all(
       outbox, limits, credit, output,
@@ -140,7 +140,7 @@ TEST_CASE("the outbox takes until there is enough, and counts what it sent") {
   Credit credit{kAll};
   for (std::uint32_t id = 1; id <= 10; ++id) outbox.push_chunk(entry(id, 1000));
   const std::size_t frame_bytes = chunk_of(1000)->frame_bytes();
-  const Taken taken = take(outbox, {3 * frame_bytes}, credit);
+  const OutboxFrames taken = take(outbox, {3 * frame_bytes}, credit);
   CHECK(taken.bytes.size() == 3 * frame_bytes);
   CHECK(taken.ids == std::vector<std::uint32_t>{1, 2, 3});
   CHECK(credit.taken(3 * frame_bytes).has_value());
@@ -205,7 +205,7 @@ TEST_CASE("requests and the View share by bytes, within one chunk, while both ha
             outbox.push_chunk(entry(id, *rc::gen::inRange<std::size_t>(1, kLargest)));
           }
         }
-        const Taken taken = take(outbox, {}, credit);
+        const OutboxFrames taken = take(outbox, {}, credit);
         RC_ASSERT(taken.ids.size() == 1);
         sent[taken.ids[0] == 0] += taken.bytes.size();
         all += taken.bytes.size();
@@ -226,7 +226,7 @@ TEST_CASE("bytes sent by a lane while the other was empty do not count against i
     outbox.push_chunk(entry(1, 1000));
     outbox.push_chunk(entry(0, 1000));
   }
-  const Taken taken = take(outbox, {kAll, 10, kAll}, credit);
+  const OutboxFrames taken = take(outbox, {kAll, 10, kAll}, credit);
   CHECK(std::count(taken.ids.begin(), taken.ids.end(), 0U) == 5);
 }
 
@@ -244,7 +244,7 @@ TEST_CASE("a chunk is written as write() leaves it") {
   Credit credit{kAll};
   outbox.push_chunk(entry(1, 100));
   Output output;
-  const Sent taken = write_all(
+  const WriteTotals taken = write_all(
       outbox, {}, credit, output,
       [](Outbox::Entry& entry) {
         entry.chunk = chunk_of(5000);
@@ -263,7 +263,7 @@ TEST_CASE("a frame in a chunk's place is written instead, and does not count as 
   Credit credit{1};
   outbox.push_chunk(entry(1, 100));
   Output output;
-  const Sent taken = write_all(
+  const WriteTotals taken = write_all(
       outbox, {}, credit, output, [&](Outbox::Entry&) { return std::optional{protocol::Frame(7)}; },
       kNoUpdates, kNoResends);
   CHECK(output.size() == 7);
@@ -283,7 +283,7 @@ TEST_CASE("updates go after control frames and before chunks, each once a write"
   outbox.push_control(protocol::Frame(7));
   Output output;
   std::vector<std::size_t> begins;
-  const Sent taken = write_all(
+  const WriteTotals taken = write_all(
       outbox, {}, credit, output,
       [&](Outbox::Entry&) {
         begins.push_back(output.size());

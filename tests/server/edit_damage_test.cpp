@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 constexpr int kEdits = 400;
 
 /// A store as it lies on the disk when the process is killed: some of it in tables, the end in RocksDB's log.
-class Killed {
+class KilledStore {
  public:
-  Killed() {
+  KilledStore() {
     EditStore store{scratch_ / "live"};
     store.database_settings.memory.write_buffer_bytes = 64 << 10;
     std::mt19937_64 random{7};
@@ -88,12 +88,12 @@ void flip(const fs::path& path, std::uint64_t offset) {
 }  // namespace
 
 TEST_CASE("a killed process loses nothing") {
-  Killed store;
+  KilledStore store;
   CHECK(store.open() == "");
 }
 
 TEST_CASE("a log that lost its end is refused, and the entries that are lost are named") {
-  Killed store;
+  KilledStore store;
   const fs::path log = store.file(".log");
   SECTION("one byte") {
     fs::resize_file(log, fs::file_size(log) - 1);
@@ -111,8 +111,8 @@ TEST_CASE("a log that lost its end is refused, and the entries that are lost are
   CHECK(error.find("as a store of a new id") != std::string::npos);
 }
 
-TEST_CASE("who deletes the file of what was acknowledged goes on with what is left, as another store") {
-  Killed store;
+TEST_CASE("after the acknowledged file is deleted, the store opens with the rest, as another store") {
+  KilledStore store;
   const fs::path log = store.file(".log");
   const store::EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
   fs::remove(store.path() / "acknowledged");
@@ -131,7 +131,7 @@ TEST_CASE("who deletes the file of what was acknowledged goes on with what is le
 }
 
 TEST_CASE("a store that became another stays that") {
-  Killed store;
+  KilledStore store;
   fs::remove(store.path() / "acknowledged");
   store::EditDatabaseSettings settings = EditStore{store.path()}.database_settings;
   {
@@ -154,7 +154,7 @@ TEST_CASE("a store that became another stays that") {
 }
 
 TEST_CASE("damage in the log is refused") {
-  Killed store;
+  KilledStore store;
   const fs::path log = store.file(".log");
   SECTION("a flipped bit in the middle") {
     flip(log, fs::file_size(log) / 2);
@@ -178,7 +178,7 @@ TEST_CASE("damage in the log is refused") {
 }
 
 TEST_CASE("files of the database that are gone are refused, and no empty store is made in their place") {
-  Killed store;
+  KilledStore store;
   SECTION("CURRENT") {
     fs::remove(store.path() / "db" / "CURRENT");
   }
@@ -198,13 +198,13 @@ TEST_CASE("files of the database that are gone are refused, and no empty store i
 }
 
 TEST_CASE("a flipped bit in a table is refused") {
-  Killed store;
+  KilledStore store;
   flip(store.file(".sst"), 100);
   CHECK(store.open().find("restore a backup") != std::string::npos);
 }
 
 TEST_CASE("the file of what was acknowledged may be gone, but not damaged") {
-  Killed store;
+  KilledStore store;
   const fs::path file = store.path() / "acknowledged";
   SECTION("gone") {
     fs::remove(file);

@@ -19,7 +19,7 @@ namespace {
 
 using namespace testing;
 using edits::testing::Model;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// A store on a disk of the test's, and one editor.
 struct Trouble {
@@ -38,7 +38,7 @@ struct Trouble {
   void edit(const std::function<void()>& on_failure) {
     const edits::Edit edit = random_edit(random);
     ++editor.sequence;
-    std::optional<edits::Applied> applied;
+    std::optional<edits::EntryResult> applied;
     while (!(applied = store.apply(editor.entry(edit)))) {
       on_failure();
       std::this_thread::yield();  // until the log takes entries again
@@ -64,7 +64,7 @@ struct Trouble {
 }  // namespace
 
 TEST_CASE(
-    "a disk that fills up, or does not sync, stops edits until it is mended; none is lost or done twice") {
+    "a disk that fills up, or does not sync, stops edits until it is repaired; no edit is lost or repeated") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   for (std::uint64_t round = 0; round < 12; ++round) {
@@ -185,8 +185,7 @@ class SlowDisk final : public rocksdb::FileSystemWrapper {
 
 }  // namespace
 
-TEST_CASE(
-    "an end that the disk lost, and another log has, is read there by the next start, and that is told") {
+TEST_CASE("an end that the disk lost, and another log has, is read there by the next start, and reported") {
   bool lost = false;
   for (std::uint64_t seed = 1; seed <= 50 && !lost; ++seed) {
     Trouble trouble{seed};
@@ -225,7 +224,7 @@ TEST_CASE(
   CHECK(lost);
 }
 
-TEST_CASE("who opens the database again waits for no checkpoint, and chunks are read meanwhile") {
+TEST_CASE("reopening the database does not wait for a checkpoint, and chunks are read meanwhile") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   const auto disk = std::make_shared<SlowDisk>("copy.tmp");
   const auto environment = rocksdb::NewCompositeEnv(disk);
@@ -233,7 +232,7 @@ TEST_CASE("who opens the database again waits for no checkpoint, and chunks are 
   store.database_settings.env = environment.get();
   REQUIRE(store.open_without_log() == "");
   store::EditDatabase& database = store.database();
-  store::EditDatabase::Done made;
+  store::EditDatabase::Status made;
   std::thread copier{[&] { made = database.checkpoint(scratch / "copy"); }};
   disk->wait_until_stopped();
   const auto refused = database.recover();
@@ -245,7 +244,7 @@ TEST_CASE("who opens the database again waits for no checkpoint, and chunks are 
   CHECK(database.recover().has_value());
 }
 
-TEST_CASE("with little free space edits are refused, and the reason is told") {
+TEST_CASE("with little free space edits are refused with the reason") {
   Trouble trouble{1};
   REQUIRE(trouble.store.open() == "");
   trouble.editor.attach(trouble.store);

@@ -32,20 +32,20 @@ EncodedChunkPtr of(MaterialId material) {
 struct HeldLog final : EditLog {
   struct Entry {
     LogEntry entry;
-    Done done;
+    Callback done;
   };
   std::vector<Entry> entries;
   std::optional<EditError> failure;
   std::size_t answered = 0;  // entries from the front
 
-  tl::expected<void, EditError> append(LogEntry entry, Done done) override {
+  tl::expected<void, EditError> append(LogEntry entry, Callback done) override {
     if (failure) return tl::unexpected{*failure};
     entries.push_back({std::move(entry), std::move(done)});
     return {};
   }
   void answer_one() {
-    edits::Applied applied;
-    applied.kind = edits::Applied::Kind::done;
+    edits::EntryResult applied;
+    applied.kind = edits::EntryResult::Kind::done;
     entries.at(answered++).done(&applied);
   }
   [[nodiscard]] const edits::EditEntry& edit(std::size_t index) const {
@@ -98,7 +98,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("that there is room for no editor is told before one attaches, and counts as a refusal") {
+TEST_CASE("a full editor table is reported before an Attach, and counts as a refusal") {
   Bench bench;
   CHECK(bench.intake.room_for_editor());
   bench.full = true;
@@ -166,7 +166,7 @@ TEST_CASE("ground that comes while the log has no room is counted at once") {
   CHECK(bench.intake.base_bytes() > before);
 }
 
-TEST_CASE("edits of a session keep their order, and those of others do not wait for them") {
+TEST_CASE("edits of a session keep their order, and edits of other sessions do not wait for them") {
   Bench bench;
   bench.source.in_memory[{{5, 0, 0}, Lod{}}] = of(kStone);
   bench.edit(1, {{0, 0, 0}});
@@ -244,7 +244,7 @@ TEST_CASE("an edit of which one look-up failed needs the others no more") {
   CHECK(bench.source.waiting.empty());
 }
 
-TEST_CASE("of a session that is gone nothing more is looked up or logged") {
+TEST_CASE("nothing more of a closed session is looked up or logged") {
   Bench bench;
   bench.edit(1, {{0, 0, 0}});
   CHECK(bench.source.waiting.size() == 1);
@@ -278,17 +278,17 @@ TEST_CASE("for a session whose client sends no more no ground is generated, and 
   CHECK(bench.intake.waiting() == 0);
 }
 
-TEST_CASE("what the log says of an edit is what its session is told") {
+TEST_CASE("a session receives the log's answer to its edit") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
-  using Kind = edits::Applied::Kind;
-  const auto told = [&](edits::Applied applied) {
+  using Kind = edits::EntryResult::Kind;
+  const auto told = [&](edits::EntryResult applied) {
     bench.edit(1, {{0, 0, 0}});
     bench.clock.advance(std::chrono::milliseconds{3});
     bench.log.entries.back().done(&applied);
     return bench.only_mail<EditAnswer>().answer;
   };
-  edits::Applied applied;
+  edits::EntryResult applied;
   applied.kind = Kind::done;
   applied.result = {1, 11, 1, {}};
   CHECK(told(applied).value() == applied.result);
@@ -329,8 +329,8 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(named.editor == kEditor);
   CHECK(named.epoch == 5);
   bench.editors[kEditor].epoch = 5;
-  edits::Applied as_before;
-  as_before.kind = edits::Applied::Kind::attached;
+  edits::EntryResult as_before;
+  as_before.kind = edits::EntryResult::Kind::attached;
   bench.log.entries.back().done(&as_before);
   bench.intake.do_what_waits();
   const auto told = bench.only_mail<AttachAnswer>().answer.value();
@@ -340,8 +340,8 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(attach({{77, 77}, "eve", 0, kEditor}).editor != kEditor);
   bench.editors[kEditor].epoch = 4;
 
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   applied.revision = 12;
   bench.editors[kEditor].epoch = 5;
   attach({kEditor, "ann", 0});
@@ -357,12 +357,12 @@ TEST_CASE("Attach goes on as the editor that is known to the same subject, else 
   CHECK(answer.revision == 12);
 }
 
-TEST_CASE("who has seen more than this server has waits, and of two who attach at once one tries again") {
+TEST_CASE("a client that has seen newer revisions waits, and one of two simultaneous Attaches is retried") {
   Bench bench;
   bench.intake.attach(bench.session, {{}, "", 11});
   bench.intake.do_what_waits();
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   applied.revision = 10;
   bench.log.entries[0].done(&applied);
   bench.intake.do_what_waits();
@@ -377,13 +377,13 @@ TEST_CASE("who has seen more than this server has waits, and of two who attach a
 
   bench.intake.attach(bench.session, {{}, "", 10});
   bench.intake.do_what_waits();
-  applied.kind = edits::Applied::Kind::superseded;
+  applied.kind = edits::EntryResult::Kind::superseded;
   bench.log.entries[2].done(&applied);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 4);
 }
 
-TEST_CASE("an editor whom this server does not know yet, as it comes from another, is waited for") {
+TEST_CASE("an Attach of an editor that this server does not know yet waits for it") {
   Bench bench;
   const edits::EditorId elsewhere{77, 77};
   bench.intake.attach(bench.session, {elsewhere, "ann", 0});
@@ -395,8 +395,8 @@ TEST_CASE("an editor whom this server does not know yet, as it comes from anothe
   editor.epoch = 3;
   editor.last_sequence = 8;
   editor.subject = "ann";
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   bench.log.entries.back().done(&applied);
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 2);
@@ -412,7 +412,7 @@ TEST_CASE("an editor whom this server does not know yet, as it comes from anothe
   CHECK(told.last_sequence == 8);
 }
 
-TEST_CASE("in the log wait few edits, and who comes late goes before those who have sent much") {
+TEST_CASE("few edits wait in the log, and a newcomer goes before sessions that have sent many") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
@@ -459,7 +459,7 @@ TEST_CASE("in the log wait few edits, and who comes late goes before those who h
   }
 }
 
-TEST_CASE("neither small edits of many keep large ones from the log, nor those of many chunks small ones") {
+TEST_CASE("many small edits do not keep a large one from the log, nor do edits of many chunks a small one") {
   Bench bench;
   for (std::int32_t x = 0; x < 64; ++x) bench.source.in_memory[{{x, 0, 0}, Lod{}}] = of(kStone);
   const std::int32_t chunks = GENERATE(1, 64);
@@ -485,7 +485,7 @@ TEST_CASE("neither small edits of many keep large ones from the log, nor those o
   CHECK(place <= 2);
 }
 
-TEST_CASE("who edited much while nobody waited owes nothing for it") {
+TEST_CASE("edits made while no session waited are not charged later") {
   Bench bench;
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   EditRequest large{1, kEditor, 3, 1, {}};
@@ -507,11 +507,11 @@ TEST_CASE("who edited much while nobody waited owes nothing for it") {
   CHECK(bench.log.edit(2).editor.low == 1);
 }
 
-TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted off once") {
-  struct Exhausted final : EditLog {
+TEST_CASE("if memory runs out, requests that arrive meanwhile still wait, and are uncounted once") {
+  struct ExhaustedLog final : EditLog {
     std::function<void()> meanwhile;
     std::promise<void> logged;
-    tl::expected<void, EditError> append(LogEntry, Done) override {
+    tl::expected<void, EditError> append(LogEntry, Callback) override {
       if (const auto once = std::exchange(meanwhile, nullptr)) {
         once();
         throw std::bad_alloc{};
@@ -522,7 +522,7 @@ TEST_CASE("where memory ends, what comes meanwhile still waits, and is counted o
   };
   ScriptedSource source;
   source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
-  Exhausted log;
+  ExhaustedLog log;
   ManualClock clock;
   Metrics metrics;
   EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; }, clock, metrics},
@@ -561,7 +561,7 @@ TEST_CASE("in the log wait few bytes, but one edit alone may have more") {
   CHECK(bench.log.entries.size() == 2);
 }
 
-TEST_CASE("the Attach of a session that is gone is not tried again, and so takes nobody's editor") {
+TEST_CASE("the Attach of a closed session is not retried, and so does not take over an editor") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
   const MailboxPtr live = std::make_shared<Mailbox>(ClientId{2}, [] {});
@@ -571,10 +571,10 @@ TEST_CASE("the Attach of a session that is gone is not tried again, and so takes
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 2);
   bench.intake.forget(bench.session->owner());
-  edits::Applied superseded;
-  superseded.kind = edits::Applied::Kind::superseded;
-  edits::Applied applied;
-  applied.kind = edits::Applied::Kind::attached;
+  edits::EntryResult superseded;
+  superseded.kind = edits::EntryResult::Kind::superseded;
+  edits::EntryResult applied;
+  applied.kind = edits::EntryResult::Kind::attached;
   bench.editors[kEditor].epoch = 5;
   bench.log.entries[1].done(&applied);
   bench.log.entries[0].done(&superseded);
@@ -591,7 +591,7 @@ TEST_CASE("the Attach of a session that is gone is not tried again, and so takes
   CHECK(bench.intake.waiting() == 0);
 }
 
-TEST_CASE("of two that attach as one editor the earlier does not try again") {
+TEST_CASE("if two sessions attach as one editor, the earlier one does not retry") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
   const MailboxPtr later = std::make_shared<Mailbox>(ClientId{2}, [] {});
@@ -599,8 +599,8 @@ TEST_CASE("of two that attach as one editor the earlier does not try again") {
   bench.intake.do_what_waits();
   bench.intake.attach(later, {kEditor, "ann", 0});
   bench.intake.do_what_waits();
-  edits::Applied superseded;
-  superseded.kind = edits::Applied::Kind::superseded;
+  edits::EntryResult superseded;
+  superseded.kind = edits::EntryResult::Kind::superseded;
   bench.log.entries[0].done(&superseded);
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 2);
@@ -615,9 +615,9 @@ TEST_CASE("a small edit goes to the log on the thread that brings it, while the 
     std::mutex mutex;
     std::condition_variable came;
     std::vector<std::pair<std::uint64_t, std::thread::id>> sequences;
-    tl::expected<void, EditError> append(LogEntry entry, Done done) override {
-      edits::Applied applied;
-      applied.kind = edits::Applied::Kind::done;
+    tl::expected<void, EditError> append(LogEntry entry, Callback done) override {
+      edits::EntryResult applied;
+      applied.kind = edits::EntryResult::Kind::done;
       done(&applied);
       const std::lock_guard lock{mutex};
       sequences.emplace_back(std::get<edits::EditEntry>(entry).sequence, std::this_thread::get_id());

@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 using edits::testing::Model;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// Chunks of all levels, as the database has them.
 std::map<ChunkKey, store::StoredChunk> stored_chunks(const store::EditDatabase& database) {
@@ -85,7 +85,7 @@ TEST_CASE("an edit that is sent again is answered by what became of it, also aft
   CHECK(store.apply(editor.entry(edit))->kind == Kind::expired);
 }
 
-TEST_CASE("the log says whose an edit is: its editor's, or whom a game server names") {
+TEST_CASE("the log names an edit's subject: its editor's, or the one that a game server names") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   REQUIRE(store.open() == "");
@@ -110,7 +110,7 @@ TEST_CASE("the log says whose an edit is: its editor's, or whom a game server na
   CHECK(subjects == std::vector<std::string>{own, "bob"});
 }
 
-TEST_CASE("each chunk that a batch changed is told once, after the index has its revision") {
+TEST_CASE("each chunk that a batch changed is reported once, after the index has its revision") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   std::vector<ChunkChange> told;
@@ -139,7 +139,7 @@ TEST_CASE("each chunk that a batch changed is told once, after the index has its
   CHECK(std::ranges::count(told, Lod{}, [](const ChunkChange& each) { return each.key.lod; }) == 8);
 }
 
-TEST_CASE("the queue is bounded, and whoever was taken is answered before the log stops") {
+TEST_CASE("the queue is bounded, and accepted entries are answered before the log stops") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   store.log_settings.queue.entries = 4;
@@ -165,7 +165,7 @@ TEST_CASE("the queue is bounded, and whoever was taken is answered before the lo
   CHECK_FALSE(store.log().append(attach(7), [](const auto&) {}).has_value());
 }
 
-TEST_CASE("where the index is full, chunks that were edited can be edited, and no others") {
+TEST_CASE("if the index is full, only chunks that were edited before can be edited") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   store.state_settings.index_bytes = 1;
@@ -206,7 +206,7 @@ TEST_CASE("where the index is full, chunks that were edited can be edited, and n
   CHECK(store.state().index().chunks() == 1);
 }
 
-TEST_CASE("what is not flushed counts as memory of edits, and is bounded where all is small") {
+TEST_CASE("unflushed edits count as memory of edits, and are bounded if all are small") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "edits"};
   store.log_settings.flush_interval = std::chrono::hours{1};
@@ -331,7 +331,7 @@ TEST_CASE("edits of a chunk that cannot be read fail by its name, and the log go
   CHECK(store.state().head().revision == 4 + 4);
 }
 
-TEST_CASE("of editors that never edited the first make place, and a store that is opened again agrees") {
+TEST_CASE("the oldest editors that never edited make room first, and a reopened store agrees") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "live"};
   store.log_settings.queue.entries = 100'000;

@@ -50,7 +50,7 @@ TEST_CASE("protected boxes of the server are open to the right admin alone, and 
   CHECK_FALSE(edit_forbidden(looks, editor(), kSpawn));
 }
 
-TEST_CASE("a token's boxes bound where it may edit, the right admin or not") {
+TEST_CASE("a token's boxes limit its edits, with or without the right admin") {
   Grant grant = editor({Right::read, Right::edit, Right::admin});
   grant.edit_in = *Boxes::parse("0,0:31,31; 32,0:63,31");
   grant.edit_not_in = *Boxes::parse("8,8:9,9");
@@ -71,7 +71,7 @@ TEST_CASE("a token's boxes bound where it may edit, the right admin or not") {
   CHECK_THAT(*edit_forbidden(write_at({1, 1, 1}), grant, {}), Catch::EndsWith("allows edits nowhere"));
 }
 
-TEST_CASE("of a paste what it writes counts") {
+TEST_CASE("a paste is checked by the voxels that it writes") {
   Grant grant = editor();
   grant.edit_in = *Boxes::parse("5,6,7:5,6,7");
   const std::size_t place = (6 * 32 + 7) * 32 + 5;
@@ -80,7 +80,7 @@ TEST_CASE("of a paste what it writes counts") {
   CHECK(edit_forbidden(paste_of({0, 0, 0}, place, true), grant, {}));
 }
 
-TEST_CASE("what slides after an edit does not leave a box that the edit must stay out of") {
+TEST_CASE("material that slides after an edit does not leave a box that the edit must stay out of") {
   CHECK(may_settle(write_at({16, 0, 0}), editor(), {}));
   CHECK(may_settle(write_at({17 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
   CHECK_FALSE(may_settle(write_at({16 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
@@ -97,7 +97,7 @@ TEST_CASE("what slides after an edit does not leave a box that the edit must sta
   }
 }
 
-TEST_CASE("where a gateway is required, its right is") {
+TEST_CASE("if a gateway is required, so is its right") {
   const EditRules required{{}, true};
   CHECK_FALSE(edits_forbidden(editor(), {}));
   CHECK_THAT(*edits_forbidden(editor(), required), Catch::Contains("edits.gateway"));

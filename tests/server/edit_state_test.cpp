@@ -112,7 +112,7 @@ TEST_CASE("the index tells which columns of a region were edited") {
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
 }
 
-TEST_CASE("who finds a column's revision finds all chunks of that edit") {
+TEST_CASE("after a column's revision is visible, all chunks of that edit are") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   REQUIRE(store.open() == "");
@@ -144,11 +144,11 @@ TEST_CASE("who finds a column's revision finds all chunks of that edit") {
 namespace {
 
 /// Recent changes, and what the index says of their chunks.
-class Remembering {
+class ChangesBench {
  public:
-  explicit Remembering(std::size_t bytes) : recent_{bytes} {}
+  explicit ChangesBench(std::size_t bytes) : recent_{bytes} {}
   void add(ChunkKey key, std::uint64_t revision, const std::vector<Override>& voxels) {
-    ChunkIndex::Edited& edited = edited_[key];
+    ChunkIndex::ChunkEntry& edited = edited_[key];
     const auto number = recent_.next();
     const auto count = static_cast<std::uint32_t>(voxels.size());
     if (count > 0) {
@@ -164,13 +164,13 @@ class Remembering {
 
  private:
   RecentChanges recent_;
-  std::map<ChunkKey, ChunkIndex::Edited> edited_;
+  std::map<ChunkKey, ChunkIndex::ChunkEntry> edited_;
 };
 
 }  // namespace
 
 TEST_CASE("changes since a revision are each voxel once, as it is now") {
-  Remembering recent{1 << 20};
+  ChangesBench recent{1 << 20};
   recent.add(kChunk, 3, {});  // of another start
   recent.add(kChunk, 5, {{7, MaterialId{1}}, {9, MaterialId{1}}});
   recent.add(kChunk, 8, {{8, MaterialId{2}}, {9, MaterialId{2}}});
@@ -192,8 +192,8 @@ TEST_CASE("changes since a revision are each voxel once, as it is now") {
   CHECK(recent.since(kChunk, 9)->voxels.size() == 1);
 }
 
-TEST_CASE("of recent changes the oldest are forgotten, and the others keep their voxels") {
-  Remembering recent{1'000};
+TEST_CASE("the oldest recent changes are dropped, and the others keep their voxels") {
+  ChangesBench recent{1'000};
   const auto chunk = [](std::uint64_t number) {
     return ChunkKey{{static_cast<std::int32_t>(number % 3), 0, 0}, Lod{}};
   };

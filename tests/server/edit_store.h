@@ -71,11 +71,11 @@ class EditStore {
   [[nodiscard]] store::EditDatabase& database() { return *database_; }
 
   /// What became of an entry; nothing where the log did not take it, or failed.
-  std::optional<edits::Applied> apply(LogEntry entry) {
+  std::optional<edits::EntryResult> apply(LogEntry entry) {
     std::mutex mutex;
     std::condition_variable answered;
     bool is_answered = false;
-    std::optional<edits::Applied> result;
+    std::optional<edits::EntryResult> result;
     const auto taken = log_->append(std::move(entry), [&](const auto& applied) {
       const std::lock_guard lock{mutex};
       if (applied) result = **applied;

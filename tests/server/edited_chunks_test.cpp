@@ -68,7 +68,7 @@ class FakeEdits final : public AppliedEdits {
   mutable int loads_ = 0;
 };
 
-struct Edited {
+struct EditedBench {
   FakeEdits edits;
   Logger log = make_logger("off", "text");
   Metrics metrics;
@@ -78,8 +78,8 @@ struct Edited {
   Chunks chunks;
   WaitingClient client;
 
-  explicit Edited(std::unique_ptr<const Generator> generator, std::size_t merged_bytes = 1 << 20,
-                  std::size_t queue_chunks = 1000, std::uint64_t memory_bytes = 0)
+  explicit EditedBench(std::unique_ptr<const Generator> generator, std::size_t merged_bytes = 1 << 20,
+                       std::size_t queue_chunks = 1000, std::uint64_t memory_bytes = 0)
       : memory{memory_bytes},
         chunks{std::move(generator),
                {.threads = 1,
@@ -112,9 +112,9 @@ struct Edited {
 };
 
 /// Of a real world.
-struct Bench : Edited {
+struct Bench : EditedBench {
   explicit Bench(std::size_t merged_bytes = 1 << 20, std::uint64_t memory_bytes = 0)
-      : Edited{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes, 1000, memory_bytes} {}
+      : EditedBench{std::make_unique<TerrainGenerator>(world(), 2), merged_bytes, 1000, memory_bytes} {}
 
   static std::shared_ptr<const terrain::World> world() {
     static const auto one = std::make_shared<const terrain::World>(terrain::default_world());
@@ -135,10 +135,10 @@ struct Bench : Edited {
   }
 };
 
-struct Fake : Edited {
+struct Fake : EditedBench {
   std::shared_ptr<FakeWork> work;
   explicit Fake(std::shared_ptr<FakeWork> of = std::make_shared<FakeWork>())
-      : Edited{std::make_unique<FakeGenerator>(of), 1 << 20, 1}, work{std::move(of)} {}
+      : EditedBench{std::make_unique<FakeGenerator>(of), 1 << 20, 1}, work{std::move(of)} {}
   ~Fake() { work->open_gate(); }
 };
 
@@ -157,7 +157,7 @@ const std::vector<Override> kSome{{0, MaterialId{2}}, {17, kAir}, {30'000, Mater
 
 }  // namespace
 
-TEST_CASE("what was not edited is the base chunk, found and generated as without edits") {
+TEST_CASE("an unedited chunk is the base chunk, found and generated as without edits") {
   Bench bench;
   bench.edits.edit({{9, 9, 9}, Lod{}}, kSome);
   const EncodedChunkPtr chunk = bench.get(kColumn);
@@ -327,8 +327,8 @@ TEST_CASE("the cache of merged chunks has the bytes that its capacity allows") {
   }
   CHECK(merged.bytes() > 20 * 200);
   merged.set_capacity(0);
-  std::size_t looks = 1000;
-  CHECK(merged.fit(looks));
+  std::size_t probes = 1000;
+  CHECK(merged.fit(probes));
   CHECK(merged.bytes() == 0);
 }
 
@@ -369,7 +369,7 @@ TEST_CASE("merged chunks are memory of the caches, and shrink with them") {
   CHECK(bytes_found() <= kMinBytes);
 }
 
-TEST_CASE("where no merged chunk can be kept each is made when it is asked for") {
+TEST_CASE("if no merged chunk can be kept, each is made on request") {
   Bench bench{0};
   const ChunkKey key = bench.with_ground(kColumn);
   bench.edits.edit(key, kSome);
@@ -379,7 +379,7 @@ TEST_CASE("where no merged chunk can be kept each is made when it is asked for")
   CHECK(bench.edits.loads() == 2);
 }
 
-TEST_CASE("a client of edited chunks that was refused is told of room in the queue") {
+TEST_CASE("a refused client of edited chunks is notified of room in the queue") {
   WaitingClient late;
   Fake fake;
   fake.work->close_gate();

@@ -68,7 +68,7 @@ struct EditingBench {
     REQUIRE(kinds(bench.output()) == Kinds{wire::Body::Attached});
   }
   /// The answer to `id`, as values.
-  Said answered(EditAnswer answer) {
+  SessionFrame answered(EditAnswer answer) {
     bench.mailbox->put(std::move(answer));
     bench.take_mail();
     return bench.output().at(0);

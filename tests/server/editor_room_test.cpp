@@ -20,7 +20,7 @@ namespace talus::server {
 namespace {
 
 using namespace testing;
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 /// What malloc has given away. The same always under a sanitizer, which has its own.
 std::size_t allocated() {
@@ -59,7 +59,7 @@ TEST_CASE("an editor takes no more memory than is counted for it") {
   CHECK(allocated() - before <= kEditors * EditState::kUsedEditorBytes);
 }
 
-TEST_CASE("where editors have all their memory nobody new edits, until the oldest have been idle for a day") {
+TEST_CASE("if editors use all their memory, new ones are refused until the oldest have been idle for a day") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "edits"};
   store.state_settings.editor_bytes = EditState::kUsedEditorBytes + EditState::kNewEditorBytes;

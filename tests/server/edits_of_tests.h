@@ -19,12 +19,13 @@ struct TestEditor {
   void attach(EditStore& store) {
     const auto known = store.state().editor(id);
     epoch = known ? known->epoch + 1 : 1;
-    REQUIRE(store.apply(edits::AttachEntry{id, epoch, "somebody"})->kind == edits::Applied::Kind::attached);
+    REQUIRE(store.apply(edits::AttachEntry{id, epoch, "somebody"})->kind ==
+            edits::EntryResult::Kind::attached);
   }
   [[nodiscard]] edits::EditEntry entry(const edits::Edit& edit) const {
     return {id, epoch, sequence, edit, edits::testing::base_of(edit)};
   }
-  std::optional<edits::Applied> edit(EditStore& store, const edits::Edit& edit) {
+  std::optional<edits::EntryResult> edit(EditStore& store, const edits::Edit& edit) {
     ++sequence;
     return store.apply(entry(edit));
   }

@@ -69,10 +69,10 @@ edits::Edit one_write(std::int64_t x, std::int64_t y, std::int64_t z) {
 }
 
 /// Returns when the node's log has answered.
-std::optional<edits::Applied> apply(ClusterNode& node, LogEntry entry) {
+std::optional<edits::EntryResult> apply(ClusterNode& node, LogEntry entry) {
   std::mutex mutex;
   std::condition_variable answered;
-  std::optional<std::optional<edits::Applied>> result;
+  std::optional<std::optional<edits::EntryResult>> result;
   while (!node.log().append(entry, [&](const auto& applied) {
     const std::lock_guard lock{mutex};
     result = applied ? std::optional{**applied} : std::nullopt;
@@ -87,7 +87,7 @@ std::optional<edits::Applied> apply(ClusterNode& node, LogEntry entry) {
 
 }  // namespace
 
-TEST_CASE("a store begins its stream where it stands, and once") {
+TEST_CASE("a store begins its stream at its own revision, and once") {
   Single single;
   CHECK(single.enter() == "");
   CHECK(single.meta().stream ==
@@ -160,11 +160,11 @@ TEST_CASE("into a cluster and back a store keeps revisions, editors and edits") 
     // The editor's sequences go on.
     const auto repeat = apply(node, single.editor.entry(one_write(1, 2, 3)));
     REQUIRE(repeat.has_value());
-    CHECK(repeat->kind == edits::Applied::Kind::repeat);
+    CHECK(repeat->kind == edits::EntryResult::Kind::repeat);
     ++single.editor.sequence;
     const auto done = apply(node, single.editor.entry(one_write(1, 2, 3)));
     REQUIRE(done.has_value());
-    CHECK(done->kind == edits::Applied::Kind::done);
+    CHECK(done->kind == edits::EntryResult::Kind::done);
     CHECK(done->revision == single.head.revision + 1);
     single.voxels[{1, 2, 3}] = MaterialId{256};
     CHECK(overrides_of(node.state()) == single.voxels);

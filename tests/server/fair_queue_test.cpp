@@ -358,7 +358,7 @@ TEST_CASE("a flow of many clients gets one flow's share, and its clients share i
   }));
 }
 
-TEST_CASE("what waits goes within a bound, though others come without end, each for the first time") {
+TEST_CASE("an entry goes within a bound, though new entrants arrive without end") {
   CHECK(rc::check([] {
     const double lead = *rc::gen::element(0.0, 300.0);
     const double saved = *rc::gen::element(0.0, 300.0);
@@ -385,7 +385,7 @@ TEST_CASE("what waits goes within a bound, though others come without end, each 
   }));
 }
 
-TEST_CASE("whichever allocation fails while something enters, the queue is what it was") {
+TEST_CASE("if any allocation fails during an entry, the queue is unchanged") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -412,7 +412,7 @@ TEST_CASE("whichever allocation fails while something enters, the queue is what 
   }
 }
 
-TEST_CASE("what is entered and taken again and again allocates nothing") {
+TEST_CASE("entering and taking again and again allocates nothing") {
   Flows queue{{FairRule{5}, FairRule{5}}};
   for (int id = 0; id < 20; ++id) queue.enter({}, id % 3, id);
   const talus::test::FailingAllocations failing{0};
@@ -425,7 +425,7 @@ TEST_CASE("what is entered and taken again and again allocates nothing") {
   CHECK_FALSE(failing.has_failed());
 }
 
-TEST_CASE("what entered before a time is dropped, once, and all else goes on in its order") {
+TEST_CASE("entries before a time are dropped, once, and the rest keep their order") {
   Flows queue;
   const auto at = [](int second) { return Clock::time_point{} + std::chrono::seconds{second}; };
   for (int id = 0; id < 9; ++id) queue.enter({.since = at(id)}, id % 3, id);
@@ -523,7 +523,8 @@ TEST_CASE("a large piece of known cost waits until the others had as much, also 
   CHECK(others < 101);
 }
 
-TEST_CASE("what may be ahead goes first until it is ahead by so much, and pays for it when it comes back") {
+TEST_CASE(
+    "an entrant with an offset goes first until it is that far ahead, and pays for it when it returns") {
   FairQueue<Classes<int, 2>> queue;
   const auto step = [&] {
     const int id = std::get<0>(*queue.next());
@@ -594,7 +595,7 @@ TEST_CASE("a blocked entrant is passed over, and comes back as if it were new") 
   CHECK(before <= 5);
 }
 
-TEST_CASE("what is asked of a flow decides for all its clients, which are not asked") {
+TEST_CASE("a blocked flow blocks all its clients, which are not asked") {
   struct Ready {
     int asked = 0;
     FairState operator()(int flow) const { return flow == 1 ? FairState::blocked : FairState::ready; }

@@ -65,7 +65,7 @@ struct FakeWork {
   int at_gate_ = 0;
 };
 
-class FakePatch final : public PatchMaking {
+class FakePatch final : public PatchBuild {
  public:
   FakePatch(FakeWork& work, const PatchKey& patch, terrain::Stacks memory)
       : work_{work}, patch_{patch}, memory_{std::move(memory)} {}
@@ -102,7 +102,7 @@ class FakePatch final : public PatchMaking {
   bool taken_ = false;
 };
 
-class FakeHeights final : public HeightsMaking {
+class FakeHeights final : public HeightsBuild {
  public:
   FakeHeights(FakeWork& work, std::size_t columns) : work_{work}, columns_{columns} {}
   [[nodiscard]] bool step() override {
@@ -111,7 +111,7 @@ class FakeHeights final : public HeightsMaking {
     if (work_.in_heights) work_.in_heights();
     return true;
   }
-  [[nodiscard]] HeightsFound take() override {
+  [[nodiscard]] HeightsResult take() override {
     if (work_.out_of_memory) throw std::bad_alloc{};
     return {.heights_fx = std::vector<std::int32_t>(columns_)};
   }
@@ -140,8 +140,8 @@ class FakeGenerator final : public Generator {
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks&, ChunkKey) const override {
     return {work_->first_mixed, work_->last_mixed, MaterialId{2}};
   }
-  [[nodiscard]] std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
-                                                         terrain::Stacks memory) const override {
+  [[nodiscard]] std::unique_ptr<PatchBuild> start_patch(const PatchKey& patch,
+                                                        terrain::Stacks memory) const override {
     return std::make_unique<FakePatch>(*work_, patch, std::move(memory));
   }
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks&, ChunkKey key) const override {
@@ -150,7 +150,7 @@ class FakeGenerator final : public Generator {
     return std::make_shared<const EncodedChunk>(ContentHash{std::hash<ChunkKey>{}(key), 0},
                                                 std::vector<std::byte>(work_->payload_bytes));
   }
-  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const override {
+  [[nodiscard]] std::unique_ptr<HeightsBuild> start_heights(HeightsQuery query) const override {
     return std::make_unique<FakeHeights>(*work_, query.columns.size());
   }
 

@@ -63,7 +63,7 @@ TEST_CASE("a flow's use before it leaves counts, and then it is forgotten") {
   CHECK(total(flows, FlowMeasure::sent) == 5);
 }
 
-TEST_CASE("a flow that comes back between two looks stays the same") {
+TEST_CASE("a flow that returns between two collections stays the same") {
   FlowUses flows;
   const std::weak_ptr<FlowUse> alice = flows.of_subject("alice");
   flows.collect(Clock::time_point{1s});

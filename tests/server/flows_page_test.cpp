@@ -31,7 +31,7 @@ FlowsReport report() {
 
 }  // namespace
 
-TEST_CASE("the table is aligned, has units, and names who") {
+TEST_CASE("the table is aligned, has units, and names the flows") {
   CHECK(flows_text(report()) ==
         "12 sessions, 3 flows\n"
         "\n"

@@ -203,7 +203,7 @@ TEST_CASE("a plain client comes in, under its own address") {
   CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
 }
 
-TEST_CASE("a client by TLS comes in, and bytes go both ways, also many of them") {
+TEST_CASE("a TLS client is accepted, and bytes pass both ways, including many of them") {
   Bench bench{settings(), true};
   Client client{bench};
   TlsClient secured{client, bench.own.certificate};
@@ -227,7 +227,7 @@ TEST_CASE("a client by TLS 1.2 is refused") {
   CHECK(bench.metrics.tls_failed.total() == 1);
 }
 
-TEST_CASE("a client that does not speak TLS where it is required is closed") {
+TEST_CASE("a client without TLS is closed if TLS is required") {
   Bench bench{settings(), true};
   Client client{bench};
   client.say(std::string(64, 'x'));

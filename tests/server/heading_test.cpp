@@ -22,7 +22,7 @@ TEST_CASE("a View that never moved has nothing ahead of it, wherever it is") {
   }
 }
 
-TEST_CASE("chunks that a ring will reach lie ahead of it, also where the finer level leaves it") {
+TEST_CASE("chunks that a ring will reach lie ahead of it, including those that the finer level leaves") {
   Heading heading;
   heading.move_to({0, 0, 0}, 64);
   heading.move_to({12, 0, -1}, 64);

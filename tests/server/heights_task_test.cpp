@@ -45,7 +45,7 @@ TEST_CASE("heights come in the order of the request, and each tile is made once"
         return std::pair{floor_div(column.x, kChunkSize), floor_div(column.z, kChunkSize)};
       };
       RC_ASSERT(tiles.insert(tile_of(piece.columns.front())).second);
-      HeightsFound found;
+      HeightsResult found;
       for (const auto& column : piece.columns) {
         RC_ASSERT(tile_of(column) == tile_of(piece.columns.front()));
         found.heights_fx.push_back(height_of(column));
@@ -55,7 +55,7 @@ TEST_CASE("heights come in the order of the request, and each tile is made once"
       task.add(found);
     }
     RC_ASSERT(task.next_piece().columns.empty());
-    const HeightsFound found = task.take_found();
+    const HeightsResult found = task.take_found();
     RC_ASSERT(found.heights_fx.size() == columns.size());
     RC_ASSERT(found.looks.size() == (query.looks ? columns.size() : 0));
     RC_ASSERT(found.values.size() == columns.size() * fields);
@@ -76,7 +76,7 @@ TEST_CASE("a tile of the map is one piece, and done when it is drawn") {
   CHECK(task.left() == 256 * 256);
   CHECK(task.next_piece().tile == query.tile);
   CHECK(task.next_piece().columns.empty());
-  HeightsFound found;
+  HeightsResult found;
   found.picture = std::make_shared<const Picture>(Picture{"png"});
   task.add(found);
   CHECK(task.left() == 0);

@@ -10,15 +10,15 @@ using namespace talus::server::http;
 namespace {
 
 /// Requests of `text`, fed in pieces of `piece` bytes, and the error that ends them.
-struct Parsed {
+struct ParseResult {
   std::vector<Request> requests;
   int error = 0;  // status; 0: none
   bool mid_request = false;
 };
 
-Parsed parse(const std::string& text, std::size_t piece = SIZE_MAX, const RequestBounds& bounds = {}) {
+ParseResult parse(const std::string& text, std::size_t piece = SIZE_MAX, const RequestBounds& bounds = {}) {
   RequestParser parser{bounds};
-  Parsed parsed;
+  ParseResult parsed;
   for (std::size_t at = 0; at < text.size();) {
     const auto bytes = std::as_bytes(std::span{text}).subspan(at, std::min(piece, text.size() - at));
     const auto taken = parser.feed(bytes);
@@ -45,7 +45,7 @@ int error_of(const std::string& text, const RequestBounds& bounds = {}) {
 
 TEST_CASE("a target that is a whole URL gives its path") {
   const auto path_of = [](const std::string& target) {
-    const Parsed parsed = parse("GET " + target + " HTTP/1.1\r\nHost: b\r\n\r\n");
+    const ParseResult parsed = parse("GET " + target + " HTTP/1.1\r\nHost: b\r\n\r\n");
     REQUIRE(parsed.requests.size() == 1);
     return std::string{parsed.requests.front().path()};
   };
@@ -59,7 +59,7 @@ TEST_CASE("a target that is a whole URL gives its path") {
 }
 
 TEST_CASE("a request gives its method, target, path and fields") {
-  const Parsed parsed = parse(kGet);
+  const ParseResult parsed = parse(kGet);
   REQUIRE(parsed.requests.size() == 1);
   const Request& request = parsed.requests.front();
   CHECK(request.method == Method::get);
@@ -95,10 +95,10 @@ TEST_CASE("fields of one name are one list, in their order") {
 
 TEST_CASE("a request is the same however its bytes are cut") {
   const std::string text = kGet + "HEAD /-/ready HTTP/1.0\r\nConnection: keep-alive\r\n\r\n" + kGet;
-  const Parsed whole = parse(text);
+  const ParseResult whole = parse(text);
   REQUIRE(whole.requests.size() == 3);
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
-    const Parsed cut = parse(text, piece);
+    const ParseResult cut = parse(text, piece);
     REQUIRE(cut.error == 0);
     REQUIRE(cut.requests.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -129,8 +129,8 @@ TEST_CASE("equal requests of one connection are distinguished") {
                                      "GET /g" + fields};
   std::string text;
   for (const std::string& each : all) text += each;
-  const Parsed together = parse(text);
-  const Parsed by_bytes = parse(text, 1);
+  const ParseResult together = parse(text);
+  const ParseResult by_bytes = parse(text, 1);
   REQUIRE(together.requests.size() == all.size());
   REQUIRE(by_bytes.requests.size() == all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("a request takes no byte of the next one") {
 }
 
 TEST_CASE("half a request is neither a request nor an error") {
-  const Parsed parsed = parse(kGet.substr(0, kGet.size() - 1));
+  const ParseResult parsed = parse(kGet.substr(0, kGet.size() - 1));
   CHECK(parsed.requests.empty());
   CHECK(parsed.error == 0);
   CHECK(parsed.mid_request);
@@ -211,7 +211,7 @@ TEST_CASE("a header line that continues the one before it is a 400, however its 
     for (std::size_t piece = 1; piece <= text.size(); ++piece) CHECK(parse(text, piece).error == 400);
   }
   CHECK(error_of("GET / HTTP/1.1\r\n Host: a\r\n\r\n") == 400);
-  const Parsed spaces = parse("GET / HTTP/1.1\r\nHost: a\r\nX:  \t \r\nY: \t b\t \r\n\r\n");
+  const ParseResult spaces = parse("GET / HTTP/1.1\r\nHost: a\r\nX:  \t \r\nY: \t b\t \r\n\r\n");
   REQUIRE(spaces.requests.size() == 1);
   CHECK(spaces.requests.front().field("X")->empty());
   CHECK(*spaces.requests.front().field("Y") == "b");
@@ -231,11 +231,11 @@ TEST_CASE("a method that HTTP does not have is a 400, and one that it has is a r
   for (const char* const method : {"FETCH", "get", "G\xC3\x8BT", "GET\t", "PRI", ""})
     CHECK(error_of(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n") == 400);
   for (const char* const method : {"DELETE", "TRACE", "PATCH"}) {
-    const Parsed parsed = parse(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n");
+    const ParseResult parsed = parse(std::string{method} + " / HTTP/1.1\r\nHost: a\r\n\r\n");
     REQUIRE(parsed.requests.size() == 1);
     CHECK(parsed.requests.front().method == Method::other);
   }
-  const Parsed options = parse("OPTIONS * HTTP/1.1\r\nHost: a\r\n\r\n");
+  const ParseResult options = parse("OPTIONS * HTTP/1.1\r\nHost: a\r\n\r\n");
   REQUIRE(options.requests.size() == 1);
   CHECK(options.requests.front().method == Method::options);
 }

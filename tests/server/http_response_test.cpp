@@ -28,7 +28,7 @@ TEST_CASE("further fields stand in the head") {
                        Catch::Contains("\r\nConnection: close\r\n") && Catch::EndsWith("\r\n\r\n"));
 }
 
-TEST_CASE("a tag and leave for every page stand in the head, and only where they are given") {
+TEST_CASE("a tag and leave for every page are in the head only if they are given") {
   Response response{200, kPlainText, "a"};
   CHECK_THAT(head_of(response, true, {}), !Catch::Contains("ETag") && !Catch::Contains("Access-Control"));
   response.any_origin = true;

@@ -250,7 +250,7 @@ TEST_CASE("an empty disk takes a peer's store, also if no store is named") {
   CHECK(joiner.start() == "");  // and again, as it is
 }
 
-TEST_CASE("a peer's store is not taken where it is in no cluster, of another stream, or too old itself") {
+TEST_CASE("a peer's store is not taken if it is in no cluster, of another stream, or too old itself") {
   Peer peer;
   Joiner joiner;
   joiner.id = peer.store.id();
@@ -333,7 +333,7 @@ TEST_CASE("two stores replaced by joining are kept, and all that an operator rep
                                       "replaced-3"});
 }
 
-TEST_CASE("a store that must not be used is not used where no peer has another") {
+TEST_CASE("a store that must not be used is not used even if no peer has another") {
   Peer peer;
   peer.store.enter(place_at(20));
   Joiner joiner;
@@ -411,7 +411,7 @@ TEST_CASE("if all servers have put their stores aside the one that has read most
   CHECK(joiner.meta()->head == before.store.head());
 }
 
-TEST_CASE("a store that is far behind reads the stream where no peer answers") {
+TEST_CASE("a store that is far behind reads the stream if no peer answers") {
   Peer peer;
   peer.store.enter(place_at(20));
   Joiner joiner;

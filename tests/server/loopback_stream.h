@@ -117,13 +117,13 @@ class LoopbackStream {
   [[nodiscard]] std::size_t try_write(asio::const_buffer from) { return write(*loopback_, {from}).bytes; }
 
  private:
-  struct Done {
+  struct Completion {
     bool done = false;
     std::error_code error{};
     std::size_t bytes = 0;
   };
 
-  static Done read(Loopback& loopback, asio::mutable_buffer into) {
+  static Completion read(Loopback& loopback, asio::mutable_buffer into) {
     if (loopback.closed) return {true, asio::error::operation_aborted};
     if (loopback.read_error) return {true, loopback.read_error};
     const std::size_t bytes = std::min({into.size(), loopback.read_bytes, loopback.to_server_.size()});
@@ -134,7 +134,7 @@ class LoopbackStream {
     return {true, {}, bytes};
   }
 
-  static Done write(Loopback& loopback, const std::vector<asio::const_buffer>& from) {
+  static Completion write(Loopback& loopback, const std::vector<asio::const_buffer>& from) {
     if (loopback.closed) return {true, asio::error::operation_aborted};
     if (loopback.write_error) return {true, loopback.write_error};
     const std::size_t offered = asio::buffer_size(from);
@@ -154,7 +154,7 @@ class LoopbackStream {
   template <typename Step, typename Token>
   auto compose(asio::steady_timer& changed, Step step, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
-        [loopback = loopback_, &changed, step = std::move(step), done = Done{}, waited = false](
+        [loopback = loopback_, &changed, step = std::move(step), done = Completion{}, waited = false](
             auto& self, std::error_code = {}) mutable {
           if (done.done) return self.complete(done.error, done.bytes);
           done = step();

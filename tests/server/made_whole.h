@@ -7,8 +7,8 @@
 namespace talus::server {
 
 /// What is made, after all its steps.
-template <typename Made>
-[[nodiscard]] Made made_whole(std::unique_ptr<Making<Made>> making) {
+template <typename Product>
+[[nodiscard]] Product made_whole(std::unique_ptr<Build<Product>> making) {
   while (making->step()) continue;
   return making->take();
 }

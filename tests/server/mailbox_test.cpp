@@ -8,7 +8,7 @@ using namespace talus::server;
 namespace {
 
 HeightsReady mail(std::uint64_t ticket) {
-  return {ticket, HeightsFound{}};
+  return {ticket, HeightsResult{}};
 }
 
 std::vector<std::uint64_t> tickets(const std::vector<Mail>& mail) {
@@ -64,7 +64,7 @@ TEST_CASE("an owner whose only mail is lost is woken to notice") {
   CHECK(woken == 2);
 }
 
-TEST_CASE("an owner that could not be woken is woken by the next who tries, and loses no mail") {
+TEST_CASE("an owner that could not be woken is woken by the next sender, and loses no mail") {
   bool fails = true;
   int woken = 0;
   Mailbox box{ClientId{1}, [&] {

@@ -73,7 +73,7 @@ TEST_CASE("permanent memory of edits refuses no client once all sessions have en
 }
 
 TEST_CASE(
-    "the cache of edits is a cache: it shrinks, the others leave it its place, and it refuses no client") {
+    "the cache of edits is a cache: it shrinks, others leave it its room, and it does not refuse clients") {
   MemoryBudget budget{kBudget};
   budget.set(MemoryUse::edit_cache, 600 * kMebibyte);
   CHECK(budget.takes_connections());
@@ -172,7 +172,7 @@ TEST_CASE("work resumes once each time that enough memory is returned, by any ho
   CHECK(resumed == 3);
 }
 
-TEST_CASE("the gate ends where the level puts it, whatever threads take and give at once") {
+TEST_CASE("the gate ends in the state that the level implies, whatever threads take and give at once") {
   MemoryBudget budget{kBudget};
   std::atomic<int> resumed{0};
   budget.when_jobs_resume([&] { ++resumed; });

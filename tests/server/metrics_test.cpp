@@ -65,7 +65,7 @@ TEST_CASE("a latency is counted in the bucket whose bound it does not exceed") {
   histogram.add(1ms + 1ns);
   histogram.add(11s);
   histogram.add(-1ns);  // a clock may go back
-  const LatencyHistogram::Reading reading = histogram.read();
+  const LatencyHistogram::Snapshot reading = histogram.read();
   std::uint64_t counted = 0;
   for (std::size_t i = 0; i < reading.counts.size(); ++i) {
     CAPTURE(i);
@@ -194,7 +194,7 @@ TEST_CASE("a metric's name says its type as Prometheus' rules want it") {
 }
 
 TEST_CASE("the process knows its memory, its threads and its files") {
-  const ProcessReading process = read_process();
+  const ProcessStats process = read_process();
   CHECK(process.resident_bytes > 1 << 20);
   CHECK(process.threads >= 1);
   CHECK(process.open_descriptors >= 3);
@@ -234,7 +234,7 @@ TEST_CASE("without a certificate the series of its expiry is absent") {
   CHECK(text_of({}, {}).find("certificate") == std::string::npos);
 }
 
-TEST_CASE("the log that servers share is shown where it is") {
+TEST_CASE("metrics of the shared log are shown if there is one") {
   const Metrics metrics;
   LatencyHistogram publishing;
   publishing.add(3ms);

@@ -27,17 +27,17 @@ class ScriptedClock final : public Clock {
   [[nodiscard]] time_point now() const override { return {}; }
   [[nodiscard]] std::chrono::sys_seconds wall() const override { return {}; }
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override {
-    const Tile& tile = tiles_[std::min(looks_ / 3, tiles_.size() - 1)];
-    if (looks_ % 3 == 1) time_ += tile.terrain;
-    if (looks_ % 3 == 2) time_ += tile.chunks;
-    ++looks_;
+    const Tile& tile = tiles_[std::min(calls_ / 3, tiles_.size() - 1)];
+    if (calls_ % 3 == 1) time_ += tile.terrain;
+    if (calls_ % 3 == 2) time_ += tile.chunks;
+    ++calls_;
     return time_;
   }
-  [[nodiscard]] std::size_t measured() const { return looks_ / 3; }
+  [[nodiscard]] std::size_t measured() const { return calls_ / 3; }
 
  private:
   std::vector<Tile> tiles_;
-  mutable std::size_t looks_ = 0;
+  mutable std::size_t calls_ = 0;
   mutable std::chrono::nanoseconds time_{};
 };
 
@@ -68,7 +68,7 @@ TEST_CASE("a patch may take twice as long as a lone tile if the halo is most of 
   CHECK(size.ns_a_column() == 300'000'000ULL * 384 * 384 / (288 * 288) / (128 * 128));
 }
 
-TEST_CASE("a world is expensive where a patch of four tiles along each edge takes longer than 50 ms") {
+TEST_CASE("a world is expensive if a patch of four tiles along each edge takes longer than 50 ms") {
   CHECK_FALSE(patch_size(16, 1ms, 0).expensive);
   CHECK(patch_size(1, 4ms, 0).expensive);
   CHECK_FALSE(patch_size(1, 3ms, 0).expensive);
@@ -79,7 +79,7 @@ TEST_CASE("a configured number of tiles is kept, whatever they cost") {
   CHECK(patch_size(8, 1s, 0).patch_time == 64s);
 }
 
-TEST_CASE("a patch has fewer tiles where generators have no room, unless halos would double its price") {
+TEST_CASE("a patch has fewer tiles if generators lack room, unless halos would double its cost") {
   PatchSize size = patch_size(4, 100us, 8);
   size.tile_bytes = 100'000;
   size.chunk_time = 7us;
@@ -110,7 +110,7 @@ TEST_CASE("the dearest of the places counts, but for the first, whose memory is 
   CHECK(cost.bytes > 32 * 32 * 16);
 }
 
-TEST_CASE("measuring ends early where a tile takes long") {
+TEST_CASE("measuring ends early if a tile takes long") {
   const ScriptedClock slow{{{400ms, 3ms}}};
   CHECK(measure_tile(terrain::default_world(), slow).terrain == 400ms);
   CHECK(measure_tile(terrain::default_world(), slow).chunk == 1ms);

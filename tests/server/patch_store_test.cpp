@@ -104,7 +104,7 @@ TEST_CASE("an evicted patch that was in no View leaves its mixed chunks, each ma
   CHECK(bench.measured.chunks == 2 * kColumns - 1);
 }
 
-TEST_CASE("of a patch in a View only the requested chunks are made, and it is released") {
+TEST_CASE("only the requested chunks of a patch in a View are made, and it is released") {
   Bench bench;
   const ChunkRange any{-100, 100};
   // The eastern half of the patch, and of its mixed rows 2 and 3 the higher one.
@@ -370,22 +370,22 @@ TEST_CASE("a smaller capacity evicts as many patches a call as it may, and what 
   const auto loan = bench.obtain(0);
   CHECK(bench.store.bytes() >= 600'000);
   bench.store.set_capacity(0);
-  std::size_t looks = 0;
-  CHECK_FALSE(bench.store.fit(looks));
+  std::size_t probes = 0;
+  CHECK_FALSE(bench.store.fit(probes));
   CHECK(bench.store.bytes() >= 600'000);
-  looks = 2;
-  CHECK(bench.store.fit(looks));
-  CHECK(looks == 1);
+  probes = 2;
+  CHECK(bench.store.fit(probes));
+  CHECK(probes == 1);
   CHECK(bench.store.bytes() == 0);
   CHECK(loan.stacks->tops.size() == 1);
 }
 
 TEST_CASE("making a patch takes the thread time that its clock counts") {
   struct Slow final : Clock {
-    mutable int looks = 0;
+    mutable int calls = 0;
     time_point now() const override { return {}; }
     std::chrono::sys_seconds wall() const override { return {}; }
-    std::chrono::nanoseconds thread_cpu() const override { return ++looks * 7ms; }
+    std::chrono::nanoseconds thread_cpu() const override { return ++calls * 7ms; }
   };
   Bench bench;
   const Slow slow;

@@ -249,7 +249,7 @@ TEST_CASE("no cache keeps a copy for an arbitrary origin") {
   CHECK(strange.field("Cache-Control") == "no-store");
 }
 
-TEST_CASE("pages of other hosts read only where they are listed") {
+TEST_CASE("pages of other hosts may read only if they are listed") {
   PlayerSite site;
   CHECK(site.ask("/v1/world", "Origin: https://a.example\r\n").field("Access-Control-Allow-Origin") ==
         "https://a.example");
@@ -294,7 +294,7 @@ TEST_CASE("files next to /v1 need no token, and count in the rates as all reques
   CHECK(site.ask("/", "", "POST").status == 405);
 }
 
-TEST_CASE("heights are written where they are made, as JSON or as an array") {
+TEST_CASE("heights are written by the source that made them, as JSON or as an array") {
   PlayerSite site;
   const auto client = site.connect();
   const auto answer_to = [&](const std::string& target) {

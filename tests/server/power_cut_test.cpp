@@ -139,7 +139,7 @@ class PowerCuts {
       const auto attached = [this, &player, epoch](const auto& applied) {
         const std::lock_guard in_turn{mutex_};
         --waiting_;
-        if (applied && (*applied)->kind == edits::Applied::Kind::attached) {
+        if (applied && (*applied)->kind == edits::EntryResult::Kind::attached) {
           player.epoch = epoch;
           player.sent.epoch = epoch;
           if (player.sequence == 0) next(player);
@@ -194,12 +194,12 @@ class PowerCuts {
   }
 
   std::string follow(const store::LogRecord& record) {
-    using Kind = edits::Applied::Kind;
+    using Kind = edits::EntryResult::Kind;
     if (record.position != compared_ + 1) return "an entry is missing in the log";
     compared_ = record.position;
     if (const auto at = acknowledged_by_position_.find(record.position);
         at != acknowledged_by_position_.end()) {
-      const edits::Applied& was = at->second;
+      const edits::EntryResult& was = at->second;
       if (was.kind != record.kind || was.editor != record.editor || was.result != record.result ||
           was.changes != record.changes) {
         return "entry " + std::to_string(record.position) + " is not what was acknowledged";
@@ -231,7 +231,7 @@ class PowerCuts {
     for (const edits::ChunkChanges& changes : outcome->chunks) touched_.insert(changes.chunk);
     std::size_t named = edits::named_voxels(edit);
     slid_ += outcome->changed > named ? outcome->changed - named : 0;
-    edits::Staging staging{settled_, settled_.hash};
+    edits::StagingArea staging{settled_, settled_.hash};
     (void)staging.stage(*outcome);
     settled_.commit(staging);
     return {};
@@ -248,7 +248,7 @@ class PowerCuts {
   std::mutex mutex_;
   std::condition_variable quiet_;
   int waiting_ = 0;
-  std::map<std::uint64_t, edits::Applied> acknowledged_by_position_;
+  std::map<std::uint64_t, edits::EntryResult> acknowledged_by_position_;
   std::uint64_t acknowledged_ = 0;
 
   Model model_;
@@ -284,7 +284,7 @@ TEST_CASE("after power cuts every acknowledged edit is present, never twice, nev
   CHECK(acknowledged > 0);
 }
 
-TEST_CASE("after power cuts what slid lies where it slid to") {
+TEST_CASE("after power cuts slid material lies where it came to rest") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   PowerCuts store{seed, true,

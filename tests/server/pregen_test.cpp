@@ -116,7 +116,7 @@ TEST_CASE("every mixed chunk of the plan is made, and a second run makes no chun
   CHECK(bench.fake.work->patches == patches);
 }
 
-TEST_CASE("a pregen that ends early goes on where it ended; another plan begins by itself") {
+TEST_CASE("a pregen that ended early resumes there; another plan begins anew") {
   Bench bench;
   const PregenPlan plan = around(0, 0, 1'000);
   const auto early =

@@ -99,7 +99,7 @@ TEST_CASE("no_new_privs is set and the memory is hidden") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("after switching the memory is hidden, also where the system shows it then") {
+TEST_CASE("after switching users the memory is hidden, even if the system would show it") {
   if (root_is_needed()) return;
   const int wrong = in_child([] {
     if (!hide_memory()) return 1;

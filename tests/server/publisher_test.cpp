@@ -19,7 +19,7 @@ constexpr store::StoreIdentity kOwnStore{{1, 2}, {3, 4}};
 /// Acknowledges when it is told to.
 class SlowStream final : public LogStream {
  public:
-  struct Published {
+  struct PublishedMessage {
     TimePoint at;
     std::size_t entries = 0;
   };
@@ -47,7 +47,7 @@ class SlowStream final : public LogStream {
   }
 
   /// The message of that number, from 1 on; waits for it.
-  Published await(std::size_t number) {
+  PublishedMessage await(std::size_t number) {
     std::unique_lock lock{mutex_};
     changed_.wait(lock, [&] { return published_.size() >= number; });
     return published_[number - 1];
@@ -61,12 +61,12 @@ class SlowStream final : public LogStream {
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Published> published_;
+  std::vector<PublishedMessage> published_;
   std::size_t acknowledged_ = 0;
   bool stopped_ = false;
 };
 
-TEST_CASE("a message is not sent at once after another where they have many entries, and is where few") {
+TEST_CASE("a message waits after another if they have many entries, and is sent at once if few") {
   constexpr std::size_t kFew = MessagePace::kFewEntries;
   const TimePoint now{5s};
   const auto next_at = [&](std::size_t sent, std::size_t waiting) {

@@ -62,7 +62,7 @@ TEST_CASE("each refused request gets the time at which it has room behind earlie
   }
 }
 
-TEST_CASE("new chunks count for an address, by the hour, and an edit delayed by its voxels pays for none") {
+TEST_CASE("new chunks count for an address, by the hour, and an edit delayed by its voxels is not charged") {
   RateLimits limits;
   limits.session.voxels = {10, 20};
   limits.address.new_chunks = {2, 3 * kNewChunkTokens};  // two an hour, three saved up

@@ -32,7 +32,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("all who enter are read by one handler, and who enters later by another") {
+TEST_CASE("all readers that have entered run in one handler, and later ones in another") {
   Bench bench;
   const auto reader = std::make_shared<Reader>();
   bench.enter(reader);

@@ -76,9 +76,9 @@ class ScriptedSource final : public ChunkSource {
                     kept == in_memory.end() ? 0 : kept->second->revision());
   }
   [[nodiscard]] std::optional<ChangedVoxels> changes_since(ChunkKey key, std::uint64_t since,
-                                                           std::size_t most) const override {
+                                                           std::size_t max_voxels) const override {
     auto changed = changes ? changes(key, since) : std::nullopt;
-    return changed && changed->voxels.size() <= most ? changed : std::nullopt;
+    return changed && changed->voxels.size() <= max_voxels ? changed : std::nullopt;
   }
   [[nodiscard]] MixedRows column(ChunkKey key, Version) override { return rows_of ? rows_of(key) : rows; }
 
@@ -134,13 +134,13 @@ class ScriptedSource final : public ChunkSource {
     waiting.erase(key);
     mailbox->put(ChunkReady{key, std::move(answer)});
   }
-  void fail(ChunkKey key) { mail(key, tl::make_unexpected(GenerationFailed{"out of memory"})); }
+  void fail(ChunkKey key) { mail(key, tl::make_unexpected(GenerationError{"out of memory"})); }
   void answer_all() {
     while (!waiting.empty()) answer(waiting.begin()->first);
   }
   /// Every height is 256.
   void answer_heights(std::uint64_t ticket) {
-    HeightsFound found{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)};
+    HeightsResult found{.heights_fx = std::vector<std::int32_t>(heights_[ticket], 256)};
     if (const HeightsBody& body = bodies_[ticket]) found = {.body = body(found)};
     const MailboxPtr mailbox = waiting_heights.at(ticket);
     mailbox->put(HeightsReady{ticket, std::move(found)});
@@ -148,7 +148,7 @@ class ScriptedSource final : public ChunkSource {
   }
   void answer_map(std::uint64_t ticket) {
     const MailboxPtr mailbox = waiting_heights.at(ticket);
-    HeightsFound found;
+    HeightsResult found;
     found.picture = std::make_shared<const Picture>(Picture{"a map"});
     mailbox->put(HeightsReady{ticket, std::move(found)});
     waiting_heights.erase(ticket);

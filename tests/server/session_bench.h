@@ -24,7 +24,7 @@
 namespace talus::server {
 
 /// One frame of the server, in values.
-struct Said {
+struct SessionFrame {
   wire::Body kind{};
   std::uint32_t id = 0;  // of the request; 0: about none
   ChunkKey key;
@@ -45,9 +45,9 @@ struct Said {
   return {{key.x(), key.y(), key.z()}, Lod::of(key.lod())};
 }
 
-[[nodiscard]] inline Said said(const protocol::Frame& frame) {
+[[nodiscard]] inline SessionFrame said(const protocol::Frame& frame) {
   const wire::Message& message = **protocol::read_message(frame);
-  Said said;
+  SessionFrame said;
   said.kind = message.body_type();
   said.frame_bytes = frame.size();
   if (const auto* chunk = message.body_as_Chunk()) {
@@ -93,9 +93,9 @@ struct Said {
   return said;
 }
 
-[[nodiscard]] inline std::vector<wire::Body> kinds(const std::vector<Said>& all) {
+[[nodiscard]] inline std::vector<wire::Body> kinds(const std::vector<SessionFrame>& all) {
   std::vector<wire::Body> kinds;
-  for (const Said& each : all) kinds.push_back(each.kind);
+  for (const SessionFrame& each : all) kinds.push_back(each.kind);
   return kinds;
 }
 
@@ -230,7 +230,7 @@ struct SessionBench {
       return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list, view_number);
     });
   }
-  void look_at(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
+  void move_view(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {
     say_view(chunk_x, radius, vertical_radius);
     apply_view();
   }
@@ -250,16 +250,16 @@ struct SessionBench {
   }
 
   // ---- the server says
-  [[nodiscard]] std::vector<Said> output(std::size_t enough_bytes = 1 << 20) {
-    std::vector<Said> all;
+  [[nodiscard]] std::vector<SessionFrame> output(std::size_t enough_bytes = 1 << 20) {
+    std::vector<SessionFrame> all;
     for (const auto& frame : cut(session.take_output(enough_bytes))) all.push_back(said(frame));
     session.written();
     session.pump();
     return all;
   }
   /// All that comes while the source answers at once.
-  [[nodiscard]] std::vector<Said> run_dry() {
-    std::vector<Said> all;
+  [[nodiscard]] std::vector<SessionFrame> run_dry() {
+    std::vector<SessionFrame> all;
     for (bool more = true; more;) {
       answer_all();
       const auto some = output();

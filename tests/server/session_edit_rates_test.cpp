@@ -43,7 +43,7 @@ TEST_CASE("voxels over the rate are refused with a time, and the edit does not h
   CHECK(shared.taker.edits.size() == 21);
 }
 
-TEST_CASE("chunks that nobody edited before cost their address, each once") {
+TEST_CASE("chunks never edited before cost their address, each once") {
   RateLimits limits;
   limits.address.new_chunks = {1, 3 * kNewChunkTokens};  // three saved up, and one an hour
   EditingBench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
@@ -106,7 +106,7 @@ TEST_CASE("an edit pays for the new chunks that loose material may slide into") 
   CHECK(shared.taker.edits.size() == 1);
 }
 
-TEST_CASE("an address makes so many editors an hour, and whoever is one already goes on") {
+TEST_CASE("an address may create a limited number of editors an hour, and existing ones continue") {
   RateLimits limits;
   limits.address.editors = {1, 2 * kEditorTokens};  // two saved up, and one an hour
   EditingBench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
@@ -129,7 +129,7 @@ TEST_CASE("an address makes so many editors an hour, and whoever is one already 
   CHECK(shared.bench.metrics.throttled(RateKind::address_editors).total() == 2);
 }
 
-TEST_CASE("where the world has room for no editor an Attach takes nothing of what the address may make") {
+TEST_CASE("if the editor table is full, an Attach is not charged to its address") {
   RateLimits limits;
   limits.address.editors = {1, kEditorTokens};  // one saved up, and one an hour
   EditingBench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
@@ -154,7 +154,7 @@ TEST_CASE("where the world has room for no editor an Attach takes nothing of wha
   CHECK(known.taker.attaches.size() == 1);
 }
 
-TEST_CASE("a gateway has rates of its own, in place of those of a player and of its address") {
+TEST_CASE("a gateway has rates of its own, which replace the rates of a player and of its address") {
   RateLimits rates = voxels({10, 20}, {10, 20});
   rates.session.requests = {1, 2};
   rates.gateway_requests = {100, 40};
@@ -175,7 +175,7 @@ TEST_CASE("a gateway has rates of its own, in place of those of a player and of 
   CHECK(gateway.taker.edits.size() == 35);
 }
 
-TEST_CASE("who ignores that his edits are over the rate is thrown out, and who waits is not") {
+TEST_CASE("a session that keeps editing over its rate is closed, and one that waits is not") {
   const bool waits = GENERATE(true, false);
   EditingBench shared{voxels({65'536, 65'536})};
   shared.attached();
@@ -190,7 +190,7 @@ TEST_CASE("who ignores that his edits are over the rate is thrown out, and who w
   for (int round = 0; round < 400 && shared.bench.session.state() == State::joined; ++round) {
     for (int i = 0; i < 8; ++i) fill(++id);
     std::uint32_t wait = 0;
-    for (const Said& each : shared.bench.output()) {
+    for (const SessionFrame& each : shared.bench.output()) {
       if (each.code != ErrorCode::overloaded) continue;
       ++refusals;
       wait = std::max(wait, each.retry_after_ms);
@@ -230,7 +230,7 @@ TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
   CHECK(shared.bench.memory.used(MemoryUse::sessions) < eight - checked->prepared_bytes / 2);
 }
 
-TEST_CASE("what slides counts to the rate, and takes memory while the edit waits") {
+TEST_CASE("sliding voxels count toward the rate, and take memory while the edit waits") {
   EditingBench shared{voxels({10, 20})};
   shared.attached();
   shared.bench.write_voxel(1, 1);

@@ -56,7 +56,7 @@ TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
   CHECK(request.edit.writes == std::vector{edits::VoxelWrite{{-1, 2, 3}, MaterialId{5}}});
   CHECK(shared.bench.output().empty());
 
-  const Said said = shared.answered({4, edits::EditResult{17, 10, 1, {}}});
+  const SessionFrame said = shared.answered({4, edits::EditResult{17, 10, 1, {}}});
   CHECK(said.kind == Body::EditResult);
   CHECK(said.id == 4);
   CHECK(said.revision == 10);
@@ -83,7 +83,8 @@ TEST_CASE("an edit that does not happen is an Error about its request") {
   EditingBench shared;
   shared.attached();
   shared.bench.write_voxel(4, 1);
-  const Said said = shared.answered({4, tl::unexpected{EditError{EditErrorCode::conflict, "guard 0"}}});
+  const SessionFrame said =
+      shared.answered({4, tl::unexpected{EditError{EditErrorCode::conflict, "guard 0"}}});
   CHECK(said.code == ErrorCode::conflict);
   CHECK(said.id == 4);
   CHECK(said.about == wire::ErrorAbout::request);
@@ -175,20 +176,20 @@ TEST_CASE("an edit in a protected box is forbidden and costs nothing else, and i
   CHECK(shared.taker.edits[0].sequence == 2);
 }
 
-TEST_CASE("where a gateway is required, players are told so at Attach and at Edit") {
+TEST_CASE("if a gateway is required, Attach and Edit of players are refused with that reason") {
   EditingBench shared{{}, editors(), {{}, true}};
   shared.bench.attach();
   shared.bench.write_voxel(4, 1);
   const auto said = shared.bench.output();
   REQUIRE(said.size() == 2);
-  for (const Said& each : said) {
+  for (const SessionFrame& each : said) {
     CHECK(each.code == ErrorCode::forbidden);
     CHECK_THAT(each.text, Catch::Contains("edits.gateway"));
   }
   CHECK(shared.taker.attaches.empty());
 }
 
-TEST_CASE("only a gateway names for whom it edits, in so many bytes") {
+TEST_CASE("only a gateway may name a subject, of a limited size") {
   EditingBench player;
   player.attached();
   player.bench.write_voxel(4, 1, {}, 1, "alice");

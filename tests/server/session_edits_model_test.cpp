@@ -469,7 +469,7 @@ class Conversation {
 
 }  // namespace
 
-TEST_CASE("whatever is edited, a client that is quiet has its View as the source has it") {
+TEST_CASE("after any edits an idle client has its View as the source has it") {
   // TALUS_SEED repeats a run, or with TALUS_RUNS so many from that seed on.
   const char* const said_seed = std::getenv("TALUS_SEED");
   const char* const said_runs = std::getenv("TALUS_RUNS");

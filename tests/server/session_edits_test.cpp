@@ -22,7 +22,7 @@ struct Bench : SessionBench {
   /// The View of kKey alone, which is written.
   void see() {
     if (!source.in_memory.contains(kKey)) source.in_memory[kKey] = scripted_chunk(kKey);
-    look_at(5, 0);
+    move_view(5, 0);
     REQUIRE(kinds(output()) == Kinds{Body::Chunk});
   }
   /// The first voxels change, the first of them to material 7. The chunk's new version is not in memory.
@@ -116,7 +116,7 @@ TEST_CASE("an answer from before the edit is asked for again") {
   CHECK(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("where the source is full a chunk that is to be sent again waits for room") {
+TEST_CASE("if the source is full, a chunk to be sent again waits for room") {
   Bench bench{false};
   bench.see();
   bench.edit(3);
@@ -133,7 +133,7 @@ TEST_CASE("where the source is full a chunk that is to be sent again waits for r
   CHECK(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("where it fails the client is told, and may ask for it") {
+TEST_CASE("if a chunk to be sent again fails, the client gets an Error, and may ask for it") {
   Bench bench{false};
   bench.see();
   bench.edit(3);
@@ -175,7 +175,7 @@ TEST_CASE("as many voxels as a broadcast has are one") {
 
 TEST_CASE("an edit between a chunk's making and its writing is found when it is written") {
   Bench bench;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   bench.source.mail(kKey, scripted_chunk(kKey));
   bench.edit(3);
   bench.tell(0, 3);  // the chunk waits to be written: nothing to do yet
@@ -187,7 +187,7 @@ TEST_CASE("an edit between a chunk's making and its writing is found when it is 
   CHECK(then[0].previous_revision == 0);
 }
 
-TEST_CASE("so is one between an Unchanged's making and its writing") {
+TEST_CASE("an edit between an Unchanged's making and its writing is found when it is written") {
   Bench bench;
   bench.say_view(5, 0, 0, {scripted_chunk(kKey)}, {kKey});
   bench.apply_view();
@@ -198,11 +198,11 @@ TEST_CASE("so is one between an Unchanged's making and its writing") {
   CHECK(kinds(bench.output()) == Kinds{Body::Unchanged, Body::EditBroadcast});
 }
 
-TEST_CASE("an edit that is told late is broadcast once more, which does no harm") {
+TEST_CASE("an edit that is reported late is broadcast once more, without harm") {
   Bench bench;
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
   bench.edit(3);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(bench.output().at(0).revision == 3);
   bench.tell(0, 3);
   const auto said = bench.output();
@@ -210,24 +210,24 @@ TEST_CASE("an edit that is told late is broadcast once more, which does no harm"
   CHECK(said[0].revision == 3);  // what the client has: it ignores it
 }
 
-TEST_CASE("edits of chunks that are not in the View, or not sent, are nobody's business") {
+TEST_CASE("edits of chunks that are not in the View, or not sent, are not broadcast") {
   Bench bench;
   bench.tell(0, 1);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   bench.tell(1, 2);
   CHECK(bench.output().empty());
   CHECK(bench.source.waiting.size() == 1);
 }
 
-TEST_CASE("what left the View is forgotten, and comes back in its newest version") {
+TEST_CASE("a chunk that left the View is forgotten, and returns in its newest version") {
   Bench bench;
   bench.see();
   bench.edit(3);
   bench.tell(0, 3);
-  bench.look_at(8, 0);
+  bench.move_view(8, 0);
   CHECK(bench.output().empty());
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 3);
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Chunk});
   CHECK(said[0].revision == 3);
@@ -240,11 +240,11 @@ TEST_CASE("a chunk that was asked for again, and left the View, is cancelled") {
   bench.tell(0, 3);
   CHECK(bench.output().empty());
   REQUIRE(bench.source.waiting.contains(kKey));
-  bench.look_at(8, 0);
+  bench.move_view(8, 0);
   CHECK_FALSE(bench.source.waiting.contains(kKey));
 }
 
-TEST_CASE("updates need credit to begin, and broadcasts count none") {
+TEST_CASE("updates need credit to begin, and broadcasts use none") {
   Bench bench{true, 100};
   bench.see();  // the window is overdrawn
   const std::uint64_t sent = scripted_chunk(kKey)->frame_bytes();
@@ -289,7 +289,7 @@ TEST_CASE("an edited chunk that the client holds is confirmed in its turn, with 
   CHECK(kinds(bench.output()) == (for_view ? Kinds{Body::EditBroadcast} : Kinds{}));
 }
 
-TEST_CASE("a request's answer is no View's: an edit after it is not told") {
+TEST_CASE("an edit is not broadcast for a chunk that was only the answer to a request") {
   Bench bench;
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
   bench.get_chunk(1, kKey);
@@ -299,11 +299,11 @@ TEST_CASE("a request's answer is no View's: an edit after it is not told") {
   CHECK(bench.output().empty());
 }
 
-TEST_CASE("where any chunk may have changed, all edited ones are told from the chunk as generated") {
+TEST_CASE("if any chunk may have changed, all edited ones are broadcast from the generated chunk") {
   Bench bench;
   bench.source.in_memory[chunk_at(4)] = scripted_chunk(chunk_at(4));
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
-  bench.look_at(5, 1);
+  bench.move_view(5, 1);
   bench.answer_all();
   CHECK(bench.output().size() == 9);
   bench.edit(3);
@@ -320,16 +320,16 @@ TEST_CASE("ViewComplete does not wait for updates") {
   Bench bench{true, 100};
   bench.source.in_memory[kKey] = scripted_chunk(kKey);
   bench.view_number = 9;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
   bench.edit(3);
   bench.tell(0, 3);
   CHECK(kinds(bench.output()) == Kinds{Body::ViewComplete});
 }
 
-TEST_CASE("the source is told where to send changes, and forgets a session that ended") {
+TEST_CASE("the source learns where to send changes, and forgets a session that ended") {
   Bench bench;
-  bench.look_at(5, 0);
+  bench.move_view(5, 0);
   CHECK(bench.source.watcher == bench.mailbox);
   bench.session.abandon();
   CHECK(bench.source.watcher == nullptr);
@@ -337,20 +337,20 @@ TEST_CASE("the source is told where to send changes, and forgets a session that 
 
 TEST_CASE("updates that wait are memory of the session") {
   Bench bench{true, 1 << 20};
-  bench.look_at(0, 10);
+  bench.move_view(0, 10);
   const auto sent = bench.run_dry();
   REQUIRE(sent.size() == 21 * 21);
   std::uint64_t bytes = 0;
-  for (const Said& each : sent) bytes += each.frame_bytes;
+  for (const SessionFrame& each : sent) bytes += each.frame_bytes;
   const std::uint64_t before = bench.memory.used(MemoryUse::sessions);
-  for (const Said& each : sent) {
+  for (const SessionFrame& each : sent) {
     bench.source.revisions[each.key] = 1;
     bench.mailbox->put_changes(
         std::make_shared<const std::vector<ChunkChange>>(1, ChunkChange{each.key, 0, 1}));
   }
   bench.take_mail();
   CHECK(bench.memory.used(MemoryUse::sessions) >= before + sent.size() * 64);
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   CHECK(bench.memory.used(MemoryUse::sessions) <= before);
 }
 
@@ -366,8 +366,8 @@ struct EditedWhole : Bench {
   explicit EditedWhole(std::int32_t radius) {
     limits.window_bytes = std::uint64_t{1} << 40;
     payload_of_source(100);
-    look_at(5, static_cast<std::uint16_t>(radius));
-    for (const Said& each : run_dry()) edited.push_back(each.key);
+    move_view(5, static_cast<std::uint16_t>(radius));
+    for (const SessionFrame& each : run_dry()) edited.push_back(each.key);
   }
   void payload_of_source(std::size_t bytes) { source.payload_bytes = bytes; }
   void edit_all() {
@@ -404,7 +404,7 @@ TEST_CASE("a chunk that was sent again pauses before it is sent once more, then 
   CHECK(bench.session.sendable_at() == Clock::time_point::max());
 }
 
-TEST_CASE("what pauses is forgotten with the View, and by a session that ends") {
+TEST_CASE("paused chunks are forgotten with the View, and by a session that ends") {
   EditedWhole bench{0};
   bench.edit_all();
   CHECK(bench.output().size() == 1);
@@ -412,7 +412,7 @@ TEST_CASE("what pauses is forgotten with the View, and by a session that ends") 
   CHECK(bench.output().empty());
   REQUIRE(bench.session.sendable_at() != Clock::time_point::max());
   if (GENERATE(true, false)) {
-    bench.look_at(50, 0);
+    bench.move_view(50, 0);
   } else {
     bench.session.abandon();
   }
@@ -427,13 +427,13 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
   bench.payload_of_source(3000);
   bench.edit_all();
   bench.view_number = 2;
-  bench.look_at(5 + 9, 13);  // what it holds, and 648 chunks more
+  bench.move_view(5 + 9, 13);  // what it holds, and 648 chunks more
   std::size_t resent = 0;
   std::size_t viewed = 0;
   bool complete = false;
   while (!complete && viewed + resent < std::size_t{16} << 20) {
     bench.answer_all();
-    for (const Said& each : bench.output(16 << 10)) {
+    for (const SessionFrame& each : bench.output(16 << 10)) {
       complete = complete || each.kind == Body::ViewComplete;
       if (each.kind == Body::Chunk) (each.revision > 0 ? resent : viewed) += each.frame_bytes;
     }
@@ -449,10 +449,10 @@ TEST_CASE("a View comes while all that the client holds is edited whole, again a
 TEST_CASE("chunks that are to be sent again take no more than half of the room for what waits") {
   Bench bench{false};
   bench.limits.queued_bytes = 100'000;
-  bench.look_at(5, 4);
+  bench.move_view(5, 4);
   const auto sent = bench.run_dry();
   std::vector<ChunkChange> changes;
-  for (const Said& each : sent) {
+  for (const SessionFrame& each : sent) {
     bench.source.revisions[each.key] = 1;
     changes.push_back({each.key, 0, 1});
   }
@@ -466,7 +466,7 @@ TEST_CASE("chunks that are to be sent again take no more than half of the room f
     bench.source.mail(key, scripted_chunk(key, 1, 5000));
   }
   bench.take_mail();
-  bench.look_at(5 + 9, 13);
+  bench.move_view(5 + 9, 13);
   CHECK(bench.source.waiting.size() > 0);
 }
 

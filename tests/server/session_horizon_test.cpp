@@ -31,7 +31,7 @@ TEST_CASE("a horizon's rows count to the limit of chunks") {
   CHECK(see(false).empty());
   const auto said = see(true);
   CHECK(said.size() == (chunks == 1040 ? 1 : 0));
-  for (const Said& each : said) CHECK(each.code == wire::ErrorCode::too_large);
+  for (const SessionFrame& each : said) CHECK(each.code == wire::ErrorCode::too_large);
 }
 
 TEST_CASE("a horizon brings each chunk that is not uniform once as a Chunk, and names the others once") {
@@ -70,7 +70,7 @@ TEST_CASE("a horizon brings each chunk that is not uniform once as a Chunk, and 
     bench.take_mail();
     const auto said = bench.output();
     more = !said.empty();
-    for (const Said& each : said) {
+    for (const SessionFrame& each : said) {
       if (each.kind == Body::Chunk) CHECK(by_chunk.insert(each.key).second);
       if (each.kind == Body::ViewComplete) ++complete;
       for (const auto& [first, last, material] : each.runs) {

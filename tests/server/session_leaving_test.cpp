@@ -105,7 +105,8 @@ TEST_CASE("a client that sends no more is served its requests and its View, with
   bench.apply_view();
   auto said = bench.run_dry();
   CHECK(said.size() == 100 + 25 + 1);
-  CHECK(std::count_if(said.begin(), said.end(), [](const Said& each) { return each.id != 0; }) == 100);
+  CHECK(std::count_if(said.begin(), said.end(), [](const SessionFrame& each) { return each.id != 0; }) ==
+        100);
   CHECK(bench.session.state() == State::finishing);
   bench.source.answer_heights(bench.source.waiting_heights.begin()->first);
   bench.take_mail();
@@ -116,7 +117,7 @@ TEST_CASE("a client that sends no more is served its requests and its View, with
 TEST_CASE("ViewComplete is the last that a client gets that sends no more") {
   SessionBench bench;
   bench.view_number = 9;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.session.input_ended();
   const auto said = bench.run_dry();
   CHECK(kinds(said) == Kinds{Body::Chunk, Body::ViewComplete});
@@ -126,7 +127,7 @@ TEST_CASE("ViewComplete is the last that a client gets that sends no more") {
 TEST_CASE("a client that sends no more may be asked to leave") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.session.input_ended();
   bench.session.go_away("ending", 1ms);
   CHECK(kinds(bench.run_dry()) == Kinds{Body::GoAway, Body::Chunk});
@@ -136,7 +137,7 @@ TEST_CASE("a client that sends no more may be asked to leave") {
 TEST_CASE("a leaving session drops its View") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(500));
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.session.go_away("ending", 1ms);
   CHECK(bench.source.waiting.size() == 1);
 }

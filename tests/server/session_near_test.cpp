@@ -19,7 +19,7 @@ bool is_near(ChunkKey key, std::int32_t centre_x = 0) {
 
 TEST_CASE("the two nearest rings of a View are wanted soon") {
   SessionBench bench;
-  bench.look_at(0, 3, 3);
+  bench.move_view(0, 3, 3);
   std::set<ChunkKey> near;
   for (const auto& [key, mailbox] : bench.source.waiting) {
     if (is_near(key)) near.insert(key);
@@ -31,7 +31,7 @@ TEST_CASE("the two nearest rings of a View are wanted soon") {
 TEST_CASE("chunks requested next to a near chunk are urgent with it, and no others") {
   SessionBench bench;
   bench.source.together = 4;
-  bench.look_at(1, 8);
+  bench.move_view(1, 8);
   CHECK(bench.source.wanted_soon.contains(chunk_at(1)));
   for (const ChunkKey key : bench.source.wanted_soon) {
     CHECK((key.coord.x >> 2 == 0 || is_near(key, 1)));
@@ -43,7 +43,7 @@ TEST_CASE("a near chunk for which a request waits already is hastened") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(0));
   REQUIRE(bench.source.wanted_soon.empty());
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   CHECK(bench.source.wanted_soon.contains(chunk_at(0)));
 }
 
@@ -56,23 +56,23 @@ TEST_CASE("a chunk requested by id is wanted later") {
 
 TEST_CASE("chunks that wait and come near are wanted soon from then on") {
   SessionBench bench;
-  bench.look_at(0, 2);
+  bench.move_view(0, 2);
   REQUIRE(bench.source.waiting.contains(chunk_at(2)));
   CHECK_FALSE(bench.source.wanted_soon.contains(chunk_at(2)));
-  bench.look_at(1, 2);
+  bench.move_view(1, 2);
   CHECK(bench.source.wanted_soon.contains(chunk_at(2)));
   // Once.
   bench.source.wanted_soon.clear();
-  bench.look_at(1, 3);
+  bench.move_view(1, 3);
   CHECK_FALSE(bench.source.wanted_soon.contains(chunk_at(2)));
 }
 
 TEST_CASE("the nearest chunks are begun however many far ones wait, and no others") {
   SessionBench bench;
-  bench.look_at(0, 20);
+  bench.move_view(0, 20);
   REQUIRE(bench.source.waiting.size() == Delivery::kMaxViewInFlight);
   // As far as what waits stays in the View.
-  bench.look_at(12, 20);
+  bench.move_view(12, 20);
   std::size_t near = 0;
   for (const auto& [key, mailbox] : bench.source.waiting) near += is_near(key, 12) ? 1U : 0U;
   CHECK(near == 9);

@@ -12,8 +12,8 @@ namespace {
 const ChunkKey kKey = chunk_at(5);
 
 /// A session in whose outbox revision 1 of kKey waits: for request 1, or for the View.
-struct Waiting : SessionBench {
-  explicit Waiting(bool for_view, const EncodedChunkPtr& known = nullptr) {
+struct OutboxBench : SessionBench {
+  explicit OutboxBench(bool for_view, const EncodedChunkPtr& known = nullptr) {
     source.in_memory[kKey] = scripted_chunk(kKey, 1);
     if (for_view) {
       const std::vector<EncodedChunkPtr> held(known == nullptr ? 0 : 1, known);
@@ -29,7 +29,7 @@ struct Waiting : SessionBench {
 
 TEST_CASE("the older version is never written once the newer is in memory") {
   const bool for_view = GENERATE(true, false);
-  Waiting bench{for_view};
+  OutboxBench bench{for_view};
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2, 5000);
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Chunk});
@@ -48,7 +48,7 @@ TEST_CASE("a version that came by mail is replaced as well") {
 
 TEST_CASE("a newer version that the client holds is confirmed instead of sent") {
   const bool for_view = GENERATE(true, false);
-  Waiting bench{for_view, scripted_chunk(kKey, 2)};
+  OutboxBench bench{for_view, scripted_chunk(kKey, 2)};
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::Unchanged});
@@ -59,14 +59,14 @@ TEST_CASE("a newer version that the client holds is confirmed instead of sent") 
 
 TEST_CASE("a replaced chunk is answered once") {
   const bool for_view = GENERATE(true, false);
-  Waiting bench{for_view};
+  OutboxBench bench{for_view};
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2);
   CHECK(bench.run_dry().size() == 1);
   CHECK(bench.run_dry().empty());
 }
 
 TEST_CASE("credit counts the version that was written") {
-  Waiting bench{false};
+  OutboxBench bench{false};
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2, 5000);
   const std::size_t bytes = bench.output().at(0).frame_bytes;
   bench.credit(bytes);
@@ -76,7 +76,7 @@ TEST_CASE("credit counts the version that was written") {
 }
 
 TEST_CASE("the memory of a replaced chunk is given back") {
-  Waiting bench{false};
+  OutboxBench bench{false};
   bench.source.in_memory[kKey] = scripted_chunk(kKey, 2, 200'000);
   (void)bench.output();
   CHECK(bench.memory.used(MemoryUse::sessions) <= Session::kIdleBytes + 4096);
@@ -84,7 +84,7 @@ TEST_CASE("the memory of a replaced chunk is given back") {
 
 TEST_CASE("a source is asked for the newest revision once a chunk written") {
   SessionBench bench;
-  bench.look_at(0, 3);
+  bench.move_view(0, 3);
   CHECK(bench.run_dry().size() == 49);
   CHECK(bench.source.revisions_asked == 49);
 }

@@ -161,10 +161,10 @@ class Client {
   /// Whether anything was said.
   bool read(std::size_t enough_bytes) {
     const auto all = bench_.output(enough_bytes);
-    for (const Said& each : all) check(each);
+    for (const SessionFrame& each : all) check(each);
     return !all.empty();
   }
-  void check(const Said& said) {
+  void check(const SessionFrame& said) {
     if (said.kind == Body::Chunk) taken_ += said.frame_bytes;
     if (said.kind == Body::Chunk || said.kind == Body::Unchanged) {
       const auto newest = bench_.source.in_memory.find(said.key);

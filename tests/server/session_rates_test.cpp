@@ -67,7 +67,7 @@ TEST_CASE("a client with a thousand requests in flight that waits for the given 
     bench.answer_all();
     Clock::time_point all_due = now;
     std::vector<std::uint32_t> refused;
-    for (const Said& each : bench.run_dry()) {
+    for (const SessionFrame& each : bench.run_dry()) {
       if (each.kind == Body::Chunk) {
         ++answered;
         continue;

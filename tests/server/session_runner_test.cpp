@@ -93,7 +93,7 @@ TEST_CASE("answers that come together are taken by one wake-up") {
   CHECK(client->writes == writes + 1);
 }
 
-TEST_CASE("a chunk that an update needs is asked for at once, also where the stream takes bytes at once") {
+TEST_CASE("a chunk that an update needs is requested at once, even if the stream takes bytes at once") {
   Bench bench;
   const auto client = std::make_shared<Loopback>(bench.io);
   const auto runner = bench.begin<SessionRunner<EagerLoopbackStream>>(EagerLoopbackStream{client}, 1);
@@ -169,10 +169,10 @@ TEST_CASE("Views of one session are applied twenty milliseconds apart at least")
   Bench bench;
   bench.source.rows = {0, -1, MaterialId{1}};
   const auto client = bench.greeted();
-  const auto look = [&](std::int64_t x) { bench.send(*client, view_at(x)); };
-  look(0);
+  const auto send_view = [&](std::int64_t x) { bench.send(*client, view_at(x)); };
+  send_view(0);
   CHECK_FALSE(bench.frames(*client).empty());
-  look(100);
+  send_view(100);
   CHECK(bench.frames(*client).empty());
   bench.advance(20ms);
   CHECK_FALSE(bench.frames(*client).empty());

@@ -135,7 +135,7 @@ TEST_CASE("a View that waits is in the budget with what it comes to take") {
 TEST_CASE("if memory is short a View may move, and a larger one is refused with a time to retry after") {
   constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
   SessionBench bench{{.memory_bytes = kLimit}};
-  bench.look_at(0, 2);
+  bench.move_view(0, 2);
   (void)bench.run_dry();
   bench.memory.set(MemoryUse::jobs, kLimit);
   bench.say_view(1, 2);
@@ -165,7 +165,7 @@ TEST_CASE("a session that failed leaves the source's queue") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(5));
   bench.get_heights(2);
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.session.timed_out("silence");
   CHECK(bench.source.waiting.empty());
   CHECK(bench.source.waiting_heights.empty());

@@ -34,9 +34,9 @@ TEST_CASE("a View waits until it is applied") {
 
 TEST_CASE("each chunk of a View is sent once, for request id 0") {
   SessionBench bench;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   std::set<ChunkKey> sent;
-  for (const Said& each : bench.run_dry()) {
+  for (const SessionFrame& each : bench.run_dry()) {
     CHECK(each.kind == Body::Chunk);
     CHECK(each.id == 0);
     CHECK(sent.insert(each.key).second);
@@ -47,10 +47,10 @@ TEST_CASE("each chunk of a View is sent once, for request id 0") {
 TEST_CASE("the source receives the chunks of a View, and its next chunks if it moves on") {
   SessionBench bench;
   CHECK(bench.source.wanted.empty());
-  bench.look_at(0, 2);
+  bench.move_view(0, 2);
   REQUIRE(bench.source.wanted.size() == 1);
   CHECK(bench.source.wanted.front().x == ChunkRange{-2, 2});
-  bench.look_at(1, 2);
+  bench.move_view(1, 2);
   REQUIRE(bench.source.wanted.size() == 1);
   CHECK(bench.source.wanted.front().x == ChunkRange{-1, 3 + Heading::kAhead});
   CHECK(bench.source.wanted.front().z == ChunkRange{-2, 2});
@@ -60,22 +60,22 @@ TEST_CASE("the source receives the chunks of a View, and its next chunks if it m
 
 TEST_CASE("a sent chunk that stays in the View is not sent again") {
   SessionBench bench;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   (void)bench.run_dry();
-  bench.look_at(1, 1);
+  bench.move_view(1, 1);
   CHECK(bench.run_dry().size() == 3);
 }
 
 TEST_CASE("a View has no more than kMaxViewInFlight chunks in flight") {
   SessionBench bench;
-  bench.look_at(0, 20);
+  bench.move_view(0, 20);
   CHECK(bench.source.waiting.size() == Delivery::kMaxViewInFlight);
 }
 
 TEST_CASE("a View has more chunks in flight while the source has little to do and the client takes them") {
   SessionBench bench;
   bench.source.little_to_do = true;
-  bench.look_at(0, 20);
+  bench.move_view(0, 20);
   CHECK(bench.source.waiting.size() == Delivery::kMaxViewAlone);
   // All wait for the client, who takes one by one.
   bench.answer_all();
@@ -88,18 +88,18 @@ TEST_CASE("a View has more chunks in flight while the source has little to do an
   CHECK(begun < Delivery::kMaxViewInFlight);
   // Who has taken all is not held back any more.
   (void)bench.run_dry();
-  bench.look_at(100, 20);
+  bench.move_view(100, 20);
   CHECK(bench.source.waiting.size() == Delivery::kMaxViewAlone);
 }
 
 TEST_CASE("a View outside the world is accepted and has no chunks") {
   SessionBench bench;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   (void)bench.run_dry();
-  bench.look_at(std::int64_t{1} << 40, 1);
+  bench.move_view(std::int64_t{1} << 40, 1);
   CHECK(bench.run_dry().empty());
   CHECK(bench.session.state() == Session::State::joined);
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   CHECK(bench.run_dry().size() == 9);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a View without centre closes the session") {
 
 TEST_CASE("a View over the limits is refused, and the View before stays") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.say_view(0, 49);
   CHECK_FALSE(bench.session.view_waits());
   const auto said = bench.run_dry();
@@ -135,9 +135,9 @@ TEST_CASE("rings whose levels or radii do not grow are refused") {
 
 TEST_CASE("chunks that left the View are dropped before they are sent") {
   SessionBench bench;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.answer_all();
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   const auto said = bench.run_dry();
   REQUIRE(kinds(said) == Kinds{Body::Chunk});
   CHECK(said[0].key == chunk_at(100));
@@ -145,16 +145,16 @@ TEST_CASE("chunks that left the View are dropped before they are sent") {
 
 TEST_CASE("chunks that left the View leave the source's queue") {
   SessionBench bench;
-  bench.look_at(0, 1);
-  bench.look_at(100, 0);
+  bench.move_view(0, 1);
+  bench.move_view(100, 0);
   CHECK(bench.source.waiting.size() == 1);
 }
 
 TEST_CASE("a chunk that left the View is still made for the request that waits for it") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.get_chunk(1, chunk_at(0));
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   bench.answer_all();
   const auto said = bench.output();
   REQUIRE(said.size() == 2);
@@ -163,34 +163,34 @@ TEST_CASE("a chunk that left the View is still made for the request that waits f
 
 TEST_CASE("a chunk that left in a View that was never applied is sent again") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   CHECK(bench.run_dry().size() == 1);
   const int away = GENERATE(0, 1, 5, 100);  // Views in between, of which the client dropped what it had
   for (int view = 1; view <= away; ++view) bench.say_view(view * 1000, 0);
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   CHECK(bench.run_dry().size() == (away == 0 ? 0 : 1));
 }
 
-TEST_CASE("any number of Views of the same chunks between two looks has nothing sent again") {
+TEST_CASE("any number of Views of the same chunks between two applications has nothing sent again") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   CHECK(bench.run_dry().size() == 1);
   for (int view = 0; view < 100; ++view) bench.say_view(0, 0);
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   CHECK(bench.run_dry().empty());
 }
 
 TEST_CASE("a chunk in flight that left in a View that was never applied is sent once") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.say_view(1000, 0);
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   CHECK(bench.run_dry().size() == 1);
 }
 
 TEST_CASE("a failed chunk of the View is reported without id, and not tried again") {
   SessionBench bench;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.source.fail(chunk_at(0));
   bench.take_mail();
   const auto said = bench.output();
@@ -205,7 +205,7 @@ TEST_CASE("a failed chunk of the View is reported without id, and not tried agai
 TEST_CASE("a View with a number is said to be complete once, after its last chunk") {
   SessionBench bench;
   bench.view_number = 7;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   for (int chunk = 0; chunk < 8; ++chunk) {
     bench.source.answer(bench.source.waiting.begin()->first);
     bench.take_mail();
@@ -223,11 +223,11 @@ TEST_CASE("a View that is complete at once says so") {
   SessionBench bench;
   bench.view_number = 1;
   SECTION("outside the world") {
-    bench.look_at(std::int64_t{1} << 40, 1);
+    bench.move_view(std::int64_t{1} << 40, 1);
   }
   SECTION("of columns") {
     bench.source.rows.last = -10;
-    bench.look_at(0, 0);
+    bench.move_view(0, 0);
     CHECK(bench.output(1).front().kind == Body::UniformColumn);
   }
   SECTION("of chunks that the client holds") {
@@ -238,10 +238,10 @@ TEST_CASE("a View that is complete at once says so") {
   }
   SECTION("of the chunks of the View before") {
     bench.view_number = 0;
-    bench.look_at(0, 1);
+    bench.move_view(0, 1);
     CHECK(bench.run_dry().size() == 9);
     bench.view_number = 1;
-    bench.look_at(0, 1);
+    bench.move_view(0, 1);
   }
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::ViewComplete});
@@ -251,7 +251,7 @@ TEST_CASE("a View that is complete at once says so") {
 TEST_CASE("a View that was replaced before it was complete is never said to be") {
   SessionBench bench;
   bench.view_number = 1;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.answer_all();  // in the outbox
   bench.view_number = 2;
   bench.say_view(0, 1);
@@ -268,7 +268,7 @@ TEST_CASE("a View that was replaced before it was complete is never said to be")
 TEST_CASE("a View that a refused one would have replaced is said to be complete") {
   SessionBench bench;
   bench.view_number = 1;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.view_number = 2;
   bench.say_view(0, 49);
   const auto said = bench.run_dry();
@@ -281,7 +281,7 @@ TEST_CASE("a View that a refused one would have replaced is said to be complete"
 TEST_CASE("a View whose chunk was given up is complete after the Error that names it") {
   SessionBench bench;
   bench.view_number = 4;
-  bench.look_at(3, 0);
+  bench.move_view(3, 0);
   bench.source.fail(chunk_at(3));
   bench.take_mail();
   const auto said = bench.output();
@@ -295,7 +295,7 @@ TEST_CASE("a View that ended by GoAway is not said to be complete") {
   SessionBench bench;
   bench.get_chunk(1, chunk_at(50));
   bench.view_number = 1;
-  bench.look_at(0, 0);
+  bench.move_view(0, 0);
   bench.session.go_away("ending", std::chrono::milliseconds{1});
   CHECK(kinds(bench.run_dry()) == Kinds{Body::GoAway, Body::Chunk});
 }
@@ -328,7 +328,7 @@ TEST_CASE("with little credit a View and requests get half the bytes each, withi
   std::uint64_t taken = 0;
   // What was sent before the View was there is not shared.
   const auto read = [&](std::uint64_t& to_requests, std::uint64_t& to_view) {
-    for (const Said& each : bench.output()) {
+    for (const SessionFrame& each : bench.output()) {
       REQUIRE(each.kind == Body::Chunk);
       (each.id == 0 ? to_view : to_requests) += each.frame_bytes;
       taken += each.frame_bytes;
@@ -338,7 +338,7 @@ TEST_CASE("with little credit a View and requests get half the bytes each, withi
   };
   std::uint64_t ignored = 0;
   read(ignored, ignored);
-  bench.look_at(0, kRadius);
+  bench.move_view(0, kRadius);
   while (ignored < 30'000) read(ignored, ignored);  // the outbox was full of requests
   std::uint64_t to_requests = 0;
   std::uint64_t to_view = 0;
@@ -356,7 +356,7 @@ TEST_CASE("with little credit a View and requests get half the bytes each, withi
 TEST_CASE("a full queue delays a View, and says nothing of it") {
   SessionBench bench;
   bench.source.queue_places = 1;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   CHECK(bench.output().empty());
   CHECK(kinds(bench.run_dry()) == Kinds(9, Body::Chunk));
 }
@@ -364,7 +364,7 @@ TEST_CASE("a full queue delays a View, and says nothing of it") {
 TEST_CASE("a View that a full queue refused submits nothing before mail comes") {
   SessionBench bench;
   bench.source.queue_places = 0;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   CHECK(bench.source.refused == 1);
   for (int event = 0; event < 10; ++event) bench.ping();
   CHECK(bench.source.refused == 1);
@@ -376,7 +376,7 @@ TEST_CASE(
   SessionBench bench;
   bench.source.queue_places = 1;
   bench.get_chunk(7, chunk_at(100));
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   REQUIRE(bench.source.refused == 1);
   bench.source.queue_places = 100;
   bench.cancel(7);
@@ -386,7 +386,7 @@ TEST_CASE(
 TEST_CASE("QueueHasRoom starts a View that a full queue refused") {
   SessionBench bench;
   bench.source.queue_places = 0;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.source.queue_places = 100;
   bench.mailbox->put(QueueHasRoom{});
   bench.take_mail();
@@ -396,9 +396,9 @@ TEST_CASE("QueueHasRoom starts a View that a full queue refused") {
 TEST_CASE("a new View in memory is sent while the queue is full") {
   SessionBench bench;
   bench.source.queue_places = 0;
-  bench.look_at(0, 1);
+  bench.move_view(0, 1);
   bench.source.in_memory[chunk_at(100)] = scripted_chunk(chunk_at(100));
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   CHECK(kinds(bench.output()) == Kinds{Body::Chunk});
 }
 
@@ -437,7 +437,7 @@ TEST_CASE("a walk to and fro over a border sends no chunk twice to a client that
     bench.apply_view();
     std::size_t chunks = 0;
     std::size_t confirmed = 0;
-    for (const Said& each : bench.run_dry()) {
+    for (const SessionFrame& each : bench.run_dry()) {
       chunks += each.kind == Body::Chunk ? 1 : 0;
       confirmed += each.kind == Body::Unchanged ? 1 : 0;
     }
@@ -453,7 +453,7 @@ TEST_CASE("a walk to and fro over a border sends no chunk twice to a client that
 TEST_CASE("air that is known without generating comes as one UniformColumn of revision 0") {
   SessionBench bench;
   bench.source.rows.last = 0;
-  bench.look_at(0, 0, 3);
+  bench.move_view(0, 0, 3);
   const auto said = bench.output();
   REQUIRE(kinds(said) == Kinds{Body::UniformColumn});
   CHECK(said[0].runs == Runs{{1, 3, 0}});
@@ -463,7 +463,7 @@ TEST_CASE("air that is known without generating comes as one UniformColumn of re
 
 TEST_CASE("a column that becomes known while its chunks wait is sent in one message") {
   SessionBench bench;
-  bench.look_at(0, 0, 3);  // rows -3 to 3, all mixed for all that is known
+  bench.move_view(0, 0, 3);  // rows -3 to 3, all mixed for all that is known
   bench.source.rows = {-1, 0, kRock};
   bench.source.answer(chunk_at(0, 2));
   bench.take_mail();
@@ -474,7 +474,7 @@ TEST_CASE("a column that becomes known while its chunks wait is sent in one mess
 
 TEST_CASE("chunks that a UniformColumn answered are not answered again when they come") {
   SessionBench bench;
-  bench.look_at(0, 0, 3);
+  bench.move_view(0, 0, 3);
   bench.source.rows = {-1, 0, kRock};
   bench.source.answer(chunk_at(0, 2));
   bench.take_mail();
@@ -485,22 +485,22 @@ TEST_CASE("chunks that a UniformColumn answered are not answered again when they
 TEST_CASE(
     "a chunk that a UniformColumn answered is sent when it leaves the View and comes back before it came") {
   SessionBench bench;
-  bench.look_at(0, 0, 1);
+  bench.move_view(0, 0, 1);
   bench.source.rows = {0, 0, kRock};
   bench.source.answer(chunk_at(0, -1));
   bench.take_mail();
   (void)bench.output();
-  bench.look_at(100, 0);
+  bench.move_view(100, 0);
   bench.source.rows = {};
-  bench.look_at(0, 0, 1);
+  bench.move_view(0, 0, 1);
   std::set<ChunkKey> sent;
-  for (const Said& each : bench.run_dry()) sent.insert(each.key);
+  for (const SessionFrame& each : bench.run_dry()) sent.insert(each.key);
   CHECK(sent == std::set{chunk_at(0, -1), chunk_at(0, 0), chunk_at(0, 1)});
 }
 
 TEST_CASE("a UniformColumn says nothing of a chunk that waits to be sent") {
   SessionBench bench;
-  bench.look_at(0, 0, 2);
+  bench.move_view(0, 0, 2);
   bench.source.answer(chunk_at(0, 2));
   bench.take_mail();  // in the outbox now
   bench.source.rows = {-2, 0, kRock};
@@ -526,12 +526,12 @@ TEST_CASE("columns that are known come without credit, each once") {
   bench.hello();
   (void)bench.output();
   bench.source.rows = {0, 0, kRock};
-  bench.look_at(0, 5, 1);
+  bench.move_view(0, 5, 1);
   bench.answer_all();
   std::vector<ChunkKey> columns;
   for (bool more = true; more;) {
     const auto said = bench.output(100);
-    for (const Said& each : said) {
+    for (const SessionFrame& each : said) {
       if (each.kind != Body::UniformColumn) continue;
       columns.push_back(each.key);
       CHECK(each.runs == Runs{{-1, -1, 2}, {1, 1, 0}});
@@ -545,12 +545,12 @@ TEST_CASE("columns that are known come without credit, each once") {
 TEST_CASE("UniformColumns wait for a client that reads nothing") {
   SessionBench bench;
   bench.source.rows.last = -10;  // air throughout the View
-  bench.look_at(0, 20, 5);
+  bench.move_view(0, 20, 5);
   CHECK(bench.session.queued_bytes() < Delivery::kMaxColumnBytes + 512);
   std::set<ChunkKey> columns;
   for (bool more = true; more;) {
     const auto said = bench.output(4096);
-    for (const Said& each : said) CHECK(columns.insert(each.key).second);
+    for (const SessionFrame& each : said) CHECK(columns.insert(each.key).second);
     more = !said.empty();
   }
   CHECK(columns.size() == 41 * 41);

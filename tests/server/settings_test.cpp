@@ -96,7 +96,7 @@ TEST_CASE("the configuration's patch_tiles are kept, and chosen if absent") {
   CHECK(measured_patch_size(config, terrain::default_world(), clock).tiles == 8);
 }
 
-TEST_CASE("the log names the cost of terrain, and what to change where it is dear") {
+TEST_CASE("the log names the cost of terrain, and what to change if it is expensive") {
   CHECK(describe(patch_size(4, 100us, 0)) ==
         "terrain takes 97 ns a column here, 1.6 ms a patch of 4 x 4 tiles, 0 us a chunk");
   CHECK_THAT(describe(patch_size(2, 20ms, 0)),
@@ -181,7 +181,7 @@ TEST_CASE(
     budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
     budget.set(MemoryUse::sessions, config.limits.memory_bytes);
     budget.set(MemoryUse::edits, edits.index_bytes + edits.recent_bytes);
-    budget.set(MemoryUse::store, store_memory(config).most());
+    budget.set(MemoryUse::store, store_memory(config).max_bytes());
     budget.set(MemoryUse::sessions, 1);
     CHECK(budget.takes_connections());
     CHECK(edits.dirty_bytes <= config.limits.memory_bytes / 64);
@@ -192,7 +192,7 @@ TEST_CASE(
   }
   config.limits.memory_bytes = 0;
   CHECK(edit_state_settings(config) == EditStateSettings{});
-  CHECK(store_memory(config).most() == store::StoreMemory{}.most());
+  CHECK(store_memory(config).max_bytes() == store::StoreMemory{}.max_bytes());
 }
 
 TEST_CASE(
@@ -209,7 +209,7 @@ TEST_CASE(
       budget.set(MemoryUse::sessions, config.limits.memory_bytes);
       REQUIRE_FALSE(budget.takes_connections());
       budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
-      budget.set(MemoryUse::store, store_memory(config).most());
+      budget.set(MemoryUse::store, store_memory(config).max_bytes());
       const std::uint64_t waits = 4 * edits.dirty_bytes;  // as a StoreWriter keeps it, but for a batch
       budget.set(MemoryUse::edits,
                  edits.index_bytes + edits.recent_bytes + edits.editor_bytes + waits + LocalLog::kBatchBytes);
@@ -232,7 +232,7 @@ TEST_CASE("files that are kept in memory to be served leave less to edits") {
       MemoryBudget budget{config.limits.memory_bytes, 8};
       budget.add(MemoryUse::program, static_cast<std::int64_t>(site_bytes));
       budget.set(MemoryUse::generators, config.limits.memory_bytes / GeneratorMemory::kLargestShare);
-      budget.set(MemoryUse::store, store_memory(config, site_bytes).most());
+      budget.set(MemoryUse::store, store_memory(config, site_bytes).max_bytes());
       budget.set(MemoryUse::edits, edits.index_bytes + edits.recent_bytes);
       budget.set(MemoryUse::sessions, config.limits.memory_bytes);
       budget.set(MemoryUse::sessions, 1);
@@ -294,16 +294,16 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the store's buffers are as large as RocksDB is best with where the budget has room, and else less") {
+    "the store's buffers are as large as RocksDB is best with if the budget has room, otherwise smaller") {
   Config config;
   config.threads = {4, 4};
   constexpr std::uint64_t kMebibyte = 1U << 20U;
-  CHECK(store_memory(config).most() == 72 * kMebibyte);  // of the default budget, as without any
+  CHECK(store_memory(config).max_bytes() == 72 * kMebibyte);  // of the default budget, as without any
   std::size_t before = 0;
   for (const std::uint64_t mebibytes : {72U, 100U, 128U, 256U, 512U, 1'024U, 2'048U}) {
     CAPTURE(mebibytes);
     config.limits.memory_bytes = mebibytes * kMebibyte;
-    const std::size_t most = store_memory(config).most();
+    const std::size_t most = store_memory(config).max_bytes();
     CHECK(most >= before);
     CHECK(most <= config.limits.memory_bytes / 16);
     before = most;

@@ -18,7 +18,7 @@ bool blocks(int signal) {
 
 }  // namespace
 
-TEST_CASE("a thread that blocks signals receives none, and the others still do") {
+TEST_CASE("a thread that blocks signals does not receive them, and the others still do") {
   const bool before = blocks(SIGTERM);
   bool term = false;
   bool hangup = false;
@@ -37,7 +37,7 @@ TEST_CASE("threads that are started while signals are blocked never get them, an
   bool term = false;
   std::thread started;
   {
-    const SignalsBlocked blocked;
+    const SignalBlocker blocked;
     started = std::thread{[&] { term = blocks(SIGTERM); }};
   }
   started.join();

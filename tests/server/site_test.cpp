@@ -170,7 +170,7 @@ TEST_CASE("a client that can decompress gets the smallest form, and each form ha
   CHECK(field_of(site_answer(site.get(), request_of("/")), "Vary").empty());
 }
 
-TEST_CASE("a page is asked about again, and is not sent where it is there") {
+TEST_CASE("a page is revalidated, and is not sent if the client has it") {
   const Dist dist;
   const auto site = dist.read();
   const http::Response page = site_answer(site.get(), request_of("/?x=1&y=2"));
@@ -186,7 +186,7 @@ TEST_CASE("a page is asked about again, and is not sent where it is there") {
   CHECK(same.etag == page.etag);
 }
 
-TEST_CASE("pages may compile WebAssembly where the site has some") {
+TEST_CASE("pages may compile WebAssembly if the site has some") {
   const Dist dist;
   dist.scratch.write("assets/decoder-Ab3dEf9_.wasm", "\0asm");
   const auto site = dist.read();

@@ -95,7 +95,7 @@ TEST_CASE("if a subject has no entries, history says so and names subjects that 
     for (std::uint64_t i = 1; i <= kMany; ++i) {
       const edits::EditorId id{i, 5};
       REQUIRE(store.apply(edits::AttachEntry{id, 1, "player " + std::to_string(i)})->kind ==
-              edits::Applied::Kind::attached);
+              edits::EntryResult::Kind::attached);
       edits::Edit edit;
       edit.writes.push_back({{0, static_cast<std::int64_t>(i), 0}, MaterialId{9}});
       REQUIRE(store.apply(edits::EditEntry{id, 1, 1, edit, edits::testing::base_of(edit)})->result.changed ==

@@ -35,7 +35,7 @@ constexpr std::int64_t kYear = std::int64_t{365} * 86'400'000;
 fs::path write_edits(const fs::path& file, const Materials& materials, MaterialId material,
                      std::int64_t time_ms = kNow, ContentHash land = kLand) {
   std::ofstream out{file, std::ios::binary};
-  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Status {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return {};
   }};
@@ -115,7 +115,7 @@ TEST_CASE("a file from a time to come leaves the store at the present, or at its
   CHECK(time_after(INT64_MAX, kNow + kYear) == kNow + kYear);  // its edits have that time
 }
 
-TEST_CASE("a generated material that the store's world has not is refused where something is built of it") {
+TEST_CASE("a generated material that the store's world lacks is refused if something is built of it") {
   const ScratchDirectory scratch;
   const Materials of_store{{"air", kAir}, {"granite", MaterialId{2}}, {"planks", MaterialId{256}}};
   const Materials of_file{{"ghost", MaterialId{37}}, {"planks", MaterialId{256}}};

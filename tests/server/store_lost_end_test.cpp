@@ -21,9 +21,9 @@ using namespace testing;
 namespace fs = std::filesystem;
 
 /// A data directory as it lies on the disk when talusd is killed: its edits are in RocksDB's log alone.
-class Killed {
+class KilledDirectory {
  public:
-  Killed() {
+  KilledDirectory() {
     const auto directory = store::DataDirectory::open(scratch_ / "live", {1, 2});
     REQUIRE(directory.has_value());
     EditStore store{scratch_ / "live"};
@@ -97,13 +97,14 @@ class Killed {
   edits::Head head_;
 };
 
-constexpr std::array kCommands{&Killed::backup, &Killed::export_again, &Killed::import, &Killed::rebase,
-                               &Killed::compact_it};
+constexpr std::array kCommands{&KilledDirectory::backup, &KilledDirectory::export_again,
+                               &KilledDirectory::import, &KilledDirectory::rebase,
+                               &KilledDirectory::compact_it};
 
 }  // namespace
 
 TEST_CASE("commands refuse a store whose log lost its end") {
-  const Killed store;
+  const KilledDirectory store;
   store.lose_end();
   for (const auto command : kCommands) {
     const std::string error = (store.*command)();
@@ -118,7 +119,7 @@ TEST_CASE("commands refuse a store whose log lost its end") {
 TEST_CASE(
     "a store whose talusd was killed is backed up, exported, imported into, rebased and compacted whole") {
   for (const auto command : kCommands) {
-    const Killed store;
+    const KilledDirectory store;
     CHECK((store.*command)() == "");
     const auto now = OpenedStore::open(store.path());
     REQUIRE(now.has_value());

@@ -75,7 +75,7 @@ MaterialId id_of(const terrain::World& world, std::string_view name) {
 
 }  // namespace
 
-TEST_CASE("edits that are rebased stay where they are unlike the new ground, with materials by name") {
+TEST_CASE("rebased edits stay if they differ from the new ground, with materials by name") {
   const ScratchDirectory scratch;
   const terrain::World old = world_of(1, placeable("planks") + placeable("glass"));
   const terrain::World fresh = world_of(2, placeable("lamp") + placeable("glass") + placeable("planks"));

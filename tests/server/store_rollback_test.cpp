@@ -52,13 +52,13 @@ VoxelPos at_index(ChunkCoord chunk, std::uint16_t index) {
 }
 
 /// A store under edits of several people.
-struct Griefed {
-  explicit Griefed(std::uint64_t seed) : random{seed}, store{scratch / "edits"} {
+struct GriefedStore {
+  explicit GriefedStore(std::uint64_t seed) : random{seed}, store{scratch / "edits"} {
     REQUIRE(store.open() == "");
     for (std::size_t i = 0; i < subjects.size(); ++i) {
       editors[i].id = {i + 1, 77};
       const auto attached = store.apply(edits::AttachEntry{editors[i].id, 1, subjects[i]});
-      REQUIRE(attached->kind == edits::Applied::Kind::attached);
+      REQUIRE(attached->kind == edits::EntryResult::Kind::attached);
       editors[i].epoch = 1;
     }
   }
@@ -111,7 +111,7 @@ struct Griefed {
   Changes changes;
 };
 
-RollbackPlan plan_of(const Griefed& griefed, const RollbackRequest& request) {
+RollbackPlan plan_of(const GriefedStore& griefed, const RollbackRequest& request) {
   ProgressBar progress{"", ""};
   const auto opened = store::ReadOnlyStore::open(griefed.scratch / "edits");
   REQUIRE(opened.has_value());
@@ -120,7 +120,7 @@ RollbackPlan plan_of(const Griefed& griefed, const RollbackRequest& request) {
   return *std::move(plan);
 }
 
-std::uint64_t roll_back_locally(const Griefed& griefed, const RollbackPlan& plan) {
+std::uint64_t roll_back_locally(const GriefedStore& griefed, const RollbackPlan& plan) {
   ProgressBar progress{"", ""};
   auto writer = LocalWriter::open(griefed.scratch / "edits", {{3, 4}, {1, 2}});
   REQUIRE(writer.has_value());
@@ -136,7 +136,7 @@ TEST_CASE("a rollback undoes a subject's last changes, and leaves other subjects
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   for (std::uint64_t round = 0; round < 8; ++round) {
-    Griefed griefed{seed + round};
+    GriefedStore griefed{seed + round};
     griefed.edit(150, false);
     const std::int64_t since = griefed.next_moment();
     griefed.edit(250, true);
@@ -158,7 +158,7 @@ TEST_CASE("a rollback undoes a subject's last changes, and leaves other subjects
 
 TEST_CASE(
     "if the subject has no changes since then, a rollback names the subjects that do, the busiest first") {
-  Griefed griefed{11};
+  GriefedStore griefed{11};
   const auto write = [&](std::size_t who, std::int64_t x) {
     edits::Edit edit;
     edit.writes.push_back({{x, 1, 1}, MaterialId{256}});
@@ -187,7 +187,7 @@ TEST_CASE(
 }
 
 TEST_CASE("chunks that were rolled back have no place in a store that is made of an export") {
-  Griefed griefed{7};
+  GriefedStore griefed{7};
   const std::int64_t since = griefed.next_moment();
   const auto write = [&](std::size_t who, std::int64_t x) {
     edits::Edit edit;
@@ -226,7 +226,7 @@ TEST_CASE("chunks that were rolled back have no place in a store that is made of
 }
 
 TEST_CASE("a voxel that changes between a rollback's plan and its edits stays") {
-  Griefed griefed{5};
+  GriefedStore griefed{5};
   const std::int64_t since = griefed.next_moment();
   griefed.edit(100, true);
   griefed.store.close();
@@ -246,8 +246,8 @@ TEST_CASE("a voxel that changes between a rollback's plan and its edits stays") 
   CHECK(overrides_of(griefed.store.state()).at(at) == MaterialId{9});
 }
 
-TEST_CASE("a voxel's history says who, from what, to what, and how far back it goes") {
-  Griefed griefed{9};
+TEST_CASE("a voxel's history names subjects, materials before and after, and its own start") {
+  GriefedStore griefed{9};
   griefed.edit(200, false);
   griefed.store.close();
   const auto opened = store::ReadOnlyStore::open(griefed.scratch / "edits");
@@ -259,9 +259,9 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
         **opened, at, [&](const VoxelHistory& change) { changes.push_back(change); }, progress));
     return changes;
   };
-  std::size_t looked = 0;
+  std::size_t compared = 0;
   for (const auto& [at, list] : griefed.changes) {
-    if (++looked > 60) break;
+    if (++compared > 60) break;
     const auto changes = changes_of(at);
     REQUIRE(changes.size() == list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -279,7 +279,7 @@ TEST_CASE("a voxel's history says who, from what, to what, and how far back it g
 
 TEST_CASE(
     "a subject's history has each of its edits once, page by page, with the box around what it changed") {
-  Griefed griefed{11};
+  GriefedStore griefed{11};
   griefed.edit(100, true);
   const std::int64_t since = griefed.next_moment();
   griefed.edit(100, true);
@@ -354,7 +354,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a record that is missing in the middle, or at the end, is damage and no shorter history") {
-  Griefed griefed{9};
+  GriefedStore griefed{9};
   griefed.edit(50, true);
   griefed.store.close();
   const std::uint64_t lost = GENERATE(20, 53);
@@ -402,7 +402,7 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
 TEST_CASE("slices are within the bounds of an edit") {
   Rollback rollback{{"a", 0, {-1'000, -1'000, -1'000}, {100'000, 1'000, 1'000}}};
   store::LogRecord record;
-  record.kind = edits::Applied::Kind::done;
+  record.kind = edits::EntryResult::Kind::done;
   record.subject = "a";
   for (std::int32_t x = 0; x < 200; ++x) {
     record.changes = {{{x, 0, 0}, {}}};

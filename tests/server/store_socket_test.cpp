@@ -26,9 +26,9 @@ using namespace testing;
 namespace fs = std::filesystem;
 
 /// A store with its log and its socket.
-struct Served {
-  explicit Served(const fs::path& path, StoreSocket::Patience patience = {},
-                  std::uint64_t checkpoint_bytes = 0)
+struct ServedStore {
+  explicit ServedStore(const fs::path& path, StoreSocket::Patience patience = {},
+                       std::uint64_t checkpoint_bytes = 0)
       : directory{path}, store{path} {
     store.log_settings.flush_interval = std::chrono::milliseconds{1};
     REQUIRE(store.open() == "");
@@ -103,7 +103,7 @@ store::Bytes frame_of(std::uint32_t length, std::initializer_list<int> bytes) {
 
 TEST_CASE("a checkpoint under edits is one moment of the store, and goes with its connection") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
-  Served served{scratch / "data"};
+  ServedStore served{scratch / "data"};
   CHECK((fs::status(socket_path(served.directory)).permissions() & fs::perms::all) ==
         (fs::perms::owner_read | fs::perms::owner_write));
   TestEditor editor;
@@ -142,7 +142,7 @@ TEST_CASE("a checkpoint under edits is one moment of the store, and goes with it
 
 TEST_CASE("if the disk has no place for a checkpoint the files are read and backed up as they lie") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
-  Served served{scratch / "data", {}, UINT64_MAX};
+  ServedStore served{scratch / "data", {}, UINT64_MAX};
   TestEditor editor;
   editor.attach(served.store);
   std::mt19937_64 random{1};
@@ -187,7 +187,8 @@ TEST_CASE("if the disk has no place for a checkpoint the files are read and back
 
 TEST_CASE("a peer that asks for nothing is let go of, and one that reads is waited for") {
   const ScratchDirectory scratch;
-  Served served{scratch / "data", {.first = std::chrono::milliseconds{50}, .next = std::chrono::hours{1}}};
+  ServedStore served{scratch / "data",
+                     {.first = std::chrono::milliseconds{50}, .next = std::chrono::hours{1}}};
   StoreConnection reads = connected(served.directory);
   REQUIRE(reads.checkpoint().has_value());
   const RawPeer silent{served.directory};
@@ -197,14 +198,14 @@ TEST_CASE("a peer that asks for nothing is let go of, and one that reads is wait
 
 TEST_CASE("the server's reason for taking no edits comes with a checkpoint") {
   const ScratchDirectory scratch;
-  Served served{scratch / "data"};
+  ServedStore served{scratch / "data"};
   served.read_only = "the disk is full";
   CHECK(connected(served.directory).checkpoint()->read_only == "the disk is full");
 }
 
 TEST_CASE("voxels that are restored through the socket are an edit of the log") {
   const ScratchDirectory scratch;
-  Served served{scratch / "data"};
+  ServedStore served{scratch / "data"};
   StoreConnection connection = connected(served.directory);
   const VoxelPos at{40, 5, 3};
   const MaterialId base = edits::testing::base_at(at);
@@ -225,7 +226,7 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
   /// As without a quorum: the entry is in doubt.
   class SilentLog final : public EditLog {
    public:
-    tl::expected<void, EditError> append(LogEntry, Done done) override {
+    tl::expected<void, EditError> append(LogEntry, Callback done) override {
       done_ = std::move(done);
       taken.count_down();
       return {};
@@ -233,7 +234,7 @@ TEST_CASE("a server that ends does not wait for a log that does not answer") {
     std::latch taken{1};
 
    private:
-    Done done_;
+    Callback done_;
   };
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "data"};
@@ -261,7 +262,7 @@ TEST_CASE("a socket at the end of a long path works, and so does one that a kill
   const ScratchDirectory scratch;
   const fs::path data = scratch.path() / std::string(120, 'd');
   {
-    Served served{data};
+    ServedStore served{data};
     CHECK(connected(data).checkpoint().has_value());
   }
   CHECK_FALSE(fs::exists(socket_path(data)));
@@ -276,13 +277,13 @@ TEST_CASE("a socket at the end of a long path works, and so does one that a kill
   const auto stale = StoreConnection::open(data);
   REQUIRE(stale.has_value());
   CHECK_FALSE(stale->has_value());
-  Served again{data};
+  ServedStore again{data};
   CHECK(connected(data).checkpoint().has_value());
 }
 
 TEST_CASE("a peer that sends nonsense gets the reason, and other peers continue") {
   const ScratchDirectory scratch;
-  Served served{scratch / "data"};
+  ServedStore served{scratch / "data"};
   struct Case {
     store::Bytes said;
     std::string refusal;
@@ -315,7 +316,7 @@ TEST_CASE("a peer that sends nonsense gets the reason, and other peers continue"
 
 TEST_CASE("peers that say nothing hold up neither others nor the end, and are few") {
   const ScratchDirectory scratch;
-  Served served{scratch / "data"};
+  ServedStore served{scratch / "data"};
   const std::array<RawPeer, 3> silent{RawPeer{served.directory}, RawPeer{served.directory},
                                       RawPeer{served.directory}};
   silent[0].say(frame_of(50, {kSocketVersion}));  // and no more of it

@@ -31,7 +31,7 @@ int run_store_command(std::vector<const char*> flags) {
 
 }  // namespace
 
-TEST_CASE("subjects are shown as they are where that is seen, and all other bytes as \\xNN") {
+TEST_CASE("subjects are shown as they are if all characters are visible, and other bytes as \\xNN") {
   struct {
     std::string subject;
     std::string text;
@@ -100,7 +100,8 @@ TEST_CASE("a subject as history prints it selects its edits for a rollback") {
     TestEditor editor;
     editor.id = {7, 7};
     editor.epoch = 1;
-    REQUIRE(store.apply(edits::AttachEntry{editor.id, 1, subject})->kind == edits::Applied::Kind::attached);
+    REQUIRE(store.apply(edits::AttachEntry{editor.id, 1, subject})->kind ==
+            edits::EntryResult::Kind::attached);
     edits::Edit edit;
     edit.writes.push_back({at, MaterialId{9}});
     REQUIRE(editor.edit(store, edit)->result.changed == 1);

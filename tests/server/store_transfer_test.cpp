@@ -93,7 +93,7 @@ std::string hex(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("edits that are exported and imported are the same, whichever wins where both have a voxel") {
+TEST_CASE("exported and imported edits are the same, whichever wins if both have a voxel") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   std::mt19937_64 random{seed};
@@ -256,7 +256,7 @@ TEST_CASE("an export whose names no import would read is refused") {
 
 TEST_CASE("the portable file's bytes are as in FORMAT.md") {
   std::string bytes;
-  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> piece) -> PortableWriter::Status {
     bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
     return {};
   }};

@@ -37,13 +37,13 @@ edits::EditEntry write_of(std::uint64_t sequence) {
 }
 
 /// A store on a disk of the test's, with its writer; the test is the log's thread. One editor is attached.
-struct Written {
-  explicit Written(const StoreWriterSettings& how) : settings{how} {
+struct WriterBench {
+  explicit WriterBench(const StoreWriterSettings& how) : settings{how} {
     settings.free_bytes = 0;
     open();
     REQUIRE(store(edits::AttachEntry{kEditor, 1, "somebody"}));
   }
-  ~Written() { disk->hold_syncs(false); }
+  ~WriterBench() { disk->hold_syncs(false); }
 
   void open() {
     store::EditDatabaseSettings of_database;
@@ -71,10 +71,10 @@ struct Written {
     std::visit([&](const auto& each) { batch.apply(each); }, entry);
     return writer->store({}, database->meta().stream);
   }
-  void look_until(const std::function<bool()>& holds) {
+  void poll_until(const std::function<bool()>& holds) {
     const auto give_up = std::chrono::steady_clock::now() + 30s;
     for (;;) {
-      writer->look();
+      writer->poll();
       if (holds()) return;
       if (std::chrono::steady_clock::now() > give_up) {
         FAIL("what is waited for does not come: " << writer->read_only().value_or("it writes"));
@@ -119,29 +119,29 @@ TEST_CASE("a sync that fails stops the writer until the disk is mended, and what
   const bool ends_flush = GENERATE(false, true);  // else it is the periodic one
   const bool flushed_later = GENERATE(false, true);
   CAPTURE(ends_flush, flushed_later);
-  Written written{with_intervals(1h, 0ms)};
+  WriterBench written{with_intervals(1h, 0ms)};
   REQUIRE(written.store(write_of(1)));
   if (ends_flush) {
-    written.look_until([&] { return written.all_acknowledged(); });
+    written.poll_until([&] { return written.all_acknowledged(); });
     written.disk->fail_sync_after(0);
     written.writer->flush_all();
     REQUIRE(written.writer->is_broken());
     CHECK(written.database->meta().flushed == 0);
   } else {
     written.disk->fail_sync_after(0);
-    written.look_until([&] { return written.writer->is_broken(); });
+    written.poll_until([&] { return written.writer->is_broken(); });
     CHECK(written.acknowledged() < written.head());
   }
   CHECK_THAT(written.writer->read_only().value(), Catch::Contains("the test's disk does not sync"));
   written.disk->mend();
-  written.look_until([&] { return !written.writer->is_read_only(); });
+  written.poll_until([&] { return !written.writer->is_read_only(); });
   REQUIRE(written.store(write_of(2)));
   if (flushed_later) {
     written.writer->flush_all();
     CHECK(written.database->meta().flushed == written.head());
   }
   REQUIRE(written.store(write_of(3)));
-  written.look_until([&] { return written.all_acknowledged(); });
+  written.poll_until([&] { return written.all_acknowledged(); });
   const edits::Head before = written.state->head();
   written.cut_power();
   CHECK(written.state->head() == before);
@@ -149,18 +149,18 @@ TEST_CASE("a sync that fails stops the writer until the disk is mended, and what
 }
 
 TEST_CASE("a flush that a fault ended is not taken for synced by what it waited for then") {
-  // Long enough that the first look begins no periodic sync: with one the test shows less.
-  Written written{with_intervals(0ms, 300ms)};
+  // Long enough that the first poll begins no periodic sync: with one the test shows less.
+  WriterBench written{with_intervals(0ms, 300ms)};
   REQUIRE(written.store(write_of(1)));
-  written.writer->look();
+  written.writer->poll();
   written.await_end_of_sync();
   written.disk->fill_after(0);
   REQUIRE_FALSE(written.store(write_of(2)));
   written.disk->empty();
-  written.look_until([&] { return !written.writer->is_broken(); });
+  written.poll_until([&] { return !written.writer->is_broken(); });
   // All is put again, and nobody has heard of its sync yet.
   CHECK(written.database->meta().flushed == 0);
-  written.look_until([&] { return written.database->meta().flushed == written.head(); });
+  written.poll_until([&] { return written.database->meta().flushed == written.head(); });
   const edits::Head before = written.state->head();
   written.cut_power();
   CHECK(written.state->head() == before);
@@ -168,35 +168,35 @@ TEST_CASE("a flush that a fault ended is not taken for synced by what it waited 
 }
 
 TEST_CASE("a waiter for a sync is woken when it ends") {
-  Written written{with_intervals(0ms, 1h)};
+  WriterBench written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
-  written.writer->look();
-  CHECK(written.writer->next_look() > std::chrono::steady_clock::now() + 30min);
+  written.writer->poll();
+  CHECK(written.writer->next_poll() > std::chrono::steady_clock::now() + 30min);
   written.await_end_of_sync();
-  written.writer->look();
+  written.writer->poll();
   CHECK(written.database->meta().flushed == written.head());
 }
 
-TEST_CASE("a sync that fails where the writer is broken already does not put off its next try") {
-  Written written{with_intervals(0ms, 1h)};
+TEST_CASE("a sync that fails after the writer broke does not delay its next attempt") {
+  WriterBench written{with_intervals(0ms, 1h)};
   REQUIRE(written.store(write_of(1)));
   written.disk->hold_syncs(true);
-  written.writer->look();
+  written.writer->poll();
   written.disk->await_held_sync();
   written.disk->fill_after(0);
   REQUIRE_FALSE(written.store(write_of(2)));
-  const auto due = written.writer->next_look();
+  const auto due = written.writer->next_poll();
   const std::string reason = written.writer->read_only().value();
   written.disk->fail_sync_after(0);
   written.disk->hold_syncs(false);
   written.await_end_of_sync();
-  written.writer->look();
-  CHECK(written.writer->next_look() == due);
+  written.writer->poll();
+  CHECK(written.writer->next_poll() == due);
   CHECK(written.writer->read_only() == reason);
 }
 
 TEST_CASE("errors of syncs that began before the database was opened again are not reported") {
-  Written written{with_intervals(1h, 1h)};
+  WriterBench written{with_intervals(1h, 1h)};
   LogSyncer syncer{*written.database};
   written.disk->hold_syncs(true);
   REQUIRE(syncer.begin() == 1);

@@ -145,7 +145,7 @@ TEST_CASE("an invalid, foreign, damaged or truncated store is refused in one lin
   // A file that says more was acknowledged than is there.
   const std::string acknowledged = read_whole(scratch / "acknowledged");
   store::Bytes more;
-  encode(store::Acknowledged{1'000'000, 1}, more);
+  encode(store::AcknowledgedState{1'000'000, 1}, more);
   std::ofstream{scratch / "acknowledged", std::ios::binary}.write(reinterpret_cast<const char*>(more.data()),
                                                                   static_cast<std::streamsize>(more.size()));
   refused("were acknowledged and are lost");

@@ -85,7 +85,7 @@ TEST_CASE("facts about every column hold for a patch's columns") {
   });
 }
 
-TEST_CASE("a chunk is known at once exactly where its row is uniform everywhere") {
+TEST_CASE("a chunk is known at once if and only if its row is uniform everywhere") {
   const TerrainGenerator generator{world(), kTiles};
   const MixedRows anywhere = generator.mixed_rows_anywhere(Lod{});
   for (std::int32_t y = anywhere.first - 2; y <= anywhere.last + 2; ++y) {
@@ -146,7 +146,7 @@ TEST_CASE("a patch made in the memory of another is the same, on any thread") {
 TEST_CASE("heights are the surface's") {
   const TerrainGenerator generator{world(), kTiles};
   const std::vector<terrain::BaseColumn> columns{{0, 0}, {1000, -77}, {-31, 32}};
-  const HeightsFound found = made_whole(generator.start_heights({columns}));
+  const HeightsResult found = made_whole(generator.start_heights({columns}));
   CHECK(found.heights_fx == terrain::surface_heights(*world(), columns));
   CHECK(found.looks.empty());
   CHECK(found.values.empty());
@@ -166,7 +166,7 @@ TEST_CASE("looks and fields match the places") {
   REQUIRE(names.size() > 3);
   const std::vector<std::uint8_t> fields{3, 0, static_cast<std::uint8_t>(names.size() - 1)};
   const std::vector<std::string> asked{names[3], names[0], names.back()};
-  const HeightsFound found = made_whole(generator.start_heights({columns, true, fields}));
+  const HeightsResult found = made_whole(generator.start_heights({columns, true, fields}));
   CHECK(found.heights_fx == terrain::surface_heights(land, columns));
   REQUIRE(found.looks.size() == columns.size());
   REQUIRE(found.values.size() == columns.size() * fields.size());

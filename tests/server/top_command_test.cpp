@@ -70,7 +70,7 @@ tl::expected<std::string, std::string> fetched(const std::string& answer) {
 
 }  // namespace
 
-TEST_CASE("talusd top asks where the flag says, else where the settings do") {
+TEST_CASE("talusd top asks the flag's address, otherwise the settings'") {
   const ScratchDirectory scratch;
   const std::string file = scratch.write("talusd.toml", "admin = \"127.0.0.1:7\"\n");
   CHECK(to_string(top({"--admin", "[::1]:9"})->admin) == "[::1]:9");

@@ -24,15 +24,15 @@ Bytes bytes_of(std::string_view text) {
 }
 
 /// What a reader gives of `input` in pieces of so many bytes.
-struct Read {
+struct ReadResult {
   std::string payload;
   std::string pings;
   End end = End::none;
-  bool operator==(const Read&) const = default;
+  bool operator==(const ReadResult&) const = default;
 };
-Read read(Bytes input, std::size_t piece) {
+ReadResult read(Bytes input, std::size_t piece) {
   FrameReader reader{talus::websocket::Sender::client};
-  Read all;
+  ReadResult all;
   for (std::size_t at = 0; at < input.size(); at += piece) {
     const auto part = std::span{input}.subspan(at, std::min(piece, input.size() - at));
     const std::size_t kept = reader.take(part);
@@ -70,7 +70,7 @@ TEST_CASE("Payloads of frames are bytes one after the other, however they are cu
       }
     }
     const auto piece = *rc::gen::element<std::size_t>(1, 2, 3, 7, 100, SIZE_MAX / 2);
-    const Read got = read(input, piece);
+    const ReadResult got = read(input, piece);
     RC_ASSERT(got.payload == payload);
     RC_ASSERT(got.pings == last_ping);
     RC_ASSERT(got.end == End::none);
@@ -103,7 +103,7 @@ TEST_CASE("A client that breaks the protocol gets the reason") {
   for (const int each : input) bytes.push_back(static_cast<std::byte>(each));
   INFO(make_error_code(end).message());
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::size_t{100}}) {
-    CHECK(read(bytes, piece) == Read{"", "", end});
+    CHECK(read(bytes, piece) == ReadResult{"", "", end});
   }
   CHECK_FALSE(make_error_code(end).message().empty());
 }
@@ -112,7 +112,7 @@ TEST_CASE("A length in the fewest bytes is taken, whatever it is") {
   for (const std::size_t bytes : {125, 126, 0xFFFF, 0x10000}) {
     Bytes input;
     append_client_frame(input, 2, Bytes(bytes), 1);
-    const Read got = read(input, SIZE_MAX / 2);
+    const ReadResult got = read(input, SIZE_MAX / 2);
     CHECK(got.end == End::none);
     CHECK(got.payload.size() == bytes);
   }
@@ -157,7 +157,7 @@ TEST_CASE("The largest length is waited for, and takes no memory") {
        std::vector<int>{0x82, 0xFF, 0x7F, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0, 'a', 'b'}) {
     input.push_back(static_cast<std::byte>(each));
   }
-  CHECK(read(input, 3) == Read{"ab", "", End::none});
+  CHECK(read(input, 3) == ReadResult{"ab", "", End::none});
 }
 
 namespace {

@@ -13,10 +13,10 @@ namespace {
 
 const WorkCosts kCosts{.patch = 100, .longest_piece = 25, .max_begun = 2};
 
-class Nothing final : public HeightsMaking {
+class Nothing final : public HeightsBuild {
  public:
   [[nodiscard]] bool step() override { return true; }
-  [[nodiscard]] HeightsFound take() override { return {}; }
+  [[nodiscard]] HeightsResult take() override { return {}; }
 };
 
 WorkQueue::Work take(WorkQueue& queue) {
@@ -76,7 +76,7 @@ TEST_CASE("a patch that was begun is gone on with, in turns with what others wan
          was_dear == std::vector{true, false, true, false}));
 }
 
-TEST_CASE("whoever comes to wait for a patch that was begun goes on with it") {
+TEST_CASE("a client that joins a begun patch continues it") {
   WorkQueue queue{kPatch, 100};
   const auto first = client_box();
   const auto second = client_box();
@@ -94,7 +94,7 @@ TEST_CASE("whoever comes to wait for a patch that was begun goes on with it") {
   CHECK(queue.clients() == 0);
 }
 
-TEST_CASE("what was begun goes with the last job that waits for it") {
+TEST_CASE("a begun patch is dropped with the last job that waits for it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   REQUIRE(add(queue, client, at(0)));
@@ -117,7 +117,7 @@ TEST_CASE("what was begun goes with the last job that waits for it") {
   CHECK(queue.clients() == 0);
 }
 
-TEST_CASE("a piece gives way where another client could begin something") {
+TEST_CASE("a piece gives way if another client could begin something") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box(kFlow);
   const auto other = client_box(kOtherFlow);
@@ -157,7 +157,7 @@ TEST_CASE("a piece gives way to what is likely to take less time than its rest")
   }
 }
 
-TEST_CASE("where much was put back nothing more gives way, and all may begin what they want") {
+TEST_CASE("if much was put back, nothing more gives way, and all clients may begin their work") {
   WorkQueue queue{kPatch, 100};
   const bool one_flow = GENERATE(true, false);
   std::vector<MailboxPtr> clients;

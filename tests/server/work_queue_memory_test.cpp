@@ -11,7 +11,7 @@
 using namespace talus;
 using namespace talus::server;
 
-TEST_CASE("whichever allocation fails while chunks are asked for, the queue is whole") {
+TEST_CASE("if any allocation fails while chunks are requested, the queue is intact") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -50,7 +50,7 @@ TEST_CASE("whichever allocation fails while chunks are asked for, the queue is w
   }
 }
 
-TEST_CASE("whichever allocation fails while a chunk is cancelled, it is waited for, or not") {
+TEST_CASE("if any allocation fails while a chunk is cancelled, it is either cancelled or not") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -103,7 +103,7 @@ TEST_CASE("heights that cannot be put back for want of memory are the caller's s
   }
 }
 
-TEST_CASE("whichever allocation fails while a piece is taken, it is taken the next time") {
+TEST_CASE("if any allocation fails while a piece is taken, it is taken the next time") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);
@@ -136,7 +136,7 @@ TEST_CASE("whichever allocation fails while a piece is taken, it is taken the ne
   }
 }
 
-TEST_CASE("whichever allocation fails while a patch is put back, its jobs are still taken, or wait") {
+TEST_CASE("if any allocation fails while a patch is put back, its jobs are still taken, or wait") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);

@@ -24,7 +24,7 @@ std::vector<std::pair<ClientId, Urgency>> turns_of(WorkQueue& queue) {
 
 }  // namespace
 
-TEST_CASE("what is wanted soon goes before what others wanted earlier") {
+TEST_CASE("work wanted soon goes before work that others wanted earlier") {
   WorkQueue queue{kPatch, 1000};
   const auto far = client_box();
   const auto near = client_box();
@@ -36,7 +36,7 @@ TEST_CASE("what is wanted soon goes before what others wanted earlier") {
   CHECK(turns[1].first == far->owner());  // whose share it is
 }
 
-TEST_CASE("of one client, too, what is wanted soon goes first") {
+TEST_CASE("within one client, too, work wanted soon goes first") {
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
   queue.add(HeightsTask{client, 1, HeightsQuery{.columns = {{0, 0}}}});
@@ -74,7 +74,7 @@ TEST_CASE("a patch that comes to be wanted soon is, with all that the client wai
   CHECK(queue.clients() == 0);
 }
 
-TEST_CASE("whose far chunks wait is not refused its near ones") {
+TEST_CASE("a client whose far chunks wait is not refused its near ones") {
   WorkQueue queue{kPatch, 8, 4};
   const auto client = client_box();
   std::vector<ChunkKey> far;
@@ -85,7 +85,7 @@ TEST_CASE("whose far chunks wait is not refused its near ones") {
   CHECK(queue.add({client}, std::array{at(-500)}, Urgency::soon) == 0);
 }
 
-TEST_CASE("what was wanted soon and gives way still is") {
+TEST_CASE("work wanted soon is still wanted soon after it gives way") {
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
   const auto beside = client_box();
@@ -102,7 +102,7 @@ TEST_CASE("what was wanted soon and gives way still is") {
   CHECK(work->turn.urgency == Urgency::soon);
 }
 
-TEST_CASE("what comes to be wanted soon while a thread works on it is, when it gives way") {
+TEST_CASE("work hastened while a thread works on it is wanted soon when it gives way") {
   WorkQueue queue{kPatch, 1000};
   const auto client = client_box();
   const auto other = client_box();
@@ -122,7 +122,7 @@ TEST_CASE("what comes to be wanted soon while a thread works on it is, when it g
   CHECK(turns.front().second == (how == 2 ? Urgency::later : Urgency::soon));
 }
 
-TEST_CASE("whichever allocation fails while a chunk is hastened, it is wanted soon or later") {
+TEST_CASE("if any allocation fails while a chunk is hastened, it is wanted either soon or later") {
   bool failed = true;
   for (std::size_t allocations = 0; failed; ++allocations) {
     CAPTURE(allocations);

@@ -36,7 +36,7 @@ TEST_CASE("a batch is all that waits for a patch") {
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
 }
 
-TEST_CASE("a patch is nobody else's until it is released") {
+TEST_CASE("a patch is not taken again until it is released") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   REQUIRE(add(queue, client, at(0)));
@@ -94,7 +94,7 @@ TEST_CASE("clients take turns, however much one of them wants") {
   CHECK(take_batch(queue).keys == std::vector{at(-1)});
 }
 
-TEST_CASE("of one client only so many pieces are in flight, so that the next who comes finds a thread") {
+TEST_CASE("pieces in flight are limited per client, so that the next client finds a thread") {
   WorkQueue queue{kPatch, 1000};
   const auto greedy = client_box();
   const auto walker = client_box();
@@ -138,7 +138,7 @@ TEST_CASE("turns are worth time, not pieces: cheap pieces go several to a turn")
 }
 
 TEST_CASE(
-    "whatever pieces cost, clients that always have some get the same time but for a turn and a piece") {
+    "whatever pieces cost, clients that always have some get the same time to within a turn and a piece") {
   CHECK(rc::check([] {
     WorkQueue queue{1, 100'000};
     const auto expected =
@@ -195,7 +195,7 @@ TEST_CASE("a client that left owing pays when it comes back") {
   CHECK(others >= 4);
 }
 
-TEST_CASE("a client that had nothing waiting goes before those that always have") {
+TEST_CASE("a client that had nothing waiting goes before clients that always have") {
   WorkQueue queue{kPatch, 1000};
   std::vector<MailboxPtr> greedy;
   for (std::int32_t i = 0; i < 5; ++i) {
@@ -268,7 +268,7 @@ TEST_CASE("in a batch the chunks of the client whose turn it is come first") {
   CHECK(take_batch(queue).keys.front() == at(0, 9));
 }
 
-TEST_CASE("a flow without room gets no new jobs, but waits for those that are there") {
+TEST_CASE("a flow without room gets no new jobs, but may wait for existing ones") {
   WorkQueue queue{kPatch, 1};
   REQUIRE(add(queue, client_box(), at(1)));
   CHECK(add(queue, client_box(), at(1)));
@@ -313,8 +313,7 @@ TEST_CASE("a client that waits for nothing is not refused, and gets all that it 
   CHECK(add(queue, client, at(50)));
 }
 
-TEST_CASE(
-    "where no new jobs are taken a client may wait for those that are there, up to the first that is not") {
+TEST_CASE("if no new jobs are accepted, a client may wait for existing ones, up to the first that is new") {
   WorkQueue queue{kPatch, 100, 1};
   REQUIRE(add(queue, client_box(), at(0)));
   REQUIRE(add(queue, client_box(), at(1)));
@@ -366,7 +365,7 @@ TEST_CASE("a job that is finished is not begun again") {
   queue.release(batch.patch);
 }
 
-TEST_CASE("what a thread leaves of a batch is gone with it") {
+TEST_CASE("jobs of a batch that a thread did not finish are removed with it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box(kFlow);
   REQUIRE(queue.add({client}, std::array{at(0), at(1), at(2)}) == 3);
@@ -403,7 +402,7 @@ TEST_CASE("a job counts for a flow that waits for it") {
   CHECK(queue.jobs() == 1);
 }
 
-TEST_CASE("a patch is not given up while somebody waits for any of it") {
+TEST_CASE("a patch is not given up while a client waits for any of it") {
   WorkQueue queue{kPatch, 100};
   const auto client = client_box();
   REQUIRE(add(queue, client, at(0)));
@@ -479,7 +478,7 @@ TEST_CASE("a flow that is new goes first, but for one turn's worth of time") {
   CHECK(pieces[player->flow()] >= 30);
 }
 
-TEST_CASE("of one flow only so many pieces are in flight, whoever of it they are for") {
+TEST_CASE("pieces in flight are limited per flow, whichever of its clients they are for") {
   WorkQueue queue{kPatch, 1000};
   WorkCosts costs{100, 10, 0, {}};
   costs.max_in_flight = 2;

@@ -264,7 +264,7 @@ TEST_CASE("RocksDB's memory is reported, and bounded by the settings however muc
   REQUIRE(written > 5'000'000);
   CHECK(most >= std::size_t{64} << 10U);
   // What is written at once, and the tables' indices, come on top.
-  CHECK(most <= store.settings.memory.most() + (std::size_t{1} << 20U));
+  CHECK(most <= store.settings.memory.max_bytes() + (std::size_t{1} << 20U));
 }
 
 namespace {

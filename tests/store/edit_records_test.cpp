@@ -10,7 +10,7 @@
 namespace talus::store {
 namespace {
 
-using Kind = edits::Applied::Kind;
+using Kind = edits::EntryResult::Kind;
 
 LogRecord done_record() {
   LogRecord record;
@@ -188,7 +188,7 @@ TEST_CASE("a batch with an entry that no log has is refused") {
 }
 
 TEST_CASE("the application of a batch has the bytes of its records") {
-  edits::Applied applied;
+  edits::EntryResult applied;
   applied.kind = Kind::done;
   const LogRecord record = done_record();
   applied.editor = record.editor;

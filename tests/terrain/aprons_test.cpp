@@ -20,8 +20,8 @@ class SlowAprons {
       : height_{height},
         slope_{slope},
         numbers_{numbers},
-        steps_{numbers.steps == 0 ? 0 : (numbers.most_fx - 1) / numbers.c_fx} {
-    if (numbers.share_q8 == 0 || numbers.most_fx == 0) steps_ = 0;
+        steps_{numbers.steps == 0 ? 0 : (numbers.max_fx - 1) / numbers.c_fx} {
+    if (numbers.share_q8 == 0 || numbers.max_fx == 0) steps_ = 0;
     if (steps_ > 0) spread_aprons();
   }
 
@@ -84,7 +84,7 @@ class SlowAprons {
   [[nodiscard]] bool wall(int x, int z) const { return slope_.at(x, z) > numbers_.wall_fx; }
 
   // Every second step goes along rows and columns alone.
-  [[nodiscard]] static bool looks(int step, int i, int j) { return step % 2 == 1 || i == 0 || j == 0; }
+  [[nodiscard]] static bool probes(int step, int i, int j) { return step % 2 == 1 || i == 0 || j == 0; }
 
   // The lowest ground that is no wall in `steps` steps from wall to wall.
   [[nodiscard]] Field feet() const {
@@ -95,7 +95,7 @@ class SlowAprons {
       each([&](int x, int z) {
         if (!wall(x, z)) return;
         each_of_nine([&](int i, int j) {
-          if (looks(step, i, j) && inside(x + i, z + j))
+          if (probes(step, i, j) && inside(x + i, z + j))
             foot.at(x, z) = std::min(foot.at(x, z), before.at(x + i, z + j));
         });
       });
@@ -134,7 +134,7 @@ class SlowAprons {
       if (f >= h) return;
       const std::int32_t mean = tents.at(std::max(0, x - before_tent), std::max(0, z - before_tent));
       const std::int64_t share = (std::int64_t{std::max(0, mean - f)} * numbers_.share_q8) >> 8;
-      const auto supply = static_cast<std::int32_t>(std::min<std::int64_t>(numbers_.most_fx, share));
+      const auto supply = static_cast<std::int32_t>(std::min<std::int64_t>(numbers_.max_fx, share));
       bare.at(x, z) = h >= f + supply ? 1 : 0;
       surface_.at(x, z) = std::min(h, f + supply);
       if (supply > 0) top_.at(x, z) = surface_.at(x, z);
@@ -149,13 +149,13 @@ class SlowAprons {
         }
         std::int32_t reached = -kNever;
         each_of_nine([&](int i, int j) {
-          if ((i == 0 && j == 0) || !looks(step, i, j) || !inside(x + i, z + j)) return;
+          if ((i == 0 && j == 0) || !probes(step, i, j) || !inside(x + i, z + j)) return;
           reached = std::max(reached, before.at(x + i, z + j) - (i != 0 && j != 0 ? slant : numbers_.c_fx));
         });
         const std::int32_t h = height_.at(x, z);
         if (reached <= h) return;
         top_.at(x, z) =
-            std::max(top_.at(x, z), std::min(reached, h + numbers_.most_fx - numbers_.c_fx * step));
+            std::max(top_.at(x, z), std::min(reached, h + numbers_.max_fx - numbers_.c_fx * step));
       });
     }
   }
@@ -217,12 +217,12 @@ ApronNumbers any_numbers() {
   numbers.wall_fx = *rc::gen::element(120, 284, 900);
   numbers.c_fx =
       *rc::gen::oneOf(rc::gen::inRange(60, 400), rc::gen::inRange(60, 400), rc::gen::inRange(60, 3000));
-  numbers.most_fx = *rc::gen::oneOf(rc::gen::inRange(400, 2100), rc::gen::inRange(0, 2100));
+  numbers.max_fx = *rc::gen::oneOf(rc::gen::inRange(400, 2100), rc::gen::inRange(0, 2100));
   numbers.share_q8 = *rc::gen::element(0, 64, 192, 256, 1024);
   numbers.steps = *rc::gen::element(0, 1, 2, 4, 8, 8);
   numbers.bare_fx = *rc::gen::element(-(1 << 29), -(1 << 29), 300, 3000);
   numbers.cliff_reach = *rc::gen::inRange(0, 20);
-  numbers.c_fx = std::max(numbers.c_fx, numbers.most_fx / 24);
+  numbers.c_fx = std::max(numbers.c_fx, numbers.max_fx / 24);
   if (*rc::gen::inRange(0, 4) == 0) {
     numbers.cliff_by_slope = true;
     numbers.walls_beside = *rc::gen::element(WallsBeside{}, WallsBeside{8, 5}, WallsBeside{5, 2});
@@ -350,7 +350,7 @@ TEST_CASE("Two columns less than the halo are too few for aprons, and for cliffs
   ApronNumbers numbers;
   numbers.wall_fx = 284;
   numbers.c_fx = 179;
-  numbers.most_fx = 2048;
+  numbers.max_fx = 2048;
   numbers.share_q8 = 192;
   numbers.steps = 8;
   const bool cliffs = GENERATE(false, true);
@@ -386,7 +386,7 @@ TEST_CASE("An apron leans on its wall and falls outward at repose, and a mere sl
   ApronNumbers numbers;
   numbers.wall_fx = 284;
   numbers.c_fx = 179;
-  numbers.most_fx = 2048;
+  numbers.max_fx = 2048;
   numbers.share_q8 = 256;
   numbers.steps = 8;
   const int halo = apron_halo(numbers);
@@ -407,7 +407,7 @@ TEST_CASE("An apron leans on its wall and falls outward at repose, and a mere sl
   for (int x = 22; x < 45; ++x) {
     const std::int32_t before = 10000 + std::clamp(26 - x, 0, 6) * 1280;
     CHECK(cliff.at(x, 2) >= before);
-    CHECK(cliff.at(x, 2) <= before + numbers.most_fx);
+    CHECK(cliff.at(x, 2) <= before + numbers.max_fx);
     CHECK(cliff.at(x, 2) <= cliff.at(x - 1, 2));  // no ridge
     if (x >= 27) CHECK(cliff.at(x - 1, 2) - cliff.at(x, 2) <= numbers.c_fx);
     covered += cliff.at(x, 2) > before ? 1 : 0;
@@ -430,7 +430,7 @@ TEST_CASE("Ground at the bare height has no scree, and that above it at most wha
       for (int x = 0; x < at.width; ++x) {
         const std::int32_t h = height.at(at.x + x, at.z + z);
         const std::int32_t scree = results.raised.at(x, z) - h;
-        RC_ASSERT(scree >= 0 && scree <= numbers.most_fx);
+        RC_ASSERT(scree >= 0 && scree <= numbers.max_fx);
         RC_ASSERT(scree <= std::max(0, h - numbers.bare_fx));
       }
     }
@@ -439,7 +439,7 @@ TEST_CASE("Ground at the bare height has no scree, and that above it at most wha
 
 TEST_CASE("Extreme heights, slopes and numbers give aprons without overflow") {
   ApronNumbers numbers;
-  numbers.most_fx = GENERATE(1, 1 << 20);
+  numbers.max_fx = GENERATE(1, 1 << 20);
   numbers.share_q8 = GENERATE(1, 1024);
   numbers.c_fx = GENERATE(1 << 16, 1 << 20);
   numbers.steps = GENERATE(1, 32);
@@ -460,7 +460,7 @@ TEST_CASE("Extreme heights, slopes and numbers give aprons without overflow") {
 TEST_CASE("At a level aprons lie on the same ground") {
   ApronNumbers numbers;
   numbers.c_fx = 179;
-  numbers.most_fx = 2048;
+  numbers.max_fx = 2048;
   numbers.share_q8 = 192;
   numbers.steps = 8;
   numbers.cliff_reach = 12;

@@ -207,9 +207,9 @@ Columns judged_by_definition(const Ground& ground, const RoofRules& rules) {
       const std::int32_t roof = boundary_row(ground.roof.at(x, z));
       std::int32_t rock = boundary_row(surface - rules.loose_fx);
       Kind kind = Kind::solid;
-      if (floor < roof && rock - floor >= rules.least_rows) {
+      if (floor < roof && rock - floor >= rules.min_rows) {
         if (!dry) rock = std::min(rock, boundary_row(lowest - rules.loose_fx));
-        if (rock - roof >= rules.least_rows) {
+        if (rock - roof >= rules.min_rows) {
           kind = Kind::roofed;
         } else if (dry) {
           kind = Kind::open;
@@ -237,7 +237,7 @@ TEST_CASE("Roofs are judged, and carried, by every instruction set as by the def
     rules.level = *rc::gen::inRange(0, 2);
     rules.loose_fx = *rc::gen::inRange(0, 3 * kSubvoxels);
     rules.sunk_fx = *rc::gen::element(0, rules.loose_fx);
-    rules.least_rows = *rc::gen::inRange(2, 5);
+    rules.min_rows = *rc::gen::inRange(2, 5);
     rules.shore = *rc::gen::arbitrary<bool>();
     rules.sea_fx = (12 * kSubvoxels) >> rules.level;
     const Columns expected = judged_by_definition(ground, rules);

@@ -42,9 +42,9 @@ Field any_surface() {
   return surface;
 }
 
-std::vector<LooseRules> any_rules(int most_materials) {
+std::vector<LooseRules> any_rules(int max_materials) {
   std::vector<LooseRules> rules;
-  for (int count = *rc::gen::inRange(1, most_materials + 1); count > 0; --count) {
+  for (int count = *rc::gen::inRange(1, max_materials + 1); count > 0; --count) {
     rules.push_back(
         {*rc::gen::inRange(0, 3000), *rc::gen::oneOf(rc::gen::inRange(4, 40), rc::gen::inRange(4, 14668))});
   }

@@ -243,19 +243,19 @@ TEST_CASE("Loose material settles to the same numbers by every instruction set, 
 
 TEST_CASE("The thickness before settling is an exact quotient, by every instruction set") {
   CHECK(rc::check([] {
-    const std::int32_t most_slope = *rc::gen::inRange(1, 14668);
+    const std::int32_t max_slope = *rc::gen::inRange(1, 14668);
     const std::int32_t thickness =
         *rc::gen::oneOf(rc::gen::inRange(0, (1 << 20) + 1), rc::gen::inRange(0, 32768));
-    const Field slope = any_field(*rc::gen::inRange(1, 70), 1, 2 * most_slope);
+    const Field slope = any_field(*rc::gen::inRange(1, 70), 1, 2 * max_slope);
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
       SettleGrid grid{set};
-      grid.start(slope, thickness, most_slope);
+      grid.start(slope, thickness, max_slope);
       grid.with_row(0, [&](const auto* row) {
         for (int x = 0; x < slope.width; ++x) {
-          const std::int64_t room = std::max(0, most_slope - slope.at(x, 0));
-          RC_ASSERT(std::int64_t{row[x]} == thickness * room / most_slope);
+          const std::int64_t room = std::max(0, max_slope - slope.at(x, 0));
+          RC_ASSERT(std::int64_t{row[x]} == thickness * room / max_slope);
         }
       });
     }
@@ -264,23 +264,23 @@ TEST_CASE("The thickness before settling is an exact quotient, by every instruct
 
 TEST_CASE("A share of the thickness before settling is exact, by every instruction set") {
   CHECK(rc::check([] {
-    const std::int32_t most_slope = *rc::gen::oneOf(rc::gen::inRange(1, 700), rc::gen::inRange(1, 14668));
+    const std::int32_t max_slope = *rc::gen::oneOf(rc::gen::inRange(1, 700), rc::gen::inRange(1, 14668));
     const std::int32_t thickness = *rc::gen::oneOf(rc::gen::inRange(0, 4200), rc::gen::inRange(0, 32768));
     const std::int32_t whole = 1 << *rc::gen::inRange(11, 15);
     const int width = *rc::gen::inRange(1, 70);
-    const Field slope = any_field(width, 1, 2 * most_slope);
+    const Field slope = any_field(width, 1, 2 * max_slope);
     const Field share = any_field(width, 1, whole);
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
       SettleGrid grid{set};
       grid.begin(width, 1, thickness);
-      grid.start_row(0, slope.values.data(), share.values.data(), thickness, whole, most_slope);
+      grid.start_row(0, slope.values.data(), share.values.data(), thickness, whole, max_slope);
       grid.with_row(0, [&](const auto* row) {
         for (int x = 0; x < width; ++x) {
-          const std::int64_t room = std::max(0, most_slope - slope.at(x, 0));
+          const std::int64_t room = std::max(0, max_slope - slope.at(x, 0));
           const std::int64_t shared = std::int64_t{thickness} * share.at(x, 0) / whole;
-          RC_ASSERT(std::int64_t{row[x]} == shared * room / most_slope);
+          RC_ASSERT(std::int64_t{row[x]} == shared * room / max_slope);
         }
       });
     }
@@ -289,7 +289,7 @@ TEST_CASE("A share of the thickness before settling is exact, by every instructi
 
 TEST_CASE("The thickness before settling is exact where floats are just enough for it, for every slope") {
   // Slope and thickness whose product is 2^21 at most, and past it.
-  for (const auto& [thickness, most_slope] :
+  for (const auto& [thickness, max_slope] :
        std::vector<std::pair<std::int32_t, std::int32_t>>{{1024, 239},
                                                           {1536, 284},
                                                           {4095, 512},
@@ -300,18 +300,18 @@ TEST_CASE("The thickness before settling is exact where floats are just enough f
                                                           {2, 1 << 20},
                                                           {1, (1 << 20) + 1},
                                                           {7, 299593}}) {
-    Field slope{most_slope + 1, 1};
-    for (int x = 0; x <= most_slope; ++x) slope.at(x, 0) = x;
+    Field slope{max_slope + 1, 1};
+    for (int x = 0; x <= max_slope; ++x) slope.at(x, 0) = x;
     for (const auto set :
          {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!runs_here(set)) continue;
-      CAPTURE(thickness, most_slope, to_string(set));
+      CAPTURE(thickness, max_slope, to_string(set));
       SettleGrid grid{set};
-      grid.start(slope, thickness, most_slope);
+      grid.start(slope, thickness, max_slope);
       std::int64_t wrong = 0;
       grid.with_row(0, [&](const auto* row) {
-        for (int x = 0; x <= most_slope; ++x) {
-          wrong += std::int64_t{row[x]} == std::int64_t{thickness} * (most_slope - x) / most_slope ? 0 : 1;
+        for (int x = 0; x <= max_slope; ++x) {
+          wrong += std::int64_t{row[x]} == std::int64_t{thickness} * (max_slope - x) / max_slope ? 0 : 1;
         }
       });
       CHECK(wrong == 0);
@@ -479,12 +479,12 @@ TEST_CASE("Layers that end under the limit are laid by every instruction set one
     std::vector<std::vector<float>> rises(count);
     std::vector<std::vector<std::int32_t>> expected(count, std::vector<std::int32_t>(width));
     std::vector<LayerShape> shapes;
-    std::int32_t most_fx = 0;
+    std::int32_t bound_fx = 0;
     for (std::size_t i = 0; i < count; ++i) {
       shapes.push_back({static_cast<float>(*rc::gen::inRange(1, 1 << 16)),
                         0.25F * static_cast<float>(*rc::gen::inRange(0, 3)), 1048576.0F});
       RC_ASSERT(shapes[i].is_bounded());
-      most_fx += shapes[i].most_fx();
+      bound_fx += shapes[i].bound_fx();
       for (std::size_t x = 0; x < width; ++x) {
         noises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 101)) / 100);
         rises[i].push_back(static_cast<float>(*rc::gen::inRange(-100, 101)) / 100 - noises[i][x]);
@@ -494,9 +494,9 @@ TEST_CASE("Layers that end under the limit are laid by every instruction set one
     }
     std::int32_t room = 1 << 24;
     for (std::size_t x = 0; x < width; ++x) {
-      limit.values[x] += below.values[x] + most_fx;
+      limit.values[x] += below.values[x] + bound_fx;
       const std::int32_t reached = count == 0 ? below.values[x] : expected[count - 1][x];
-      RC_ASSERT(reached <= below.values[x] + most_fx);
+      RC_ASSERT(reached <= below.values[x] + bound_fx);
       room = std::min(room, limit.values[x] - reached);
     }
     auto sets = vector_sets();

@@ -25,7 +25,7 @@ float s_curve(float t) {
   return t * t * (3 - 2 * t);
 }
 
-struct Warped {
+struct WarpOffset {
   std::int32_t east = 0;
   std::int32_t south = 0;
   float east_by_x = 0;  // how the displacements grow a column
@@ -34,7 +34,7 @@ struct Warped {
   float south_by_z = 0;
 };
 
-Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
+WarpOffset warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
   const auto along = [&](const std::array<RotatedNoise, 2>& noise, std::int32_t& far, float& by_x,
                          float& by_z) {
     const SlopedNoise wide = sloped_rotated_fbm(noise[0], x, z);
@@ -44,7 +44,7 @@ Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
     by_x = sum(wide.east, narrow.east) / 256;
     by_z = sum(wide.south, narrow.south) / 256;
   };
-  Warped warp;
+  WarpOffset warp;
   along(fields.warp_east, warp.east, warp.east_by_x, warp.east_by_z);
   along(fields.warp_south, warp.south, warp.south_by_x, warp.south_by_z);
   return warp;
@@ -52,7 +52,7 @@ Warped warp_at(const SlowFields& fields, std::int64_t x, std::int64_t z) {
 
 Values sample(const Regions& regions, std::int64_t x, std::int64_t z) {
   const SlowFields& f = regions.slow;
-  const Warped warp = warp_at(f, x, z);
+  const WarpOffset warp = warp_at(f, x, z);
   const auto field = [&](const SlowFields::Field& of) {
     return of.equalized(of.warped ? rotated_fbm(of.noise, x, z, warp.east, warp.south)
                                   : rotated_fbm(of.noise, x, z));

@@ -41,8 +41,8 @@ TEST_CASE("Errors of the levels match their chunks' voxels") {
     }
   }
   CHECK(error.rows[5].level == 6);
-  CHECK(error.rows[5].most_voxels >= static_cast<double>(most));
-  CHECK(error.rows[5].mean_voxels <= error.rows[5].most_voxels);
+  CHECK(error.rows[5].max_voxels >= static_cast<double>(most));
+  CHECK(error.rows[5].mean_voxels <= error.rows[5].max_voxels);
 }
 
 TEST_CASE("A coarse level shows water where level 0 does, though its ground rounds up to the sea's row") {

@@ -38,12 +38,12 @@ class Sockets {
   std::array<int, 2> ends_{};
 };
 
-struct Connected {
+struct ConnectedPair {
   Sockets sockets;
   Session server{server_context(), Role::server, sockets.server()};
   Session client{new_context(Role::client), Role::client, sockets.client()};
 
-  Connected() {
+  ConnectedPair() {
     Step from_client;
     Step from_server;
     do {
@@ -69,7 +69,7 @@ std::string read_all(Session& session, std::size_t size) {
 }  // namespace
 
 TEST_CASE("bytes arrive as they were written, both ways") {
-  Connected ends;
+  ConnectedPair ends;
   REQUIRE(ends.client.write(bytes_of("a question")).bytes == 10);
   CHECK(read_all(ends.server, 100) == "a question");
   REQUIRE(ends.server.write(bytes_of("an answer")).bytes == 9);
@@ -77,13 +77,13 @@ TEST_CASE("bytes arrive as they were written, both ways") {
 }
 
 TEST_CASE("with nothing to read a session waits for its socket") {
-  Connected ends;
+  ConnectedPair ends;
   std::array<std::byte, 10> into{};
   CHECK(ends.server.read(into).result == Step::Result::wait_to_read);
 }
 
 TEST_CASE("a session reports bytes that the socket does not") {
-  Connected ends;
+  ConnectedPair ends;
   REQUIRE(ends.client.write(bytes_of("0123456789")).bytes == 10);
   CHECK_FALSE(ends.server.has_more());
   CHECK(read_all(ends.server, 4) == "0123");
@@ -93,7 +93,7 @@ TEST_CASE("a session reports bytes that the socket does not") {
 }
 
 TEST_CASE("a write goes on where a full socket stopped it") {
-  Connected ends;
+  ConnectedPair ends;
   const std::string text(4'000'000, 'x');
   std::size_t written = 0;
   std::size_t received = 0;
@@ -115,7 +115,7 @@ TEST_CASE("a write goes on where a full socket stopped it") {
 
 TEST_CASE("the other side's end is an end and no error, said or not") {
   const bool said = GENERATE(true, false);
-  Connected ends;
+  ConnectedPair ends;
   if (said) {
     CHECK(ends.client.close_notify().result == Step::Result::done);
   } else {

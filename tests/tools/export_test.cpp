@@ -241,9 +241,9 @@ TEST_CASE("An export past the limit is refused before it makes anything") {
 namespace {
 
 // A region as a second hand finds it: files, and nothing of the generator.
-class Found {
+class ExportedRegion {
  public:
-  explicit Found(const ScratchDirectory& directory)
+  explicit ExportedRegion(const ScratchDirectory& directory)
       : directory_{&directory}, json_(nlohmann::json::parse(read_whole(directory / "export.json"))) {}
 
   [[nodiscard]] const nlohmann::json& json() const { return json_; }
@@ -301,15 +301,15 @@ const std::vector<Place>& places() {
   return places;
 }
 
-const Found& found(const Place& place) {
+const ExportedRegion& found(const Place& place) {
   static std::map<std::string, ScratchDirectory> directories;
-  static std::map<std::string, Found> all;
+  static std::map<std::string, ExportedRegion> all;
   if (const auto known = all.find(place.name); known != all.end()) return known->second;
   const ScratchDirectory& scratch = directories[place.name];
   ProgressBar progress{"export", "columns"};
   REQUIRE(export_region(plain_world(), {place.x, place.z, 80, 64, place.lod}, scratch.path(),
                         {.patch_edge = 40}, progress));
-  return all.emplace(place.name, Found{scratch}).first->second;
+  return all.emplace(place.name, ExportedRegion{scratch}).first->second;
 }
 
 // Indices into `eroded`, bottom up: what `planes` has after the layers, less water.
@@ -330,8 +330,8 @@ struct Plane {
 
 // Of columns, from rows of voxels, what the planes say. `ground_row`: where the ground ends at most.
 std::uint16_t solid_voxel(const std::vector<Plane>& planes, std::int32_t row, bool coarse,
-                          std::int32_t most_row, std::int32_t depth_fx) {
-  const std::int32_t ground = std::min(terrain::boundary_row(planes.back().top_fx), most_row);
+                          std::int32_t max_row, std::int32_t depth_fx) {
+  const std::int32_t ground = std::min(terrain::boundary_row(planes.back().top_fx), max_row);
   if (row >= ground) return 0;
   if (coarse && row == ground - 1) {  // the topmost solid voxel shows what lies near the top of the stack
     std::size_t top = planes.size() - 1;
@@ -350,7 +350,7 @@ TEST_CASE("Exported voxels follow from the arrays next to them, near and far") {
   std::size_t wet = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const auto& json = region.json();
     const bool coarse = json["level"].get<int>() > 0;
     const auto surface = region.array<std::int32_t>("surface.npy").front();
@@ -385,10 +385,10 @@ TEST_CASE("Exported voxels follow from the arrays next to them, near and far") {
       planes.insert(planes.end(), loose.rbegin(), loose.rend());
 
       const bool is_wet = surface[i] < wet_fx;
-      const std::int32_t most_row = is_wet ? sea_row - 1 : std::numeric_limits<std::int32_t>::max();
+      const std::int32_t max_row = is_wet ? sea_row - 1 : std::numeric_limits<std::int32_t>::max();
       for (std::size_t y = 0; y < voxels.size(); ++y) {
         const std::int32_t row = y0 + static_cast<std::int32_t>(y);
-        std::uint16_t expected = solid_voxel(planes, row, coarse, most_row, depth_fx);
+        std::uint16_t expected = solid_voxel(planes, row, coarse, max_row, depth_fx);
         if (expected == 0 && row < sea_row) expected = row == sea_row - 1 ? shown.back()[i] : 1;
         wrong += voxels[y][i] != expected ? 1 : 0;
         seen.insert(voxels[y][i]);
@@ -414,7 +414,7 @@ TEST_CASE("Exported loose material follows from place, slope and aprons") {
   std::size_t raised = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const auto& json = region.json();
     const auto surface = region.array<std::int32_t>("surface.npy").front();
     const auto slope = region.array<std::int32_t>("slope.npy").front();
@@ -469,7 +469,7 @@ TEST_CASE("An exported look is the first whose conditions the exported quantitie
   std::size_t columns = 0;
   for (const Place& place : places()) {
     CAPTURE(place.name);
-    const Found& region = found(place);
+    const ExportedRegion& region = found(place);
     const std::vector<std::string> names = region.json()["fields"]["names"];
     const auto fields = region.array<std::int32_t>("fields.npy");
     const auto look = region.array<std::uint8_t>("look.npy").front();

@@ -78,10 +78,10 @@ TEST_CASE("Bytes of chunks are the same each time; only seconds differ") {
   CHECK(cost.ns_a_column > 0);
   CHECK(cost.ns_a_chunk > 0);
   CHECK(cost.chunks_a_column >= 1);
-  CHECK(cost.bytes_a_chunk <= static_cast<double>(cost.most_bytes));
+  CHECK(cost.bytes_a_chunk <= static_cast<double>(cost.max_bytes));
   const CostNumbers again = measure_cost(world, map::grid_around(0, 0, 8, 100, 100), progress);
   CHECK(again.bytes_a_chunk == cost.bytes_a_chunk);
-  CHECK(again.most_bytes == cost.most_bytes);
+  CHECK(again.max_bytes == cost.max_bytes);
 }
 
 TEST_CASE("The cost of chunks covers only mixed ones") {

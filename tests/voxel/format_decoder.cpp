@@ -305,7 +305,7 @@ class VolumeByDocument {
   }
 
  private:
-  struct Waiting {
+  struct WaitingVoxel {
     int voxel;
     int context;
     std::vector<int> candidates;
@@ -329,7 +329,7 @@ class VolumeByDocument {
   }
 
   void read_batch(int wave, int odd) {
-    std::vector<Waiting> coded;
+    std::vector<WaitingVoxel> coded;
     for (int y = 0; y < 32; ++y) {
       const int z = wave - 2 * y;
       if (z < 0 || z > 31) continue;
@@ -337,7 +337,7 @@ class VolumeByDocument {
     }
     std::vector<int> escapes;
     for (std::size_t k = 0; k < coded.size(); ++k) {
-      const Waiting& each = coded[k];
+      const WaitingVoxel& each = coded[k];
       const auto at =
           static_cast<std::size_t>(3 * class_of_letter(classes_[static_cast<std::size_t>(each.context)]));
       const std::array<int, 5> starts{0, ends_[at], ends_[at + 1], ends_[at + 2], 256};
@@ -354,7 +354,7 @@ class VolumeByDocument {
     }
   }
 
-  void predict(int x, int y, int z, std::vector<Waiting>& coded) {
+  void predict(int x, int y, int z, std::vector<WaitingVoxel>& coded) {
     const auto at = [&](int dx, int dy, int dz) { return around(x + dx, y + dy, z + dz, y, z); };
     const int N = at(0, 0, -1);
     const int B = at(0, -1, 0);

@@ -213,13 +213,13 @@ TEST_CASE("every place of the world's heights within the last ring is in some ch
 }
 
 TEST_CASE("heights beyond the world, or upside down, do not overflow") {
-  constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-  ViewExtent view{{0, 0, 0}, 0, 0, {{Lod::of(1), 1}, {Lod::of(6), 65'535}}, HeightRange{kLeast, kMost}};
+  constexpr std::int64_t kMin = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t kMax = std::numeric_limits<std::int64_t>::max();
+  ViewExtent view{{0, 0, 0}, 0, 0, {{Lod::of(1), 1}, {Lod::of(6), 65'535}}, HeightRange{kMin, kMax}};
   for (const LevelBox& box : level_boxes(view)) {
     if (box.lod == Lod{}) continue;
     CHECK(box.y == ChunkRange{-chunk_limit(box.lod), chunk_limit(box.lod) - 1});
   }
-  view.horizon = HeightRange{kMost, kLeast};
+  view.horizon = HeightRange{kMax, kMin};
   CHECK(count_chunks(level_boxes(view)) == 1);
 }

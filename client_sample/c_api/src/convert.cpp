@@ -62,7 +62,7 @@ talus_status status_of(client::ErrorKind kind) {
   return TALUS_INTERNAL;
 }
 
-Checked<client::Options> options_of(const talus_connect_options& options) {
+ConversionResult<client::Options> options_of(const talus_connect_options& options) {
   if (options.host == nullptr || *options.host == '\0') {
     return tl::unexpected<std::string>{"options.host is empty; give a name or an address"};
   }
@@ -106,7 +106,7 @@ Checked<client::Options> options_of(const talus_connect_options& options) {
   return own;
 }
 
-Checked<client::View> view_of(const talus_view& view) {
+ConversionResult<client::View> view_of(const talus_view& view) {
   if ((view.flags & ~std::uint32_t{TALUS_VIEW_HORIZON}) != 0) {
     return tl::unexpected{"view.flags is " + std::to_string(view.flags) + "; it may hold TALUS_VIEW_HORIZON"};
   }
@@ -130,7 +130,7 @@ Checked<client::View> view_of(const talus_view& view) {
   return own;
 }
 
-Checked<client::Edit> edit_of(const talus_edit& edit) {
+ConversionResult<client::Edit> edit_of(const talus_edit& edit) {
   if ((edit.flags & ~std::uint32_t{TALUS_PASTE_AIR}) != 0) {
     return tl::unexpected{"edit.flags is " + std::to_string(edit.flags) + "; it may hold TALUS_PASTE_AIR"};
   }

@@ -16,7 +16,7 @@ namespace talus::c_api {
 
 /// The error completes "FUNCTION: ...".
 template <typename T>
-using Checked = tl::expected<T, std::string>;
+using ConversionResult = tl::expected<T, std::string>;
 
 [[nodiscard]] talus_status status_of(client::ErrorKind kind);
 
@@ -25,9 +25,9 @@ using Checked = tl::expected<T, std::string>;
   return text == nullptr ? std::string{} : std::string{text};
 }
 
-[[nodiscard]] Checked<client::Options> options_of(const talus_connect_options& options);
-[[nodiscard]] Checked<client::View> view_of(const talus_view& view);
-[[nodiscard]] Checked<client::Edit> edit_of(const talus_edit& edit);
+[[nodiscard]] ConversionResult<client::Options> options_of(const talus_connect_options& options);
+[[nodiscard]] ConversionResult<client::View> view_of(const talus_view& view);
+[[nodiscard]] ConversionResult<client::Edit> edit_of(const talus_edit& edit);
 [[nodiscard]] talus_world world_of(const client::WorldInfo& world);
 [[nodiscard]] talus_material material_of(const client::Material& material);
 

@@ -91,7 +91,7 @@ auto read_argument(const T* given, const char* name, Convert&& convert) -> declt
 }
 
 // The columns, if their number is allowed; an absurd count is never read.
-Checked<std::vector<client::Column>> columns_of(const std::int64_t* columns, std::size_t count) {
+ConversionResult<std::vector<client::Column>> columns_of(const std::int64_t* columns, std::size_t count) {
   if (columns == nullptr || count == 0)
     return tl::unexpected<std::string>{"no columns; give x and z of at least one"};
   std::vector<client::Column> own;

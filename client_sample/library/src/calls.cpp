@@ -95,13 +95,13 @@ RequestId Core::get(ChunkKey key, std::optional<ContentHash> known,
 void Core::cancel(RequestId request) {
   const auto id = static_cast<std::uint32_t>(request);
   switch (requests_.cancel(id)) {
-    case Requests::Cancelled::unknown:
+    case Requests::CancelResult::unknown:
       return;
-    case Requests::Cancelled::in_flight:
+    case Requests::CancelResult::in_flight:
       cancels_to_send_.push_back(id);
       wake();
       return;
-    case Requests::Cancelled::waiting:
+    case Requests::CancelResult::waiting:
       asio::post(executor_, [taken = requests_.take(id)] {
         fail(taken, ClientError{ErrorKind::cancelled, "cancelled", {}});
       });

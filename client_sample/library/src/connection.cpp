@@ -109,12 +109,12 @@ std::span<const std::byte> Connection::unwrap(std::span<std::byte> bytes) {
 }
 
 // Not inlined into the coroutines: g++ 12 destroys the result of a conditional operator in a co_await twice.
-asio::awaitable<Transferred> Connection::read_some() {
+asio::awaitable<TransferResult> Connection::read_some() {
   if (tls_) return tls_->read_some(asio::buffer(buffer_));
   return socket_.async_read_some(asio::buffer(buffer_), kAsTuple);
 }
 
-asio::awaitable<Transferred> Connection::write_all(std::span<const std::byte> bytes) {
+asio::awaitable<TransferResult> Connection::write_all(std::span<const std::byte> bytes) {
   const auto buffer = asio::buffer(bytes.data(), bytes.size());
   if (tls_) return tls_->write_all(buffer);
   return asio::async_write(socket_, buffer, kAsTuple);

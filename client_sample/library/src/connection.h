@@ -71,8 +71,8 @@ class Connection {
                                                       const WebSocketOptions& options);
   /// Removes the WebSocket framing, if any, and returns the protocol's bytes.
   [[nodiscard]] std::span<const std::byte> unwrap(std::span<std::byte> bytes);
-  [[nodiscard]] asio::awaitable<Transferred> read_some();
-  [[nodiscard]] asio::awaitable<Transferred> write_all(std::span<const std::byte> bytes);
+  [[nodiscard]] asio::awaitable<TransferResult> read_some();
+  [[nodiscard]] asio::awaitable<TransferResult> write_all(std::span<const std::byte> bytes);
   [[nodiscard]] ClientError reason_or(ErrorKind kind, std::string message) const;
 
   asio::ip::tcp::resolver resolver_;

@@ -12,14 +12,14 @@ RequestPace::RequestPace(const ServerLimits& limits, Time now) : updated_{now} {
     per_second_ = rates->requests;
     const double burst =
         static_cast<double>(rates->requests) * static_cast<double>(rates->burst.count()) / 1000;
-    most_ = std::max(1.0, burst * 7 / 8);
+    max_level_ = std::max(1.0, burst * 7 / 8);
   }
-  level_ = most_;
+  level_ = max_level_;
 }
 
 double RequestPace::level(Time now) const {
   const double seconds = std::max(0.0, std::chrono::duration<double>(now - updated_).count());
-  return std::min(most_, level_ + seconds * static_cast<double>(per_second_));
+  return std::min(max_level_, level_ + seconds * static_cast<double>(per_second_));
 }
 
 bool RequestPace::take(Time now) {
@@ -38,7 +38,7 @@ void RequestPace::spend(Time now) {
 void RequestPace::refused(Time now, std::chrono::milliseconds retry_after) {
   if (now >= held_until_) refused_ = 0;
   held_until_ = std::max(held_until_, now + std::min(retry_after, kLongestRetryAfter));
-  level_ = std::min(most_, ++refused_);
+  level_ = std::min(max_level_, ++refused_);
   updated_ = held_until_;
 }
 

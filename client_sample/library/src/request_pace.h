@@ -36,7 +36,7 @@ class RequestPace {
   [[nodiscard]] double level(Time now) const;
 
   std::uint64_t per_second_ = 0;  // 0: unlimited
-  double most_ = 0;
+  double max_level_ = 0;
   double level_ = 0;  // at updated_; negative when overdrawn
   Time updated_{};    // may lie in the future, while held
   Time held_until_{};

@@ -34,16 +34,16 @@ Request Requests::take(std::uint32_t id) {
   return request;
 }
 
-Requests::Cancelled Requests::cancel(std::uint32_t id) {
+Requests::CancelResult Requests::cancel(std::uint32_t id) {
   if (const auto sent = in_flight_.find(id); sent != in_flight_.end()) {
-    if (sent->second) return Cancelled::unknown;
+    if (sent->second) return CancelResult::unknown;
     sent->second = true;
-    return Cancelled::in_flight;
+    return CancelResult::in_flight;
   }
   const auto place = std::find(waiting_.begin(), waiting_.end(), id);
-  if (place == waiting_.end()) return Cancelled::unknown;
+  if (place == waiting_.end()) return CancelResult::unknown;
   waiting_.erase(place);
-  return Cancelled::waiting;
+  return CancelResult::waiting;
 }
 
 std::vector<Request> Requests::send_again() {

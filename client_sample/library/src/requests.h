@@ -43,9 +43,9 @@ class Requests {
   /// Removes a request in order to answer it.
   [[nodiscard]] Request take(std::uint32_t id);
 
-  enum class Cancelled : std::uint8_t { unknown, waiting, in_flight };
+  enum class CancelResult : std::uint8_t { unknown, waiting, in_flight };
   /// Returns the request's state. If it was waiting, the caller must take() and answer it.
-  [[nodiscard]] Cancelled cancel(std::uint32_t id);
+  [[nodiscard]] CancelResult cancel(std::uint32_t id);
 
   /// The connection broke: requests in flight wait again, oldest first. Returns cancelled ones, which are not
   /// sent again.

@@ -21,10 +21,10 @@ class OpenSslStream final : public TlsStream {
     if (error) co_return tl::unexpected{handshake_failure(stream_.native_handle(), error)};
     co_return Result<void>{};
   }
-  asio::awaitable<Transferred> read_some(asio::mutable_buffer into) override {
+  asio::awaitable<TransferResult> read_some(asio::mutable_buffer into) override {
     return stream_.async_read_some(into, kTlsAsTuple);
   }
-  asio::awaitable<Transferred> write_all(asio::const_buffer from) override {
+  asio::awaitable<TransferResult> write_all(asio::const_buffer from) override {
     return asio::async_write(stream_, from, kTlsAsTuple);
   }
 

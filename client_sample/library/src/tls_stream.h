@@ -17,15 +17,15 @@
 namespace talus::client {
 
 /// Result of a read or a write: error code and number of bytes.
-using Transferred = std::tuple<std::error_code, std::size_t>;
+using TransferResult = std::tuple<std::error_code, std::size_t>;
 
 class TlsStream {
  public:
   virtual ~TlsStream() = default;
   /// An error names the untrusted server, or the failure.
   [[nodiscard]] virtual asio::awaitable<Result<void>> handshake() = 0;
-  [[nodiscard]] virtual asio::awaitable<Transferred> read_some(asio::mutable_buffer into) = 0;
-  [[nodiscard]] virtual asio::awaitable<Transferred> write_all(asio::const_buffer from) = 0;
+  [[nodiscard]] virtual asio::awaitable<TransferResult> read_some(asio::mutable_buffer into) = 0;
+  [[nodiscard]] virtual asio::awaitable<TransferResult> write_all(asio::const_buffer from) = 0;
 };
 
 /// `socket` is connected and must outlive the stream; `host` is the name passed to connect().

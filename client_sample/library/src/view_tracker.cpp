@@ -39,7 +39,7 @@ void ViewTracker::forget_revisions() {
   }
 }
 
-std::optional<ReceivedChunk> ViewTracker::still_there(const ChunkKey& key, const Delivered& chunk) {
+std::optional<ReceivedChunk> ViewTracker::still_there(const ChunkKey& key, const DeliveredChunk& chunk) {
   auto held = chunk.chunk.lock();
   if (held == nullptr) return std::nullopt;
   return ReceivedChunk{key, chunk.revision, chunk.hash, std::move(held)};

@@ -43,16 +43,17 @@ class ViewTracker {
 
  private:
   /// Does not own the chunk: it is gone when the caller and `kept_` release it.
-  struct Delivered {
+  struct DeliveredChunk {
     std::uint64_t revision = 0;
     ContentHash hash;
     std::weak_ptr<const Chunk> chunk;
   };
-  [[nodiscard]] static std::optional<ReceivedChunk> still_there(const ChunkKey& key, const Delivered& chunk);
+  [[nodiscard]] static std::optional<ReceivedChunk> still_there(const ChunkKey& key,
+                                                                const DeliveredChunk& chunk);
 
   std::optional<View> view_;
   ViewShape shape_;
-  std::unordered_map<ChunkKey, Delivered> delivered_;
+  std::unordered_map<ChunkKey, DeliveredChunk> delivered_;
   std::size_t keep_bytes_;
   ChunkStore kept_;
 };

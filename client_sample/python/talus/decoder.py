@@ -760,7 +760,7 @@ class Columns(dict):
     """Ends of intervals by a column's key, for one kind of row and parity of x. Keys repeat, so scores are cached."""
 
     INTERVAL_ENDS = _interval_ends()
-    MOST = 1 << 14
+    MAX_KEYS = 1 << 14
 
     def __init__(self, kind, parity):
         super().__init__()
@@ -776,7 +776,7 @@ class Columns(dict):
             features = (key >> first & 3) + 4 * (key >> second & 3)
             one = min(max(one + weights_one[features], -128), 127)
             two = min(max(two + weights_two[features], -128), 127)
-        if len(self) == self.MOST:
+        if len(self) == self.MAX_KEYS:
             self.clear()
         ends = self[key] = self.INTERVAL_ENDS[(max(one, 0) >> 3) * 16 + (max(two, 0) >> 3)]
         return ends

@@ -13,11 +13,11 @@ import enum
 import struct
 
 # Frame bytes include the length prefix.
-LEAST_FRAME_BYTES = 12
-MOST_FRAME_BYTES = 262_144
+MIN_FRAME_BYTES = 12
+MAX_FRAME_BYTES = 262_144
 
-_MOST_TABLES = 2048
-_MOST_COPIES = 4  # bytes of lists and strings per byte of a frame, as they may overlap
+_MAX_TABLES = 2048
+_MAX_COPIES = 4  # bytes of lists and strings per byte of a frame, as they may overlap
 
 
 class ProtocolError(ConnectionError):
@@ -376,8 +376,8 @@ BODIES = (
 def frame_length(prefix):
     """Length of the complete frame whose first four bytes are `prefix`. Raises ProtocolError if it is not allowed."""
     length = int.from_bytes(prefix, "little") + 4
-    if not LEAST_FRAME_BYTES <= length <= MOST_FRAME_BYTES:
-        raise ProtocolError(f"a frame of {length} bytes; they have {LEAST_FRAME_BYTES} to {MOST_FRAME_BYTES}")
+    if not MIN_FRAME_BYTES <= length <= MAX_FRAME_BYTES:
+        raise ProtocolError(f"a frame of {length} bytes; they have {MIN_FRAME_BYTES} to {MAX_FRAME_BYTES}")
     return length
 
 
@@ -397,8 +397,8 @@ class _Reader:
 
     def __init__(self, frame):
         self.frame = frame
-        self.tables_left = _MOST_TABLES
-        self.bytes_left = _MOST_COPIES * len(frame)
+        self.tables_left = _MAX_TABLES
+        self.bytes_left = _MAX_COPIES * len(frame)
 
     def check(self, at, size, align):
         if at < 4 or at + size > len(self.frame) or at % align:
@@ -426,7 +426,7 @@ class _Reader:
         """Position of each field of the table at `at`; 0: absent."""
         self.tables_left -= 1
         if self.tables_left < 0:
-            raise ProtocolError(f"a frame with over {_MOST_TABLES} tables")
+            raise ProtocolError(f"a frame with over {_MAX_TABLES} tables")
         vtable = at - self.number(I32, at)
         size = self.number(U16, vtable)
         self.check(vtable, size, 2)
@@ -491,8 +491,8 @@ def write(message):
     data[places[0]] = BODIES.index(type(message)) + 1
     _put_reference(data, places[1], _put_table(data, message))
     struct.pack_into("<I", data, 0, len(data) - 4)
-    if len(data) > MOST_FRAME_BYTES:
-        raise ValueError(f"a {type(message).__name__} of {len(data)} bytes; a frame has at most {MOST_FRAME_BYTES}")
+    if len(data) > MAX_FRAME_BYTES:
+        raise ValueError(f"a {type(message).__name__} of {len(data)} bytes; a frame has at most {MAX_FRAME_BYTES}")
     return bytes(data)
 
 

@@ -22,7 +22,7 @@ from .protocol import ErrorCode, Material, Phase, ProtocolError
 from .queries import Places, Queries
 from .view_shape import CHUNK_SIZE, level_boxes, world_heights
 
-_MOST_BYTES = 4 << 20
+_MAX_BYTES = 4 << 20
 _SQUARE = 4
 _REGION = 32  # columns along each side
 _TRIES = 5
@@ -202,9 +202,9 @@ class WebWorld(Queries):
         for turn in range(_TRIES):
             try:
                 with self._opener.open(request, timeout=self._timeout) as answer:
-                    body = answer.read(_MOST_BYTES + 1)
-                if len(body) > _MOST_BYTES:
-                    raise ProtocolError(f"{path} is answered by over {_MOST_BYTES} bytes")
+                    body = answer.read(_MAX_BYTES + 1)
+                if len(body) > _MAX_BYTES:
+                    raise ProtocolError(f"{path} is answered by over {_MAX_BYTES} bytes")
                 return body, answer.headers.get("Talus-Revision")
             except http.client.HTTPException as error:
                 raise ProtocolError(f"{path} is not answered by HTTP: {error!r}") from None

@@ -83,9 +83,9 @@ Editor& Batch::touch(EditorId id, const Editor* editor) {
   return touched->editor;
 }
 
-Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
+EntryResult& Batch::begin(EditorId editor, EntryResult::Kind kind) {
   ++head_.position;
-  Applied& applied = applied_.emplace_back();
+  EntryResult& applied = applied_.emplace_back();
   applied.kind = kind;
   applied.editor = editor;
   applied.position = head_.position;
@@ -93,8 +93,8 @@ Applied& Batch::begin(EditorId editor, Applied::Kind kind) {
   return applied;
 }
 
-const Applied& Batch::apply(const AttachEntry& entry) {
-  using Kind = Applied::Kind;
+const EntryResult& Batch::apply(const AttachEntry& entry) {
+  using Kind = EntryResult::Kind;
   if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
   forget_idle();
   const Editor* const before = find(entry.editor);
@@ -115,20 +115,20 @@ const Applied& Batch::apply(const AttachEntry& entry) {
   }
   after.epoch = entry.epoch;
   if (!after.is_used()) new_.emplace(head_.time_ms, entry.editor);
-  Applied& applied = begin(entry.editor, Kind::attached);
+  EntryResult& applied = begin(entry.editor, Kind::attached);
   applied.epoch = entry.epoch;
   applied.subject = entry.subject;
   applied.forgotten = forgotten;
   return applied;
 }
 
-const Applied& Batch::apply(const EditEntry& entry) {
-  using Kind = Applied::Kind;
+const EntryResult& Batch::apply(const EditEntry& entry) {
+  using Kind = EntryResult::Kind;
   const Editor* const editor = find(entry.editor);
   if (editor == nullptr || editor->epoch != entry.epoch) return begin(entry.editor, Kind::expired);
   if (entry.sequence <= editor->last_sequence) {
     const EditResult* const kept = result_of(entry.editor, entry.sequence);
-    Applied& repeated = begin(entry.editor, kept == nullptr ? Kind::not_applied : Kind::repeat);
+    EntryResult& repeated = begin(entry.editor, kept == nullptr ? Kind::not_applied : Kind::repeat);
     if (kept != nullptr) repeated.result = *kept;
     return repeated;
   }
@@ -136,7 +136,7 @@ const Applied& Batch::apply(const EditEntry& entry) {
   auto outcome = evaluate(entry.edit, entry.base, staging_, entry.settles.get(), entry.touched);
   if (!outcome) return begin(entry.editor, Kind::invalid);
 
-  Applied& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);
+  EntryResult& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);
   if (outcome->changed > 0) {
     applied.writes = staging_.stage(*outcome);
     head_.hash = staging_.hash();
@@ -155,15 +155,15 @@ const Applied& Batch::apply(const EditEntry& entry) {
   return applied;
 }
 
-const Applied& Batch::apply(const BindEntry& entry) {
-  using Kind = Applied::Kind;
+const EntryResult& Batch::apply(const BindEntry& entry) {
+  using Kind = EntryResult::Kind;
   static const MaterialIds kNone;
   const MaterialIds& known = bound_ ? *bound_ : materials_ != nullptr ? *materials_ : kNone;
   auto ids = ids_for(entry.names, known);
   if (!ids) return begin({}, Kind::invalid);
   if (!bound_) bound_ = known;
   for (const auto& [name, id] : *ids) bound_->insert_or_assign(name, id);
-  Applied& applied = begin({}, Kind::bound);
+  EntryResult& applied = begin({}, Kind::bound);
   applied.materials = *std::move(ids);
   return applied;
 }

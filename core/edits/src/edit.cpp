@@ -85,9 +85,9 @@ void put_in_order(std::vector<std::uint16_t>& indices) {
 }
 
 /// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is checked first.
-class Touched {
+class TouchedVoxels {
  public:
-  explicit Touched(std::vector<TouchedChunk> chunks = {}) : chunks_{std::move(chunks)} {}
+  explicit TouchedVoxels(std::vector<TouchedChunk> chunks = {}) : chunks_{std::move(chunks)} {}
 
   /// Returns false if there are more than kMaxChunks.
   bool insert(VoxelPos voxel) {
@@ -222,7 +222,7 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
     return refused("edit: it names more than " + std::to_string(kMaxVoxels) +
                    " voxels; guards, writes, fills and paste count together");
   }
-  Touched touched;
+  TouchedVoxels touched;
   bool fits = true;
   for (const auto* list : {&edit.guards, &edit.writes}) {
     for (const VoxelWrite& each : *list) fits = fits && touched.insert(each.voxel);
@@ -243,7 +243,7 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
 std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched, const Edit& edit) {
   const auto box = settle_box(edit);
   if (!box) return touched;
-  Touched all{std::move(touched)};
+  TouchedVoxels all{std::move(touched)};
   visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)all.insert(voxel); });
   return all.take();
 }

@@ -26,7 +26,7 @@ class NumberReader {
  public:
   explicit NumberReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
 
-  std::uint32_t take(std::uint32_t most) {
+  std::uint32_t take(std::uint32_t max_value) {
     std::uint64_t value = 0;
     for (int shift = 0; !fault_; shift += 7) {
       if (bytes_.empty()) {
@@ -38,7 +38,7 @@ class NumberReader {
       value |= (byte & 127) << shift;
       const bool padded = byte == 0 && shift > 0;
       // Five bytes hold 35 bits, more than any number here needs.
-      if (padded || value > most || (byte >= 128 && shift == 28)) fault_ = RunsError::bad_number;
+      if (padded || value > max_value || (byte >= 128 && shift == 28)) fault_ = RunsError::bad_number;
       if (byte < 128) break;
     }
     return fault_ ? 0 : static_cast<std::uint32_t>(value);
@@ -148,7 +148,7 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
 }
 
 tl::expected<std::vector<Override>, RunsError> decode_runs(std::span<const std::byte> bytes,
-                                                           std::size_t most_voxels) {
+                                                           std::size_t max_voxels) {
   NumberReader reader{bytes};
   std::vector<MaterialId> materials(reader.take_count(1));
   for (MaterialId& id : materials) id = MaterialId{static_cast<std::uint16_t>(reader.take(UINT16_MAX))};
@@ -172,7 +172,7 @@ tl::expected<std::vector<Override>, RunsError> decode_runs(std::span<const std::
     if (i > 0 && gap == 0 && runs[i - 1].place == run.place) return tl::unexpected{RunsError::split_run};
     used[run.place] = true;
     voxels += run.length;
-    if (voxels > most_voxels) return tl::unexpected{RunsError::too_many};
+    if (voxels > max_voxels) return tl::unexpected{RunsError::too_many};
     end = run.first + run.length;
     runs[i] = run;
   }

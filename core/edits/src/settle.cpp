@@ -37,9 +37,9 @@ struct Column {
 
 /// Represents rows as bits, so that the cost of an inspection depends on the loose material in the open, not
 /// on heights or depths.
-class Settling {
+class Settler {
  public:
-  Settling(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
+  Settler(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels)
       : width_{static_cast<int>(box.last.x - box.first.x) + 1},
         rows_{static_cast<int>(box.last.y - box.first.y) + 1},
         depth_{static_cast<int>(box.last.z - box.first.z) + 1},
@@ -50,7 +50,7 @@ class Settling {
     assert(voxels.size() == columns_.size() * static_cast<std::size_t>(rows_));
   }
 
-  Settled run() {
+  SettleWork run() {
     read();
     // In a fixed order, independent of the cause.
     while (std::exchange(any_wait_, false) && may_go_on()) {
@@ -78,7 +78,7 @@ class Settling {
     return voxels_[static_cast<std::size_t>(y) * columns_.size() + number(x, z)];
   }
   [[nodiscard]] bool may_go_on() const {
-    return settled_.moves < kSettleMoves && settled_.looks < kSettleLooks;
+    return settled_.moves < kSettleMoves && settled_.probes < kSettleProbes;
   }
 
   [[nodiscard]] const SettleRule* rule_of(MaterialId material) const {
@@ -119,7 +119,7 @@ class Settling {
 
   /// From the bottom up, so that material comes down on material already at rest.
   void settle_column(int x, int z) {
-    ++settled_.looks;
+    ++settled_.probes;
     const Column& column = this->column(x, z);
     for (int y = 0; y + 1 < rows_ && may_go_on();) {
       const Rows over_room = column.loose & (column.open << 1U);
@@ -127,7 +127,7 @@ class Settling {
       const Rows left = (over_room | in_the_open) & ~below(y + 1) & ~row(0);
       if (left == 0) return;
       y = std::countr_zero(left);
-      ++settled_.looks;
+      ++settled_.probes;
       if ((over_room & row(y)) != 0) {
         if (const auto to = fall(x, y, z)) move({x, y, z}, *to);
       } else if (const auto to = slide(x, y, z)) {
@@ -207,14 +207,15 @@ class Settling {
   std::span<SettlingVoxel> voxels_;
   std::vector<Column> columns_;
   bool any_wait_ = false;
-  Settled settled_;
+  SettleWork settled_;
 };
 
 }  // namespace
 
 std::optional<VoxelBox> settle_box(const Edit& edit) {
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
-  VoxelBox box{{kMost, kMost, kMost}, {-kMost, -kMost, -kMost}};
+  constexpr auto kMaxCoordinate = std::numeric_limits<std::int64_t>::max();
+  VoxelBox box{{kMaxCoordinate, kMaxCoordinate, kMaxCoordinate},
+               {-kMaxCoordinate, -kMaxCoordinate, -kMaxCoordinate}};
   const auto add = [&](VoxelPos first, VoxelPos last) {
     box.first = {std::min(box.first.x, first.x), std::min(box.first.y, first.y),
                  std::min(box.first.z, first.z)};
@@ -240,8 +241,8 @@ std::optional<VoxelBox> settle_box(const Edit& edit) {
   return box;
 }
 
-Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
-  return Settling{box, rules, voxels}.run();
+SettleWork settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels) {
+  return Settler{box, rules, voxels}.run();
 }
 
 }  // namespace talus::edits

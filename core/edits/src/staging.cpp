@@ -60,17 +60,17 @@ ChunkOverrides StagedChunk::after() const {
   return overrides;
 }
 
-const ChunkOverrides* Staging::find(ChunkKey chunk) const {
+const ChunkOverrides* StagingArea::find(ChunkKey chunk) const {
   const auto staged = chunks_.find(chunk);
   return staged == chunks_.end() ? applied_.find(chunk) : staged->second.before;
 }
 
-std::span<const OverrideWrite> Staging::staged(ChunkKey chunk) const {
+std::span<const OverrideWrite> StagingArea::staged(ChunkKey chunk) const {
   const auto staged = chunks_.find(chunk);
   return staged == chunks_.end() ? std::span<const OverrideWrite>{} : staged->second.writes;
 }
 
-void Staging::apply(const ChunkWrites& writes) {
+void StagingArea::apply(const ChunkWrites& writes) {
   const auto [at, added] = chunks_.try_emplace(writes.key);
   StagedChunk& chunk = at->second;
   if (added) {
@@ -81,7 +81,7 @@ void Staging::apply(const ChunkWrites& writes) {
   }
 }
 
-std::vector<ChunkWrites> Staging::stage(const Outcome& outcome) {
+std::vector<ChunkWrites> StagingArea::stage(const Outcome& outcome) {
   for (const ChunkChanges& changes : outcome.chunks) {
     for (const VoxelChange& voxel : changes.voxels) {
       if (voxel.before != voxel.base) hash_.remove(changes.chunk, {voxel.index, voxel.before});

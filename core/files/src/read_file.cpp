@@ -34,7 +34,7 @@ tl::expected<std::string, FileError> read_to_end(const std::filesystem::path& pa
 
 tl::expected<std::string, FileError> read_file(const std::filesystem::path& file, std::size_t max_bytes,
                                                FileLayer& layer) {
-  const auto opened = layer.open_to_read(file, FileLayer::Waiting::allowed);
+  const auto opened = layer.open_to_read(file, FileLayer::WaitPolicy::allowed);
   if (!opened) return cannot_read(file, opened.error());
   const OpenFile in{layer, *opened};
   return read_to_end(file, in.get(), max_bytes, layer);
@@ -42,7 +42,7 @@ tl::expected<std::string, FileError> read_file(const std::filesystem::path& file
 
 tl::expected<std::string, FileError> read_regular_file(const std::filesystem::path& file,
                                                        std::size_t max_bytes, FileLayer& layer) {
-  const auto opened = layer.open_to_read(file, FileLayer::Waiting::never);
+  const auto opened = layer.open_to_read(file, FileLayer::WaitPolicy::never);
   if (!opened) return cannot_read(file, opened.error());
   const OpenFile in{layer, *opened};
   const auto mode = layer.mode(in.get());

@@ -16,7 +16,7 @@ tl::expected<SecretFile, FileError> SecretFile::read(const std::filesystem::path
   const auto failed = [&](std::error_code code) {
     return tl::unexpected{FileError{file, "cannot be read: " + code.message(), code}};
   };
-  const auto opened = layer.open_to_read(file, FileLayer::Waiting::never);
+  const auto opened = layer.open_to_read(file, FileLayer::WaitPolicy::never);
   if (!opened) return failed(opened.error());
   const OpenFile in{layer, *opened};
   const auto mode = layer.mode(in.get());

@@ -29,8 +29,8 @@ ColumnGrid grid_around(std::int64_t x, std::int64_t z, std::int64_t every, int w
   return {x - every * (width / 2), z - every * (depth / 2), every, width, depth};
 }
 
-ColumnSampling::ColumnSampling(const terrain::World& world, const ColumnGrid& grid,
-                               std::span<const std::string> names)
+ColumnSampler::ColumnSampler(const terrain::World& world, const ColumnGrid& grid,
+                             std::span<const std::string> names)
     : grid_{grid},
       sampler_{sampler_of(world, names)},
       has_looks_{world.look_names().size() > 1},
@@ -50,7 +50,7 @@ ColumnSampling::ColumnSampling(const terrain::World& world, const ColumnGrid& gr
   samples_.values.assign(names.size(), std::vector<float>(grid.columns()));
 }
 
-bool ColumnSampling::step() {
+bool ColumnSampler::step() {
   const auto spread = [&](auto from, auto to) {
     for (std::size_t i = 0; i < place_of_.size(); ++i) to[i] = from[place_of_[i]];
   };
@@ -66,7 +66,7 @@ bool ColumnSampling::step() {
   return next_row_ < grid_.depth;
 }
 
-SlopeSampling::SlopeSampling(const terrain::World& world, const ColumnGrid& grid)
+SlopeSampler::SlopeSampler(const terrain::World& world, const ColumnGrid& grid)
     : grid_{grid}, sampler_{sampler_of(world, {})}, slopes_fx_{grid.width, grid.depth} {
   assert(grid.every > 1);  // a column and its eastern neighbour, still ascending
   std::vector<std::int64_t> xs;
@@ -76,7 +76,7 @@ SlopeSampling::SlopeSampling(const terrain::World& world, const ColumnGrid& grid
   sampler_.start(xs);
 }
 
-bool SlopeSampling::step() {
+bool SlopeSampler::step() {
   std::vector<std::int32_t> here;
   const int end = std::min(grid_.depth, next_row_ + kSampledRows);
   for (; next_row_ < end; ++next_row_) {
@@ -97,7 +97,7 @@ bool SlopeSampling::step() {
 
 ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid,
                              std::span<const std::string> names) {
-  ColumnSampling sampling{world, grid, names};
+  ColumnSampler sampling{world, grid, names};
   while (sampling.step()) {
   }
   return sampling.take();

@@ -100,8 +100,8 @@ class GridPainter::Work final : public Painting {
   Image& image_;
   const int x_;
   const int y_;
-  std::optional<ColumnSampling> sampling_;
-  std::optional<SlopeSampling> sloping_;
+  std::optional<ColumnSampler> sampling_;
+  std::optional<SlopeSampler> sloping_;
   ColumnSamples samples_;     // with the ring
   terrain::Field slopes_fx_;  // without the ring
   terrain::Field ground_;

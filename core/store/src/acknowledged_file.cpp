@@ -28,16 +28,16 @@ rocksdb::Status make_whole(rocksdb::Env& env, const std::string& path, const Byt
 
 }  // namespace
 
-tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(rocksdb::Env& env,
-                                                                              const std::string& path) {
+tl::expected<std::optional<AcknowledgedState>, std::string> AcknowledgedFile::read(rocksdb::Env& env,
+                                                                                   const std::string& path) {
   if (auto regular = check_regular_file(path); !regular) return tl::unexpected{std::move(regular.error())};
   if (env.FileExists(path).IsNotFound()) return std::nullopt;
-  constexpr std::size_t kMostBytes = 4096;  // many times its real size
-  std::string text(kMostBytes, 0);
+  constexpr std::size_t kMaxBytes = 4096;  // many times its real size
+  std::string text(kMaxBytes, 0);
   std::unique_ptr<rocksdb::SequentialFile> file;
   rocksdb::Slice slice;
   auto status = env.NewSequentialFile(path, &file, rocksdb::EnvOptions{});
-  if (status.ok()) status = file->Read(kMostBytes, &slice, text.data());
+  if (status.ok()) status = file->Read(kMaxBytes, &slice, text.data());
   if (!status.ok()) {
     return tl::unexpected{fmt::format("{}: {}; talusd must be able to read it", path, status.ToString())};
   }
@@ -52,7 +52,7 @@ tl::expected<std::optional<Acknowledged>, std::string> AcknowledgedFile::read(ro
 }
 
 tl::expected<AcknowledgedFile, std::string> AcknowledgedFile::open(rocksdb::Env& env, const std::string& path,
-                                                                   const Acknowledged& now) {
+                                                                   const AcknowledgedState& now) {
   Bytes bytes;
   encode(now, bytes);
   std::unique_ptr<rocksdb::RandomRWFile> file;
@@ -69,7 +69,7 @@ AcknowledgedFile::AcknowledgedFile(AcknowledgedFile&&) noexcept = default;
 AcknowledgedFile& AcknowledgedFile::operator=(AcknowledgedFile&&) noexcept = default;
 AcknowledgedFile::~AcknowledgedFile() = default;
 
-void AcknowledgedFile::write(const Acknowledged& now) {
+void AcknowledgedFile::write(const AcknowledgedState& now) {
   encode(now, bytes_);
   file_->Write(0, slice_of_bytes(bytes_)).PermitUncheckedError();
 }
@@ -87,7 +87,7 @@ tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env, const std:
   const auto read = AcknowledgedFile::read(env, path);
   if (!read) return failure(read.error());
   if (!*read) return {};
-  const Acknowledged& acknowledged = **read;
+  const AcknowledgedState& acknowledged = **read;
   if (acknowledged.position > meta.head.position) {
     return failure(fmt::format(
         "entries {} to {} of its log were acknowledged and are lost, as the disk lost "

@@ -26,7 +26,7 @@ constexpr std::uint64_t kSegmentBytes = std::uint64_t{1} << 20U;
 constexpr std::int64_t kSegmentMs = std::int64_t{60} * 60 * 1000;
 
 /// Overhead of a batch besides its entries: the store's meta value, keys.
-constexpr std::size_t kBatchBytesAtLeast = 256;
+constexpr std::size_t kMinBatchBytes = 256;
 
 /// True if files exist that only a used database has.
 bool was_in_use(rocksdb::Env& env, const std::string& path) {
@@ -69,7 +69,7 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
     return database->failure(fmt::format("the disk has {} bytes free; opening the store needs {}", free,
                                          settings.free_bytes_to_open));
   }
-  using Step = Done (EditDatabase::*)();
+  using Step = Status (EditDatabase::*)();
   for (const Step step :
        {&EditDatabase::open_database, &EditDatabase::read_meta, &EditDatabase::check_acknowledged,
         &EditDatabase::become_another, &EditDatabase::read_materials, &EditDatabase::read_history,
@@ -83,7 +83,7 @@ tl::expected<std::unique_ptr<EditDatabase>, std::string> EditDatabase::open(
   return database;
 }
 
-EditDatabase::Done EditDatabase::open_database() {
+EditDatabase::Status EditDatabase::open_database() {
   if (const auto regular = check_regular_files(database_path()); !regular) return failure(regular.error());
   // RocksDB would create an empty database if the file CURRENT was lost.
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
@@ -104,7 +104,7 @@ EditDatabase::Done EditDatabase::open_database() {
                   status.IsNoSpace() ? remedy_for(status) : "give --data a directory that talusd may write"));
 }
 
-EditDatabase::Done EditDatabase::read_meta() {
+EditDatabase::Status EditDatabase::read_meta() {
   auto meta = reader().meta();
   if (!meta) return tl::unexpected{std::move(meta.error())};
   if (!*meta) return make_store();
@@ -112,7 +112,7 @@ EditDatabase::Done EditDatabase::read_meta() {
   return check_meta();
 }
 
-EditDatabase::Done EditDatabase::make_store() {
+EditDatabase::Status EditDatabase::make_store() {
   const std::unique_ptr<rocksdb::Iterator> any{db_->NewIterator(for_scans())};
   any->SeekToFirst();
   if (any->Valid() || !any->status().ok() || has_acknowledged()) {
@@ -126,7 +126,7 @@ EditDatabase::Done EditDatabase::make_store() {
   return write(batch, true);
 }
 
-EditDatabase::Done EditDatabase::check_meta() const {
+EditDatabase::Status EditDatabase::check_meta() const {
   if (meta_.fingerprint != settings_.fingerprint) {
     return failure(
         fmt::format("the edits belong to the world with fingerprint {}; this world has fingerprint {}; give "
@@ -146,13 +146,13 @@ EditDatabase::Done EditDatabase::check_meta() const {
   return {};
 }
 
-EditDatabase::Done EditDatabase::check_acknowledged() {
+EditDatabase::Status EditDatabase::check_acknowledged() {
   return store::check_acknowledged(env(), settings_.path, meta_);
 }
 
 // Without the file entries may be lost and their revisions reused, so clients that know the store by its id
 // must discard their copies. The file is written last, so that an interrupted call is repeated entirely.
-EditDatabase::Done EditDatabase::become_another() {
+EditDatabase::Status EditDatabase::become_another() {
   if (!was_there_ || has_acknowledged()) return {};
   if (settings_.log_elsewhere) return {};  // lost entries are read again from the shared log, unchanged
   meta_.store_id = random_store_id();
@@ -166,14 +166,14 @@ EditDatabase::Done EditDatabase::become_another() {
   return write(batch, true);
 }
 
-EditDatabase::Done EditDatabase::read_materials() {
+EditDatabase::Status EditDatabase::read_materials() {
   auto materials = reader().materials();
   if (!materials) return tl::unexpected{std::move(materials.error())};
   materials_ = *std::move(materials);
   return {};
 }
 
-EditDatabase::Done EditDatabase::read_history() {
+EditDatabase::Status EditDatabase::read_history() {
   auto history = reader().history(meta_.flushed);
   if (!history) return tl::unexpected{std::move(history.error())};
   history_ = *std::move(history);
@@ -182,7 +182,7 @@ EditDatabase::Done EditDatabase::read_history() {
   return {};
 }
 
-EditDatabase::Done EditDatabase::drop_records_beyond() {
+EditDatabase::Status EditDatabase::drop_records_beyond() {
   bool any = false;
   const auto status = scan(*db_, log_key(meta_.head.position + 1), [&](const auto&, const auto&) {
     any = true;
@@ -195,18 +195,18 @@ EditDatabase::Done EditDatabase::drop_records_beyond() {
   return write(batch, true);
 }
 
-EditDatabase::Done EditDatabase::for_each_chunk(
+EditDatabase::Status EditDatabase::for_each_chunk(
     const std::function<void(ChunkKey, std::uint64_t)>& visit) const {
   return reader().for_each_chunk(visit);
 }
 
-EditDatabase::Done EditDatabase::for_each_editor(
+EditDatabase::Status EditDatabase::for_each_editor(
     const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const {
   return reader().for_each_editor(visit);
 }
 
-EditDatabase::Done EditDatabase::replay(const std::function<bool(LogRecord&&)>& visit) {
-  Unflushed all{.position = meta_.head.position, .link = meta_.link};
+EditDatabase::Status EditDatabase::replay(const std::function<bool(LogRecord&&)>& visit) {
+  UnflushedBatch all{.position = meta_.head.position, .link = meta_.link};
   auto bytes = reader().replay(meta_, [&](LogRecord&& record) {
     all.time_ms = record.time_ms;
     return visit(std::move(record));
@@ -223,13 +223,13 @@ tl::expected<std::optional<StoredChunk>, std::string> EditDatabase::chunk(ChunkK
   return reader().chunk(key);
 }
 
-EditDatabase::Done EditDatabase::for_each_record(std::uint64_t first,
-                                                 const std::function<bool(LogRecord&&)>& visit) const {
+EditDatabase::Status EditDatabase::for_each_record(std::uint64_t first,
+                                                   const std::function<bool(LogRecord&&)>& visit) const {
   if (!db_) return failure("the store is closed after a disk error, and opened again each second");
   return reader().for_each_record(meta_, first, visit);
 }
 
-EditDatabase::Done EditDatabase::checkpoint(const std::filesystem::path& path) const {
+EditDatabase::Status EditDatabase::checkpoint(const std::filesystem::path& path) const {
   const std::shared_lock lock{copying_};
   if (!db_) return failure("the store is closed after a disk error, and opened again each second");
   rocksdb::Checkpoint* made = nullptr;
@@ -255,7 +255,7 @@ EditDatabase::HeldFiles::~HeldFiles() {
   if (held_) database_.db_->EnableFileDeletions(false).PermitUncheckedError();
 }
 
-EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {
+EditDatabase::Status EditDatabase::append(const edits::Batch& applied, const StreamPlace& place) {
   StoreMeta meta = meta_;
   meta.head = applied.head();
   meta.stream = place;
@@ -264,9 +264,9 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const Strea
   } else {
     entries_.clear();
   }
-  rocksdb::WriteBatch batch{entries_.size() + kBatchBytesAtLeast};
+  rocksdb::WriteBatch batch{entries_.size() + kMinBatchBytes};
   if (!entries_.empty()) batch.Put(log_key(meta.head.position), as_slice(entries_));
-  for (const edits::Applied& each : applied.applied()) {
+  for (const edits::EntryResult& each : applied.applied()) {
     for (const auto& [name, id] : each.materials) put_material(name, id, batch);
   }
   encode(meta, value_);
@@ -276,7 +276,7 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const Strea
   if (!entries_.empty()) {
     unflushed_.push_back({meta.head.position, meta.link, entries_.size(), meta.head.time_ms});
   }
-  for (const edits::Applied& each : applied.applied()) {
+  for (const edits::EntryResult& each : applied.applied()) {
     for (const auto& [name, id] : each.materials) materials_.insert_or_assign(name, id);
   }
   if (settings_.log_elsewhere) {
@@ -287,30 +287,30 @@ EditDatabase::Done EditDatabase::append(const edits::Batch& applied, const Strea
   return {};
 }
 
-EditDatabase::Done EditDatabase::sync() {
-  const Written written = begin_sync();
+EditDatabase::Status EditDatabase::sync() {
+  const SyncPoint written = begin_sync();
   if (auto synced = sync_log(); !synced) return synced;
   end_sync(written);
   return {};
 }
 
-EditDatabase::Written EditDatabase::begin_sync() {
+EditDatabase::SyncPoint EditDatabase::begin_sync() {
   unsynced_ = false;
   return {meta_.head.position, meta_.link};
 }
 
-EditDatabase::Done EditDatabase::sync_log() const {
+EditDatabase::Status EditDatabase::sync_log() const {
   const std::shared_lock lock{copying_};
   if (!db_) return failure("the store is closed after a disk error");
   if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
   return {};
 }
 
-void EditDatabase::end_sync(const Written& written) {
+void EditDatabase::end_sync(const SyncPoint& written) {
   acknowledged_->write({written.position, written.link});
 }
 
-EditDatabase::Done EditDatabase::enter(const StreamPlace& place) {
+EditDatabase::Status EditDatabase::enter(const StreamPlace& place) {
   StoreMeta meta = meta_;
   meta.stream = place;
   rocksdb::WriteBatch batch;
@@ -327,11 +327,12 @@ void EditDatabase::put_material(const std::string& name, MaterialId id, rocksdb:
   batch.Put(key, as_slice(value_));
 }
 
-EditDatabase::Done EditDatabase::put(const Slice& slice) {
+EditDatabase::Status EditDatabase::put(const Slice& slice) {
   return write(*slice.batch_, false);
 }
 
-void EditDatabase::extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch) {
+void EditDatabase::extend_history(const UnflushedBatch& flushed, std::uint64_t first,
+                                  rocksdb::WriteBatch& batch) {
   const bool fits = !history_.empty() && history_.back().bytes < kSegmentBytes &&
                     flushed.time_ms - history_.back().last_time_ms < kSegmentMs;
   if (!fits) history_.push_back({.first = first});
@@ -360,8 +361,8 @@ void EditDatabase::publish_history() {
   history_since_ms_ = history_.empty() ? 0 : history_.front().last_time_ms;
 }
 
-EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
-  Unflushed flushed;
+EditDatabase::Status EditDatabase::mark_flushed(std::uint64_t position) {
+  UnflushedBatch flushed;
   auto left = unflushed_.begin();
   for (; left != unflushed_.end() && left->position <= position; ++left) {
     flushed.position = left->position;
@@ -390,7 +391,7 @@ EditDatabase::Done EditDatabase::mark_flushed(std::uint64_t position) {
   return {};
 }
 
-EditDatabase::Done EditDatabase::settle() {
+EditDatabase::Status EditDatabase::settle() {
   if (!db_) return failure("the store is closed after a disk error");
   rocksdb::Status status = db_->FlushWAL(true);
   if (status.ok()) status = db_->Flush({});
@@ -398,7 +399,7 @@ EditDatabase::Done EditDatabase::settle() {
   return {};
 }
 
-EditDatabase::Done EditDatabase::recover() {
+EditDatabase::Status EditDatabase::recover() {
   if (const std::uint64_t free = free_bytes(); free < settings_.free_bytes_to_open) {
     return failure(
         fmt::format("the disk has {} bytes free; writing needs {}", free, settings_.free_bytes_to_open));
@@ -446,7 +447,7 @@ std::size_t EditDatabase::memory_bytes() const {
   return memory_;
 }
 
-EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
+EditDatabase::Status EditDatabase::bind(const edits::MaterialIds& materials) {
   std::map<MaterialId, std::string> names;
   for (const auto& [name, id] : materials_) names.emplace(id, name);
   rocksdb::WriteBatch batch;
@@ -469,7 +470,7 @@ EditDatabase::Done EditDatabase::bind(const edits::MaterialIds& materials) {
   return {};
 }
 
-EditDatabase::Done EditDatabase::rename(const std::string& from, const std::string& to) {
+EditDatabase::Status EditDatabase::rename(const std::string& from, const std::string& to) {
   const auto id = check_rename(materials_, from, to);
   if (!id) return failure(id.error());
   rocksdb::WriteBatch batch;
@@ -481,7 +482,7 @@ EditDatabase::Done EditDatabase::rename(const std::string& from, const std::stri
   return {};
 }
 
-EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materials) {
+EditDatabase::Status EditDatabase::name_generated(const edits::MaterialIds& materials) {
   edits::MaterialIds names = materials;
   rocksdb::WriteBatch batch;
   for (const auto& [name, id] : materials_) {
@@ -505,7 +506,7 @@ EditDatabase::Done EditDatabase::name_generated(const edits::MaterialIds& materi
   return {};
 }
 
-EditDatabase::Done EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) {
+EditDatabase::Status EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) {
   if (!db_) return failure("the store is closed after a disk error");
   rocksdb::WriteOptions options;
   options.sync = sync;

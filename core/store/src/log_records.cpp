@@ -12,8 +12,8 @@
 namespace talus::store {
 namespace {
 
-bool has_result(edits::Applied::Kind kind) {
-  using Kind = edits::Applied::Kind;
+bool has_result(edits::EntryResult::Kind kind) {
+  using Kind = edits::EntryResult::Kind;
   return kind == Kind::done || kind == Kind::conflict || kind == Kind::repeat;
 }
 
@@ -95,11 +95,11 @@ edits::NamedIds get_named_ids(ByteReader& in) {
   return materials;
 }
 
-/// Encodes an Applied or a LogRecord. Omits fields that are equal in a whole batch or follow from the entries
-/// before.
+/// Encodes an EntryResult or a LogRecord. Omits fields that are equal in a whole batch or follow from the
+/// entries before.
 template <typename Record>
 void put_record(const Record& record, ByteWriter& out) {
-  using Kind = edits::Applied::Kind;
+  using Kind = edits::EntryResult::Kind;
   out.byte(static_cast<std::uint8_t>(record.kind));
   out.fixed64(record.editor.low);
   out.fixed64(record.editor.high);
@@ -120,7 +120,7 @@ void put_record(const Record& record, ByteWriter& out) {
   if (record.kind == Kind::bound) put_named_ids(record.materials, out);
 }
 LogRecord get_record(ByteReader& in) {
-  using Kind = edits::Applied::Kind;
+  using Kind = edits::EntryResult::Kind;
   LogRecord record;
   const std::uint8_t kind = in.byte();
   if (kind > static_cast<std::uint8_t>(Kind::bound)) in.fail();
@@ -180,8 +180,8 @@ std::optional<std::vector<LogRecord>> read_entries(std::span<const std::byte> bo
 
 }  // namespace
 
-std::uint64_t encode(std::span<const edits::Applied> applied, std::int64_t time_ms, std::uint64_t link_before,
-                     Bytes& out) {
+std::uint64_t encode(std::span<const edits::EntryResult> applied, std::int64_t time_ms,
+                     std::uint64_t link_before, Bytes& out) {
   return encode_entries(applied, time_ms, link_before, out);
 }
 

@@ -48,10 +48,10 @@ tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
   return store;
 }
 
-ReadOnlyStore::Done ReadOnlyStore::read_unflushed() {
+ReadOnlyStore::Status ReadOnlyStore::read_unflushed() {
   const StoreReader reader = this->reader();
   ReplayedChunks chunks{[&](ChunkKey key) { return reader.chunk(key); }};
-  Done read;
+  Status read;
   auto replayed = reader.replay(meta_, [&](LogRecord&& record) {
     read = chunks.apply(record);
     return read.has_value();
@@ -72,7 +72,7 @@ StoreReader::Result<std::optional<StoredChunk>> ReadOnlyStore::chunk(ChunkKey ke
   return reader().chunk(key);
 }
 
-ReadOnlyStore::Done ReadOnlyStore::for_each_chunk(
+ReadOnlyStore::Status ReadOnlyStore::for_each_chunk(
     const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const {
   auto newer = unflushed_.begin();
   bool goes_on = true;
@@ -96,7 +96,7 @@ ReadOnlyStore::Done ReadOnlyStore::for_each_chunk(
   return {};
 }
 
-ReadOnlyStore::Done ReadOnlyStore::for_each_base_chunk(
+ReadOnlyStore::Status ReadOnlyStore::for_each_base_chunk(
     const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const {
   return for_each_chunk(
       [&](ChunkKey key, const StoredChunk& chunk) { return key.lod == Lod{} && visit(key.coord, chunk); });
@@ -128,7 +128,7 @@ StoreReader::Result<std::size_t> ReadOnlyStore::count_editors() const {
   return editors.take().size();
 }
 
-ReadOnlyStore::Done ReadOnlyStore::verify_files() const {
+ReadOnlyStore::Status ReadOnlyStore::verify_files() const {
   if (const auto status = db_->VerifyChecksum(); !status.ok()) {
     return reader().failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
   }

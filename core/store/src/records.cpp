@@ -38,7 +38,7 @@ void encode(const StoreMeta& meta, Bytes& out) {
   writer.fixed64(meta.flushed_link);
   writer.fixed64(meta.stream.sequence);
   writer.fixed64(static_cast<std::uint64_t>(meta.stream.created_ns));
-  writer.fixed64(static_cast<std::uint64_t>(meta.stream.looked_ms));
+  writer.fixed64(static_cast<std::uint64_t>(meta.stream.asked_ms));
   writer.fixed64(meta.stream.message_hash);
   seal(hash_of(meta_key()), out);
 }
@@ -77,7 +77,7 @@ void encode(std::string_view key, MaterialId material, Bytes& out) {
   seal(hash_of(key), out);
 }
 
-void encode(const Acknowledged& acknowledged, Bytes& out) {
+void encode(const AcknowledgedState& acknowledged, Bytes& out) {
   ByteWriter writer = begin_value(out);
   writer.fixed64(acknowledged.position);
   writer.fixed64(acknowledged.link);
@@ -102,7 +102,7 @@ std::optional<StoreMeta> decode_meta(std::span<const std::byte> value) {
   meta.flushed_link = in.fixed64();
   meta.stream.sequence = in.fixed64();
   meta.stream.created_ns = static_cast<std::int64_t>(in.fixed64());
-  meta.stream.looked_ms = static_cast<std::int64_t>(in.fixed64());
+  meta.stream.asked_ms = static_cast<std::int64_t>(in.fixed64());
   meta.stream.message_hash = in.fixed64();
   if (!in.ended() || meta.flushed > meta.head.position) return std::nullopt;
   return meta;
@@ -177,11 +177,11 @@ std::optional<MaterialId> decode_material(std::string_view key, std::span<const 
   return in.ended() ? std::optional{MaterialId{material}} : std::nullopt;
 }
 
-std::optional<Acknowledged> decode_acknowledged(std::span<const std::byte> value) {
+std::optional<AcknowledgedState> decode_acknowledged(std::span<const std::byte> value) {
   const auto body = sealed(hash_of(kAcknowledgedKey), value);
   if (!body) return std::nullopt;
   ByteReader in{*body};
-  Acknowledged acknowledged;
+  AcknowledgedState acknowledged;
   acknowledged.position = in.fixed64();
   acknowledged.link = in.fixed64();
   return in.ended() ? std::optional{acknowledged} : std::nullopt;

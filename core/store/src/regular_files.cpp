@@ -86,13 +86,13 @@ namespace {
 
 /// RocksDB writes less than 100 bytes into each, but reads them whole.
 tl::expected<void, std::string> check_small_file(const fs::path& path) {
-  constexpr std::uintmax_t kMostBytes = 4096;
+  constexpr std::uintmax_t kMaxBytes = 4096;
   if (path.filename() != "CURRENT" && path.filename() != "IDENTITY") return {};
   std::error_code code;
   const std::uintmax_t bytes = fs::file_size(path, code);
-  if (code || bytes <= kMostBytes) return {};
+  if (code || bytes <= kMaxBytes) return {};
   return tl::unexpected{fmt::format("{}: it has {} bytes, and talusd's own has at most {}; restore a backup",
-                                    path.string(), bytes, kMostBytes)};
+                                    path.string(), bytes, kMaxBytes)};
 }
 
 }  // namespace

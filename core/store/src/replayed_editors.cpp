@@ -10,7 +10,7 @@ void ReplayedEditors::start(edits::EditorId id, StoredEditor&& stored) {
 }
 
 void ReplayedEditors::apply(const LogRecord& record) {
-  using Kind = edits::Applied::Kind;
+  using Kind = edits::EntryResult::Kind;
   const bool attach =
       record.kind == Kind::attached || record.kind == Kind::superseded || record.kind == Kind::editors_full;
   if (attach) {

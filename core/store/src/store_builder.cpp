@@ -26,7 +26,7 @@ tl::unexpected<std::string> builder_failure(const std::filesystem::path& path,
 tl::expected<void, std::string> write_store_files(const std::filesystem::path& directory,
                                                   const StoreMeta& meta) {
   Bytes acknowledged;
-  encode(Acknowledged{meta.head.position, meta.link}, acknowledged);
+  encode(AcknowledgedState{meta.head.position, meta.link}, acknowledged);
   const std::span<const std::byte> bytes{acknowledged};
   if (const auto written = files::write_file(directory / "acknowledged", bytes); !written) {
     return tl::unexpected{written.error().message()};
@@ -61,13 +61,13 @@ tl::expected<std::unique_ptr<StoreBuilder>, std::string> StoreBuilder::create(
   return builder;
 }
 
-StoreBuilder::Done StoreBuilder::put(const std::string& key) {
+StoreBuilder::Status StoreBuilder::put(const std::string& key) {
   batch_->Put(key, as_slice(value_));
   if (batch_->GetDataSize() < kWriteBytes) return {};
   return write();
 }
 
-StoreBuilder::Done StoreBuilder::write() {
+StoreBuilder::Status StoreBuilder::write() {
   rocksdb::WriteOptions options;
   options.disableWAL = true;  // an interrupted build starts over
   const auto status = db_->Write(options, batch_.get());
@@ -76,8 +76,8 @@ StoreBuilder::Done StoreBuilder::write() {
   return {};
 }
 
-StoreBuilder::Done StoreBuilder::add(ChunkCoord chunk, std::uint64_t revision,
-                                     std::span<const Override> voxels) {
+StoreBuilder::Status StoreBuilder::add(ChunkCoord chunk, std::uint64_t revision,
+                                       std::span<const Override> voxels) {
   if (voxels.empty()) return {};
   ++chunks_;
   voxels_ += voxels.size();
@@ -95,10 +95,10 @@ StoreBuilder::Done StoreBuilder::add(ChunkCoord chunk, std::uint64_t revision,
       held.voxels.push_back({write.index, *write.material});
     coarse_voxels_ += coarse.writes.size();
   }
-  return coarse_voxels_ < kCoarseVoxels ? Done{} : write_coarse();
+  return coarse_voxels_ < kCoarseVoxels ? Status{} : write_coarse();
 }
 
-StoreBuilder::Done StoreBuilder::write_coarse() {
+StoreBuilder::Status StoreBuilder::write_coarse() {
   if (auto written = write(); !written) return written;  // the reads below need it
   for (auto& [key, coarse] : coarse_) {
     const std::string name = chunk_key(key);
@@ -122,13 +122,13 @@ StoreBuilder::Done StoreBuilder::write_coarse() {
   return {};
 }
 
-StoreBuilder::Done StoreBuilder::add(std::string_view name, MaterialId material) {
+StoreBuilder::Status StoreBuilder::add(std::string_view name, MaterialId material) {
   const std::string key = material_key(name);
   encode(key, material, value_);
   return put(key);
 }
 
-StoreBuilder::Done StoreBuilder::finish(std::uint64_t revision, std::int64_t time_ms) {
+StoreBuilder::Status StoreBuilder::finish(std::uint64_t revision, std::int64_t time_ms) {
   if (auto done = write_coarse(); !done) return done;
   meta_.head.revision = revision;
   meta_.head.time_ms = time_ms;

@@ -67,7 +67,7 @@ StoreReader::Result<std::deque<HistorySegment>> StoreReader::history(std::uint64
   return failure(fmt::format("its table of history is damaged: {}; {}", status.ToString(), kStoreLost));
 }
 
-StoreReader::Done StoreReader::for_each_chunk(
+StoreReader::Status StoreReader::for_each_chunk(
     const std::function<void(ChunkKey, std::uint64_t)>& visit) const {
   std::string damaged;
   const auto status = scan(db_, prefix_of(KeyKind::chunk), [&](const auto& key, const auto& value) {
@@ -85,7 +85,7 @@ StoreReader::Done StoreReader::for_each_chunk(
   return {};
 }
 
-StoreReader::Done StoreReader::for_each_chunk_value(
+StoreReader::Status StoreReader::for_each_chunk_value(
     ChunkKey first, const std::function<bool(ChunkKey, StoredChunk&&)>& visit) const {
   std::string damaged;
   const auto status = scan(db_, chunk_key(first), [&](const auto& key, const auto& value) {
@@ -102,7 +102,7 @@ StoreReader::Done StoreReader::for_each_chunk_value(
   return {};
 }
 
-StoreReader::Done StoreReader::for_each_editor(
+StoreReader::Status StoreReader::for_each_editor(
     const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const {
   bool sound = true;
   const auto status = scan(db_, prefix_of(KeyKind::editor), [&](const auto& key, const auto& value) {
@@ -156,8 +156,8 @@ StoreReader::Result<std::uint64_t> StoreReader::replay(const StoreMeta& meta,
   return bytes;
 }
 
-StoreReader::Done StoreReader::for_each_record(const StoreMeta& meta, std::uint64_t first,
-                                               const std::function<bool(LogRecord&&)>& visit) const {
+StoreReader::Status StoreReader::for_each_record(const StoreMeta& meta, std::uint64_t first,
+                                                 const std::function<bool(LogRecord&&)>& visit) const {
   std::uint64_t position = std::max<std::uint64_t>(first, 1) - 1;
   bool any = false;
   bool sound = true;

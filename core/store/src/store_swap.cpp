@@ -14,7 +14,7 @@ namespace talus::store {
 namespace {
 
 namespace fs = std::filesystem;
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 constexpr std::array<std::string_view, 3> kParts{"acknowledged", "db", "store.toml"};
 constexpr std::string_view kCheckpoint = "talus-checkpoint-";
@@ -33,7 +33,7 @@ tl::unexpected<std::string> swap_failure(const fs::path& path, const std::error_
 }
 
 /// Renames atomically and syncs.
-Done rename_now(const fs::path& from, const fs::path& to) {
+Status rename_now(const fs::path& from, const fs::path& to) {
   std::error_code code;
   fs::rename(from, to, code);
   if (code) return swap_failure(from, code);
@@ -93,7 +93,7 @@ tl::expected<fs::path, std::string> finish(const fs::path& directory) {
 
 }  // namespace
 
-Done sync_directory(const fs::path& directory) {
+Status sync_directory(const fs::path& directory) {
   files::FileLayer& layer = files::system_files();
   const auto opened = layer.open_directory(directory);
   if (!opened) return swap_failure(directory, opened.error());
@@ -103,7 +103,7 @@ Done sync_directory(const fs::path& directory) {
   return {};
 }
 
-Done check_space(const fs::path& directory, std::uint64_t bytes) {
+Status check_space(const fs::path& directory, std::uint64_t bytes) {
   constexpr std::uint64_t kMore = std::uint64_t{64} << 20U;
   std::error_code code;
   const auto space = fs::space(directory, code);
@@ -118,8 +118,8 @@ fs::path checkpoint_path(const fs::path& directory, std::string_view name) {
   return directory / fmt::format("{}{}", kCheckpoint, name);
 }
 
-Done make_checkpoint(const fs::path& path, std::uint64_t copied_bytes,
-                     const std::function<Done(const fs::path&)>& make) {
+Status make_checkpoint(const fs::path& path, std::uint64_t copied_bytes,
+                       const std::function<Status(const fs::path&)>& make) {
   if (auto enough = check_space(path.parent_path(), copied_bytes); !enough) return enough;
   std::error_code code;
   fs::remove_all(path, code);
@@ -139,8 +139,8 @@ tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {
   return staging;
 }
 
-tl::expected<fs::path, std::string> swap_in(const fs::path& directory, Replaced replaced) {
-  if (replaced == Replaced::goes) {
+tl::expected<fs::path, std::string> swap_in(const fs::path& directory, ReplacedStore replaced) {
+  if (replaced == ReplacedStore::goes) {
     const fs::path mark = staging_of(directory) / kOldGoes;
     if (!std::ofstream{mark}) return swap_failure(mark, std::make_error_code(std::errc::io_error));
   }
@@ -157,7 +157,7 @@ bool swap_is_begun(const fs::path& directory) {
 }
 
 tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, const fs::path& replaced) {
-  constexpr std::size_t kMostRejoined = 2;
+  constexpr std::size_t kMaxRejoined = 2;
   constexpr std::string_view kRejoined = "rejoined-";
   std::set<std::uint64_t> numbers;
   std::error_code code;
@@ -173,7 +173,7 @@ tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, con
   const std::uint64_t next = numbers.empty() ? 1 : *numbers.rbegin() + 1;
   const fs::path kept = directory / fmt::format("{}{}", kRejoined, next);
   if (auto moved = rename_now(replaced, kept); !moved) return tl::unexpected{moved.error()};
-  for (; numbers.size() >= kMostRejoined; numbers.erase(numbers.begin())) {
+  for (; numbers.size() >= kMaxRejoined; numbers.erase(numbers.begin())) {
     const fs::path oldest = directory / fmt::format("{}{}", kRejoined, *numbers.begin());
     fs::remove_all(oldest, code);
     if (code) return swap_failure(oldest, code);
@@ -181,7 +181,7 @@ tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, con
   return kept;
 }
 
-Done tidy_up(const fs::path& directory) {
+Status tidy_up(const fs::path& directory) {
   std::error_code code;
   if (const auto next = fs::symlink_status(next_of(directory), code); fs::exists(next)) {
     if (!fs::is_directory(next)) {

@@ -255,7 +255,7 @@ class LayerPicker {
 
   /// Bit k is set if a column of the tile has look k.
   [[nodiscard]] std::uint64_t looks_in_tile(std::size_t rules) {
-    for (const Present& known : present_) {
+    for (const TileLooks& known : present_) {
       if (known.looks != 0 && known.rules == rules) return known.looks;
     }
     std::uint64_t looks = 0;
@@ -271,7 +271,7 @@ class LayerPicker {
     return looks;
   }
 
-  struct Present {
+  struct TileLooks {
     std::size_t rules = 0;
     std::uint64_t looks = 0;
   };
@@ -281,7 +281,7 @@ class LayerPicker {
   const ChunkPlaneKernels& kernels_ = chunk_plane_kernels(instruction_set());
   std::int32_t floor_row_;
   Layers layers_;
-  std::array<Present, 8> present_{};  // a cache of the last queries
+  std::array<TileLooks, 8> present_{};  // a cache of the last queries
   std::size_t next_present_ = 0;
 };
 

@@ -62,13 +62,13 @@ const std::uint8_t* top_of(const Layers& layers, std::size_t layer) {
 // The layer that contains the most of the overlay's columns.
 std::size_t host_of(const ChunkPlaneKernels& kernels, const Layers& layers, const Overlay& overlay) {
   std::size_t host = 0;
-  std::size_t most_hosted = 0;
+  std::size_t max_hosted = 0;
   const std::uint8_t* bottom = kFloor.data();
   for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
     const std::uint8_t* const top = top_of(layers, layer);
     const std::size_t hosted = kernels.count_inside(overlay.from.data(), overlay.to.data(), bottom, top);
-    if (hosted > most_hosted) {
-      most_hosted = hosted;
+    if (hosted > max_hosted) {
+      max_hosted = hosted;
       host = layer;
     }
     bottom = top;

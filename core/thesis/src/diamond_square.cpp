@@ -15,9 +15,9 @@ constexpr std::int64_t kFirstReach = std::int64_t{1} << 32;
 constexpr int kRoughnessBits = 16;
 
 // Heights on a torus.
-class Displaced {
+class TorusHeights {
  public:
-  Displaced(std::uint64_t seed, int side)
+  TorusHeights(std::uint64_t seed, int side)
       : seed_{seed}, side_{side}, heights_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) {}
 
   void start(int spacing) {
@@ -84,7 +84,7 @@ class Displaced {
 
 terrain::HeightMap diamond_square(const DiamondSquareOptions& options) {
   const auto share = static_cast<std::int64_t>(std::floor(options.roughness * (1 << kRoughnessBits) + 0.5));
-  Displaced heights{options.seed, options.side};
+  TorusHeights heights{options.seed, options.side};
   int spacing = options.side / kFirstPoints;
   heights.start(spacing);
   for (std::int64_t reach = kFirstReach; spacing > 1; spacing /= 2) {

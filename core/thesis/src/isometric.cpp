@@ -102,7 +102,7 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Both fade if voxels are smaller than a few pixels, as they would look like noise.
+        // Both fade if voxels are smaller than a few pixels, as they would trace like noise.
         grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
         corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 
@@ -115,13 +115,13 @@ class BandPainter {
       const float sub_y = (static_cast<float>(i / n) + 0.5F) / static_cast<float>(n);
       sample_ = static_cast<std::size_t>(i);
       const glm::vec2 place{static_cast<float>(x) + sub_x, static_cast<float>(y) + sub_y};
-      sum += glm::min(developed(look(camera_.origin(place.x, place.y), place)), glm::vec3{1});
+      sum += glm::min(developed(trace(camera_.origin(place.x, place.y), place)), glm::vec3{1});
     }
     return sum / static_cast<float>(n * n);
   }
 
  private:
-  glm::vec3 look(glm::vec3 origin, glm::vec2 pixel) {
+  glm::vec3 trace(glm::vec3 origin, glm::vec2 pixel) {
     const glm::vec3 direction = camera_.direction();
     const Sight sight = rays_.see(origin, direction);
     glm::vec3 colour =
@@ -133,13 +133,13 @@ class BandPainter {
     return colour;
   }
 
-  glm::vec3 lit(const Meeting& meeting, glm::vec3 point) {
+  glm::vec3 lit(const RayHit& meeting, glm::vec3 point) {
     const float sun = light_.sun(point, meeting.face, sun_direction(sample_));
     const float sky = light_.sky(meeting);
     return kSunlight * sun + kSkylight * sky + kGroundlight * (meeting.face == Face::up ? 0.3F : 1.0F);
   }
 
-  glm::vec3 solid(const Meeting& meeting, glm::vec3 point) {
+  glm::vec3 solid(const RayHit& meeting, glm::vec3 point) {
     const glm::vec3 inside = point - glm::vec3{meeting.voxel};
     const FaceAxes axes = face_axes(meeting.face);
     const glm::vec2 place = glm::clamp(
@@ -153,7 +153,7 @@ class BandPainter {
            (1 - 0.16F * seam_ * (1 - seam));
   }
 
-  glm::vec3 water(const Meeting& meeting, glm::vec3 point, glm::vec3 behind, float length) {
+  glm::vec3 water(const RayHit& meeting, glm::vec3 point, glm::vec3 behind, float length) {
     const float through = 0.8F * std::exp(-length / options_.clear_water);
     const glm::vec3 own = lights_[to_integer(kWater)] * lit(meeting, point);
     const glm::vec3 mirrored = meeting.face == Face::up ? kSkylight * 0.10F : glm::vec3{0};
@@ -161,7 +161,7 @@ class BandPainter {
   }
 
   // The table below the block, with its shadow, which fades at the edges of the picture so that it does not
-  // look cut off.
+  // trace cut off.
   glm::vec3 table(glm::vec3 origin, glm::vec2 pixel) const {
     const glm::vec3 direction = camera_.direction();
     const glm::vec3 point = origin + direction * (-origin.y / direction.y);

@@ -50,9 +50,9 @@ class SkylineErrors {
 // Integer sums, which do not depend on the order of the patches.
 struct Sums {
   std::int64_t surface_fx = 0;
-  std::int64_t most_surface_fx = 0;
+  std::int64_t max_surface_fx = 0;
   std::int64_t rows = 0;
-  std::int64_t most_rows = 0;
+  std::int64_t max_rows = 0;
   std::int64_t same_material = 0;
   std::int64_t elsewhere = 0;  // columns away from widened rivers
   std::int64_t same_elsewhere = 0;
@@ -62,9 +62,9 @@ struct Sums {
 
   void add(const Sums& other) {
     surface_fx += other.surface_fx;
-    most_surface_fx = std::max(most_surface_fx, other.most_surface_fx);
+    max_surface_fx = std::max(max_surface_fx, other.max_surface_fx);
     rows += other.rows;
-    most_rows = std::max(most_rows, other.most_rows);
+    max_rows = std::max(max_rows, other.max_rows);
     same_material += other.same_material;
     elsewhere += other.elsewhere;
     same_elsewhere += other.same_elsewhere;
@@ -158,9 +158,9 @@ std::array<Sums, kLevels> compare(const terrain::World& world, const terrain::Re
         const std::int64_t surface = std::abs((coarse.height_fx(cx, cz) << level) - base.height_fx(x, z));
         const std::int64_t rows = std::abs((coarse.row(cx, cz) << level) - base.row(x, z));
         sums.surface_fx += surface;
-        sums.most_surface_fx = std::max(sums.most_surface_fx, surface);
+        sums.max_surface_fx = std::max(sums.max_surface_fx, surface);
         sums.rows += rows;
-        sums.most_rows = std::max(sums.most_rows, rows);
+        sums.max_rows = std::max(sums.max_rows, rows);
         const int same = coarse.shown(cx, cz) == base.shown(x, z) ? 1 : 0;
         sums.same_material += same;
         // Of a level's changes at its own base column, only wider rivers lower the ground.
@@ -206,8 +206,8 @@ LodError measure_lod_error(const terrain::World& world, const terrain::Region& r
     const Sums& sums = levels[i];
     error.rows.push_back(
         {static_cast<int>(i) + 1, static_cast<double>(sums.surface_fx) / terrain::kSubvoxels / columns,
-         static_cast<double>(sums.most_surface_fx) / terrain::kSubvoxels,
-         static_cast<double>(sums.rows) / columns, static_cast<double>(sums.most_rows),
+         static_cast<double>(sums.max_surface_fx) / terrain::kSubvoxels,
+         static_cast<double>(sums.rows) / columns, static_cast<double>(sums.max_rows),
          static_cast<double>(sums.same_material) / columns, share(sums.same_elsewhere, sums.elsewhere),
          share(sums.same_at_own, sums.own), sums.skyline.percentile(0.95)});
   }
@@ -228,7 +228,7 @@ std::string to_text(const LodError& error) {
   for (const LodErrorRow& row : error.rows) {
     std::snprintf(line.data(), line.size(),
                   "  %5d  %7.2f  %7.1f   %7.2f  %7.0f  %14.2f  %5.1f %%     %5.1f %%     %5.1f %%  %7.2f\n",
-                  row.level, row.mean_surface, row.most_surface, row.mean_voxels, row.most_voxels,
+                  row.level, row.mean_surface, row.max_surface, row.mean_voxels, row.max_voxels,
                   std::ldexp(row.mean_voxels, -row.level), 100 * row.same_material, 100 * row.same_elsewhere,
                   100 * row.same_at_own, row.skyline);
     text += line.data();
@@ -241,9 +241,9 @@ std::string to_json(const LodError& error) {
   for (const LodErrorRow& row : error.rows) {
     json["levels"].push_back({{"level", row.level},
                               {"mean_surface_voxels", row.mean_surface},
-                              {"most_surface_voxels", row.most_surface},
+                              {"most_surface_voxels", row.max_surface},
                               {"mean_voxel_top_voxels", row.mean_voxels},
-                              {"most_voxel_top_voxels", row.most_voxels},
+                              {"most_voxel_top_voxels", row.max_voxels},
                               {"same_material_from_above", row.same_material},
                               {"same_material_away_from_wide_rivers", row.same_elsewhere},
                               {"same_material_at_own_column", row.same_at_own},

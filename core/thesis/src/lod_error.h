@@ -16,9 +16,9 @@ namespace talus::tools {
 struct LodErrorRow {
   int level = 0;
   double mean_surface = 0;  // |H of the level - H of level 0|
-  double most_surface = 0;
+  double max_surface = 0;
   double mean_voxels = 0;  // mean difference of the tops of the highest solid voxels, as drawn
-  double most_voxels = 0;
+  double max_voxels = 0;
   double same_material = 0;   // share of columns that show the same material from above, without objects
   double same_elsewhere = 0;  // `same_material` away from rivers that the level widens
   double same_at_own = 0;     // `same_elsewhere` for the base columns that the level samples

@@ -16,12 +16,12 @@ std::string fault_of_seed(const std::string& text) {
   return "'" + text + "' is not a seed; give a whole number from 0 to 18446744073709551615";
 }
 
-std::string fault_of_number(const std::string& text, double least, double most) {
+std::string fault_of_number(const std::string& text, double min, double max) {
   char* stop = nullptr;
   const double value = std::strtod(text.c_str(), &stop);
-  if (!text.empty() && *stop == '\0' && least <= value && value <= most) return {};
+  if (!text.empty() && *stop == '\0' && min <= value && value <= max) return {};
   std::ostringstream fault;
-  fault << "'" << text << "' is not a number from " << least << " to " << most;
+  fault << "'" << text << "' is not a number from " << min << " to " << max;
   return fault.str();
 }
 

@@ -235,7 +235,7 @@ Quality measure_quality(const terrain::World& world, const QualityOptions& optio
   Tally tally{world, options, places.lattices()};
   progress.expect(places.columns());
   work_in_order(
-      places.count(), thread_count(options.threads), [&](std::size_t index) { return places.look_at(index); },
+      places.count(), thread_count(options.threads), [&](std::size_t index) { return places.measure(index); },
       [&](std::size_t, const PlaceResult& place) {
         tally.add(place);
         progress.advance(static_cast<std::uint64_t>(place.columns));

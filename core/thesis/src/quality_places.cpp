@@ -95,7 +95,7 @@ std::uint64_t QualityPlaces::columns() const {
          lattices().size() * static_cast<std::uint64_t>(options_.lattice_places) * 2;
 }
 
-PlaceResult QualityPlaces::look_at(std::size_t index) const {
+PlaceResult QualityPlaces::measure(std::size_t index) const {
   if (index < spectra()) return spectrum(index % kBandsFrom.size(), index / kBandsFrom.size());
   index -= spectra();
   const auto blocks = static_cast<std::size_t>(options_.blocks);
@@ -166,7 +166,7 @@ PlaceResult QualityPlaces::window(std::size_t index) const {
     }
   }
   result.pieces = water_pieces(wet, side, side);
-  look_at_parts(grid, result);
+  measure_parts(grid, result);
   return result;
 }
 
@@ -179,7 +179,7 @@ PlaceResult QualityPlaces::lattice(std::size_t noise, std::size_t batch) const {
   const auto last =
       std::min<std::size_t>((batch + 1) * kBatch, static_cast<std::size_t>(options_.lattice_places));
   for (std::size_t i = batch * kBatch; i < last; ++i) {
-    const auto look = [&](terrain::ShapingLattices::Spot spot, Moments& heights) {
+    const auto sample = [&](terrain::ShapingLattices::Spot spot, Moments& heights) {
       const terrain::BaseColumn from{coordinate(300 + noise, i, 0), coordinate(300 + noise, i, 1)};
       const auto column = lattices_->column(noise, from, spot);
       ++result.columns;
@@ -188,14 +188,14 @@ PlaceResult QualityPlaces::lattice(std::size_t noise, std::size_t batch) const {
       sampler.row(column->z);
       heights.add(static_cast<double>(sampler.heights_fx().front()) / terrain::kSubvoxels);
     };
-    look(terrain::ShapingLattices::Spot::point, result.at_points);
-    look(terrain::ShapingLattices::Spot::middle, result.at_middles);
+    sample(terrain::ShapingLattices::Spot::point, result.at_points);
+    sample(terrain::ShapingLattices::Spot::middle, result.at_middles);
   }
   return result;
 }
 
 // Measures river beds, and steps not made by terraces.
-void QualityPlaces::look_at_parts(const map::ColumnGrid& grid, PlaceResult& result) const {
+void QualityPlaces::measure_parts(const map::ColumnGrid& grid, PlaceResult& result) const {
   auto land = terrain::LandPartsSampler::make(world_);
   if (!land) return;
   std::vector<std::int64_t> xs(static_cast<std::size_t>(grid.width));

@@ -69,7 +69,7 @@ class QualityPlaces {
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::uint64_t columns() const;
   /// Thread-safe.
-  [[nodiscard]] PlaceResult look_at(std::size_t index) const;
+  [[nodiscard]] PlaceResult measure(std::size_t index) const;
   /// Noises whose lattices are measured; empty if the surface is not made of regions.
   [[nodiscard]] std::vector<std::string> lattices() const;
 
@@ -81,7 +81,7 @@ class QualityPlaces {
   [[nodiscard]] PlaceResult block(std::size_t index) const;
   [[nodiscard]] PlaceResult window(std::size_t index) const;
   [[nodiscard]] PlaceResult lattice(std::size_t noise, std::size_t batch) const;
-  void look_at_parts(const map::ColumnGrid& grid, PlaceResult& result) const;
+  void measure_parts(const map::ColumnGrid& grid, PlaceResult& result) const;
 
   const terrain::World& world_;
   const QualityOptions& options_;

@@ -63,17 +63,17 @@ VoxelLight::VoxelLight(const VoxelRays& rays) : rays_{rays}, memory_(kRemembered
   }
 }
 
-float VoxelLight::sky(const Meeting& meeting) {
+float VoxelLight::sky(const RayHit& meeting) {
   const auto bits = [](int value) { return static_cast<std::uint64_t>(value); };
   const std::uint64_t key =
       ((bits(meeting.voxel.x) << 40) | (bits(meeting.voxel.z) << 20) | bits(meeting.voxel.y)) * 8 +
       static_cast<std::uint64_t>(meeting.face);
-  Remembered& remembered = memory_[(key * 0x9E3779B97F4A7C15U) >> 50];
+  CachedSky& remembered = memory_[(key * 0x9E3779B97F4A7C15U) >> 50];
   if (remembered.key != key) remembered = {key, measure_sky(meeting)};
   return remembered.sky;
 }
 
-float VoxelLight::measure_sky(const Meeting& meeting) const {
+float VoxelLight::measure_sky(const RayHit& meeting) const {
   const glm::vec3 normal = normal_of(meeting.face);
   const glm::vec3 centre = glm::vec3{meeting.voxel} + 0.5F + normal * 0.6F;
   const bool level = meeting.face == Face::up;
@@ -98,7 +98,7 @@ float VoxelLight::measure_sky(const Meeting& meeting) const {
   return (level ? 1.0F : 0.5F) * seen / weights;
 }
 
-float VoxelLight::corners(const Meeting& meeting, glm::vec2 place) const {
+float VoxelLight::corners(const RayHit& meeting, glm::vec2 place) const {
   const FaceAxes axes = face_axes(meeting.face);
   const glm::ivec3 outside = meeting.voxel + whole(normal_of(meeting.face));
   const auto closed = [&](int u, int v) {

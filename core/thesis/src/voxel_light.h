@@ -21,23 +21,23 @@ class VoxelLight {
   explicit VoxelLight(const VoxelRays& rays);
 
   /// 0 to 1: the part of the sky that a face sees above the terrain; 0.5 for a wall under open sky.
-  [[nodiscard]] float sky(const Meeting& meeting);
+  [[nodiscard]] float sky(const RayHit& meeting);
   /// 0 to 1: darker near corners that other voxels close. `place` is the position on the face, 0 to 1 along
   /// each of face_axes().
-  [[nodiscard]] float corners(const Meeting& meeting, glm::vec2 place) const;
+  [[nodiscard]] float corners(const RayHit& meeting, glm::vec2 place) const;
   /// 0 to 1: the share of the sun's light that reaches a point on a face past the terrain above.
   [[nodiscard]] float sun(glm::vec3 point, Face face, glm::vec3 to_sun) const;
 
  private:
-  struct Remembered {
+  struct CachedSky {
     std::uint64_t key = ~std::uint64_t{0};
     float sky = 0;
   };
-  [[nodiscard]] float measure_sky(const Meeting& meeting) const;
+  [[nodiscard]] float measure_sky(const RayHit& meeting) const;
 
   const VoxelRays& rays_;
   std::vector<int> reaches_;
-  std::vector<Remembered> memory_;
+  std::vector<CachedSky> memory_;
 };
 
 /// The two axes of a face, both in positive directions.

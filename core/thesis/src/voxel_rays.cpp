@@ -72,8 +72,7 @@ void walk(const VoxelRays& rays, glm::vec3 origin, glm::vec3 direction, const Me
         if (y >= 0 && y < top) {
           const MaterialId material = grid.at(x, y, z);
           if (material != kAir &&
-              !meet(Meeting{distance, {x, y, z}, by == kNone ? Face::up : entered(by, direction)},
-                    material)) {
+              !meet(RayHit{distance, {x, y, z}, by == kNone ? Face::up : entered(by, direction)}, material)) {
             return;
           }
         }
@@ -119,7 +118,7 @@ VoxelRays::VoxelRays(const VoxelGrid& grid) : grid_{&grid} {
 
 Sight VoxelRays::see(glm::vec3 origin, glm::vec3 direction) const {
   Sight sight;
-  walk(*this, origin, direction, [&](const Meeting& meeting, MaterialId material) {
+  walk(*this, origin, direction, [&](const RayHit& meeting, MaterialId material) {
     if (material == kWater) {
       if (!sight.water) sight.water = meeting;
       return true;
@@ -132,7 +131,7 @@ Sight VoxelRays::see(glm::vec3 origin, glm::vec3 direction) const {
 
 bool VoxelRays::blocked(glm::vec3 origin, glm::vec3 direction) const {
   bool blocked = false;
-  walk(*this, origin, direction, [&](const Meeting&, MaterialId material) {
+  walk(*this, origin, direction, [&](const RayHit&, MaterialId material) {
     blocked = is_solid(material);
     return !blocked;
   });

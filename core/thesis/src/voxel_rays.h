@@ -17,7 +17,7 @@ enum class Face : std::uint8_t { up, down, east, west, south, north };
 
 [[nodiscard]] glm::vec3 normal_of(Face face);
 
-struct Meeting {
+struct RayHit {
   float distance = 0;  // along the ray, in lengths of its direction
   glm::ivec3 voxel{0};
   Face face = Face::up;
@@ -25,8 +25,8 @@ struct Meeting {
 
 /// The first solid voxel, and the water entered before it.
 struct Sight {
-  std::optional<Meeting> water;
-  std::optional<Meeting> solid;
+  std::optional<RayHit> water;
+  std::optional<RayHit> solid;
 };
 
 /// Walks column by column, skipping most of them by their height. The grid must outlive this object.

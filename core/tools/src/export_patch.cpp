@@ -43,8 +43,8 @@ class VoxelSlab {
   }
 
   void reserve_rows(std::int64_t rows) {
-    most_rows_ = static_cast<std::size_t>(std::max<std::int64_t>(rows, 0));
-    items_.assign(most_rows_ * static_cast<std::size_t>((last_z_ - first_z_) * patch_.width), Item{});
+    max_rows_ = static_cast<std::size_t>(std::max<std::int64_t>(rows, 0));
+    items_.assign(max_rows_ * static_cast<std::size_t>((last_z_ - first_z_) * patch_.width), Item{});
   }
 
   void copy(const Chunk& chunk, ChunkCoord coord) {
@@ -68,7 +68,7 @@ class VoxelSlab {
     rows_ = std::max(rows_, static_cast<std::int32_t>(to));
   }
   [[nodiscard]] std::size_t index(std::int64_t x, std::int32_t y, std::int64_t z) const {
-    const auto row = static_cast<std::size_t>(z - first_z_) * most_rows_ + static_cast<std::size_t>(y);
+    const auto row = static_cast<std::size_t>(z - first_z_) * max_rows_ + static_cast<std::size_t>(y);
     return row * static_cast<std::size_t>(patch_.width) + static_cast<std::size_t>(x - patch_.x);
   }
 
@@ -76,7 +76,7 @@ class VoxelSlab {
   std::int32_t y0_;
   std::int64_t first_z_;
   std::int64_t last_z_;
-  std::size_t most_rows_ = 0;
+  std::size_t max_rows_ = 0;
   std::int32_t rows_ = 0;
   std::vector<Item> items_;
 };
@@ -119,8 +119,8 @@ Expected<PatchSummary> PatchWriter::write(const terrain::Region& patch) const {
   return summary;
 }
 
-PatchWriter::Done PatchWriter::write_array(const files::NpyFile& file, ExportArray array,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_array(const files::NpyFile& file, ExportArray array,
+                                             const terrain::Terrain& terrain) const {
   const terrain::Region& patch = terrain.region;
   switch (array) {
     case ExportArray::surface:
@@ -155,31 +155,31 @@ std::size_t PatchWriter::item(const terrain::Region& patch, std::size_t slice, i
 }
 
 template <typename Field>
-PatchWriter::Done PatchWriter::write_field(const files::NpyFile& file, std::size_t slice,
-                                           const terrain::Region& patch, const Field& field) const {
+PatchWriter::Status PatchWriter::write_field(const files::NpyFile& file, std::size_t slice,
+                                             const terrain::Region& patch, const Field& field) const {
   for (int z = 0; z < patch.depth; ++z) {
     if (auto done = file.write(item(patch, slice, z), field.row(z)); !done) return done;
   }
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_fields(const files::NpyFile& file, const terrain::Region& patch,
-                                            const std::vector<terrain::Field>& fields) const {
+PatchWriter::Status PatchWriter::write_fields(const files::NpyFile& file, const terrain::Region& patch,
+                                              const std::vector<terrain::Field>& fields) const {
   for (std::size_t slice = 0; slice < fields.size(); ++slice) {
     if (auto done = write_field(file, slice, patch, fields[slice]); !done) return done;
   }
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_apron(const files::NpyFile& file,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_apron(const files::NpyFile& file,
+                                             const terrain::Terrain& terrain) const {
   terrain::Field apron = terrain.surface;
   for (std::size_t i = 0; i < apron.values.size(); ++i) apron.values[i] -= terrain.bare.values[i];
   return write_field(file, 0, terrain.region, apron);
 }
 
-PatchWriter::Done PatchWriter::write_shown(const files::NpyFile& file,
-                                           const terrain::Terrain& terrain) const {
+PatchWriter::Status PatchWriter::write_shown(const files::NpyFile& file,
+                                             const terrain::Terrain& terrain) const {
   terrain::BasicField<std::uint16_t> shown{terrain.region.width, terrain.region.depth};
   for (std::size_t plane = 0; plane < plan_.planes.size(); ++plane) {
     const MaterialId material = plan_.planes[plane];
@@ -196,8 +196,8 @@ PatchWriter::Done PatchWriter::write_shown(const files::NpyFile& file,
   return {};
 }
 
-PatchWriter::Done PatchWriter::write_quantities(const files::NpyFile& file,
-                                                const terrain::Region& patch) const {
+PatchWriter::Status PatchWriter::write_quantities(const files::NpyFile& file,
+                                                  const terrain::Region& patch) const {
   auto sampler = terrain::PlaceSampler::make(*plan_.world, plan_.fields).value();
   const std::int64_t step = std::int64_t{1} << patch.lod.value();
   std::vector<std::int64_t> xs;

@@ -33,18 +33,18 @@ class PatchWriter {
   [[nodiscard]] Expected<PatchSummary> write(const terrain::Region& patch) const;
 
  private:
-  using Done = tl::expected<void, files::FileError>;
+  using Status = tl::expected<void, files::FileError>;
 
-  [[nodiscard]] Done write_array(const files::NpyFile& file, ExportArray array,
-                                 const terrain::Terrain& terrain) const;
+  [[nodiscard]] Status write_array(const files::NpyFile& file, ExportArray array,
+                                   const terrain::Terrain& terrain) const;
   template <typename Field>
-  [[nodiscard]] Done write_field(const files::NpyFile& file, std::size_t slice, const terrain::Region& patch,
-                                 const Field& field) const;
-  [[nodiscard]] Done write_fields(const files::NpyFile& file, const terrain::Region& patch,
-                                  const std::vector<terrain::Field>& fields) const;
-  [[nodiscard]] Done write_apron(const files::NpyFile& file, const terrain::Terrain& terrain) const;
-  [[nodiscard]] Done write_shown(const files::NpyFile& file, const terrain::Terrain& terrain) const;
-  [[nodiscard]] Done write_quantities(const files::NpyFile& file, const terrain::Region& patch) const;
+  [[nodiscard]] Status write_field(const files::NpyFile& file, std::size_t slice,
+                                   const terrain::Region& patch, const Field& field) const;
+  [[nodiscard]] Status write_fields(const files::NpyFile& file, const terrain::Region& patch,
+                                    const std::vector<terrain::Field>& fields) const;
+  [[nodiscard]] Status write_apron(const files::NpyFile& file, const terrain::Terrain& terrain) const;
+  [[nodiscard]] Status write_shown(const files::NpyFile& file, const terrain::Terrain& terrain) const;
+  [[nodiscard]] Status write_quantities(const files::NpyFile& file, const terrain::Region& patch) const;
   /// Returns the number of rows from y0 up to the highest that is not all air.
   template <typename Item>
   [[nodiscard]] Expected<std::int32_t> write_voxels(const files::NpyFile& file,

@@ -26,7 +26,7 @@ class LookSearch {
       : world_{world}, look_{look}, x_{x}, z_{z} {}
 
   // Checks the grid's columns at most `within` away along x and z.
-  void look_at(const map::ColumnGrid& grid, std::int64_t within) {
+  void visit(const map::ColumnGrid& grid, std::int64_t within) {
     const map::ColumnSamples samples = map::sample_columns(world_, grid);
     for (int k = 0; k < grid.depth; ++k) {
       for (int i = 0; i < grid.width; ++i) {
@@ -40,7 +40,7 @@ class LookSearch {
     while (best_ && spacing > 1) {
       const std::int64_t finer = (spacing + 1) / 2;
       const int reach = 4;
-      look_at(map::grid_around(best_->x, best_->z, finer, 2 * reach + 1, 2 * reach + 1), within);
+      visit(map::grid_around(best_->x, best_->z, finer, 2 * reach + 1, 2 * reach + 1), within);
       spacing = finer;
     }
   }
@@ -86,13 +86,13 @@ std::optional<FoundColumn> find_look(const terrain::World& world, std::uint8_t l
     const int side = 2 * half + 1;
     const map::ColumnGrid all = map::grid_around(x, z, spacing, side, side);
     if (gap == 0) {
-      search.look_at(all, within);
+      search.visit(all, within);
     } else if (half > gap) {
       const int rim = half - gap;
-      search.look_at(all.part(0, 0, side, rim), within);
-      search.look_at(all.part(0, side - rim, side, rim), within);
-      search.look_at(all.part(0, rim, rim, side - 2 * rim), within);
-      search.look_at(all.part(side - rim, rim, rim, side - 2 * rim), within);
+      search.visit(all.part(0, 0, side, rim), within);
+      search.visit(all.part(0, side - rim, side, rim), within);
+      search.visit(all.part(0, rim, rim, side - 2 * rim), within);
+      search.visit(all.part(side - rim, rim, rim, side - 2 * rim), within);
     }
     progress.advance(1);
     // A corner of the square is farther away than columns of the next square's sides.

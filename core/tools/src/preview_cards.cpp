@@ -15,8 +15,8 @@ using namespace sheet;
 
 constexpr int kCardGap = 48;
 constexpr int kLine = 25;
-constexpr std::size_t kMostLines = 16;
-constexpr double kLeastShare = 0.0005;  // minimum share for a line
+constexpr std::size_t kMaxLines = 16;
+constexpr double kMinShare = 0.0005;  // minimum share for a line
 
 class PreviewCards {
  public:
@@ -54,7 +54,7 @@ class PreviewCards {
     double rest = 0;
     std::int64_t more = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (i >= kMostLines || all[i].share < kLeastShare) {
+      if (i >= kMaxLines || all[i].share < kMinShare) {
         rest += all[i].share;
         ++more;
         continue;
@@ -138,7 +138,7 @@ class PreviewCards {
     fact(x, "ground to stacks", words_of("%.1f ns a column", cost.ns_a_column));
     fact(x, "stacks to bytes", words_of("%.1f \u00B5s a mixed chunk", cost.ns_a_chunk / 1000));
     fact(x, "encoded", words_of("%.0f bytes a mixed chunk", cost.bytes_a_chunk));
-    fact(x, "largest", counted(cost.most_bytes) + " bytes");
+    fact(x, "largest", counted(cost.max_bytes) + " bytes");
     fact(x, "mixed chunks over 32 \u00D7 32 columns", words_of("%.2f", cost.chunks_a_column));
     y_ += kLine;
     canvas_.text(x, y_, "CPU time of one thread, measured on this machine", kSmall, kPale);

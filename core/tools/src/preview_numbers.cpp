@@ -264,7 +264,7 @@ CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& gri
           encoding += cpu_ns() - begun;
           ++chunks;
           bytes += static_cast<std::int64_t>(payload.size());
-          cost.most_bytes = std::max(cost.most_bytes, static_cast<std::int64_t>(payload.size()));
+          cost.max_bytes = std::max(cost.max_bytes, static_cast<std::int64_t>(payload.size()));
         }
       }
     }

@@ -52,7 +52,7 @@ struct CostNumbers {
   double ns_a_chunk = 0;       // from stacks to the bytes of a chunk that is not uniform
   double chunks_a_column = 0;  // mixed chunks per 32 x 32 columns
   double bytes_a_chunk = 0;    // of such a chunk, encoded
-  std::int64_t most_bytes = 0;
+  std::int64_t max_bytes = 0;
 };
 [[nodiscard]] CostNumbers measure_cost(const terrain::World& world, const map::ColumnGrid& grid,
                                        ProgressBar& progress);

@@ -13,12 +13,12 @@
 namespace talus::tools {
 
 /// Top of one column, from above. `row` and `water_row` are the rows above it.
-struct TopsOfEdits::Seen {
+struct TopsOfEdits::ColumnTop {
   MaterialId ground = kAir;  // neither air nor water; air: not found yet
   std::int64_t row = 0;
   MaterialId water = kAir;
   std::int64_t water_row = 0;
-  bool operator==(const Seen&) const = default;
+  bool operator==(const ColumnTop&) const = default;
 };
 
 namespace {
@@ -43,14 +43,14 @@ std::vector<map::EditedTop> TopsOfEdits::find(const terrain::Region& region) con
   for (std::int64_t z = floor_div(region.z, kChunkSize); z <= last_z; ++z) {
     for (std::int64_t x = floor_div(region.x, kChunkSize); x <= last_x; ++x) {
       const auto key = checked_chunk(x, 0, z, region.lod);
-      if (key && edits_.edited_rows(*key).size() > 0) look_at(*key, region, tops);
+      if (key && edits_.edited_rows(*key).size() > 0) add_tops(*key, region, tops);
     }
   }
   return tops;
 }
 
-void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
-                          std::vector<map::EditedTop>& tops) const {
+void TopsOfEdits::add_tops(ChunkKey column, const terrain::Region& region,
+                           std::vector<map::EditedTop>& tops) const {
   const VoxelPos origin = chunk_origin(column.coord);
   const terrain::Stacks stacks =
       generate_stacks(world_, {origin.x, origin.z, kChunkSize, kChunkSize, column.lod});
@@ -62,10 +62,10 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
   Column before(kChunkArea);
   Column after(kChunkArea);
   std::optional<MaterialId> unnamed;
-  const auto look = [&](Column& seen, const Chunk& chunk, std::int64_t y) {
+  const auto merge = [&](Column& seen, const Chunk& chunk, std::int64_t y) {
     bool all = true;
     for (int i = 0; i < kChunkArea; ++i) {
-      Seen& one = seen[static_cast<std::size_t>(i)];
+      ColumnTop& one = seen[static_cast<std::size_t>(i)];
       if (one.ground != kAir) continue;
       const std::vector<Run> runs = chunk.runs(i % kChunkSize, i / kChunkSize);
       for (auto run = runs.rbegin(); run != runs.rend() && one.ground == kAir; ++run) {
@@ -97,8 +97,8 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
       return;
     }
     const std::int64_t y = chunk_origin(key.coord).y;
-    if (!before_done) before_done = look(before, chunk, y);
-    if (!after_done) after_done = look(after, overrides->merged_over(chunk), y);
+    if (!before_done) before_done = merge(before, chunk, y);
+    if (!after_done) after_done = merge(after, overrides->merged_over(chunk), y);
     if (unnamed) {
       fail({kExitFailed,
             fmt::format("chunk {}: material {} has no name in the store; start talusd once with the store's "
@@ -112,7 +112,7 @@ void TopsOfEdits::look_at(ChunkKey column, const terrain::Region& region,
     const std::int64_t z = origin.z + static_cast<std::int64_t>(i) / kChunkSize;
     const bool inside =
         x >= region.x && x < region.x + region.width && z >= region.z && z < region.z + region.depth;
-    const Seen& seen = after[i];
+    const ColumnTop& seen = after[i];
     if (!inside || seen.ground == kAir || seen == before[i]) continue;
     tops.push_back({x, z, seen.ground, static_cast<std::int32_t>(seen.row), seen.water,
                     static_cast<std::int32_t>(seen.water_row)});

@@ -27,10 +27,10 @@ class TopsOfEdits final : public map::EditedTops {
   [[nodiscard]] std::optional<Failure> failure() const;
 
  private:
-  struct Seen;
-  using Column = std::vector<Seen>;  // of 32 x 32 columns, z slowest
+  struct ColumnTop;
+  using Column = std::vector<ColumnTop>;  // of 32 x 32 columns, z slowest
   void fail(Failure failure) const;
-  void look_at(ChunkKey column, const terrain::Region& region, std::vector<map::EditedTop>& tops) const;
+  void add_tops(ChunkKey column, const terrain::Region& region, std::vector<map::EditedTop>& tops) const;
 
   const terrain::World& world_;
   const LandEdits& edits_;

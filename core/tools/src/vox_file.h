@@ -50,7 +50,7 @@ class VoxFile {
   [[nodiscard]] Expected<void> finish(std::span<const terrain::Colour> colours, std::int32_t glass);
 
  private:
-  struct Placed {
+  struct PlacedModel {
     std::string name;
     glm::ivec3 translation{0};
   };
@@ -59,7 +59,7 @@ class VoxFile {
 
   files::AtomicFile file_;
   std::uint64_t bytes_ = 0;
-  std::vector<Placed> placed_;
+  std::vector<PlacedModel> placed_;
 };
 
 }  // namespace talus::tools

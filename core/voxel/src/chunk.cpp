@@ -120,7 +120,7 @@ Chunk Chunk::with_overrides(std::span<const Override> overrides) const {
     Chunk chunk = densely();
     if (all.size() > kMaxOverrides || chunk.is_uniform()) return chunk;
   }
-  return Chunk{Overridden{*under, std::move(all)}};
+  return Chunk{OverriddenLayers{*under, std::move(all)}};
 }
 
 const DenseVoxels* Chunk::dense() const {
@@ -129,12 +129,12 @@ const DenseVoxels* Chunk::dense() const {
 }
 
 std::span<const Override> Chunk::overrides() const {
-  const auto* const form = std::get_if<Overridden>(&form_);
+  const auto* const form = std::get_if<OverriddenLayers>(&form_);
   return form == nullptr ? std::span<const Override>{} : form->overrides;
 }
 
 const Layers* Chunk::base() const {
-  const auto* const form = std::get_if<Overridden>(&form_);
+  const auto* const form = std::get_if<OverriddenLayers>(&form_);
   return form == nullptr ? nullptr : &form->base;
 }
 

@@ -74,14 +74,14 @@ class Explainer {
     note(0, "version", text(version));
     if (!take_byte(encoding)) return;
     const std::string key = text(version) + "." + text(encoding);
-    struct Named {
+    struct FormatName {
       const char* key;
       const char* name;
     };
-    static constexpr std::array kNames{Named{"3.0", "layered"}, Named{"4.1", "volume"}, Named{"4.2", "raw"},
-                                       Named{"4.3", "runs"}};
+    static constexpr std::array kNames{FormatName{"3.0", "layered"}, FormatName{"4.1", "volume"},
+                                       FormatName{"4.2", "raw"}, FormatName{"4.3", "runs"}};
     std::string name = "unknown";
-    for (const Named& each : kNames) {
+    for (const FormatName& each : kNames) {
       if (key == each.key) name = each.name;
     }
     note(1, "encoding", text(encoding) + ": " + name);

@@ -40,10 +40,10 @@ void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>
 }
 
 tl::expected<std::vector<MaterialId>, DecodeError> take_materials(std::span<const std::byte>& bytes,
-                                                                  std::size_t most) {
+                                                                  std::size_t max_count) {
   const auto count = take_number(bytes);
   if (!count) return tl::unexpected{count.error()};
-  if (*count == 0 || *count > most) return tl::unexpected{DecodeError::bad_materials};
+  if (*count == 0 || *count > max_count) return tl::unexpected{DecodeError::bad_materials};
   std::vector<MaterialId> materials;
   materials.reserve(*count);
   while (materials.size() < *count) {

@@ -25,9 +25,9 @@ void put_number(std::uint16_t number, std::vector<std::byte>& out);
 
 void put_materials(std::span<const MaterialId> materials, std::vector<std::byte>& out);
 
-/// Removes a count from 1 to `most`, then that many material ids, from the front of `bytes`.
+/// Removes a count from 1 to `max_count`, then that many material ids, from the front of `bytes`.
 [[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_materials(
-    std::span<const std::byte>& bytes, std::size_t most);
+    std::span<const std::byte>& bytes, std::size_t max_count);
 
 /// Removes the materials of layers; adjacent ones must differ.
 [[nodiscard]] tl::expected<std::vector<MaterialId>, DecodeError> take_layer_materials(

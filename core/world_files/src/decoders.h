@@ -14,17 +14,17 @@
 
 namespace talus::world_files {
 
-using Decoded = tl::expected<terrain::HeightMap, std::string>;
+using DecodeResult = tl::expected<terrain::HeightMap, std::string>;
 
 [[nodiscard]] inline tl::unexpected<std::string> refused(std::string what) {
   return tl::unexpected<std::string>{std::move(what)};
 }
 
 [[nodiscard]] bool is_png(std::span<const std::byte> bytes);
-[[nodiscard]] Decoded decode_png(std::span<const std::byte> bytes);
+[[nodiscard]] DecodeResult decode_png(std::span<const std::byte> bytes);
 
 [[nodiscard]] bool is_npy(std::span<const std::byte> bytes);
-[[nodiscard]] Decoded decode_npy(std::span<const std::byte> bytes);
+[[nodiscard]] DecodeResult decode_npy(std::span<const std::byte> bytes);
 
 /// Returns the error of a claimed size, if any.
 [[nodiscard]] std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth);

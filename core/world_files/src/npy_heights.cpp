@@ -63,7 +63,7 @@ std::optional<Shape> shape_of(std::string_view text) {
 }
 
 template <class Sample>
-Decoded map_of(Shape shape, std::span<const std::byte> data) {
+DecodeResult map_of(Shape shape, std::span<const std::byte> data) {
   const std::size_t wanted = shape.width * shape.depth * sizeof(Sample);
   if (data.size() != wanted) {
     return refused("has " + std::to_string(data.size()) + " bytes of samples; its shape needs " +
@@ -84,7 +84,7 @@ bool is_npy(std::span<const std::byte> bytes) {
   return bytes.size() >= kMagic.size() && std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) == 0;
 }
 
-Decoded decode_npy(std::span<const std::byte> bytes) {
+DecodeResult decode_npy(std::span<const std::byte> bytes) {
   const auto byte = [&](std::size_t i) { return std::to_integer<std::size_t>(bytes[i]); };
   if (bytes.size() < 12) return refused("is an .npy that ends in its header");
   const std::size_t version = byte(6);

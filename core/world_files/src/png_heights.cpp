@@ -91,7 +91,7 @@ bool is_png(std::span<const std::byte> bytes) {
          std::memcmp(bytes.data(), kSignature.data(), kSignature.size()) == 0;
 }
 
-Decoded decode_png(std::span<const std::byte> bytes) {
+DecodeResult decode_png(std::span<const std::byte> bytes) {
   Reader reader{bytes};
   if (!reader.read_header()) return refused("is not a whole PNG: " + reader.complaint());
   if (reader.bit_depth() != 16 || !reader.grey()) {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t kFileHeader = 8;
 constexpr std::size_t kPartHeader = 12;
-using Refused = std::optional<std::string>;
+using Refusal = std::optional<std::string>;
 
 class VoxReader {
  public:
   VoxReader(std::span<const std::byte> bytes, const ModelBounds& bounds) : bytes_{bytes}, bounds_{bounds} {}
 
-  Refused read() {
+  Refusal read() {
     if (bytes_.size() < kFileHeader || text(0, 4) != "VOX ") return "is not a .vox file of MagicaVoxel";
     for (std::size_t at = kFileHeader; at < bytes_.size();) {
       if (bytes_.size() - at < kPartHeader) return cut(at);
@@ -27,7 +27,7 @@ class VoxReader {
       const std::size_t content = number(at + 4);
       const std::size_t begin = at + kPartHeader;
       if (content > bytes_.size() - begin) return cut(at);
-      Refused refused;
+      Refusal refused;
       if (id == "SIZE") refused = read_size(begin, content);
       if (id == "XYZI") refused = read_voxels(begin, content);
       if (refused) return refused;
@@ -51,7 +51,7 @@ class VoxReader {
   static std::string cut(std::size_t at) { return "ends within the part at byte " + std::to_string(at); }
   [[nodiscard]] std::string model() const { return "model " + std::to_string(models.size() + 1); }
 
-  Refused read_size(std::size_t at, std::size_t content) {
+  Refusal read_size(std::size_t at, std::size_t content) {
     if (size_ || content < 12) return model() + " has a SIZE that no voxels follow, or a short one";
     size_ = {number(at), number(at + 4), number(at + 8)};
     const std::array<int, 3> most{bounds_.width, bounds_.width, bounds_.height};
@@ -65,7 +65,7 @@ class VoxReader {
     return std::nullopt;
   }
 
-  Refused read_voxels(std::size_t at, std::size_t content) {
+  Refusal read_voxels(std::size_t at, std::size_t content) {
     if (!size_ || content < 4)
       return model() + " has voxels without a SIZE before them, or an XYZI that is too short";
     if (models.size() == static_cast<std::size_t>(bounds_.models)) {

@@ -55,7 +55,7 @@ tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesys
 terrain::WorldFiles beside(const std::filesystem::path& world_file) {
   const std::filesystem::path folder = world_file.parent_path();
   using Models = tl::expected<std::vector<terrain::VoxelModel>, std::string>;
-  const auto load_map = [folder](const std::string& name) -> Decoded {
+  const auto load_map = [folder](const std::string& name) -> DecodeResult {
     const auto file = path_of(folder, name);
     if (!file) return refused(file.error());
     return read_height_map(*file);

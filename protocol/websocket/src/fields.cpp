@@ -13,8 +13,8 @@ std::string_view next_line(std::string_view& text) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr std::size_t kMost = 100;
-  std::string line{text.substr(0, kMost)};
+  constexpr std::size_t kMaxLength = 100;
+  std::string line{text.substr(0, kMaxLength)};
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return line;

@@ -22,7 +22,7 @@ class ChunkCache {
 
   /// The same as in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { chunks_.set_capacity(capacity_bytes); }
-  [[nodiscard]] bool fit(std::size_t& looks) { return chunks_.fit(looks); }
+  [[nodiscard]] bool fit(std::size_t& probes) { return chunks_.fit(probes); }
   [[nodiscard]] std::size_t bytes() const { return chunks_.bytes(); }
 
  private:

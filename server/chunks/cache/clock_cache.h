@@ -111,11 +111,11 @@ class ClockCache {
 
   /// Returns at once: call fit() until everything fits.
   void set_capacity(std::size_t capacity_bytes) { capacity_bytes_ = capacity_bytes; }
-  /// Evicts the excess and frees its memory. Examines at most `looks` entries and subtracts their number from
-  /// `looks`. Returns true if everything fits now.
-  [[nodiscard]] bool fit(std::size_t& looks) {
-    for (; bytes_ > capacity_bytes_; --looks) {
-      if (looks == 0) return false;
+  /// Evicts the excess and frees its memory. Examines at most `probes` entries and subtracts their number
+  /// from `probes`. Returns true if everything fits now.
+  [[nodiscard]] bool fit(std::size_t& probes) {
+    for (; bytes_ > capacity_bytes_; --probes) {
+      if (probes == 0) return false;
       const std::uint32_t index = step();
       if (!std::exchange(slots_[index].used, false)) remove(index);
     }

@@ -51,9 +51,9 @@ class ShardedCache {
     }
   }
 
-  /// As ClockCache::fit(). Never holds a lock for more than kLooksPerLock entries.
-  [[nodiscard]] bool fit(std::size_t& looks) {
-    return std::all_of(shards_.begin(), shards_.end(), [&](Shard& shard) { return shard.fit(looks); });
+  /// As ClockCache::fit(). Never holds a lock for more than kProbesPerLock entries.
+  [[nodiscard]] bool fit(std::size_t& probes) {
+    return std::all_of(shards_.begin(), shards_.end(), [&](Shard& shard) { return shard.fit(probes); });
   }
 
   /// Bytes held now, with overhead. More than the capacity only after set_capacity(), until fit() has evicted
@@ -68,18 +68,18 @@ class ShardedCache {
   }
 
  private:
-  static constexpr std::size_t kLooksPerLock = 64;
+  static constexpr std::size_t kProbesPerLock = 64;
 
   struct Shard {
     explicit Shard(std::size_t capacity_bytes) : values{capacity_bytes} {}
-    [[nodiscard]] bool fit(std::size_t& looks) {
+    [[nodiscard]] bool fit(std::size_t& probes) {
       for (;;) {
-        const std::size_t most = std::min(looks, kLooksPerLock);
+        const std::size_t most = std::min(probes, kProbesPerLock);
         std::size_t left = most;
         const std::lock_guard lock{mutex};
         const bool fits = values.fit(left);
-        looks -= most - left;
-        if (fits || looks == 0) return fits;
+        probes -= most - left;
+        if (fits || probes == 0) return fits;
       }
     }
     mutable std::mutex mutex;

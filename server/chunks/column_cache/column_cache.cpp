@@ -25,7 +25,7 @@ constexpr std::size_t kMaxIdentityBytes = 1024;
 constexpr std::size_t kBlockBytes = std::size_t{16} << 10U;  // the columns of a patch are in one or two
 constexpr int kWriteBuffers = 2;
 constexpr std::size_t kMemoryParts = kWriteBuffers + 1;  // the third part is for read blocks
-constexpr std::chrono::seconds kLookAtDisk{1};
+constexpr std::chrono::seconds kDiskCheckInterval{1};
 
 rocksdb::Options options_of(const ColumnCacheSettings& settings) {
   rocksdb::Options options;
@@ -61,7 +61,7 @@ ColumnCache::ColumnCache(const ColumnCacheSettings& settings, Logger log, const 
     : settings_{settings},
       log_{std::move(log)},
       clock_{clock},
-      looked_at_disk_{(clock.now() - kLookAtDisk).time_since_epoch().count()} {}
+      disk_checked_at_{(clock.now() - kDiskCheckInterval).time_since_epoch().count()} {}
 
 ColumnCache::~ColumnCache() {
   if (db_ != nullptr) (void)db_->Flush({});
@@ -175,9 +175,9 @@ void ColumnCache::flush() {
 
 bool ColumnCache::has_room() {
   const std::int64_t now = clock_.now().time_since_epoch().count();
-  std::int64_t before = looked_at_disk_.load(std::memory_order_relaxed);
-  constexpr std::int64_t kInterval = Clock::duration{kLookAtDisk}.count();
-  if (now - before >= kInterval && looked_at_disk_.compare_exchange_strong(before, now)) {
+  std::int64_t before = disk_checked_at_.load(std::memory_order_relaxed);
+  constexpr std::int64_t kInterval = Clock::duration{kDiskCheckInterval}.count();
+  if (now - before >= kInterval && disk_checked_at_.compare_exchange_strong(before, now)) {
     std::error_code error;
     const auto space = std::filesystem::space(settings_.path, error);
     has_room_ = !error && space.available >= settings_.free_bytes;

@@ -89,8 +89,8 @@ class ColumnCache {
   const Clock& clock_;
   std::unique_ptr<rocksdb::DB> db_;
   Counter found_, missing_, kept_, lost_;
-  std::atomic<std::int64_t> read_ns_{0};      // recent average
-  std::atomic<std::int64_t> looked_at_disk_;  // time of the last check, in nanoseconds of the clock
+  std::atomic<std::int64_t> read_ns_{0};       // recent average
+  std::atomic<std::int64_t> disk_checked_at_;  // time of the last check, in nanoseconds of the clock
   std::atomic<bool> has_room_{true};
   std::atomic<bool> told_{false};  // a fault was logged
 };

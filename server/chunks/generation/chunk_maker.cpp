@@ -14,7 +14,7 @@ EncodedChunkPtr ChunkMaker::known(ChunkKey key) const {
 }
 
 ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
-  if (stacks == nullptr) return tl::make_unexpected(GenerationFailed{"its patch could not be generated"});
+  if (stacks == nullptr) return tl::make_unexpected(GenerationError{"its patch could not be generated"});
   try {
     metrics_.chunks_made.add();
     EncodedChunkPtr chunk = generator_.make_chunk(*stacks, key);
@@ -22,12 +22,12 @@ ChunkAnswer ChunkMaker::chunk(const terrain::Stacks* stacks, ChunkKey key) {
     return chunk;
   } catch (const std::exception& error) {
     log_->error("chunk {} failed: {}", to_string(key), error.what());
-    return tl::make_unexpected(GenerationFailed{error.what()});
+    return tl::make_unexpected(GenerationError{error.what()});
   }
 }
 
-tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
-                                                              const AskAfterStep& after_step) {
+tl::expected<AfterStep, GenerationError> ChunkMaker::heights(HeightsTask& task,
+                                                             const AskAfterStep& after_step) {
   try {
     const bool keeps = task.tile() && maps_ != nullptr;
     // Another client may have asked for it too, and it may have been drawn since.
@@ -39,7 +39,7 @@ tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
     while (task.making()->step()) {
       if (const AfterStep next = after_step(); next != AfterStep::go_on) return next;
     }
-    const HeightsFound found = task.making()->take();
+    const HeightsResult found = task.making()->take();
     metrics_.heights_made.add(found.heights_fx.size());
     if (task.tile()) metrics_.map_tiles_made.add();
     if (keeps) maps_->put(*task.tile(), found.picture);
@@ -48,7 +48,7 @@ tl::expected<AfterStep, GenerationFailed> ChunkMaker::heights(HeightsTask& task,
     return AfterStep::go_on;
   } catch (const std::exception& error) {
     log_->error("{} of {} columns failed: {}", task.tile() ? "a map" : "heights", task.left(), error.what());
-    return tl::make_unexpected(GenerationFailed{error.what()});
+    return tl::make_unexpected(GenerationError{error.what()});
   }
 }
 

@@ -36,8 +36,8 @@ class ChunkMaker {
   /// patch could not be made.
   [[nodiscard]] ChunkAnswer chunk(const terrain::Stacks* stacks, ChunkKey key);
   /// Makes the task's next piece, as far as after_step() lets it. Returns AfterStep::go_on when it is added.
-  [[nodiscard]] tl::expected<AfterStep, GenerationFailed> heights(HeightsTask& task,
-                                                                  const AskAfterStep& after_step);
+  [[nodiscard]] tl::expected<AfterStep, GenerationError> heights(HeightsTask& task,
+                                                                 const AskAfterStep& after_step);
 
  private:
   const Generator& generator_;

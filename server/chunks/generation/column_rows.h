@@ -38,7 +38,7 @@ class ColumnRows {
 
   /// As in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { rows_.set_capacity(capacity_bytes); }
-  [[nodiscard]] bool fit(std::size_t& looks) { return rows_.fit(looks); }
+  [[nodiscard]] bool fit(std::size_t& probes) { return rows_.fit(probes); }
   [[nodiscard]] std::size_t bytes() const { return rows_.bytes(); }
 
  private:

@@ -20,7 +20,7 @@ constexpr std::int64_t kJobBytes = 384;
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
 // While something expensive is made, time between checks whether it is still wanted.
-constexpr std::chrono::milliseconds kLookAgain{5};
+constexpr std::chrono::milliseconds kCheckInterval{5};
 
 // Maximum number of jobs begun and ended under one lock: for that many a lock costs little, and few wait for
 // long.
@@ -32,7 +32,7 @@ constexpr std::size_t kFlowsToTell = 16;
 // Pause after memory was lacking to begin anything.
 constexpr std::chrono::milliseconds kMemoryRetry{100};
 
-const GenerationFailed kOutOfMemory{"out of memory"};
+const GenerationError kOutOfMemory{"out of memory"};
 
 /// Moves the waiters for Version::edited behind the others. Returns the number of the others.
 std::size_t partition_by_version(std::vector<Waiter>& waiters) {
@@ -287,19 +287,19 @@ std::vector<ChunkKey> GenerationPool::answer_known(std::span<const ChunkKey> key
 
 template <typename Chunk>
 void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
-  struct Answered {
+  struct PendingAnswer {
     std::size_t index = 0;
     ChunkAnswer answer;
     std::vector<Waiter> waiters{};
   };
   AnswerBatcher answers{log_, parts_.clock};
-  std::vector<Answered> some;
+  std::vector<PendingAnswer> some;
   some.reserve(std::min(keys.size(), kChunksAtOnce));
   for (std::size_t next = 0; next < keys.size();) {
     {
       const std::lock_guard lock{mutex_};
       if (stopping_) return;
-      for (std::size_t looks = 0; looks < kChunksAtOnce && next < keys.size(); ++looks, ++next) {
+      for (std::size_t tried = 0; tried < kChunksAtOnce && next < keys.size(); ++tried, ++next) {
         if (queue_.begin(keys[next])) {
           some.push_back({next, nullptr});
         } else {
@@ -308,17 +308,17 @@ void GenerationPool::answer(std::span<const ChunkKey> keys, Chunk&& chunk) {
       }
     }
     std::size_t made = 0;
-    for (Answered& each : some) {
+    for (PendingAnswer& each : some) {
       if (stopping_) break;  // a chunk may take long, and no client waits for it any more
       each.answer = chunk(each.index);
       ++made;
     }
     {
       const std::lock_guard lock{mutex_};
-      for (Answered& each : some) each.waiters = queue_.finish(keys[each.index]);
+      for (PendingAnswer& each : some) each.waiters = queue_.finish(keys[each.index]);
     }
     some.resize(made);
-    for (Answered& each : some) {
+    for (PendingAnswer& each : some) {
       const ChunkKey key = keys[each.index];
       const std::size_t generated = partition_by_version(each.waiters);
       const std::span<const Waiter> waiters{each.waiters};
@@ -338,7 +338,7 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
   const AskAfterStep after_step = after_step_of(work, {}, [&] { return queue_.is_wanted(task); });
-  std::optional<GenerationFailed> failure;
+  std::optional<GenerationError> failure;
   const std::size_t left = task.left();
   do {
     auto next = parts_.maker.heights(task, after_step);
@@ -362,11 +362,12 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
 AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
                                            std::function<bool()> is_wanted) {
   return [this, &work, spent, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
-          next = parts_.clock.now() + kLookAgain, piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
+          next = parts_.clock.now() + kCheckInterval,
+          piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
     if (stopping_) return AfterStep::give_up;
     const auto now = parts_.clock.now();
     if (now < next) return AfterStep::go_on;
-    next = now + kLookAgain;
+    next = now + kCheckInterval;
     const std::chrono::nanoseconds took = parts_.clock.thread_cpu() - began;
     const bool long_enough = took >= piece;
     const std::lock_guard lock{mutex_};

@@ -38,7 +38,7 @@ HeightsQuery HeightsTask::next_piece() const {
   return piece;
 }
 
-void HeightsTask::add(const HeightsFound& found) {
+void HeightsTask::add(const HeightsResult& found) {
   if (query_.tile) {
     found_.picture = found.picture;
     done_ = columns_;

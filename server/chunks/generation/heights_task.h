@@ -32,10 +32,10 @@ class HeightsTask {
   /// Returns the query for the next columns to be made, all of one tile; without columns if none is left.
   [[nodiscard]] HeightsQuery next_piece() const;
   /// Returns what makes the next piece; null if it was not begun.
-  [[nodiscard]] std::unique_ptr<HeightsMaking>& making() { return making_; }
+  [[nodiscard]] std::unique_ptr<HeightsBuild>& making() { return making_; }
   [[nodiscard]] bool is_begun() const { return making_ != nullptr; }
   /// Adds the heights of next_piece()'s columns; they are no longer in the making.
-  void add(const HeightsFound& found);
+  void add(const HeightsResult& found);
   /// When no column is left: writes the body that the query wants, if it wants one.
   void write_body();
   /// Ends the task: no more heights are made.
@@ -44,7 +44,7 @@ class HeightsTask {
     making_.reset();
   }
   /// When no column is left: returns the heights in the order of the request.
-  [[nodiscard]] HeightsFound take_found() { return std::move(found_); }
+  [[nodiscard]] HeightsResult take_found() { return std::move(found_); }
 
  private:
   MailboxPtr mailbox_;
@@ -53,8 +53,8 @@ class HeightsTask {
   std::vector<std::uint32_t> order_;  // places in query_.columns, tile by tile
   std::size_t columns_ = 0;           // number of columns asked for
   std::size_t done_ = 0;              // number of columns made
-  HeightsFound found_;
-  std::unique_ptr<HeightsMaking> making_;
+  HeightsResult found_;
+  std::unique_ptr<HeightsBuild> making_;
 };
 
 }  // namespace talus::server

@@ -39,7 +39,7 @@ class MapCache {
 
   /// As in ShardedCache.
   void set_capacity(std::size_t capacity_bytes) { tiles_.set_capacity(capacity_bytes); }
-  [[nodiscard]] bool fit(std::size_t& looks) { return tiles_.fit(looks); }
+  [[nodiscard]] bool fit(std::size_t& probes) { return tiles_.fit(probes); }
   [[nodiscard]] std::size_t bytes() const { return tiles_.bytes(); }
 
  private:

@@ -95,9 +95,9 @@ PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo) {
   return patch_size(tiles, tile_time, halo);
 }
 
-PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size) {
+PatchSize reduced_to(std::size_t max_bytes, const PatchSize& size) {
   PatchSize reduced = size;
-  while (reduced.bytes_at_work() > most_bytes && reduced.tiles > 1) {
+  while (reduced.bytes_at_work() > max_bytes && reduced.tiles > 1) {
     PatchSize fewer = reduced;
     fewer.tiles /= 2;
     fewer.patch_time = time_of(fewer.tiles, size.tile_time, size.halo);

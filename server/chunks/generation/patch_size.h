@@ -56,9 +56,9 @@ inline constexpr int kMaxChosenTiles = 4;
 /// a tile's time is always allowed.
 [[nodiscard]] PatchSize choose_patch_size(std::chrono::nanoseconds tile_time, int halo);
 
-/// Returns `size`, or fewer tiles if a generator at work would take more than `most_bytes`: the most tiles
+/// Returns `size`, or fewer tiles if a generator at work would take more than `max_bytes`: the most tiles
 /// that take no more; if no number does, the fewest. Never so few that halos would make a column take more
 /// than twice the time.
-[[nodiscard]] PatchSize reduced_to(std::size_t most_bytes, const PatchSize& size);
+[[nodiscard]] PatchSize reduced_to(std::size_t max_bytes, const PatchSize& size);
 
 }  // namespace talus::server

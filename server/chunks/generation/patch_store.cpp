@@ -230,15 +230,15 @@ void PatchStore::set_capacity(std::size_t capacity_bytes) {
   patches_.set_capacity(capacity_bytes);
 }
 
-bool PatchStore::fit(std::size_t& looks) {
+bool PatchStore::fit(std::size_t& probes) {
   // Freeing a patch takes long: generators run in between.
   for (;;) {
-    std::size_t one = std::min<std::size_t>(looks, 1);
-    looks -= one;
+    std::size_t one = std::min<std::size_t>(probes, 1);
+    probes -= one;
     const std::lock_guard lock{mutex_};
     const bool fits = patches_.fit(one);
-    looks += one;
-    if (fits || looks == 0) return fits;
+    probes += one;
+    if (fits || probes == 0) return fits;
   }
 }
 

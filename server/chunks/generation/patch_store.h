@@ -106,7 +106,7 @@ class PatchStore {
   /// Takes constant time: call fit() until all fits.
   void set_capacity(std::size_t capacity_bytes);
   /// ClockCache's: evicts what is too much, without extraction.
-  [[nodiscard]] bool fit(std::size_t& looks);
+  [[nodiscard]] bool fit(std::size_t& probes);
   [[nodiscard]] std::size_t bytes() const;
 
  private:

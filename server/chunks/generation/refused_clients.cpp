@@ -4,7 +4,7 @@ namespace talus::server {
 
 void RefusedClients::remember(const MailboxPtr& mailbox) {
   if (clients_.contains(mailbox->owner())) return;
-  if (clients_.size() >= look_at_size_) forget_dead();
+  if (clients_.size() >= check_at_size_) forget_dead();
   std::list<FlowId> place{mailbox->flow()};
   clients_.insert(mailbox->owner());
   try {
@@ -46,7 +46,7 @@ std::vector<MailboxPtr> RefusedClients::take_all() {
 
 void RefusedClients::forget_dead() {
   for (auto& [flow, refused] : by_flow_) {
-    std::erase_if(refused, [&](const Refused& each) {
+    std::erase_if(refused, [&](const RefusedClient& each) {
       if (!each.mailbox.expired()) return false;
       clients_.erase(each.client);
       return true;
@@ -54,7 +54,7 @@ void RefusedClients::forget_dead() {
   }
   std::erase_if(by_flow_, [](const auto& each) { return each.second.empty(); });
   std::erase_if(order_, [&](FlowId flow) { return !by_flow_.contains(flow); });
-  look_at_size_ = std::max<std::size_t>(64, 2 * clients_.size());
+  check_at_size_ = std::max<std::size_t>(64, 2 * clients_.size());
 }
 
 }  // namespace talus::server

@@ -48,7 +48,7 @@ class RefusedClients {
   [[nodiscard]] std::size_t size() const { return clients_.size(); }
 
  private:
-  struct Refused {
+  struct RefusedClient {
     ClientId client;
     std::weak_ptr<Mailbox> mailbox;
   };
@@ -56,10 +56,10 @@ class RefusedClients {
   [[nodiscard]] MailboxPtr take_first(FlowId flow);
   void forget_dead();
 
-  std::unordered_map<FlowId, std::deque<Refused>> by_flow_;  // no deque is empty
-  std::list<FlowId> order_;                                  // keys of by_flow_, the next first
-  std::unordered_set<ClientId> clients_;                     // clients in by_flow_
-  std::size_t look_at_size_ = 64;  // size at which dead clients are searched for again
+  std::unordered_map<FlowId, std::deque<RefusedClient>> by_flow_;  // no deque is empty
+  std::list<FlowId> order_;                                        // keys of by_flow_, the next first
+  std::unordered_set<ClientId> clients_;                           // clients in by_flow_
+  std::size_t check_at_size_ = 64;  // size at which dead clients are searched for again
 };
 
 }  // namespace talus::server

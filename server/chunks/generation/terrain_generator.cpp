@@ -38,7 +38,7 @@ TerrainGenerator::TerrainGenerator(std::shared_ptr<const terrain::World> world, 
                   : std::make_shared<terrain::GroundCache>(ground_bytes, std::make_unique<MutexLock>())},
       place_names_{terrain::place_names(*world_)} {
   idle_.reserve(max_idle);  // so that giving back never fails
-  // Every request looks here first, and computing it costs as much as a look into the cache.
+  // Every request checks this first, and computing it costs as much as one cache lookup.
   for (int level = 0; level <= Lod::kMax; ++level) {
     rows_anywhere_[static_cast<std::size_t>(level)] = rows_of(terrain::mixed_range(*world_, Lod::of(level)));
   }
@@ -64,7 +64,7 @@ MixedRows TerrainGenerator::mixed_rows(const terrain::Stacks& stacks, ChunkKey k
   return rows_of(terrain::mixed_range(*world_, stacks, key.coord.x, key.coord.z));
 }
 
-class TerrainGenerator::PatchOfWorld final : public PatchMaking {
+class TerrainGenerator::PatchOfWorld final : public PatchBuild {
  public:
   PatchOfWorld(const TerrainGenerator& owner, const PatchKey& patch, terrain::Stacks memory)
       : owner_{owner}, generator_{owner.take_generator()} {
@@ -83,22 +83,22 @@ class TerrainGenerator::PatchOfWorld final : public PatchMaking {
   std::unique_ptr<terrain::Generator> generator_;
 };
 
-class TerrainGenerator::HeightsOfWorld final : public HeightsMaking {
+class TerrainGenerator::HeightsOfWorld final : public HeightsBuild {
  public:
   HeightsOfWorld(const TerrainGenerator& owner, HeightsQuery query)
       : owner_{owner}, query_{std::move(query)}, work_{*owner.world_, query_.columns} {}
   [[nodiscard]] bool step() override { return work_.step(); }
-  [[nodiscard]] HeightsFound take() override {
-    HeightsFound found{.heights_fx = work_.take()};
+  [[nodiscard]] HeightsResult take() override {
+    HeightsResult found{.heights_fx = work_.take()};
     if (query_.looks || !query_.fields.empty()) add_places(found);
     return found;
   }
 
  private:
-  void add_places(HeightsFound& found) const {
+  void add_places(HeightsResult& found) const {
     std::vector<std::string> names;
     for (const std::uint8_t field : query_.fields) names.push_back(owner_.place_names_.at(field));
-    terrain::PlacesFound places = terrain::places_at(*owner_.world_, query_.columns, names);
+    terrain::PlaceValues places = terrain::places_at(*owner_.world_, query_.columns, names);
     if (query_.looks) found.looks = std::move(places.looks);
     found.values = std::move(places.values);
   }
@@ -108,7 +108,7 @@ class TerrainGenerator::HeightsOfWorld final : public HeightsMaking {
   terrain::HeightsWork work_;
 };
 
-class TerrainGenerator::MapOfWorld final : public HeightsMaking {
+class TerrainGenerator::MapOfWorld final : public HeightsBuild {
  public:
   MapOfWorld(const terrain::World& world, const map::Tile& tile) : painting_{std::in_place, world, tile} {}
   [[nodiscard]] bool step() override {
@@ -128,20 +128,20 @@ class TerrainGenerator::MapOfWorld final : public HeightsMaking {
     }
     return false;
   }
-  [[nodiscard]] HeightsFound take() override { return std::move(found_); }
+  [[nodiscard]] HeightsResult take() override { return std::move(found_); }
 
  private:
   std::optional<map::TilePainting> painting_;
   std::optional<map::Image> image_;
-  HeightsFound found_;
+  HeightsResult found_;
 };
 
-std::unique_ptr<PatchMaking> TerrainGenerator::start_patch(const PatchKey& patch,
-                                                           terrain::Stacks memory) const {
+std::unique_ptr<PatchBuild> TerrainGenerator::start_patch(const PatchKey& patch,
+                                                          terrain::Stacks memory) const {
   return std::make_unique<PatchOfWorld>(*this, patch, std::move(memory));
 }
 
-std::unique_ptr<HeightsMaking> TerrainGenerator::start_heights(HeightsQuery query) const {
+std::unique_ptr<HeightsBuild> TerrainGenerator::start_heights(HeightsQuery query) const {
   if (query.tile) return std::make_unique<MapOfWorld>(*world_, *query.tile);
   return std::make_unique<HeightsOfWorld>(*this, std::move(query));
 }

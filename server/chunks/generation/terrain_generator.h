@@ -31,10 +31,10 @@ class TerrainGenerator final : public Generator {
   [[nodiscard]] EncodedChunkPtr uniform(MaterialId material) const override;
   [[nodiscard]] MixedRows mixed_rows_anywhere(Lod lod) const override;
   [[nodiscard]] MixedRows mixed_rows(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] std::unique_ptr<PatchMaking> start_patch(const PatchKey& patch,
-                                                         terrain::Stacks memory) const override;
+  [[nodiscard]] std::unique_ptr<PatchBuild> start_patch(const PatchKey& patch,
+                                                        terrain::Stacks memory) const override;
   [[nodiscard]] EncodedChunkPtr make_chunk(const terrain::Stacks& stacks, ChunkKey key) const override;
-  [[nodiscard]] std::unique_ptr<HeightsMaking> start_heights(HeightsQuery query) const override;
+  [[nodiscard]] std::unique_ptr<HeightsBuild> start_heights(HeightsQuery query) const override;
 
  private:
   class PatchOfWorld;

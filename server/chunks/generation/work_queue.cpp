@@ -377,12 +377,13 @@ bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
   return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
 }
 
-bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t most, const WorkCosts& costs) const {
-  if (!client.heights.empty() && costs.height * client.heights.front().left() < most) return true;
+bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t max_cost,
+                                   const WorkCosts& costs) const {
+  if (!client.heights.empty() && costs.height * client.heights.front().left() < max_cost) return true;
   for (const Urgency urgency : {Urgency::soon, Urgency::later}) {
     const auto patch = free_patch(client, urgency);
     if (!patch) continue;
-    if (costs.patch < most || (costs.in_memory && costs.in_memory(*patch))) return true;
+    if (costs.patch < max_cost || (costs.in_memory && costs.in_memory(*patch))) return true;
   }
   return false;
 }

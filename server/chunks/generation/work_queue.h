@@ -199,8 +199,8 @@ class WorkQueue {
   void drop_if_done(Clients::iterator client);
   [[nodiscard]] FairState readiness(ClientId id, Urgency urgency) const;
   [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
-  /// Returns true if the client could begin something that is likely to cost less than `most`.
-  [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t most,
+  /// Returns true if the client could begin something that is likely to cost less than `max_cost`.
+  [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t max_cost,
                                         const WorkCosts& costs) const;
   /// Returns the first patch of that urgency on which a thread may work for the client.
   [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency) const;

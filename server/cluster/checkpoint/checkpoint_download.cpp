@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kHeldBytes = std::size_t{1} << 20U;
 constexpr std::size_t kReasonBytes = 300;
 constexpr long kConnectMs = 5'000;
-constexpr long kLeastBytesPerSecond = 16'384;
+constexpr long kMinBytesPerSecond = 16'384;
 constexpr int kPollMs = 1'000;
 constexpr long kOk = 200;
 
@@ -50,7 +50,7 @@ class CheckpointDownload::Transfer {
     set(CURLOPT_HTTP_VERSION, long{CURL_HTTP_VERSION_1_1});
     set(CURLOPT_SSLVERSION, long{CURL_SSLVERSION_TLSv1_3});
     set(CURLOPT_CONNECTTIMEOUT_MS, kConnectMs);
-    set(CURLOPT_LOW_SPEED_LIMIT, kLeastBytesPerSecond);
+    set(CURLOPT_LOW_SPEED_LIMIT, kMinBytesPerSecond);
     set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(access.patience.count()));
     set(CURLOPT_BUFFERSIZE, 256L << 10);
     set(CURLOPT_ERRORBUFFER, error_.data());

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Downloads with a lower overall rate are cut off.
-constexpr std::uint64_t kLeastRate = std::uint64_t{1} << 20U;
+constexpr std::uint64_t kMinRate = std::uint64_t{1} << 20U;
 constexpr std::chrono::seconds kGrace{60};
 constexpr std::chrono::seconds kBetweenComplaints{1};
 constexpr std::chrono::milliseconds kRateBurst{100};
@@ -63,7 +63,7 @@ class CheckpointService::Body final : public http::BodySource {
   void send(std::unique_ptr<CheckpointTar> tar) {
     tar_ = std::move(tar);
     const std::uint64_t limit = service_.wanted_rate_;
-    const std::uint64_t least = limit == 0 ? kLeastRate : std::min(kLeastRate, limit / 8 + 1);
+    const std::uint64_t least = limit == 0 ? kMinRate : std::min(kMinRate, limit / 8 + 1);
     deadline_ = service_.parts_.clock.now() + kGrace + std::chrono::seconds{tar_->size() / least};
   }
 

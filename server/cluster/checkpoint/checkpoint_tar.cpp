@@ -23,7 +23,7 @@ namespace talus::server {
 namespace {
 
 namespace fs = std::filesystem;
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 constexpr std::size_t kTarPieceBytes = std::size_t{256} << 10U;
 constexpr std::uint64_t kTarBlock = 512;
@@ -170,7 +170,7 @@ tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointTar::open(fs
   return tar;
 }
 
-Done CheckpointTar::list_files() {
+Status CheckpointTar::list_files() {
   std::vector<std::string> names;
   std::error_code code;
   for (fs::directory_iterator at{directory_ / "db", code}, end; !code && at != end; at.increment(code)) {
@@ -213,7 +213,7 @@ tl::expected<std::string_view, std::string> CheckpointTar::next() {
   return std::string_view{piece_};
 }
 
-Done CheckpointTar::begin_file() {
+Status CheckpointTar::begin_file() {
   store::BackupManifest::File& about = manifest_.files[next_file_++];
   const fs::path path = directory_ / about.name;
   file_ = std::make_unique<InputFile>(path, about);
@@ -222,7 +222,7 @@ Done CheckpointTar::begin_file() {
   return {};
 }
 
-Done CheckpointTar::read_piece() {
+Status CheckpointTar::read_piece() {
   if (file_->left() > 0) {
     std::vector<char> bytes(std::size_t{64} << 10U);
     const std::size_t got = file_->read(bytes);

@@ -29,13 +29,13 @@ namespace talus::server {
 namespace {
 
 namespace fs = std::filesystem;
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 /// RocksDB's tables have 64 MiB, a few of them less; the newest tables and the log are some dozens of files.
 /// A store of 10 GiB may have fewer than 3,000 files by this bound, each costing two syncs.
 constexpr std::size_t kFilesOfAny = 300;
 constexpr std::uint64_t kBytesPerFile = std::uint64_t{4} << 20U;
-constexpr std::uint64_t kMostSmallFileBytes = 4'096;  // store.toml and acknowledged
+constexpr std::uint64_t kMaxSmallFileBytes = 4'096;  // store.toml and acknowledged
 constexpr std::string_view kIdentityName = "store.toml";
 
 bool has_digits_alone(std::string_view text) {
@@ -138,12 +138,13 @@ class TarReader {
   std::unique_ptr<archive, int (*)(archive*)> archive_;
 };
 
-class Taking {
+class CheckpointReceiver {
  public:
-  Taking(TarSource& source, const fs::path& staging, const WantedStore& wanted, const OnTaken& on_taken)
+  CheckpointReceiver(TarSource& source, const fs::path& staging, const WantedStore& wanted,
+                     const OnTaken& on_taken)
       : tar_{source, on_taken},
         left_{source.size()},
-        most_files_{kFilesOfAny + static_cast<std::size_t>(source.size() / kBytesPerFile)},
+        max_files_{kFilesOfAny + static_cast<std::size_t>(source.size() / kBytesPerFile)},
         staging_{staging},
         wanted_{wanted} {}
 
@@ -165,7 +166,7 @@ class Taking {
   }
 
  private:
-  [[nodiscard]] Done take_entry(const TarReader::Entry& entry) {
+  [[nodiscard]] Status take_entry(const TarReader::Entry& entry) {
     const bool is_manifest = entry.name == store::kManifestName;
     if (!is_checkpoint_file(entry.name)) {
       return no_checkpoint(fmt::format("a store has no file \"{}\"", escaped(entry.name)));
@@ -174,14 +175,14 @@ class Taking {
       return no_checkpoint(fmt::format("its first file is \"{}\", not {}", entry.name, kIdentityName));
     }
     if (!manifest_.empty()) return no_checkpoint(fmt::format("\"{}\" follows its manifest", entry.name));
-    if (files_.size() >= most_files_) {
-      return no_checkpoint(fmt::format("it has over {} files, more than its size needs", most_files_));
+    if (files_.size() >= max_files_) {
+      return no_checkpoint(fmt::format("it has over {} files, more than its size needs", max_files_));
     }
     if (!names_.insert(entry.name).second) {
       return no_checkpoint(fmt::format("it has \"{}\" twice", entry.name));
     }
     const bool is_small = !is_manifest && !entry.name.starts_with("db/");
-    if (entry.bytes > left_ || (is_small && entry.bytes > kMostSmallFileBytes) ||
+    if (entry.bytes > left_ || (is_small && entry.bytes > kMaxSmallFileBytes) ||
         (is_manifest && entry.bytes > store::kMaxManifestBytes)) {
       return no_checkpoint(
           fmt::format("\"{}\" in it has {} bytes, more than it may", entry.name, entry.bytes));
@@ -189,20 +190,20 @@ class Taking {
     left_ -= entry.bytes;
     if (is_manifest) return read_manifest_text();
     if (auto written = write_entry(entry); !written) return written;
-    return entry.name == kIdentityName ? check_identity() : Done{};
+    return entry.name == kIdentityName ? check_identity() : Status{};
   }
 
-  [[nodiscard]] Done read_manifest_text() {
+  [[nodiscard]] Status read_manifest_text() {
     for (;;) {
       const auto piece = tar_.read(manifest_.size());
       if (!piece) return tl::unexpected{piece.error()};
       if (piece->empty()) break;
       manifest_.append(reinterpret_cast<const char*>(piece->data()), piece->size());
     }
-    return manifest_.empty() ? no_checkpoint("its manifest is empty") : Done{};
+    return manifest_.empty() ? no_checkpoint("its manifest is empty") : Status{};
   }
 
-  [[nodiscard]] Done write_entry(const TarReader::Entry& entry) {
+  [[nodiscard]] Status write_entry(const TarReader::Entry& entry) {
     auto file = files::AtomicFile::create(staging_ / entry.name);
     if (!file) return tl::unexpected{file.error().message()};
     const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state{XXH3_createState(),
@@ -226,7 +227,7 @@ class Taking {
   }
 
   /// Checked before the rest is downloaded.
-  [[nodiscard]] Done check_identity() {
+  [[nodiscard]] Status check_identity() {
     const auto read = store::read_store_identity(staging_ / kIdentityName);
     if (!read) return no_checkpoint("its store.toml was not written by talusd");
     identity_ = *read;
@@ -243,7 +244,7 @@ class Taking {
     return {};
   }
 
-  [[nodiscard]] Done check_manifest() {
+  [[nodiscard]] Status check_manifest() {
     if (manifest_.empty()) return no_checkpoint("it ends before its manifest");
     auto decoded = store::decode_manifest(manifest_);
     if (!decoded) return no_checkpoint(decoded.error());
@@ -284,7 +285,7 @@ class Taking {
     return meta;
   }
 
-  [[nodiscard]] Done check_place(const store::StreamPlace& has) const {
+  [[nodiscard]] Status check_place(const store::StreamPlace& has) const {
     if (!wanted_.place) return {};
     if (has.sequence == 0) return tl::unexpected{std::string{"its store is not in a cluster"}};
     if (wanted_.place->created_ns != 0 && has.created_ns != wanted_.place->created_ns) {
@@ -298,7 +299,7 @@ class Taking {
 
   TarReader tar_;
   std::uint64_t left_;  // announced bytes not received yet
-  const std::size_t most_files_;
+  const std::size_t max_files_;
   const fs::path& staging_;
   const WantedStore& wanted_;
   store::StoreIdentity identity_;
@@ -313,7 +314,7 @@ class Taking {
 tl::expected<store::StoreMeta, std::string> take_checkpoint(TarSource& source, const fs::path& staging,
                                                             const WantedStore& wanted,
                                                             const OnTaken& on_taken) {
-  return Taking{source, staging, wanted, on_taken}.take();
+  return CheckpointReceiver{source, staging, wanted, on_taken}.take();
 }
 
 }  // namespace talus::server

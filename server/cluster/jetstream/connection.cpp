@@ -66,16 +66,16 @@ std::string last_words(natsStatus status) {
 
 }  // namespace
 
-std::span<const std::byte> Arrived::bytes() const {
+std::span<const std::byte> ReceivedMessage::bytes() const {
   return std::as_bytes(
       std::span{natsMsg_GetData(message_), static_cast<std::size_t>(natsMsg_GetDataLength(message_))});
 }
 
-std::string_view Arrived::text() const {
+std::string_view ReceivedMessage::text() const {
   return {natsMsg_GetData(message_), static_cast<std::size_t>(natsMsg_GetDataLength(message_))};
 }
 
-std::string_view Arrived::header(const char* name) const {
+std::string_view ReceivedMessage::header(const char* name) const {
   // NATS' own header follows headers of the same name set by a publisher.
   const char** values = nullptr;
   int count = 0;
@@ -85,14 +85,14 @@ std::string_view Arrived::header(const char* name) const {
   return last;
 }
 
-std::uint64_t Arrived::sequence() const {
+std::uint64_t ReceivedMessage::sequence() const {
   const std::string_view text = header("Nats-Sequence");
   std::uint64_t sequence = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), sequence);
   return error == std::errc{} && stop == text.data() + text.size() ? sequence : 0;
 }
 
-int Arrived::status() const {
+int ReceivedMessage::status() const {
   // A message of a stream is not an answer of NATS, whatever its publisher set.
   if (!header("Nats-Stream").empty()) return 0;
   const std::string_view text = header("Status");
@@ -104,7 +104,7 @@ int Arrived::status() const {
 /// Callbacks for libnats, a C library: exceptions such as bad_alloc must not leave them.
 struct Connection::Callbacks {
   /// A subscription's handler, on its thread.
-  struct Handled {
+  struct HandlerData {
     Handler handler;
     DiscardedMessages discarded;
   };
@@ -192,20 +192,20 @@ struct Connection::Callbacks {
   static void message(natsConnection* /*connection*/, natsSubscription* /*subscription*/, natsMsg* message,
                       void* closure) {
     NatsMessage owned{message};
-    auto& handled = *static_cast<Handled*>(closure);
+    auto& handled = *static_cast<HandlerData*>(closure);
     guard([&] {
-      handled.handler(Arrived{message});
+      handled.handler(ReceivedMessage{message});
       handled.discarded.add(std::move(owned));
     });
   }
-  static void subscription_ended(void* closure) { delete static_cast<Handled*>(closure); }
+  static void subscription_ended(void* closure) { delete static_cast<HandlerData*>(closure); }
 };
 
 tl::expected<std::shared_ptr<Connection>, StreamFailure> Connection::open(
     const ServerUrls& urls, std::shared_ptr<const Credentials> credentials,
     std::shared_ptr<ConnectionEvents> events, Retry retry, const ServerUrls& first) {
   // Threads started by libnats leave signals to the main thread.
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   auto link = std::make_shared<Link>();
   link->credentials = std::move(credentials);
   link->events = std::move(events);
@@ -296,8 +296,8 @@ void Connection::close() {
 
 tl::expected<void, StreamFailure> Connection::subscribe(const std::string& subject, Handler handler,
                                                         int pending_messages, int pending_bytes) {
-  const SignalsBlocked blocked;
-  auto owned = std::make_unique<Callbacks::Handled>(Callbacks::Handled{std::move(handler), {}});
+  const SignalBlocker blocked;
+  auto owned = std::make_unique<Callbacks::HandlerData>(Callbacks::HandlerData{std::move(handler), {}});
   natsSubscription* made = nullptr;
   const natsStatus status =
       natsConnection_Subscribe(&made, connection_.get(), subject.c_str(), &Callbacks::message, owned.get());
@@ -325,18 +325,18 @@ tl::expected<std::shared_ptr<Connection::Source>, StreamFailure> Connection::ope
   return std::make_shared<Source>(std::move(subscription));
 }
 
-Connection::Source::Taken Connection::Source::take(std::chrono::milliseconds patience,
-                                                   const Handler& handler) {
+Connection::Source::TakeResult Connection::Source::take(std::chrono::milliseconds patience,
+                                                        const Handler& handler) {
   natsMsg* come = nullptr;
   const natsStatus status = natsSubscription_NextMsg(&come, subscription_.get(), patience.count());
   if (status == NATS_OK) {
     NatsMessage owned{come};
-    handler(Arrived{come});
+    handler(ReceivedMessage{come});
     discarded_.add(std::move(owned));
-    return Taken::message;
+    return TakeResult::message;
   }
   // A slow reader has lost messages, and continues with the rest.
-  return status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER ? Taken::none : Taken::closed;
+  return status == NATS_TIMEOUT || status == NATS_SLOW_CONSUMER ? TakeResult::none : TakeResult::closed;
 }
 
 StreamFailure Connection::failure_of(natsStatus status, Clock::time_point since,
@@ -362,7 +362,7 @@ tl::expected<NatsMessage, StreamFailure> Connection::request(const std::string& 
                                                              std::string_view text,
                                                              std::chrono::milliseconds patience) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   const auto began = Clock::now();
   natsMsg* reply = nullptr;
   const natsStatus status = natsConnection_Request(&reply, connection_.get(), subject.c_str(), text.data(),
@@ -384,7 +384,7 @@ natsStatus Connection::await_acks() {
   return status;
 }
 
-tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const Arrived& answer) {
+tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const ReceivedMessage& answer) {
   const auto said = parse_answer(answer.text());
   if (!said) return tl::unexpected{unavailable(fmt::format("NATS: {}", words_of(said.error().what)))};
   return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
@@ -408,8 +408,8 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
     status = natsSubscription_NextMsg(&come, acks_.get(), std::max<std::int64_t>(left.count(), 0));
     if (status != NATS_OK) break;
     NatsMessage owned{come};
-    const bool is_late = Arrived{come}.subject() != reply;
-    const auto ack = is_late ? tl::expected<Ack, StreamFailure>{} : ack_of(Arrived{come});
+    const bool is_late = ReceivedMessage{come}.subject() != reply;
+    const auto ack = is_late ? tl::expected<Ack, StreamFailure>{} : ack_of(ReceivedMessage{come});
     discarded_.add(std::move(owned));
     if (!is_late) return ack;
   }
@@ -419,7 +419,7 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
 tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,
                                                           std::chrono::milliseconds patience) {
   if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
-  const SignalsBlocked blocked;
+  const SignalBlocker blocked;
   const auto began = Clock::now();
   jsPubOptions options{};
   jsPubOptions_Init(&options);

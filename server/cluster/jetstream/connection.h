@@ -26,9 +26,9 @@
 namespace talus::server::jetstream {
 
 /// A received message, valid during the handler's call.
-class Arrived {
+class ReceivedMessage {
  public:
-  explicit Arrived(natsMsg* message) : message_{message} {}
+  explicit ReceivedMessage(natsMsg* message) : message_{message} {}
 
   [[nodiscard]] std::string_view subject() const { return natsMsg_GetSubject(message_); }
   [[nodiscard]] std::span<const std::byte> bytes() const;
@@ -78,7 +78,7 @@ class Connection {
   /// Pending calls return, later ones fail.
   void close();
 
-  using Handler = std::function<void(const Arrived&)>;
+  using Handler = std::function<void(const ReceivedMessage&)>;
   /// Calls `handler` on a separate thread. Messages beyond the pending limits are dropped. Survives
   /// reconnects. If NATS rejects the subscription, nothing arrives, and the connection's events report why.
   [[nodiscard]] tl::expected<void, StreamFailure> subscribe(const std::string& subject, Handler handler,
@@ -87,11 +87,11 @@ class Connection {
   /// connection, and is empty then.
   class Source {
    public:
-    enum class Taken : std::uint8_t { message, none, closed };
+    enum class TakeResult : std::uint8_t { message, none, closed };
 
     explicit Source(NatsSubscription subscription) : subscription_{std::move(subscription)} {}
     /// Waits up to `patience` for a message and calls `handler` with it.
-    [[nodiscard]] Taken take(std::chrono::milliseconds patience, const Handler& handler);
+    [[nodiscard]] TakeResult take(std::chrono::milliseconds patience, const Handler& handler);
 
    private:
     NatsSubscription subscription_;
@@ -152,7 +152,7 @@ class Connection {
   explicit Connection(std::shared_ptr<Link> link) : link_{std::move(link)} {}
   /// Subscribes to the acknowledgements for publish().
   [[nodiscard]] natsStatus await_acks();
-  [[nodiscard]] static tl::expected<Ack, StreamFailure> ack_of(const Arrived& answer);
+  [[nodiscard]] static tl::expected<Ack, StreamFailure> ack_of(const ReceivedMessage& answer);
   [[nodiscard]] StreamFailure failure_of(natsStatus status, std::chrono::steady_clock::time_point since,
                                          std::string_view doing) const;
 

@@ -49,17 +49,17 @@ tl::expected<Credentials, std::string> load_credentials(const Cluster& cluster) 
   Credentials credentials;
   credentials.user = cluster.user;
   credentials.tls = cluster.nats.scheme() == "tls";
-  struct Wanted {
+  struct SecretSetting {
     std::string_view key;
     const std::filesystem::path& file;
     KeyBounds bounds;
     std::optional<Secret>& secret;
   };
-  for (const Wanted& wanted :
-       {Wanted{"password_file", cluster.password_file, kPasswordBounds, credentials.password},
-        Wanted{"token_file", cluster.token_file, kPasswordBounds, credentials.token},
-        Wanted{"nkey_file", cluster.nkey_file, kSeedBounds, credentials.seed},
-        Wanted{"key", cluster.key, kPemBounds, credentials.key}}) {
+  for (const SecretSetting& wanted :
+       {SecretSetting{"password_file", cluster.password_file, kPasswordBounds, credentials.password},
+        SecretSetting{"token_file", cluster.token_file, kPasswordBounds, credentials.token},
+        SecretSetting{"nkey_file", cluster.nkey_file, kSeedBounds, credentials.seed},
+        SecretSetting{"key", cluster.key, kPemBounds, credentials.key}}) {
     auto loaded = load_secret(wanted.key, wanted.file, wanted.bounds, credentials.warnings);
     if (!loaded) return tl::unexpected{loaded.error()};
     if (*loaded) wanted.secret.emplace(**std::move(loaded));

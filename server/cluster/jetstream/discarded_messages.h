@@ -13,13 +13,13 @@ namespace talus::server::jetstream {
 /// Used by one thread at a time.
 class DiscardedMessages {
  public:
-  static constexpr std::size_t kMost = 64;
-  static constexpr std::size_t kMostBytes = std::size_t{256} << 10U;  // of message data
+  static constexpr std::size_t kMaxMessages = 64;
+  static constexpr std::size_t kMaxBytes = std::size_t{256} << 10U;  // of message data
 
   void add(NatsMessage message) {
     bytes_ += static_cast<std::size_t>(natsMsg_GetDataLength(message.get()));
     messages_.push_back(std::move(message));
-    if (messages_.size() < kMost && bytes_ < kMostBytes) return;
+    if (messages_.size() < kMaxMessages && bytes_ < kMaxBytes) return;
     messages_.clear();
     bytes_ = 0;
   }

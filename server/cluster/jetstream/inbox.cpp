@@ -24,13 +24,13 @@ constexpr auto kSureOfLess = 15s;       // a deposed leader may report fewer mes
 constexpr auto kDenied = 3s;  // until replicas are asked again: NATS does not report restored permissions
 constexpr auto kBetweenDenials = 60s;  // of one kind, in the log
 /// Maximum delay until a reader that waits for the tail notices input of other threads.
-constexpr auto kBetweenLooks = 20ms;
+constexpr auto kPollInterval = 20ms;
 constexpr std::int64_t kNsInMs = 1'000'000;
 constexpr int kPendingMessages = 4096;
 constexpr int kPendingBytes = 32 << 20;
 /// Answers contain messages as base64 in JSON.
 constexpr int kPendingAnswerBytes =
-    static_cast<int>(Reading::kMostRequests * (kStreamMessageBytes / 3 * 4 + 4096));
+    static_cast<int>(MessageReassembler::kMaxRequests * (kStreamMessageBytes / 3 * 4 + 4096));
 
 std::string new_reply_subject() {
   natsInbox* made = nullptr;
@@ -54,7 +54,7 @@ Inbox::Inbox(StreamNames names, Logger log)
     : names_{std::move(names)},
       log_{std::move(log)},
       reply_{new_reply_subject()},
-      reading_{Clock::now(), random_number()} {}
+      reassembler_{Clock::now(), random_number()} {}
 
 tl::expected<void, StreamFailure> Inbox::listen(Connection& connection) {
   auto tail = connection.open_source(names_.tail, kPendingMessages, kPendingBytes);
@@ -63,7 +63,7 @@ tl::expected<void, StreamFailure> Inbox::listen(Connection& connection) {
     const std::lock_guard lock{mutex_};
     tail_ = *std::move(tail);
   }
-  const auto come = [inbox = shared_from_this(), kind = reply_.size() + 1](const Arrived& arrived) {
+  const auto come = [inbox = shared_from_this(), kind = reply_.size() + 1](const ReceivedMessage& arrived) {
     switch (arrived.subject()[kind]) {
       case 'i':
         return inbox->info(number_at_end(arrived.subject()), arrived.text());
@@ -177,40 +177,41 @@ void Inbox::denied(std::string_view what) {
                 what);
 }
 
-void Inbox::tail(const Arrived& arrived) {
+void Inbox::tail(const ReceivedMessage& arrived) {
   if (arrived.bytes().empty()) return;  // from "talusd cluster check"
   if (arrived.header("Nats-Stream") != names_.stream) return count_false();
   if (arrived.bytes().size() > kStreamMessageBytes) return count_false();
   {
     const std::lock_guard lock{mutex_};
-    reading_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
+    reassembler_.heard(arrived.sequence(), arrived.bytes(), Clock::now());
   }
 }
 
-void Inbox::message(const Arrived& arrived) {
+void Inbox::message(const ReceivedMessage& arrived) {
   const std::uint64_t sequence = number_at_end(arrived.subject());
   // Keeps one byte more than the largest message, so that the truncated bytes are invalid too.
-  constexpr std::size_t kMost = kStreamMessageBytes + 1;
-  const bool too_long = arrived.bytes().size() > kMostAnswerBytes;
-  auto stored = too_long
-                    ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMost}, 0}
-                    : parse_stored_message(arrived.text());
+  constexpr std::size_t kMaxKeptBytes = kStreamMessageBytes + 1;
+  const bool too_long = arrived.bytes().size() > kMaxApiAnswerBytes;
+  auto stored =
+      too_long
+          ? StoredMessage{sequence, {arrived.bytes().begin(), arrived.bytes().begin() + kMaxKeptBytes}, 0}
+          : parse_stored_message(arrived.text());
   {
     const std::lock_guard lock{mutex_};
     const auto now = Clock::now();
     if (too_long || is_of_messages(stored)) unanswered_since_.reset();
     if (!stored || stored->sequence != sequence) {
-      reading_.not_found(sequence, now);
+      reassembler_.not_found(sequence, now);
       question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
     } else {
-      if (stored->bytes.size() > kMost) stored->bytes.resize(kMost);
-      reading_.answered(sequence, stored->bytes, now, stored->time_ns / kNsInMs);
+      if (stored->bytes.size() > kMaxKeptBytes) stored->bytes.resize(kMaxKeptBytes);
+      reassembler_.answered(sequence, stored->bytes, now, stored->time_ns / kNsInMs);
     }
   }
   changed_.notify_all();
 }
 
-void Inbox::message_of_replica(const Arrived& arrived) {
+void Inbox::message_of_replica(const ReceivedMessage& arrived) {
   const std::uint64_t sequence = number_at_end(arrived.subject());
   const auto time_ns = nanoseconds_of(std::string{arrived.header("Nats-Time-Stamp")});
   const bool is_stored =
@@ -220,9 +221,9 @@ void Inbox::message_of_replica(const Arrived& arrived) {
     if (led_) return;
     // No talusd publishes longer messages, and it could not be confirmed.
     if (is_stored && arrived.bytes().size() <= kStreamMessageBytes) {
-      reading_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
+      reassembler_.answered_by_replica(sequence, arrived.bytes(), Clock::now(), *time_ns / kNsInMs);
     } else {
-      reading_.not_found(sequence, Clock::now());
+      reassembler_.not_found(sequence, Clock::now());
     }
   }
   changed_.notify_all();
@@ -234,23 +235,23 @@ void Inbox::leader_answers(bool does) {
     if (led_ == does) return;
     led_ = does;
     if (!does) lacks_since_.reset();  // the next answer may come from another leader
-    reading_.leader_answers(does);
+    reassembler_.leader_answers(does);
   }
   changed_.notify_all();
 }
 
 bool Inbox::awaits_confirmation() const {
   const std::lock_guard lock{mutex_};
-  return reading_.unconfirmed().has_value();
+  return reassembler_.unconfirmed().has_value();
 }
 
 std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uint64_t last) {
   std::unique_lock lock{mutex_};
   const auto now = Clock::now();
   (void)ask(connect, lock, now);
-  look_for_forged();
+  find_forged();
   if (fault_) return fault_;
-  const auto sequence = reading_.unconfirmed();
+  const auto sequence = reassembler_.unconfirmed();
   if (!sequence || *sequence <= last) lacks_since_.reset();
   if (!sequence) return std::nullopt;
   if (*sequence <= last) {
@@ -260,7 +261,7 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
                     *sequence)};
   }
   // Here the stream has lost its end; the applier detects that in time.
-  if (!reading_.is_unconfirmed_after(last)) return std::nullopt;
+  if (!reassembler_.is_unconfirmed_after(last)) return std::nullopt;
   if (!lacks_since_) lacks_since_ = now;
   if (now - *lacks_since_ < kSureOfLess) {
     return StreamFailure{Kind::unavailable,
@@ -273,8 +274,8 @@ std::optional<StreamFailure> Inbox::unconfirmed(const Connect& connect, std::uin
   return fault_;
 }
 
-void Inbox::look_for_forged() {
-  const auto sequence = reading_.forged();
+void Inbox::find_forged() {
+  const auto sequence = reassembler_.forged();
   if (!sequence || fault_) return;
   fault_ = StreamFailure{
       Kind::false_message,
@@ -326,13 +327,13 @@ std::optional<StreamFailure> Inbox::fault() const {
 tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Connect& connect,
                                                                       std::uint64_t after, TimePoint until) {
   std::unique_lock lock{mutex_};
-  reading_.move_to(after, Clock::now());
+  reassembler_.move_to(after, Clock::now());
   for (;;) {
     if (waits_for_answers()) read_tail(lock);
     if (stopped_) return stream_failure(Kind::unavailable, "stopped");
-    look_for_forged();
+    find_forged();
     if (fault_) return tl::unexpected{*fault_};
-    if (auto message = reading_.take()) return message;
+    if (auto message = reassembler_.take()) return message;
     if (const auto gone = check_kept()) return tl::unexpected{*gone};
     const auto now = Clock::now();
     if (trouble_ && trouble_->kind == Kind::refused) return tl::unexpected{*std::exchange(trouble_, {})};
@@ -353,14 +354,14 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
     }
     if (connected_ && ask(connect, lock, now)) continue;  // something may have arrived meanwhile
     TimePoint wake = until;
-    if (connected_) wake = std::min({wake, question_due_, reading_.next_look()});
+    if (connected_) wake = std::min({wake, question_due_, reassembler_.next_poll()});
     wait(lock, wake);
   }
 }
 
 void Inbox::ask_again() {
   const std::lock_guard lock{mutex_};
-  reading_.ask_again(Clock::now());
+  reassembler_.ask_again(Clock::now());
 }
 
 StreamFailure Inbox::failed_for_good(std::string reason) {
@@ -377,19 +378,19 @@ StreamFailure Inbox::failed_for_good(std::string reason) {
 void Inbox::learned(std::uint64_t sequence) {
   {
     const std::lock_guard lock{mutex_};
-    if (!reading_.learned(sequence, Clock::now())) return;
+    if (!reassembler_.learned(sequence, Clock::now())) return;
   }
   changed_.notify_all();
 }
 
 std::uint64_t Inbox::after() const {
   const std::lock_guard lock{mutex_};
-  return reading_.after();
+  return reassembler_.after();
 }
 
-LeaderScout::Wanted Inbox::wanted_stream() const {
+LeaderScout::Requirement Inbox::wanted_stream() const {
   const std::lock_guard lock{mutex_};
-  return {created_ns_, reading_.unconfirmed() ? 0 : reading_.after()};
+  return {created_ns_, reassembler_.unconfirmed() ? 0 : reassembler_.after()};
 }
 
 bool Inbox::asks_replicas(TimePoint now) const {
@@ -430,7 +431,8 @@ bool Inbox::stopped() const {
 
 StreamFigures Inbox::figures() const {
   const std::lock_guard lock{mutex_};
-  return {connected_, reading_.gaps(), false_messages_ + reading_.false_messages(), refused_tail_.why()};
+  return {connected_, reassembler_.gaps(), false_messages_ + reassembler_.false_messages(),
+          refused_tail_.why()};
 }
 
 void Inbox::count_false() {
@@ -445,26 +447,26 @@ tl::expected<void, StreamFailure> Inbox::judge(const StreamState& state, std::ui
     return tl::unexpected{*fault_};
   }
   first_ = state.first;
-  reading_.starts_at(state.first);
+  reassembler_.starts_at(state.first);
   // A deposed leader, or the stream lost its end; the applier detects that in time.
   if (state.last < after) return {};
-  (void)reading_.learned(state.last, Clock::now());
-  if (after > 0) reading_.ends_at(state.last);
+  (void)reassembler_.learned(state.last, Clock::now());
+  if (after > 0) reassembler_.ends_at(state.last);
   return {};
 }
 
 std::optional<StreamFailure> Inbox::check_kept() const {
-  if (first_ <= reading_.after() + 1) return std::nullopt;
+  if (first_ <= reassembler_.after() + 1) return std::nullopt;
   return StreamFailure{Kind::gone, fmt::format("{} keeps messages from {} on, and message {} is needed",
-                                               names_.stream, first_, reading_.after() + 1)};
+                                               names_.stream, first_, reassembler_.after() + 1)};
 }
 
 void Inbox::read_tail(std::unique_lock<std::mutex>& lock) {
   const auto source = tail_;
   if (source == nullptr) return;
   lock.unlock();
-  while (source->take(0ms, [this](const Arrived& arrived) { tail(arrived); }) ==
-         Connection::Source::Taken::message) {
+  while (source->take(0ms, [this](const ReceivedMessage& arrived) { tail(arrived); }) ==
+         Connection::Source::TakeResult::message) {
   }
   lock.lock();
 }
@@ -472,22 +474,22 @@ void Inbox::read_tail(std::unique_lock<std::mutex>& lock) {
 void Inbox::wait(std::unique_lock<std::mutex>& lock, TimePoint until) {
   const auto source = tail_;
   if (source != nullptr && connected_) {
-    until = std::min(until, Clock::now() + kBetweenLooks);
+    until = std::min(until, Clock::now() + kPollInterval);
     if (!waits_for_answers()) {
       lock.unlock();
       const auto patience = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
       const auto taken =
-          source->take(std::max(patience, 0ms), [this](const Arrived& arrived) { tail(arrived); });
+          source->take(std::max(patience, 0ms), [this](const ReceivedMessage& arrived) { tail(arrived); });
       lock.lock();
-      if (taken != Connection::Source::Taken::closed) return;
+      if (taken != Connection::Source::TakeResult::closed) return;
     }
   }
   changed_.wait_until(lock, until);
 }
 
 bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, TimePoint now) {
-  const std::vector<std::uint64_t> messages = reading_.wanted(now);
-  if (reading_.claims_more()) question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
+  const std::vector<std::uint64_t> messages = reassembler_.wanted(now);
+  if (reassembler_.claims_more()) question_due_ = std::min(question_due_, asked_at_ + kBetweenUrgent);
   const bool question = now >= question_due_;
   if (question) {
     asked_at_ = now;
@@ -496,7 +498,7 @@ bool Inbox::ask(const Connect& connect, std::unique_lock<std::mutex>& lock, Time
   const bool of_replicas = asks_replicas(now);
   if (!messages.empty() && !of_replicas && !unanswered_since_) unanswered_since_ = now;
   if (messages.empty() && !question) return false;
-  const std::uint64_t after = reading_.after();
+  const std::uint64_t after = reassembler_.after();
   lock.unlock();
   if (const auto connection = connect()) {
     if (question) (void)(*connection)->send(names_.info(), fmt::format("{}.i.{}", reply_, after), "");

@@ -17,7 +17,7 @@
 #include "cluster/jetstream/connection.h"
 #include "cluster/jetstream/leader_questions.h"
 #include "cluster/jetstream/leader_scout.h"
-#include "cluster/jetstream/reading.h"
+#include "cluster/jetstream/message_reassembler.h"
 #include "cluster/jetstream/refused_subscription.h"
 #include "cluster/jetstream/stored_message.h"
 #include "cluster/jetstream/stream_info.h"
@@ -79,7 +79,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   void learned(std::uint64_t sequence);
   [[nodiscard]] std::uint64_t after() const;
   /// The stream that was read, up to what a leader has reported or confirmed.
-  [[nodiscard]] LeaderScout::Wanted wanted_stream() const;
+  [[nodiscard]] LeaderScout::Requirement wanted_stream() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;
   void reopened();
   void wake();
@@ -93,12 +93,12 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
                                                                  TimePoint until);
 
  private:
-  void tail(const Arrived& arrived);
+  void tail(const ReceivedMessage& arrived);
   /// Processes the leader's answer to a request for a message.
-  void message(const Arrived& arrived);
+  void message(const ReceivedMessage& arrived);
   /// Processes a replica's answer.
-  void message_of_replica(const Arrived& arrived);
-  void look_for_forged();
+  void message_of_replica(const ReceivedMessage& arrived);
+  void find_forged();
   [[nodiscard]] bool asks_replicas(TimePoint now) const;
   void info(std::uint64_t after, std::string_view text);
   void count_false();
@@ -106,7 +106,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   [[nodiscard]] RefusedSubscription* subscription_of(std::string_view denial);
   tl::expected<void, StreamFailure> judge(const StreamState& state, std::uint64_t after);
   [[nodiscard]] std::optional<StreamFailure> check_kept() const;
-  [[nodiscard]] bool waits_for_answers() const { return created_ns_ == 0 || reading_.asks(); }
+  [[nodiscard]] bool waits_for_answers() const { return created_ns_ == 0 || reassembler_.asks(); }
   /// Reads the pending messages of the tail.
   void read_tail(std::unique_lock<std::mutex>& lock);
   /// Waits for input or `until`. The reader receives the tail itself, because another thread would add a
@@ -121,7 +121,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   const std::string reply_;  // prefix of the subjects of answers
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  Reading reading_;
+  MessageReassembler reassembler_;
   std::shared_ptr<Connection::Source> tail_;
   std::shared_ptr<Connection::Source> probe_;  // tests if answers are allowed
   RefusedSubscription refused_tail_;

@@ -133,7 +133,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
     }
   }
   if (!stream && stream.error().kind == Kind::unavailable) {
-    look_for_leader();
+    find_leader();
     return stream;
   }
   {
@@ -149,7 +149,7 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   return stream;
 }
 
-void JetStreamLog::look_for_leader() {
+void JetStreamLog::find_leader() {
   std::shared_ptr<Connection> silent;
   {
     const std::lock_guard lock{connection_mutex_};
@@ -166,7 +166,7 @@ void JetStreamLog::look_for_leader() {
   inbox_->leader_answers(false);
   const std::unique_lock scouting{scouting_, std::try_to_lock};
   if (!scouting) return;
-  const auto found = scout_.look(kScouting, inbox_->wanted_stream());
+  const auto found = scout_.probe(kScouting, inbox_->wanted_stream());
   // It may answer on this connection again.
   if (!found || ask_leader()) return;
   const std::lock_guard lock{connection_mutex_};

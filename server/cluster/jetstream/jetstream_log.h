@@ -75,7 +75,7 @@ class JetStreamLog final : public LogStream {
 
   /// Handles a leader that does not answer: if that persists although a NATS server is connected, looks for
   /// another server or connection on which it does, and reads from replicas.
-  void look_for_leader();
+  void find_leader();
 
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;

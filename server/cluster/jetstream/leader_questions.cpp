@@ -7,7 +7,7 @@ namespace talus::server::jetstream {
 tl::expected<StreamInfo, StreamFailure> ask_info(Connection& connection, const StreamNames& names) {
   const auto reply = connection.request(names.info(), "", kAnswerPatience);
   if (!reply) return tl::unexpected{reply.error()};
-  auto info = parse_stream_info(Arrived{reply->get()}.text());
+  auto info = parse_stream_info(ReceivedMessage{reply->get()}.text());
   if (!info) return tl::unexpected{failure_of(info.error(), names.stream)};
   return *std::move(info);
 }
@@ -18,7 +18,7 @@ tl::expected<std::optional<StoredMessage>, StreamFailure> ask_message(Connection
   const auto reply =
       connection.request(names.message_get(), StreamNames::by_number(sequence), kAnswerPatience);
   if (!reply) return tl::unexpected{reply.error()};
-  auto message = parse_stored_message(Arrived{reply->get()}.text());
+  auto message = parse_stored_message(ReceivedMessage{reply->get()}.text());
   if (!is_of_messages(message)) return tl::unexpected{failure_of(message.error(), names.stream)};
   if (!message || message->sequence != sequence) return std::optional<StoredMessage>{};
   return *std::move(message);

@@ -22,12 +22,12 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kIsNews{5};
 constexpr std::chrono::seconds kBetweenScouts{1};
 constexpr std::chrono::seconds kBetweenManyScouts{5};
-constexpr std::size_t kManyLooks = 120;
+constexpr std::size_t kManyProbes = 120;
 /// libnats must not be used while the program exits. A probe takes less, unless a server is silent.
 constexpr std::chrono::seconds kLastWait{2};
 
 bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Credentials>& credentials,
-                       const StreamNames& names, const LeaderScout::Wanted& wanted) {
+                       const StreamNames& names, const LeaderScout::Requirement& wanted) {
   const auto connection = Connection::open(server, credentials, nullptr, Retry::never);
   if (!connection) return false;
   const auto info = ask_info(**connection, names);
@@ -39,12 +39,12 @@ bool leader_answers_by(const ServerUrls& server, const std::shared_ptr<const Cre
 }  // namespace
 
 /// Lives until the probing thread has ended, even without the scout.
-struct LeaderScout::Look {
+struct LeaderScout::Probe {
   ServerUrls urls;
   std::size_t first = 0;
   std::shared_ptr<const Credentials> credentials;
   StreamNames names;
-  Wanted wanted;
+  Requirement wanted;
 
   std::mutex mutex;
   std::condition_variable ended;
@@ -76,38 +76,39 @@ LeaderScout::LeaderScout(ServerUrls urls, std::shared_ptr<const Credentials> cre
       next_{static_cast<std::size_t>(random_number() % urls_.size())} {}  // spreads servers
 
 LeaderScout::~LeaderScout() {
-  const auto look = look_;
-  if (look == nullptr) return;
-  std::unique_lock lock{look->mutex};
-  (void)look->ended.wait_for(lock, kLastWait, [&] { return look->ended_at.has_value(); });
+  const auto probe = probe_;
+  if (probe == nullptr) return;
+  std::unique_lock lock{probe->mutex};
+  (void)probe->ended.wait_for(lock, kLastWait, [&] { return probe->ended_at.has_value(); });
 }
 
-std::optional<ServerUrls> LeaderScout::look(std::chrono::milliseconds patience, Wanted wanted) {
-  if (look_ == nullptr) {
+std::optional<ServerUrls> LeaderScout::probe(std::chrono::milliseconds patience, Requirement wanted) {
+  if (probe_ == nullptr) {
     const auto now = Clock::now();
-    if (now - looked_at_ < (looks_ < kManyLooks ? kBetweenScouts : kBetweenManyScouts)) return std::nullopt;
-    looked_at_ = now;
-    ++looks_;
-    auto look = std::make_shared<Look>();
-    look->urls = urls_;
-    look->first = next_++ % urls_.size();
-    look->credentials = credentials_;
-    look->names = names_;
-    look->wanted = wanted;
-    const SignalsBlocked blocked;
+    if (now - probed_at_ < (probes_ < kManyProbes ? kBetweenScouts : kBetweenManyScouts)) return std::nullopt;
+    probed_at_ = now;
+    ++probes_;
+    auto probe = std::make_shared<Probe>();
+    probe->urls = urls_;
+    probe->first = next_++ % urls_.size();
+    probe->credentials = credentials_;
+    probe->names = names_;
+    probe->wanted = wanted;
+    const SignalBlocker blocked;
     try {
-      std::thread{[look] { look->run(); }}.detach();
+      std::thread{[probe] { probe->run(); }}.detach();
     } catch (const std::system_error&) {
       return std::nullopt;  // no thread available: try again later
     }
-    look_ = std::move(look);
+    probe_ = std::move(probe);
   }
-  const auto look = look_;
-  std::unique_lock lock{look->mutex};
-  if (!look->ended.wait_for(lock, patience, [&] { return look->ended_at.has_value(); })) return std::nullopt;
-  look_.reset();
-  if (Clock::now() - *look->ended_at > kIsNews) return std::nullopt;
-  return std::move(look->found);
+  const auto probe = probe_;
+  std::unique_lock lock{probe->mutex};
+  if (!probe->ended.wait_for(lock, patience, [&] { return probe->ended_at.has_value(); }))
+    return std::nullopt;
+  probe_.reset();
+  if (Clock::now() - *probe->ended_at > kIsNews) return std::nullopt;
+  return std::move(probe->found);
 }
 
 }  // namespace talus::server::jetstream

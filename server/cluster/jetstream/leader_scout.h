@@ -21,7 +21,7 @@ namespace talus::server::jetstream {
 class LeaderScout {
  public:
   /// A leader of another stream of the name, or of an older copy, is rejected.
-  struct Wanted {
+  struct Requirement {
     std::int64_t created_ns = 0;  // 0: unknown
     std::uint64_t last = 0;       // minimum last message
   };
@@ -36,22 +36,22 @@ class LeaderScout {
   /// contact with a majority. Joins or starts a probe of all servers (at most one per second; one per five
   /// seconds after two minutes). nullopt if none was found within `patience`; the probe continues for the
   /// next call.
-  [[nodiscard]] std::optional<ServerUrls> look(std::chrono::milliseconds patience, Wanted wanted);
+  [[nodiscard]] std::optional<ServerUrls> probe(std::chrono::milliseconds patience, Requirement wanted);
   /// There is a leader: probes may be frequent again.
-  void rest() { looks_ = 0; }
+  void rest() { probes_ = 0; }
   /// True if a probe runs, or its result was not returned yet.
-  [[nodiscard]] bool is_looking() const { return look_ != nullptr; }
+  [[nodiscard]] bool is_probing() const { return probe_ != nullptr; }
 
  private:
-  struct Look;
+  struct Probe;
 
   ServerUrls urls_;
   std::shared_ptr<const Credentials> credentials_;
   StreamNames names_;
   std::size_t next_;
-  std::size_t looks_ = 0;  // since a leader was known
-  std::chrono::steady_clock::time_point looked_at_{};
-  std::shared_ptr<Look> look_;  // running, or result not returned yet
+  std::size_t probes_ = 0;  // since a leader was known
+  std::chrono::steady_clock::time_point probed_at_{};
+  std::shared_ptr<Probe> probe_;  // running, or result not returned yet
 };
 
 }  // namespace talus::server::jetstream

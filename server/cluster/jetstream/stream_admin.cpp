@@ -44,7 +44,7 @@ StreamFailure failure_of(const StreamError& error, const StreamNames& names) {
 tl::expected<StreamInfo, StreamError> ask_stream_info(Connection& connection, const StreamNames& names) {
   const auto reply = connection.request(names.info(), "", kAnswerIn);
   if (!reply) return tl::unexpected{StreamError{reply.error()}};
-  auto info = parse_stream_info(Arrived{reply->get()}.text());
+  auto info = parse_stream_info(ReceivedMessage{reply->get()}.text());
   if (!info) return tl::unexpected{StreamError{info.error()}};
   return *std::move(info);
 }
@@ -54,7 +54,7 @@ tl::expected<StreamInfo, StreamError> make_stream(Connection& connection, const 
   const std::string settings = wanted_settings(names, replicas).dump();
   const auto reply = connection.request("$JS.API.STREAM.CREATE." + names.stream, settings, kMadeIn);
   if (!reply) return tl::unexpected{StreamError{reply.error()}};
-  const auto made = parse_answer(Arrived{reply->get()}.text());
+  const auto made = parse_answer(ReceivedMessage{reply->get()}.text());
   if (!made) return tl::unexpected{StreamError{made.error()}};
   return ask_stream_info(connection, names);
 }

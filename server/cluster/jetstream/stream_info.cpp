@@ -48,7 +48,7 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
 }
 
 tl::expected<json, ApiError> parse_answer(std::string_view text) {
-  if (text.size() > kMostAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
+  if (text.size() > kMaxApiAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
   json answer = json::parse(text, nullptr, false);
   if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is not a JSON object"}};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {

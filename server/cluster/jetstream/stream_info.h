@@ -53,7 +53,7 @@ struct ApiError {
 };
 
 /// Maximum size of JetStream's answers.
-inline constexpr std::size_t kMostAnswerBytes = 1U << 20;
+inline constexpr std::size_t kMaxApiAnswerBytes = 1U << 20;
 
 /// Returns the object of a JetStream answer, or the error in it.
 [[nodiscard]] tl::expected<nlohmann::json, ApiError> parse_answer(std::string_view text);

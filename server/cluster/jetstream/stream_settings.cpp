@@ -12,9 +12,9 @@ constexpr std::int64_t kMaxBytes = 16LL << 30;
 
 /// Formats as ASCII on one line, with a length limit.
 std::string shown(const nlohmann::json& value) {
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMaxShownLength = 200;
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  if (text.size() > kMost) text.replace(kMost, text.npos, "...");
+  if (text.size() > kMaxShownLength) text.replace(kMaxShownLength, text.npos, "...");
   return text;
 }
 

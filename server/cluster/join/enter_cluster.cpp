@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostTries = 20;
+constexpr int kMaxAttempts = 20;
 constexpr std::chrono::milliseconds kBetweenTries{250};
 constexpr std::chrono::seconds kFirstPatience{2};
 
@@ -26,7 +26,7 @@ constexpr std::chrono::seconds kFirstPatience{2};
 template <typename Ask>
 auto insist(const Ask& ask) {
   auto answer = ask();
-  for (int tries = 1; !answer && tries < kMostTries; ++tries) {
+  for (int tries = 1; !answer && tries < kMaxAttempts; ++tries) {
     if (answer.error().kind != StreamFailure::Kind::unavailable) break;
     std::this_thread::sleep_for(kBetweenTries);
     answer = ask();
@@ -114,7 +114,7 @@ tl::expected<store::StoreMeta, std::string> enter_cluster(const fs::path& direct
     state = insist([&] { return stream.state(); });
     if (!state) return tl::unexpected{state.error().reason};
     if (published || state->last > 0) continue;
-    if (published.error().kind != StreamFailure::Kind::unavailable || tries == kMostTries) {
+    if (published.error().kind != StreamFailure::Kind::unavailable || tries == kMaxAttempts) {
       return tl::unexpected{published.error().reason};
     }
   }

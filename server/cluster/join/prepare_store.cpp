@@ -23,7 +23,7 @@ namespace talus::server::join {
 namespace {
 
 namespace fs = std::filesystem;
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMaxReasonBytes = 1'000;
@@ -31,13 +31,13 @@ constexpr std::chrono::milliseconds kFirstWait{500};
 constexpr std::chrono::milliseconds kLongestWait{5'000};
 constexpr std::chrono::seconds kGenesisPatience{2};
 /// Maximum number of consecutive checkpoints that were too old on arrival.
-constexpr int kMostJoins = 3;
+constexpr int kMaxJoins = 3;
 
 class Preparation {
  public:
   explicit Preparation(const Parts& parts) : parts_{parts} {}
 
-  [[nodiscard]] tl::expected<Prepared, std::string> run() {
+  [[nodiscard]] tl::expected<PreparedStore, std::string> run() {
     if (auto read = read_local(); !read) return tl::unexpected{std::move(read.error())};
     id_ = parts_.store_id;
     if (!id_ && local_) id_ = local_->store_id;
@@ -48,16 +48,16 @@ class Preparation {
     }
     auto stream = parts_.open_stream(*id_);
     if (!stream) return tl::unexpected{std::move(stream.error())};
-    for (int joins = 0; joins < kMostJoins; ++joins) {
+    for (int joins = 0; joins < kMaxJoins; ++joins) {
       auto facts = find_facts(**stream);
       if (!facts) return tl::unexpected{std::move(facts.error())};
-      if (!*facts) return Prepared{*std::move(stream), joins_};
+      if (!*facts) return PreparedStore{*std::move(stream), joins_};
       StartPlan plan = plan_start(**facts);
       using Kind = StartPlan::Kind;
       if (plan.kind == Kind::refused) return refused(plan.reason);
       if (plan.kind == Kind::as_it_is) {
         parts_.log->info("cluster: this store is {}", plan.reason);
-        return Prepared{*std::move(stream), joins_};
+        return PreparedStore{*std::move(stream), joins_};
       }
       parts_.log->info("joining: {}", plan.reason);
       if (plan.kind == Kind::from_peer) {
@@ -68,10 +68,10 @@ class Preparation {
           if (auto own = use_own(); !own) return tl::unexpected{std::move(own.error())};
           continue;
         }
-        if (local_) return Prepared{*std::move(stream), joins_};
+        if (local_) return PreparedStore{*std::move(stream), joins_};
       }
       if (auto begun = begin_empty(); !begun) return tl::unexpected{std::move(begun.error())};
-      return Prepared{*std::move(stream), joins_};
+      return PreparedStore{*std::move(stream), joins_};
     }
     return refused(
         "the stream forgets faster than a peer's store can be taken; let it keep more (max_age, max_bytes)");
@@ -92,7 +92,7 @@ class Preparation {
   }
 
   /// Reads the local store if it has entries.
-  [[nodiscard]] Done read_local() {
+  [[nodiscard]] Status read_local() {
     const fs::path& path = parts_.directory.path();
     std::error_code code;
     if (fs::exists(path / store::kRejoinName, code)) {
@@ -207,7 +207,7 @@ class Preparation {
   }
 
   /// Uses the store that was put aside, because no peer has another.
-  [[nodiscard]] Done use_own() {
+  [[nodiscard]] Status use_own() {
     parts_.log->error(
         "joining: all servers that answer have put their stores aside, so votes in the log must have been "
         "false. This one, at message {}, has read most: it goes on with its own, and the others take it from "
@@ -222,7 +222,7 @@ class Preparation {
     return {};
   }
 
-  [[nodiscard]] Done take(const WantedPlace& place) {
+  [[nodiscard]] Status take(const WantedPlace& place) {
     const auto began = SteadyClock::now();
     const AfterRound after_round = [this, began](std::chrono::milliseconds wait, const Round& round) {
       gave_up_ = give_up_;
@@ -245,7 +245,7 @@ class Preparation {
   }
 
   /// Keeps the previous store unless the new one has everything in it.
-  [[nodiscard]] Done tidy(const fs::path& replaced, const store::StoreMeta& now) {
+  [[nodiscard]] Status tidy(const fs::path& replaced, const store::StoreMeta& now) {
     const bool of_value = local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty());
     std::error_code code;
     if (!replaced.empty() && of_value) {
@@ -264,7 +264,7 @@ class Preparation {
   }
 
   /// Creates an empty store with the cluster's id, replacing one without entries.
-  [[nodiscard]] Done begin_empty() {
+  [[nodiscard]] Status begin_empty() {
     const fs::path& path = parts_.directory.path();
     std::error_code code;
     for (const char* const part : {"acknowledged", "db", "store.toml"}) {
@@ -289,11 +289,11 @@ class Preparation {
 
 }  // namespace
 
-tl::expected<Prepared, std::string> prepare_store(const Parts& parts) {
+tl::expected<PreparedStore, std::string> prepare_store(const Parts& parts) {
   return Preparation{parts}.run();
 }
 
-Done want_rejoin(const fs::path& directory, const std::string& reason) {
+Status want_rejoin(const fs::path& directory, const std::string& reason) {
   const std::string text = on_one_line(reason).substr(0, kMaxReasonBytes);
   if (const auto written = files::write_file(directory / store::kRejoinName, std::string_view{text});
       !written) {
@@ -302,7 +302,7 @@ Done want_rejoin(const fs::path& directory, const std::string& reason) {
   return {};
 }
 
-Done forget_rejoin(const fs::path& directory) {
+Status forget_rejoin(const fs::path& directory) {
   std::error_code code;
   fs::remove(directory / store::kRejoinName, code);
   if (code)

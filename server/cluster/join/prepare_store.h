@@ -37,7 +37,7 @@ struct Parts {
   std::chrono::milliseconds silent_patience = std::chrono::minutes{2};
 };
 
-struct Prepared {
+struct PreparedStore {
   std::unique_ptr<LogStream> stream;  // of the store that the directory has then
   std::uint64_t joins = 0;            // number of checkpoints downloaded
 };
@@ -45,7 +45,7 @@ struct Prepared {
 /// Makes the directory's store ready to be opened, and opens its stream. Waits as long as neither stream nor
 /// peers can be reached, unless the store on the disk can be served meanwhile. An error is one line; an
 /// operator must act.
-[[nodiscard]] tl::expected<Prepared, std::string> prepare_store(const Parts& parts);
+[[nodiscard]] tl::expected<PreparedStore, std::string> prepare_store(const Parts& parts);
 
 /// Marks the store in `directory` as unusable: the next prepare_store() downloads one from a peer. `reason`
 /// is one line. Requires the directory's lock.

@@ -193,7 +193,7 @@ class Checker {
     }
     const auto began = std::chrono::steady_clock::now();
     const auto listens = connection_->subscribe(
-        target_.names.tail, [](const jetstream::Arrived&) {}, 1, 1 << 20);
+        target_.names.tail, [](const jetstream::ReceivedMessage&) {}, 1, 1 << 20);
     const auto flushed = connection_->flush(kPatience * 2);
     if (!listens || !flushed) {
       add(Kind::fault, fmt::format("cannot subscribe to {}: {}", target_.names.tail,
@@ -248,7 +248,7 @@ class Checker {
       const auto reply = connections_[asked++ % connections_.size()]->request(target_.names.direct_get(),
                                                                               question, kPatience);
       if (!reply) return tl::unexpected{reply.error().reason};
-      const jetstream::Arrived message{reply->get()};
+      const jetstream::ReceivedMessage message{reply->get()};
       if (message.status() == kNoMessage) return ReplicaAnswer{};
       if (message.status() != 0)
         return tl::unexpected{fmt::format("no replica answers (status {})", message.status())};

@@ -28,11 +28,11 @@ struct Flags {
 };
 
 /// Output of a command, and true if all is well.
-struct Said {
+struct CommandOutput {
   std::string text;
   bool well = true;
 };
-using Answer = tl::expected<Said, std::string>;
+using Answer = tl::expected<CommandOutput, std::string>;
 
 tl::expected<Config, std::string> settings_of(const Flags& flags, const Environment& environment) {
   Settings settings;
@@ -55,7 +55,7 @@ Answer run_init(const Config& config, const Flags& /*flags*/, const MakeGenesis&
   if (!genesis) return tl::unexpected{genesis.error()};
   const auto made = init(*target, *genesis);
   if (!made) return tl::unexpected{made.error()};
-  return Said{made_lines(*target, *genesis, *made)};
+  return CommandOutput{made_lines(*target, *genesis, *made)};
 }
 
 Answer run_check(const Config& config, const Flags& flags, const MakeGenesis& make_genesis) {
@@ -64,7 +64,7 @@ Answer run_check(const Config& config, const Flags& flags, const MakeGenesis& ma
   const auto genesis = make_genesis(config.world, target->store_id);
   if (!genesis) return tl::unexpected{genesis.error()};
   const std::vector<Finding> findings = check(*target, *genesis, flags.all ? UINT64_MAX : flags.messages);
-  return Said{finding_lines(findings), !any_fault(findings)};
+  return CommandOutput{finding_lines(findings), !any_fault(findings)};
 }
 
 Answer run_status(const Config& config, const Flags& flags, const MakeGenesis& /*make_genesis*/) {
@@ -72,7 +72,7 @@ Answer run_status(const Config& config, const Flags& flags, const MakeGenesis& /
   if (!target) return tl::unexpected{target.error()};
   const auto status = read_status(*target);
   if (!status) return tl::unexpected{status.error()};
-  return Said{flags.json ? status_json(*status) : status_lines(*status), has_majority(status->info)};
+  return CommandOutput{flags.json ? status_json(*status) : status_lines(*status), has_majority(status->info)};
 }
 
 int say(std::string_view name, const Answer& answer) {

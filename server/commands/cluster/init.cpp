@@ -16,12 +16,12 @@ constexpr auto kAckPatience = 5s;
 
 }  // namespace
 
-tl::expected<Made, std::string> init(const Target& target, const cluster::Genesis& genesis) {
+tl::expected<InitResult, std::string> init(const Target& target, const cluster::Genesis& genesis) {
   const auto connection = target.connect();
   if (!connection) return tl::unexpected{connection.error().reason};
   const auto stream = ensure_stream(**connection, target.names, target.replicas);
   if (!stream) return tl::unexpected{stream.error()};
-  Made made{stream->made, false};
+  InitResult made{stream->made, false};
   if (stream->info.state.last == 0) {
     const auto bytes = encode(genesis);
     if (!bytes) return tl::unexpected{bytes.error()};
@@ -39,7 +39,7 @@ tl::expected<Made, std::string> init(const Target& target, const cluster::Genesi
   return made;
 }
 
-std::string made_lines(const Target& target, const cluster::Genesis& genesis, const Made& made) {
+std::string made_lines(const Target& target, const cluster::Genesis& genesis, const InitResult& made) {
   return fmt::format(
       "store {}\nstream {}: {}, {} {}, kept for 7 days and up to 16 GiB\nfirst message: {}, of world {}\n",
       to_string(target.store_id), target.names.stream, made.stream ? "made" : "was there", target.replicas,

@@ -10,14 +10,16 @@
 
 namespace talus::server::cluster_tool {
 
-struct Made {
+struct InitResult {
   bool stream = false;
   bool genesis = false;
 };
 
 /// Returns what was newly created. An error is one line: NATS forbids it, or a different stream exists.
-[[nodiscard]] tl::expected<Made, std::string> init(const Target& target, const cluster::Genesis& genesis);
+[[nodiscard]] tl::expected<InitResult, std::string> init(const Target& target,
+                                                         const cluster::Genesis& genesis);
 
-[[nodiscard]] std::string made_lines(const Target& target, const cluster::Genesis& genesis, const Made& made);
+[[nodiscard]] std::string made_lines(const Target& target, const cluster::Genesis& genesis,
+                                     const InitResult& made);
 
 }  // namespace talus::server::cluster_tool

@@ -15,8 +15,8 @@ using jetstream::StreamNames;
 
 // One replica of three is missed once in 17,000 times, and the next request reaches it again.
 constexpr int kTimesAsked = 24;
-constexpr int kMostSilent = 3;  // consecutive requests without an answer
-constexpr int kMostPauses = 20;
+constexpr int kMaxSilent = 3;  // consecutive requests without an answer
+constexpr int kMaxPauses = 20;
 constexpr std::array<std::uint64_t, 5> kMessagesBack{0, 1, 16, 256, 4096};
 
 bool lags(const StreamInfo& info) {
@@ -58,7 +58,7 @@ class ReplicaComparison {
     for (int i = 0; i < kTimesAsked && !failure_; ++i) {
       auto answer = questions_.ask(question);
       if (!answer) {
-        if (++silent == kMostSilent) failure_ = std::move(answer.error());
+        if (++silent == kMaxSilent) failure_ = std::move(answer.error());
         continue;
       }
       silent = 0;
@@ -81,7 +81,7 @@ class ReplicaComparison {
       if (!answers.missing) return std::nullopt;
       const auto info = leader_info();
       if (!info || info->state.first > sequence) return std::nullopt;  // the stream dropped it
-      if (pauses == kMostPauses) {
+      if (pauses == kMaxPauses) {
         if (!lags(*info)) return fmt::format("not all replicas have message {}", sequence);
         failure_ = "one replica lags behind; retry when all are current";
         return std::nullopt;
@@ -95,7 +95,7 @@ class ReplicaComparison {
     for (int pauses = 0; !failure_; ++pauses) {
       const auto info = leader_info();
       if (!info || info->state.last >= newest) return std::nullopt;
-      if (pauses == kMostPauses)
+      if (pauses == kMaxPauses)
         return fmt::format("one replica has message {}, and the leader ends at {}", newest, info->state.last);
       questions_.pause();
     }

@@ -16,14 +16,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kMessagePatience = 500ms;
-constexpr int kMostAsked = 20;  // while a leader is being elected
-constexpr std::size_t kMostNamed = 10;
+constexpr int kMaxAsked = 20;  // while a leader is being elected
+constexpr std::size_t kMaxNamed = 10;
 
 /// Returns the message; nullopt if the stream no longer keeps it.
 tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
     jetstream::Connection& connection, const Target& target, std::uint64_t sequence) {
   std::string why;
-  for (int asked = 0; asked < kMostAsked; ++asked) {
+  for (int asked = 0; asked < kMaxAsked; ++asked) {
     if (asked > 0) std::this_thread::sleep_for(kBetweenTries);
     auto reply = connection.request(target.names.message_get(), jetstream::StreamNames::by_number(sequence),
                                     kMessagePatience);
@@ -32,7 +32,7 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
       if (reply.error().kind == StreamFailure::Kind::refused) break;
       continue;
     }
-    auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
+    auto message = jetstream::parse_stored_message(jetstream::ReceivedMessage{reply->get()}.text());
     if (message && message->sequence == sequence) return *std::move(message);
     if (message) {
       why = fmt::format("the answer is message {}", message->sequence);
@@ -50,14 +50,14 @@ tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
 
 tl::expected<Contents, std::string> read_contents(
     jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
-    std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read) {
+    std::uint64_t max_messages, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read) {
   const auto info = ask_stream_info(connection, target.names);
   if (!info) return tl::unexpected{failure_of(info.error(), target.names).reason};
   const StreamState state = info->state;
   Contents contents;
   contents.last = state.last;
   contents.enabled = state.enabled;
-  contents.first = std::max(state.first, state.last - std::min(state.last, most) + 1);
+  contents.first = std::max(state.first, state.last - std::min(state.last, max_messages) + 1);
   for (std::uint64_t sequence = contents.first; sequence <= state.last; ++sequence) {
     const auto message = message_of(connection, target, sequence);
     if (!message) return tl::unexpected{message.error()};
@@ -65,7 +65,7 @@ tl::expected<Contents, std::string> read_contents(
       auto fault = cluster::fault_of((*message)->bytes, sequence, identity);
       if (fault) {
         ++contents.unread_count;
-        if (contents.unread.size() < kMostNamed) contents.unread.push_back({sequence, *std::move(fault)});
+        if (contents.unread.size() < kMaxNamed) contents.unread.push_back({sequence, *std::move(fault)});
       }
     }
     on_read(sequence - contents.first + 1, state.last - contents.first + 1);

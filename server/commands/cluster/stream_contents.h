@@ -25,10 +25,10 @@ struct Contents {
   std::uint64_t unread_count = 0;
 };
 
-/// Reads the newest `most` messages that the stream keeps, one at a time, and calls `on_read` after each. An
-/// error is one line: a message could not be fetched.
+/// Reads the newest `max_messages` messages that the stream keeps, one at a time, and calls `on_read` after
+/// each. An error is one line: a message could not be fetched.
 [[nodiscard]] tl::expected<Contents, std::string> read_contents(
     jetstream::Connection& connection, const Target& target, const store::StoreIdentity& identity,
-    std::uint64_t most, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read);
+    std::uint64_t max_messages, const std::function<void(std::uint64_t done, std::uint64_t all)>& on_read);
 
 }  // namespace talus::server::cluster_tool

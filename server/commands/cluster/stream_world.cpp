@@ -19,7 +19,7 @@ tl::expected<void, std::string> check_world(jetstream::Connection& connection, c
       connection.request(target.names.message_get(), jetstream::StreamNames::by_number(state.first),
                          std::chrono::milliseconds{500});
   if (!reply) return tl::unexpected{reply.error().reason};
-  const auto message = jetstream::parse_stored_message(jetstream::Arrived{reply->get()}.text());
+  const auto message = jetstream::parse_stored_message(jetstream::ReceivedMessage{reply->get()}.text());
   if (!message) {
     return tl::unexpected{
         fmt::format("{}: message {}: {}", target.names.stream, state.first, message.error().what)};

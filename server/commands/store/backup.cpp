@@ -181,8 +181,8 @@ tl::expected<store::BackupManifest, std::string> read_manifest(const fs::path& b
   return manifest;
 }
 
-tl::expected<Restored, std::string> restore_backup(const fs::path& backup,
-                                                   const store::DataDirectory& directory, bool replace) {
+tl::expected<RestoreResult, std::string> restore_backup(const fs::path& backup,
+                                                        const store::DataDirectory& directory, bool replace) {
   auto manifest = read_manifest(backup);
   if (!manifest) return tl::unexpected{manifest.error()};
   if (directory.has_store() && !replace) {
@@ -219,7 +219,7 @@ tl::expected<Restored, std::string> restore_backup(const fs::path& backup,
   if (const auto given = store::give_identity(*staging, id); !given) return tl::unexpected{given.error()};
   auto replaced = store::swap_in(directory.path());
   if (!replaced) return tl::unexpected{replaced.error()};
-  return Restored{*std::move(manifest), id, *std::move(replaced)};
+  return RestoreResult{*std::move(manifest), id, *std::move(replaced)};
 }
 
 }  // namespace talus::server

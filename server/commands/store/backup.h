@@ -24,15 +24,15 @@ namespace talus::server {
 [[nodiscard]] tl::expected<store::BackupManifest, std::string> read_manifest(
     const std::filesystem::path& backup);
 
-struct Restored {
+struct RestoreResult {
   store::BackupManifest manifest;
   ContentHash store_id;
   std::filesystem::path replaced;  // where the previous store is kept; empty: there was none
 };
 /// Verifies every byte of the backup, then puts it into `directory` as a store with a new id. An existing
 /// store is an error, or, with `replace`, moved aside.
-[[nodiscard]] tl::expected<Restored, std::string> restore_backup(const std::filesystem::path& backup,
-                                                                 const store::DataDirectory& directory,
-                                                                 bool replace);
+[[nodiscard]] tl::expected<RestoreResult, std::string> restore_backup(const std::filesystem::path& backup,
+                                                                      const store::DataDirectory& directory,
+                                                                      bool replace);
 
 }  // namespace talus::server

@@ -93,7 +93,7 @@ tl::expected<fs::path, std::string> stage_with_id(const fs::path& path, ContentH
 
 /// Makes the staged store, which has the same edits, the directory's. `if_not` ends the error if that fails.
 tl::expected<void, std::string> put_in_place(const fs::path& path, std::string_view if_not) {
-  const auto swapped = store::swap_in(path, store::Replaced::goes);
+  const auto swapped = store::swap_in(path, store::ReplacedStore::goes);
   if (swapped) return {};
   if (!store::swap_is_begun(path)) return tl::unexpected{fmt::format("{}{}", swapped.error(), if_not)};
   return tl::unexpected{

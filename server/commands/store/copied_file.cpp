@@ -18,7 +18,7 @@ constexpr std::size_t kPieceBytes = std::size_t{1} << 20U;
 
 /// Calls `piece` with each piece and its offset.
 template <typename Piece>
-tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& path, std::uint64_t most,
+tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& path, std::uint64_t max_bytes,
                                                   ProgressBar& progress, const Piece& piece) {
   const auto file = store::RegularFile::open(path);
   if (!file) return tl::unexpected{file.error()};
@@ -28,7 +28,7 @@ tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& p
   std::vector<std::byte> bytes(kPieceBytes);
   CopiedFile copied;
   // Ignores bytes appended meanwhile.
-  const std::uint64_t wanted = std::min(most, file->bytes());
+  const std::uint64_t wanted = std::min(max_bytes, file->bytes());
   copied.all = wanted == file->bytes();
   while (copied.bytes < wanted) {
     const std::size_t next = std::min<std::uint64_t>(bytes.size(), wanted - copied.bytes);
@@ -49,12 +49,12 @@ tl::expected<CopiedFile, std::string> read_pieces(const std::filesystem::path& p
 }  // namespace
 
 tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
-                                                const std::filesystem::path& to, std::uint64_t most,
+                                                const std::filesystem::path& to, std::uint64_t max_bytes,
                                                 ProgressBar& progress) {
   auto target = files::AtomicFile::create(to);
   if (!target) return tl::unexpected{target.error().message()};
   auto copied =
-      read_pieces(from, most, progress, [&](std::uint64_t offset, std::span<const std::byte> bytes) {
+      read_pieces(from, max_bytes, progress, [&](std::uint64_t offset, std::span<const std::byte> bytes) {
         return target->write_at(offset, bytes).map_error([](const auto& error) { return error.message(); });
       });
   if (!copied) return copied;

@@ -18,11 +18,11 @@ struct CopiedFile {
   bool all = false;  // the end of the file was reached
 };
 
-/// Copies at most the first `most` bytes of a regular file, and never reads more. Syncs; `to` is complete or
-/// absent. Advances `progress` by bytes. An error is one line.
+/// Copies at most the first `max_bytes` bytes of a regular file, and never reads more. Syncs; `to` is
+/// complete or absent. Advances `progress` by bytes. An error is one line.
 [[nodiscard]] tl::expected<CopiedFile, std::string> copy_file(const std::filesystem::path& from,
                                                               const std::filesystem::path& to,
-                                                              std::uint64_t most, ProgressBar& progress);
+                                                              std::uint64_t max_bytes, ProgressBar& progress);
 [[nodiscard]] tl::expected<CopiedFile, std::string> hash_file(const std::filesystem::path& file,
                                                               ProgressBar& progress);
 

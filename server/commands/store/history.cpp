@@ -22,14 +22,14 @@ SubjectEdit edit_of(const store::LogRecord& record) {
   return all;
 }
 
-/// Counts edits by subject, for up to kMostOthers subjects.
+/// Counts edits by subject, for up to kMaxOthers subjects.
 class Others {
  public:
   void count(const std::string& subject) {
     const auto at = edits_.find(subject);
     if (at != edits_.end()) {
       ++at->second;
-    } else if (edits_.size() < SubjectSummary::kMostOthers) {
+    } else if (edits_.size() < SubjectSummary::kMaxOthers) {
       edits_.emplace(subject, 1);
     } else {
       more_ = true;
@@ -99,7 +99,7 @@ tl::expected<SubjectSummary, std::string> subject_history(
         }
         summary.met = true;
         if (record.position <= query.after || record.time_ms < query.since_ms) return true;
-        summary.more = summary.listed == query.most_edits;
+        summary.more = summary.listed == query.max_edits;
         if (summary.more) return false;
         visit(edit_of(record));
         ++summary.listed;

@@ -40,10 +40,10 @@ struct VoxelHistory {
     ProgressBar& progress);
 
 struct SubjectQuery {
-  std::string subject;             // empty: edits without a token
-  std::int64_t since_ms = 0;       // since 1970, by the log's time
-  std::uint64_t after = 0;         // only entries after this position
-  std::size_t most_edits = 1'000;  // maximum number of edits listed
+  std::string subject;            // empty: edits without a token
+  std::int64_t since_ms = 0;      // since 1970, by the log's time
+  std::uint64_t after = 0;        // only entries after this position
+  std::size_t max_edits = 1'000;  // maximum number of edits listed
 };
 
 /// One edit that changed something.
@@ -60,7 +60,7 @@ struct SubjectEdit {
 /// Result of a search, known after the last visit.
 struct SubjectSummary {
   /// Maximum number of subjects in `others`; few readers need more.
-  static constexpr std::size_t kMostOthers = 1'000;
+  static constexpr std::size_t kMaxOthers = 1'000;
 
   std::uint64_t listed = 0;
   std::uint64_t last_position = 0;  // of the last edit listed
@@ -68,7 +68,7 @@ struct SubjectSummary {
   bool met = false;                 // the subject has an edit, even outside the query's bounds
   /// If `met` is false: other subjects with their numbers of edits, most edits first.
   std::vector<std::pair<std::string, std::uint64_t>> others;
-  bool more_others = false;  // there are more than kMostOthers
+  bool more_others = false;  // there are more than kMaxOthers
 };
 
 /// Visits the edits of a subject, oldest first. Stops one edit after the last one listed.

@@ -27,7 +27,7 @@ class LocalWriter {
     if (log_ != nullptr) log_->stop();
   }
 
-  [[nodiscard]] tl::expected<Restorer::Restored, EditError> restore(
+  [[nodiscard]] tl::expected<Restorer::Result, EditError> restore(
       const std::vector<edits::ChunkChanges>& changes) {
     return restorer_->restore(changes);
   }

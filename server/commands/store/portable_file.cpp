@@ -11,11 +11,12 @@
 
 #include <talus/edits/runs.h>
 #include <talus/store/bytes.h>
+#include <talus/store/keys.h>
 
 namespace talus::server {
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 constexpr std::string_view kMagic = "talusedt";
 /// Size at which a block is written; even with the largest chunk it stays far below kMaxPortableBlock.
@@ -43,7 +44,7 @@ void put_128(std::uint64_t low, std::uint64_t high, store::ByteWriter& out) {
 
 }  // namespace
 
-Done PortableWriter::write_block() {
+Status PortableWriter::write_block() {
   store::Bytes framed;
   store::ByteWriter writer{framed};
   writer.fixed32(static_cast<std::uint32_t>(block_.size()));
@@ -54,7 +55,7 @@ Done PortableWriter::write_block() {
   return sink_(framed);
 }
 
-Done PortableWriter::begin(const PortableHeader& header) {
+Status PortableWriter::begin(const PortableHeader& header) {
   store::Bytes first;
   store::ByteWriter before{first};
   before.bytes(std::as_bytes(std::span{kMagic}));
@@ -84,7 +85,7 @@ Done PortableWriter::begin(const PortableHeader& header) {
   return write_block();
 }
 
-Done PortableWriter::add(ChunkCoord chunk, std::span<const Override> voxels) {
+Status PortableWriter::add(ChunkCoord chunk, std::span<const Override> voxels) {
   if (voxels.empty()) return {};
   std::string key = store::chunk_key({chunk, Lod{}});
   assert(last_ < key);
@@ -98,10 +99,10 @@ Done PortableWriter::add(ChunkCoord chunk, std::span<const Override> voxels) {
   store::Bytes runs;
   edits::encode_runs(voxels, runs);
   writer.counted(runs);
-  return block_.size() < kBlockBytes ? Done{} : write_block();
+  return block_.size() < kBlockBytes ? Status{} : write_block();
 }
 
-Done PortableWriter::end() {
+Status PortableWriter::end() {
   if (!block_.empty()) {
     if (auto done = write_block(); !done) return done;
   }
@@ -113,14 +114,14 @@ Done PortableWriter::end() {
   return write_block();
 }
 
-Done PortableReader::read(std::span<std::byte> into) {
+Status PortableReader::read(std::span<std::byte> into) {
   const auto got = source_(into);
   if (!got) return tl::unexpected{got.error()};
   if (*got < into.size()) return damaged("it ends early");
   return {};
 }
 
-Done PortableReader::read_block() {
+Status PortableReader::read_block() {
   std::array<std::byte, 4> length{};
   if (auto done = read(length); !done) return done;
   const std::uint32_t bytes = store::ByteReader{length}.fixed32();
@@ -215,7 +216,7 @@ tl::expected<std::optional<PortableChunk>, std::string> PortableReader::next() {
   return next;
 }
 
-Done PortableReader::check_end() {
+Status PortableReader::check_end() {
   store::ByteReader in{std::span{std::as_const(block_)}.subspan(1)};
   const bool same = in.varint() == chunks_ && in.varint() == voxels_ && in.fixed64() == hash_.low &&
                     in.fixed64() == hash_.high && in.ended();

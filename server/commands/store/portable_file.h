@@ -39,22 +39,22 @@ struct PortableChunk {
 
 class PortableWriter {
  public:
-  using Done = tl::expected<void, std::string>;
-  using Sink = std::function<Done(std::span<const std::byte>)>;
+  using Status = tl::expected<void, std::string>;
+  using Sink = std::function<Status(std::span<const std::byte>)>;
 
   explicit PortableWriter(Sink sink) : sink_{std::move(sink)} {}
   /// Call first, once. Rejects names that are longer or more than a reader accepts.
-  [[nodiscard]] Done begin(const PortableHeader& header);
+  [[nodiscard]] Status begin(const PortableHeader& header);
   /// Chunks of level 0 by ascending x, then z, then y (asserted). Without voxels writes nothing.
-  [[nodiscard]] Done add(ChunkCoord chunk, std::span<const Override> voxels);
+  [[nodiscard]] Status add(ChunkCoord chunk, std::span<const Override> voxels);
   /// Call last, once.
-  [[nodiscard]] Done end();
+  [[nodiscard]] Status end();
 
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }
   [[nodiscard]] std::uint64_t voxels() const { return voxels_; }
 
  private:
-  [[nodiscard]] Done write_block();
+  [[nodiscard]] Status write_block();
 
   Sink sink_;
   store::Bytes block_;

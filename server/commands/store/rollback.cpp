@@ -73,7 +73,7 @@ bool Rollback::add(const store::LogRecord& record) {
       if (!has(voxel_at(origin, local_of(voxel.index)))) continue;
       met_subject_ = true;
       if (++held_ > kMaxVoxels) return false;
-      chunk.emplace(voxel.index, Touched{voxel.before, voxel.after, voxel.base});
+      chunk.emplace(voxel.index, TouchedVoxel{voxel.before, voxel.after, voxel.base});
     }
   }
   return true;

@@ -60,12 +60,12 @@ class Rollback {
   [[nodiscard]] std::vector<std::vector<edits::ChunkChanges>> slices() const;
 
  private:
-  struct Touched {
+  struct TouchedVoxel {
     MaterialId original{};  // before the subject's first change
     MaterialId put{};       // the subject's last change
     MaterialId base{};
   };
-  using Chunk = std::unordered_map<std::uint16_t, Touched>;  // by voxel index
+  using Chunk = std::unordered_map<std::uint16_t, TouchedVoxel>;  // by voxel index
 
   [[nodiscard]] bool has(VoxelPos at) const;
   void count_other(const std::string& subject, const edits::ChunkChanges& changes);
@@ -94,7 +94,7 @@ struct RollbackPlan {
                                                                     ProgressBar& progress);
 
 using Restore =
-    std::function<tl::expected<Restorer::Restored, EditError>(const std::vector<edits::ChunkChanges>&)>;
+    std::function<tl::expected<Restorer::Result, EditError>(const std::vector<edits::ChunkChanges>&)>;
 /// Makes the edits one by one, retrying each temporarily rejected one for a minute. Returns the number of
 /// voxels changed. An interrupted rollback can be repeated: restored voxels no longer count as the subject's.
 [[nodiscard]] tl::expected<std::uint64_t, std::string> roll_back(const RollbackPlan& plan,

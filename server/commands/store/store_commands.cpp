@@ -138,7 +138,7 @@ Answer show_subjects_history(const Flags& flags) {
     query.since_ms = *since;
   }
   query.after = static_cast<std::uint64_t>(flags.after);
-  query.most_edits = flags.count;
+  query.max_edits = flags.count;
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
   if (const auto printed = print_history(opened->store(), query, flags.json, to_standard_output); !printed) {

@@ -29,7 +29,7 @@ struct Flags {
   std::string subject;            // history, rollback: the editor's
   std::string since;              // history, rollback: for parse_moment(); empty: all records
   std::int64_t after = 0;         // history of a subject: only entries after this one
-  std::uint64_t count = SubjectQuery{}.most_edits;  // history of a subject: maximum number of edits
+  std::uint64_t count = SubjectQuery{}.max_edits;  // history of a subject: maximum number of edits
   std::string box;            // rollback: "X0,Y0,Z0,X1,Y1,Z1" in voxels, inclusive, or a box as in tokens
   bool dry_run = false;       // rollback: only reports what it would do
   bool keep = false;          // import: the store wins for voxels in both; otherwise the file

@@ -57,7 +57,7 @@ class FreeIds {
 class InputFile {
  public:
   explicit InputFile(const fs::path& path)
-      : file_{files::system_files().open_to_read(path, files::FileLayer::Waiting::never)} {}
+      : file_{files::system_files().open_to_read(path, files::FileLayer::WaitPolicy::never)} {}
   ~InputFile() {
     if (file_) files::system_files().close(*file_);
   }
@@ -178,11 +178,12 @@ std::vector<Override> united(std::span<const Override> of_file, std::span<const 
 
 }  // namespace
 
-tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& store, const fs::path& file) {
+tl::expected<ExportResult, std::string> export_edits(const store::ReadOnlyStore& store,
+                                                     const fs::path& file) {
   auto target = files::AtomicFile::create(file);
   if (!target) return tl::unexpected{target.error().message()};
   std::uint64_t offset = 0;
-  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Done {
+  PortableWriter writer{[&](std::span<const std::byte> bytes) -> PortableWriter::Status {
     auto written = target->write_at(offset, bytes);
     if (!written) return tl::unexpected{written.error().message()};
     offset += bytes.size();
@@ -195,7 +196,7 @@ tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& sto
   for (const auto& [name, id] : store.materials()) named.insert(id);
   ProgressBar progress{"export", "chunks"};
   progress.expect(store.estimated_keys());
-  PortableWriter::Done added;
+  PortableWriter::Status added;
   const auto read = store.for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
     progress.advance(1);
     for (const Override& voxel : stored.voxels) {
@@ -213,7 +214,7 @@ tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& sto
   if (added) added = writer.end();
   if (!added) return tl::unexpected{added.error()};
   if (const auto committed = target->commit(); !committed) return tl::unexpected{committed.error().message()};
-  return Exported{writer.chunks(), writer.voxels()};
+  return ExportResult{writer.chunks(), writer.voxels()};
 }
 
 tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const store::DataDirectory& directory,
@@ -265,7 +266,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
   progress.expect(file_bytes);
   std::optional<PortableChunk> next;  // in the file
   std::uint64_t shown = 0;
-  const auto take_next = [&]() -> store::StoreBuilder::Done {
+  const auto take_next = [&]() -> store::StoreBuilder::Status {
     auto chunk = reader.next();
     if (!chunk) return of_file(file, chunk.error());
     next = *std::move(chunk);
@@ -299,7 +300,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
     }
     return {};
   };
-  store::StoreBuilder::Done done = take_next();
+  store::StoreBuilder::Status done = take_next();
   // Adds the file's chunks before `key`; all remaining ones if null.
   const auto add_before = [&](const std::string* key) {
     while (done && next && (key == nullptr || store::chunk_key({next->chunk, Lod{}}) < *key)) {
@@ -361,7 +362,7 @@ tl::expected<std::map<std::string, MaterialId>, std::string> rebased_materials(
 namespace {
 
 /// Maps the store's materials to the world's by name; nullopt if the world lacks the name.
-struct Renaming {
+struct MaterialRenamer {
   std::map<MaterialId, std::string> names;             // in the store
   std::map<MaterialId, std::optional<MaterialId>> to;  // filled on demand
   const std::map<std::string, MaterialId>* into = nullptr;
@@ -381,7 +382,7 @@ struct Renaming {
 };
 
 /// Fails if the store has voxels of materials that the world lacks.
-tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, Renaming& renaming) {
+tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, MaterialRenamer& renaming) {
   const auto uses = voxels_by_material(store);
   if (!uses) return tl::unexpected{uses.error()};
   std::map<std::string, std::uint64_t> unknown;
@@ -438,7 +439,7 @@ tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& dire
   const auto named = rebased_materials(store->materials(), world);
   if (!named) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), named.error())};
   const std::map<std::string, MaterialId>& materials = *named;
-  Renaming renaming{{}, {}, &materials};
+  MaterialRenamer renaming{{}, {}, &materials};
   for (const auto& [name, id] : store->materials()) renaming.names.emplace(id, name);
   if (same_land) {
     // Generated materials keep their ids, even if renamed in the world's file since the last start.
@@ -475,7 +476,7 @@ tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& dire
   const auto base = std::make_unique<DenseVoxels>();
   ProgressBar progress{"rebase", "chunks"};
   progress.expect(store->estimated_keys());
-  store::StoreBuilder::Done done;
+  store::StoreBuilder::Status done;
   const auto read = store->for_each_base_chunk([&](ChunkCoord chunk, const store::StoredChunk& stored) {
     progress.advance(1);
     if (stored.voxels.empty()) return true;

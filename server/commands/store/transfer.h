@@ -15,12 +15,12 @@
 
 namespace talus::server {
 
-struct Exported {
+struct ExportResult {
   std::uint64_t chunks = 0;
   std::uint64_t voxels = 0;
 };
-[[nodiscard]] tl::expected<Exported, std::string> export_edits(const store::ReadOnlyStore& store,
-                                                               const std::filesystem::path& file);
+[[nodiscard]] tl::expected<ExportResult, std::string> export_edits(const store::ReadOnlyStore& store,
+                                                                   const std::filesystem::path& file);
 
 enum class Winner : std::uint8_t { file, store };
 

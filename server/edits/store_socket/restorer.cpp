@@ -38,16 +38,16 @@ void add_fills(const edits::ChunkChanges& changes, std::vector<edits::Fill>& fil
 
 }  // namespace
 
-tl::expected<edits::Applied, EditError> Restorer::append(LogEntry entry) {
-  using Answer = tl::expected<edits::Applied, EditError>;
+tl::expected<edits::EntryResult, EditError> Restorer::append(LogEntry entry) {
+  using Answer = tl::expected<edits::EntryResult, EditError>;
   struct Waits {
     std::mutex mutex;
     std::condition_variable_any comes;
     std::optional<Answer> answer;
   };
   const auto waits = std::make_shared<Waits>();  // the answer may come after the wait
-  const auto accepted =
-      log_.append(std::move(entry), [waits](const tl::expected<const edits::Applied*, EditError>& outcome) {
+  const auto accepted = log_.append(
+      std::move(entry), [waits](const tl::expected<const edits::EntryResult*, EditError>& outcome) {
         {
           const std::lock_guard lock{waits->mutex};
           waits->answer = outcome ? Answer{**outcome} : tl::unexpected{outcome.error()};
@@ -69,9 +69,8 @@ tl::expected<edits::Applied, EditError> Restorer::append(LogEntry entry) {
                     fmt::format("the log has not answered for {} s", kPatience.count()));
 }
 
-tl::expected<Restorer::Restored, EditError> Restorer::restore(
-    const std::vector<edits::ChunkChanges>& changes) {
-  using Kind = edits::Applied::Kind;
+tl::expected<Restorer::Result, EditError> Restorer::restore(const std::vector<edits::ChunkChanges>& changes) {
+  using Kind = edits::EntryResult::Kind;
   if (editor_ == edits::EditorId{}) {
     const edits::EditorId editor = random_editor();
     const auto attached = append(edits::AttachEntry{editor, 1, std::string{kRestorerSubject}});
@@ -95,7 +94,7 @@ tl::expected<Restorer::Restored, EditError> Restorer::restore(
     editor_ = {};  // forgotten, or the entry exceeds a bound
     return edit_error(EditErrorCode::invalid, "the log did not apply the edit; run the command again");
   }
-  return Restored{applied->revision, applied->result.changed};
+  return Result{applied->revision, applied->result.changed};
 }
 
 }  // namespace talus::server

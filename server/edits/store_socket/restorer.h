@@ -23,7 +23,7 @@ class Restorer {
   /// Maximum number of voxels of one edit, so that no large one delays players' edits.
   static constexpr std::size_t kMaxVoxels = 4'096;
 
-  struct Restored {
+  struct Result {
     std::uint64_t revision = 0;
     std::uint64_t changed = 0;
   };
@@ -33,10 +33,10 @@ class Restorer {
 
   /// One edit: each voxel of material `before` becomes `after`, the others stay. Blocks until the log
   /// answers. Not on the log's thread.
-  [[nodiscard]] tl::expected<Restored, EditError> restore(const std::vector<edits::ChunkChanges>& changes);
+  [[nodiscard]] tl::expected<Result, EditError> restore(const std::vector<edits::ChunkChanges>& changes);
 
  private:
-  [[nodiscard]] tl::expected<edits::Applied, EditError> append(LogEntry entry);
+  [[nodiscard]] tl::expected<edits::EntryResult, EditError> append(LogEntry entry);
 
   EditLog& log_;
   const std::stop_token ends_;

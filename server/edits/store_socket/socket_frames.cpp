@@ -16,7 +16,7 @@ namespace talus::server {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-using Done = tl::expected<void, std::string>;
+using Status = tl::expected<void, std::string>;
 
 constexpr std::size_t kLengthBytes = 4;
 constexpr std::size_t kHeaderBytes = 2;  // version and kind
@@ -41,7 +41,7 @@ tl::expected<bool, std::string> wait_for(int socket, short events, SteadyClock::
 }
 
 /// Fills `into`. The error is empty if the stream ended before its first byte.
-Done receive(int socket, std::span<std::byte> into, SteadyClock::time_point until) {
+Status receive(int socket, std::span<std::byte> into, SteadyClock::time_point until) {
   for (std::size_t got = 0; got < into.size();) {
     const auto ready = wait_for(socket, POLLIN, until);
     if (!ready) return tl::unexpected{ready.error()};
@@ -56,7 +56,7 @@ Done receive(int socket, std::span<std::byte> into, SteadyClock::time_point unti
 
 }  // namespace
 
-Done send_frame(int socket, SocketKind kind, std::span<const std::byte> fields) {
+Status send_frame(int socket, SocketKind kind, std::span<const std::byte> fields) {
   store::Bytes frame;
   store::ByteWriter writer{frame};
   writer.fixed32(static_cast<std::uint32_t>(kHeaderBytes + fields.size()));
@@ -76,7 +76,7 @@ Done send_frame(int socket, SocketKind kind, std::span<const std::byte> fields) 
   return {};
 }
 
-Done send_text(int socket, SocketKind kind, std::string_view text) {
+Status send_text(int socket, SocketKind kind, std::string_view text) {
   store::Bytes fields;
   store::ByteWriter{fields}.counted(text);
   return send_frame(socket, kind, fields);

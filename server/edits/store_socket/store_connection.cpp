@@ -114,7 +114,7 @@ tl::expected<StoreConnection::Checkpoint, std::string> StoreConnection::checkpoi
                     std::move(read_only)};
 }
 
-tl::expected<Restorer::Restored, EditError> StoreConnection::restore(
+tl::expected<Restorer::Result, EditError> StoreConnection::restore(
     const std::vector<edits::ChunkChanges>& changes) {
   store::Bytes fields;
   store::encode(changes, fields);
@@ -124,7 +124,7 @@ tl::expected<Restorer::Restored, EditError> StoreConnection::restore(
   const std::uint64_t revision = in.varint();
   const std::uint64_t changed = in.varint();
   if (!in.ended()) return server_failed("its answer is damaged");
-  return Restorer::Restored{revision, changed};
+  return Restorer::Result{revision, changed};
 }
 
 tl::expected<PregenProgress, std::string> StoreConnection::pregen(

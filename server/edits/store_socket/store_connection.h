@@ -40,7 +40,7 @@ class StoreConnection {
   };
   [[nodiscard]] tl::expected<Checkpoint, std::string> checkpoint();
   /// Restorer::restore() in the server.
-  [[nodiscard]] tl::expected<Restorer::Restored, EditError> restore(
+  [[nodiscard]] tl::expected<Restorer::Result, EditError> restore(
       const std::vector<edits::ChunkChanges>& changes);
   /// Has the server generate land, and reports the progress until it is done; ends with the process. An error
   /// is one line.

@@ -61,7 +61,7 @@ struct FairIds {
   using Id = Level;
   static constexpr bool kClasses = false;
   template <typename Entrant>
-  using Known = std::unordered_map<Id, Entrant>;
+  using Entrants = std::unordered_map<Id, Entrant>;
   template <typename Entrant>
   using Order = std::vector<Entrant*>;
 };
@@ -70,7 +70,7 @@ struct FairIds<Classes<Enum, Count>> {
   using Id = Enum;
   static constexpr bool kClasses = true;
   template <typename Entrant>
-  using Known = std::array<Entrant, Count>;
+  using Entrants = std::array<Entrant, Count>;
   template <typename Entrant>
   using Order = FixedList<Entrant*, Count>;
 };
@@ -360,7 +360,7 @@ class FairLevel<Level, Below...> {
     }
   }
 
-  typename FairIds<Level>::template Known<Entrant> known_;
+  typename FairIds<Level>::template Entrants<Entrant> known_;
   typename FairIds<Level>::template Order<Entrant> order_;  // entrants that wait
   double now_ = 0;         // clock of what went last, when it went; never falls
   double overtaking_ = 0;  // cost / shares_

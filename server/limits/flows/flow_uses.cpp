@@ -7,12 +7,12 @@
 namespace talus::server {
 namespace {
 
-constexpr std::size_t kMinLookAtSize = 4096;
+constexpr std::size_t kMinCheckSize = 4096;
 
 }  // namespace
 
 FlowUses::FlowUses()
-    : look_at_size_{kMinLookAtSize},
+    : check_at_size_{kMinCheckSize},
       heaviest_{HeavyHitters{kListed}, HeavyHitters{kListed}, HeavyHitters{kListed}} {}
 
 FlowUsePtr FlowUses::of_address(std::span<const unsigned char> counted, std::string_view text) {
@@ -29,21 +29,21 @@ FlowUsePtr FlowUses::join(FlowId id, FlowName::Kind kind, std::string_view text)
     found->second.left = false;
     return found->second.use;
   }
-  if (known_.size() >= look_at_size_) {
-    look_at_all();  // finds flows that left,
-    look_at_all();  // and forgets them
-    look_at_size_ = std::max(kMinLookAtSize, 2 * known_.size());
+  if (known_.size() >= check_at_size_) {
+    check_all();  // finds flows that left,
+    check_all();  // and forgets them
+    check_at_size_ = std::max(kMinCheckSize, 2 * known_.size());
   }
   auto use = std::make_shared<FlowUse>(id, FlowName{kind, std::string{text.substr(0, FlowName::kMaxBytes)},
                                                     text.size() > FlowName::kMaxBytes});
-  known_.emplace(id, Known{use});
+  known_.emplace(id, KnownFlow{use});
   return use;
 }
 
-void FlowUses::look_at_all() {
+void FlowUses::check_all() {
   for (auto at = known_.begin(); at != known_.end();) {
-    Known& known = at->second;
-    // A session adds its use before it goes. The second look sees for sure what it added.
+    KnownFlow& known = at->second;
+    // A session adds its use before it goes. The second check sees for sure what it added.
     const bool left = known.use.use_count() == 1;
     const bool forgotten = std::exchange(known.left, left) && left;
     for (std::size_t i = 0; i < kFlowMeasures; ++i) {
@@ -61,7 +61,7 @@ void FlowUses::collect(Clock::time_point now) {
   const std::lock_guard lock{mutex_};
   for (HeavyHitters& heaviest : heaviest_) heaviest.pass(now - collected_);
   collected_ = now;
-  look_at_all();
+  check_all();
 }
 
 std::array<TopFlows, kFlowMeasures> FlowUses::top(std::size_t count) const {

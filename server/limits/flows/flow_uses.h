@@ -53,20 +53,20 @@ class FlowUses {
   [[nodiscard]] std::size_t flows() const;
 
  private:
-  struct Known {
+  struct KnownFlow {
     FlowUsePtr use;
     std::array<std::uint64_t, kFlowMeasures> collected{};
-    bool left = false;  // it had no session at the last look
+    bool left = false;  // it had no session at the last check
   };
 
   [[nodiscard]] FlowUsePtr join(FlowId id, FlowName::Kind kind, std::string_view text);
   // Called under the mutex.
-  void look_at_all();
+  void check_all();
 
   const FlowIds ids_;
   mutable std::mutex mutex_;
-  std::unordered_map<FlowId, Known> known_;
-  std::size_t look_at_size_;  // size at which flows that left are searched for before the next collect()
+  std::unordered_map<FlowId, KnownFlow> known_;
+  std::size_t check_at_size_;  // size at which flows that left are searched for before the next collect()
   std::array<HeavyHitters, kFlowMeasures> heaviest_;
   Clock::time_point collected_{};
 };

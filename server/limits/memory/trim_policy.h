@@ -19,15 +19,15 @@ class TrimPolicy {
   [[nodiscard]] bool due(std::uint64_t used_bytes) {
     const std::uint64_t change = used_bytes > last_ ? used_bytes - last_ : last_ - used_bytes;
     last_ = used_bytes;
-    most_ = std::max(most_, used_bytes);
-    if (most_ - used_bytes < kWorthBytes || change >= kQuietBytes) return false;
-    most_ = used_bytes;
+    max_used_ = std::max(max_used_, used_bytes);
+    if (max_used_ - used_bytes < kWorthBytes || change >= kQuietBytes) return false;
+    max_used_ = used_bytes;
     return true;
   }
 
  private:
   std::uint64_t last_ = 0;
-  std::uint64_t most_ = 0;  // since the last trim
+  std::uint64_t max_used_ = 0;  // since the last trim
 };
 
 }  // namespace talus::server

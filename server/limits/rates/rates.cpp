@@ -252,20 +252,20 @@ SessionRates::Due SessionRates::chunks_due(Time now) {
 }
 
 SessionRates::Due SessionRates::batch_due(Time now) {
-  struct Shared {
+  struct SharedBucket {
     std::atomic<TokenBucket>& bucket;
     const Rate& rate;
     std::size_t batch;
     std::size_t RateBatch::*part;
   };
-  const Shared chunks{address_->chunks, limits_.address.chunks, kBatchChunks, &RateBatch::chunks};
-  const Shared bytes{address_->bytes, limits_.address.bytes, kBatchBytes, &RateBatch::bytes};
+  const SharedBucket chunks{address_->chunks, limits_.address.chunks, kBatchChunks, &RateBatch::chunks};
+  const SharedBucket bytes{address_->bytes, limits_.address.bytes, kBatchBytes, &RateBatch::bytes};
   const auto kind_of = [&](nanoseconds of_chunks, nanoseconds of_bytes) {
     return of_chunks >= of_bytes ? RateKind::address_chunks : RateKind::address_bytes;
   };
   if (batch_ && batch_->due > now) return {batch_->due, RateKind::address_chunks};
   if (has_batch()) return {now, {}};
-  const auto has = [&](const Shared& shared, std::size_t tokens) {
+  const auto has = [&](const SharedBucket& shared, std::size_t tokens) {
     return available(shared.bucket.load(std::memory_order_relaxed), shared.rate, now) >= tokens;
   };
   // Batches end if more than two are there at once.
@@ -276,7 +276,7 @@ SessionRates::Due SessionRates::batch_due(Time now) {
     return {now, {}};
   }
   if (!batch_) batch_.emplace();
-  const auto reserve = [&](const Shared& shared) {
+  const auto reserve = [&](const SharedBucket& shared) {
     if (!shared.rate.limited()) return nanoseconds{};
     const std::size_t all = std::min<std::size_t>(shared.batch, tokens_in(kBatchTime, shared.rate));
     std::size_t& kept = (*batch_).*shared.part;

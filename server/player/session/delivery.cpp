@@ -68,7 +68,7 @@ std::size_t Delivery::drop_what_left_view() {
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
-void Delivery::take_mail(Editing& editing) {
+void Delivery::take_mail(SessionEdits& editing) {
   constexpr std::size_t kKept = 8;
   std::vector<Mail> mail = mailbox_->take(std::move(read_mail_));
   for (Mail& each : mail) {
@@ -260,7 +260,7 @@ void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequ
   outbox_.push_chunk({id, request.key, std::move(chunk)});  // pending until it is written
 }
 
-void Delivery::fail_request(std::uint32_t id, const GenerationFailed& failure) {
+void Delivery::fail_request(std::uint32_t id, const GenerationError& failure) {
   replies_.error(about_request(id), ErrorCode::internal, fmt::format("the chunk failed: {}", failure.reason),
                  retry_after::kFailed);
   requests_.erase(id);

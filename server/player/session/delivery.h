@@ -24,12 +24,12 @@
 
 #include "chunks/mailbox.h"
 #include "player/session/chunk_waits.h"
-#include "player/session/editing.h"
 #include "player/session/pending_requests.h"
 #include "player/session/pending_updates.h"
 #include "player/session/replies.h"
 #include "player/session/resend_pauses.h"
 #include "player/session/session_context.h"
+#include "player/session/session_edits.h"
 #include "player/view/credit.h"
 #include "player/view/outbox.h"
 #include "player/view/output.h"
@@ -68,7 +68,7 @@ class Delivery {
   static constexpr std::size_t kMaxBroadcastVoxels = 1024;
 
   /// Chunks that one write() appended.
-  struct Written {
+  struct WrittenChunks {
     std::size_t chunks = 0;
     std::size_t chunk_bytes = 0;  // of their frames
   };
@@ -115,7 +115,7 @@ class Delivery {
   void receive(QueueHasRoom) {}  // take_mail() resets queue_full_
   void receive(ChunksChanged&& mail);
   /// Takes all mail. Answers to the session's own edits go to `editing`.
-  void take_mail(Editing& editing);
+  void take_mail(SessionEdits& editing);
 
   // ---- work
   /// Starts requests and chunks of the View until a bound is reached, always of the one that holds less, so
@@ -127,7 +127,7 @@ class Delivery {
   /// Returns when the next paused update may leave; max() if none is paused.
   [[nodiscard]] Clock::time_point updates_resume() const { return pauses_.next(); }
   /// Appends frames to `output` until a limit is reached or nothing is sendable.
-  Written write(const Outbox::WriteLimits& limits, Output& output);
+  WrittenChunks write(const Outbox::WriteLimits& limits, Output& output);
 
   /// Drops everything, and cancels it at the source.
   void abandon();
@@ -160,7 +160,7 @@ class Delivery {
 
   /// `request` is the pending request `id`.
   void answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request, EncodedChunkPtr chunk);
-  void fail_request(std::uint32_t id, const GenerationFailed& failure);
+  void fail_request(std::uint32_t id, const GenerationError& failure);
   void answer_view(ChunkKey key, ChunkAnswer answer);
   void send_view_chunk(ChunkKey key, EncodedChunkPtr chunk);
   /// A chunk leaves: a newer version that is in memory replaces it. If the client holds that version, an

@@ -11,7 +11,7 @@ namespace talus::server {
 
 using wire::ErrorCode;
 
-Delivery::Written Delivery::write(const Outbox::WriteLimits& limits, Output& output) {
+Delivery::WrittenChunks Delivery::write(const Outbox::WriteLimits& limits, Output& output) {
   resume_updates();
   Outbox::Write write{outbox_, limits, credit_, output};
   for (;;) {

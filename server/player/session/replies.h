@@ -51,7 +51,7 @@ class Replies {
     outbox_.push_control(column_frame(column, runs));
   }
   void view_complete(std::uint32_t number) { outbox_.push_control(view_complete_frame(number)); }
-  void heights(std::uint32_t request_id, const HeightsFound& found) {
+  void heights(std::uint32_t request_id, const HeightsResult& found) {
     outbox_.push_control(heights_frame(request_id, found));
   }
   void attached(const EditorSession& editor, std::uint64_t voxels_per_second) {

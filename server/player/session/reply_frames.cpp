@@ -139,7 +139,7 @@ protocol::Frame view_complete_frame(std::uint32_t number) {
       [&](flatbuffers::FlatBufferBuilder& builder) { return wire::CreateViewComplete(builder, number); });
 }
 
-protocol::Frame heights_frame(std::uint32_t request_id, const HeightsFound& found) {
+protocol::Frame heights_frame(std::uint32_t request_id, const HeightsResult& found) {
   return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
     const auto heights = builder.CreateVector(found.heights_fx);
     const auto looks = found.looks.empty() ? 0 : builder.CreateVector(found.looks);

@@ -27,7 +27,7 @@ RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& addr
 Session::Session(const SessionContext& context, MailboxPtr mailbox, const AddressBucketsPtr& address)
     : context_{context},
       delivery_{context_, mailbox},
-      editing_{context.edits, std::move(mailbox), replies_},
+      edits_{context.edits, std::move(mailbox), replies_},
       edit_admission_{{context.limits.edits, context.chunks, context.memory, context.edits}},
       rates_{rates_of(context, address), address, context.limits.requests_in_flight},
       memory_{context.memory, MemoryUse::sessions} {}
@@ -125,9 +125,9 @@ void Session::rates_changed(const AddressBucketsPtr& address) {
 }
 
 void Session::take_mail() {
-  delivery_.take_mail(editing_);
+  delivery_.take_mail(edits_);
   // The number of voxels that slid is known only now.
-  if (const std::uint64_t slid = editing_.take_slid_voxels(); slid > 0) {
+  if (const std::uint64_t slid = edits_.take_slid_voxels(); slid > 0) {
     rates_.spend_voxels(context_.clock.now(), slid);
   }
   close_if_served();
@@ -136,7 +136,7 @@ void Session::take_mail() {
 void Session::input_ended() {
   if (state_ == State::connected) return abandon();
   delivery_.credit().lift();
-  editing_.input_ended();
+  edits_.input_ended();
   if (state_ == State::joined) state_ = State::finishing;
   close_if_served();
 }
@@ -157,7 +157,7 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
 void Session::abandon() {
   state_ = State::closed;
   delivery_.abandon();
-  editing_.abandon();
+  edits_.abandon();
   rates_.give_back();
 }
 
@@ -173,7 +173,7 @@ void Session::fail(ErrorCode code, std::string_view text, std::chrono::milliseco
 void Session::close_if_served() {
   const bool served = state_ == State::leaving ? delivery_.requests().empty()
                                                : state_ == State::finishing && delivery_.served();
-  if (served && editing_.served()) {
+  if (served && edits_.served()) {
     state_ = State::closed;
   }
 }
@@ -299,7 +299,7 @@ void Session::on(const wire::Edit& edit) {
   if (edit.id() == 0) return fail(ErrorCode::malformed, "Edit.id is 0; ids begin at 1");
   if (!admit_id(edit.id())) return;
   const Subject subject = about_request(edit.id());
-  auto admitted = edit_admission_.admit(edit, editing_.session(greeting_->grant, state_ == State::leaving));
+  auto admitted = edit_admission_.admit(edit, edits_.session(greeting_->grant, state_ == State::leaving));
   if (!admitted) {
     const EditError& error = admitted.error();
     if (error.code == EditErrorCode::malformed) return fail(ErrorCode::malformed, error.message);
@@ -309,19 +309,19 @@ void Session::on(const wire::Edit& edit) {
   if (const auto refusal = edit_admission_.charge(*admitted, rates_, received_at_)) {
     return say_refusal(subject, *refusal);
   }
-  editing_.edit(edit.id(), edit.sequence(), *std::move(admitted));
+  edits_.edit(edit.id(), edit.sequence(), *std::move(admitted));
 }
 
 void Session::on(const wire::Attach& attach) {
   const Subject subject = about_attach();
   if (!within_rates(subject)) return;
-  if (editing_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
-  auto admitted = edit_admission_.admit(attach, editing_.session(greeting_->grant, state_ == State::leaving));
+  if (edits_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
+  auto admitted = edit_admission_.admit(attach, edits_.session(greeting_->grant, state_ == State::leaving));
   if (!admitted) return replies_.error(subject, admitted.error());
   if (admitted->makes_editor) {
     if (const auto refusal = rates_.refuse_editor(received_at_)) return say_refusal(subject, *refusal);
   }
-  editing_.attach(std::move(admitted->request), rates_.limits().session.voxels.per_second);
+  edits_.attach(std::move(admitted->request), rates_.limits().session.voxels.per_second);
 }
 
 void Session::on(const wire::Ping& ping) {
@@ -343,7 +343,7 @@ void Session::say_refusal(const Subject& subject, const SessionRates::Refusal& r
 }
 
 bool Session::admit_id(std::uint32_t id, bool repeated) {
-  repeated = repeated || delivery_.requests().contains(id) || editing_.contains(id);
+  repeated = repeated || delivery_.requests().contains(id) || edits_.contains(id);
   const Subject subject = repeated ? about_repeated(id) : about_request(id);
   if (!within_rates(subject)) return false;
   if (repeated) {
@@ -387,7 +387,7 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   Output output{shared_from};
   output.reserve(std::min(enough_bytes, delivery_.outbox().bytes_to_copy(shared_from)));
   const SessionRates::Allowance allowance = rates_.allowance(now);
-  const Delivery::Written written =
+  const Delivery::WrittenChunks written =
       delivery_.write({enough_bytes, allowance.chunks, allowance.bytes}, output);
   rates_.sent(now, written.chunks, output.size());
   writing_bytes_ = output.held_bytes();
@@ -404,7 +404,7 @@ void Session::written() {
 
 void Session::note_memory() {
   memory_.hold(kIdleBytes + writing_bytes_ + input_bytes_ + queued_bytes() + delivery_.bytes() +
-               editing_.bytes() + edit_admission_.bytes() + view_bytes_to_come());
+               edits_.bytes() + edit_admission_.bytes() + view_bytes_to_come());
 }
 
 std::size_t Session::view_bytes_to_come() const {

@@ -29,11 +29,11 @@
 #include "limits/memory/memory_reservation.h"
 #include "limits/rates/rates.h"
 #include "player/session/delivery.h"
-#include "player/session/editing.h"
 #include "player/session/handshake.h"
 #include "player/session/id_map.h"
 #include "player/session/replies.h"
 #include "player/session/session_context.h"
+#include "player/session/session_edits.h"
 #include "player/view/output.h"
 #include "runtime/clock.h"
 
@@ -109,10 +109,10 @@ class Session {
   /// clock.
   [[nodiscard]] Clock::time_point sendable_at();
   /// True if there are answers or updates that credit allows, no chunks are queued, and the answers have at
-  /// most about `most_bytes`.
-  [[nodiscard]] bool has_little_to_write(std::size_t most_bytes) const {
+  /// most about `max_bytes`.
+  [[nodiscard]] bool has_little_to_write(std::size_t max_bytes) const {
     const Outbox& outbox = delivery_.outbox();
-    return delivery_.sendable() && outbox.chunk_bytes() == 0 && outbox.control_bytes() <= most_bytes;
+    return delivery_.sendable() && outbox.chunk_bytes() == 0 && outbox.control_bytes() <= max_bytes;
   }
   /// Takes the frames to write now: `enough_bytes` and at most one frame more. Chunks of at least
   /// `shared_from` bytes are not copied.
@@ -125,7 +125,7 @@ class Session {
   }
   /// Bytes of unanswered edits, which wait for their ground or their turn. Above a quarter of
   /// limits.queued_bytes the caller stops reading, so that a few sessions cannot take the memory of all.
-  [[nodiscard]] std::size_t edit_bytes() const { return editing_.unanswered_bytes(); }
+  [[nodiscard]] std::size_t edit_bytes() const { return edits_.unanswered_bytes(); }
 
   // ---- state
   /// The flow charged for this session's work. The session records refusals; the caller records bytes
@@ -188,7 +188,7 @@ class Session {
   std::optional<Greeting> greeting_;
   Delivery delivery_;
   Replies& replies_ = delivery_.replies();
-  Editing editing_;
+  SessionEdits edits_;
   EditAdmission edit_admission_;
   SessionRates rates_;
   MemoryReservation memory_;

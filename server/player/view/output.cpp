@@ -57,7 +57,7 @@ std::vector<std::span<const std::byte>> Output::pieces() const {
   pieces.reserve(2 * shared_.size() + 1);
   const std::span copied{copied_};
   std::size_t from = 0;
-  for (const Shared& shared : shared_) {
+  for (const SharedChunk& shared : shared_) {
     pieces.push_back(copied.subspan(from, shared.after - from));
     pieces.push_back(shared.chunk->tail());
     from = shared.after;

@@ -40,7 +40,7 @@ class Output {
   [[nodiscard]] std::vector<std::span<const std::byte>> pieces() const;
 
  private:
-  struct Shared {
+  struct SharedChunk {
     std::size_t after;  // copied bytes that precede it
     EncodedChunkPtr chunk;
   };
@@ -48,7 +48,7 @@ class Output {
   std::size_t shared_from_;
   std::size_t size_ = 0;
   std::vector<std::byte> copied_;
-  std::vector<Shared> shared_;
+  std::vector<SharedChunk> shared_;
 };
 
 }  // namespace talus::server

@@ -15,8 +15,8 @@ std::uint64_t Counter::total() const {
   return sum;
 }
 
-LatencyHistogram::Reading LatencyHistogram::read() const {
-  Reading reading;
+LatencyHistogram::Snapshot LatencyHistogram::read() const {
+  Snapshot reading;
   std::uint64_t sum_ns = 0;
   for (const Stripe& each : stripes_) {
     for (std::size_t i = 0; i < each.counts.size(); ++i) {

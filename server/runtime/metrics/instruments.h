@@ -88,11 +88,11 @@ class LatencyHistogram {
     mine.sum_ns.fetch_add(ns * count, std::memory_order_relaxed);
   }
 
-  struct Reading {
+  struct Snapshot {
     std::array<std::uint64_t, kBoundsSeconds.size() + 1> counts{};  // per bucket, not cumulative
     double sum_seconds = 0;
   };
-  [[nodiscard]] Reading read() const;
+  [[nodiscard]] Snapshot read() const;
 
  private:
   struct alignas(kStripeBytes) Stripe {

@@ -332,15 +332,15 @@ const std::array kRows{
     MetricRow{"talus_memory_bytes", "Memory that the server accounts for, by use.", gauge, {"use"}, memory_bytes},
     MetricRow{"talus_memory_limit_bytes", "Memory budget; 0: no limit.", gauge, {}, &RuntimeGauges::memory_limit_bytes},
 
-    MetricRow{"process_cpu_seconds_total", "User and system CPU time.", counter, {}, &ProcessReading::cpu_seconds},
+    MetricRow{"process_cpu_seconds_total", "User and system CPU time.", counter, {}, &ProcessStats::cpu_seconds},
     MetricRow{"process_start_time_seconds",
               "Start of the process, in seconds since 1970.",
-              gauge, {}, &ProcessReading::start_seconds},
-    MetricRow{"process_resident_memory_bytes", "Resident memory.", gauge, {}, &ProcessReading::resident_bytes},
-    MetricRow{"process_virtual_memory_bytes", "Virtual memory.", gauge, {}, &ProcessReading::virtual_bytes},
-    MetricRow{"process_open_fds", "Open file descriptors.", gauge, {}, &ProcessReading::open_descriptors},
-    MetricRow{"process_max_fds", "Limit of open file descriptors.", gauge, {}, &ProcessReading::max_descriptors},
-    MetricRow{"process_threads", "Threads.", gauge, {}, &ProcessReading::threads},
+              gauge, {}, &ProcessStats::start_seconds},
+    MetricRow{"process_resident_memory_bytes", "Resident memory.", gauge, {}, &ProcessStats::resident_bytes},
+    MetricRow{"process_virtual_memory_bytes", "Virtual memory.", gauge, {}, &ProcessStats::virtual_bytes},
+    MetricRow{"process_open_fds", "Open file descriptors.", gauge, {}, &ProcessStats::open_descriptors},
+    MetricRow{"process_max_fds", "Limit of open file descriptors.", gauge, {}, &ProcessStats::max_descriptors},
+    MetricRow{"process_threads", "Threads.", gauge, {}, &ProcessStats::threads},
 };
 // clang-format on
 
@@ -357,8 +357,8 @@ struct Read {
   Samples operator()(std::uint64_t RuntimeGauges::*member) const {
     return {{static_cast<double>(from.gauges.*member)}};
   }
-  Samples operator()(double ProcessReading::*member) const { return {{from.process.*member}}; }
-  Samples operator()(std::uint64_t ProcessReading::*member) const {
+  Samples operator()(double ProcessStats::*member) const { return {{from.process.*member}}; }
+  Samples operator()(std::uint64_t ProcessStats::*member) const {
     return {{static_cast<double>(from.process.*member)}};
   }
   Samples operator()(const LabelledMetric& metric) const {
@@ -382,7 +382,7 @@ prometheus::MetricType type_of(MetricType type) {
 }
 
 void set_histogram(prometheus::ClientMetric::Histogram& into, const LatencyHistogram& from) {
-  const LatencyHistogram::Reading reading = from.read();
+  const LatencyHistogram::Snapshot reading = from.read();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < LatencyHistogram::kBoundsSeconds.size(); ++i) {
     sum += reading.counts[i];

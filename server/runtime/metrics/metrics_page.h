@@ -91,7 +91,7 @@ struct BuildInfo {
 struct MetricSources {
   const Metrics& metrics;
   const RuntimeGauges& gauges;
-  const ProcessReading& process;
+  const ProcessStats& process;
   const BuildInfo& build;
   const MetricLabels& labels;
 };
@@ -112,7 +112,7 @@ struct LabelledMetric {
 /// Source of a metric's samples. If a function returns an empty list, the metric is omitted.
 using MetricValue =
     std::variant<Counter Metrics::*, Gauge Metrics::*, LabelledMetric, std::uint64_t RuntimeGauges::*,
-                 double ProcessReading::*, std::uint64_t ProcessReading::*,
+                 double ProcessStats::*, std::uint64_t ProcessStats::*,
                  std::vector<Sample> (*)(const MetricSources&)>;
 
 enum class MetricType : std::uint8_t { counter, gauge, histogram };

@@ -62,12 +62,12 @@ std::uint64_t open_descriptors() {
 
 }  // namespace
 
-ProcessReading read_process() {
+ProcessStats read_process() {
   constexpr std::size_t kThreads = 20;
   constexpr std::size_t kVirtualBytes = 23;
   constexpr std::size_t kResidentPages = 24;
 
-  ProcessReading reading;
+  ProcessStats reading;
   reading.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 
   const StatFields stat;

@@ -5,7 +5,7 @@
 
 namespace talus::server {
 
-struct ProcessReading {
+struct ProcessStats {
   double cpu_seconds = 0;
   double start_seconds = 0;  // since 1970
   std::uint64_t resident_bytes = 0;
@@ -16,6 +16,6 @@ struct ProcessReading {
 };
 
 /// A field is 0 if /proc does not report it.
-[[nodiscard]] ProcessReading read_process();
+[[nodiscard]] ProcessStats read_process();
 
 }  // namespace talus::server

@@ -327,7 +327,7 @@ find('open-map').addEventListener('click', () => void openMap());
 // --- Every frame ---
 
 let told = 0;
-let looked = 0;
+let inspected = 0;
 let hasPicture = false;
 const loop = new Loop({
   // The first picture is shown at once.
@@ -341,8 +341,8 @@ const loop = new Loop({
       traveller.turnFromWhatIsNear(engine);
       player.look(engine);
       builder.look(eye(), gaze.ahead());
-      if (now - looked > 100) {
-        looked = now;
+      if (now - inspected > 100) {
+        inspected = now;
         voxel.look(engine, eye(), body.yaw, body.pitch);
       }
       address.follow(now, place());

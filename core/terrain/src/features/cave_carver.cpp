@@ -25,9 +25,9 @@ void CaveCarver::start(const Region& region, int around, int open_ring) {
   loose_fx_ = 0;
   for (const std::int32_t t_fx : loose_thickness_fx_) loose_fx_ += t_fx >> level;
   // At least two rows, so that the topmost can be loose material with rock under it.
-  least_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
+  min_rows_ = std::max(2, ((plan_.roof_fx >> level) + kSubvoxels - 1) / kSubvoxels);
   const std::int32_t lowest = boundary_row(std::max(kSubvoxels, shape_.lowest_floor_fx() >> level));
-  least_fx_ = (lowest + least_rows_ - 1) * kSubvoxels + loose_fx_;
+  min_fx_ = (lowest + min_rows_ - 1) * kSubvoxels + loose_fx_;
   any_ = false;
   next_ = 0;
   entrances_.reshape(0, 0);
@@ -66,7 +66,7 @@ void CaveCarver::compute_rows(int count, const Field& height) {
 ColumnRange CaveCarver::thick_enough(int z, const Field& height) const {
   const auto row = height.row(z + shore_).subspan(static_cast<std::size_t>(shore_));
   const int level = region_.lod.value();
-  const auto thick = [&](std::size_t x) { return row[x] >> level > least_fx_; };
+  const auto thick = [&](std::size_t x) { return row[x] >> level > min_fx_; };
   ColumnRange columns{0, static_cast<std::size_t>(floor_.width)};
   while (columns.first < columns.last && !thick(columns.first)) ++columns.first;
   while (columns.first < columns.last && !thick(columns.last - 1)) --columns.last;
@@ -118,7 +118,7 @@ void CaveCarver::judge_row(int z, const Field& height) {
   const int level = region_.lod.value();
   const auto row = [&](int south) { return height.row(z + shore_ + south).data() + shore_; };
   const RoofRules rules{
-      level, loose_fx_, erodes_ ? loose_fx_ : 0, least_rows_, shore_ != 0 && !all_dry(z), sea_fx_ >> level};
+      level, loose_fx_, erodes_ ? loose_fx_ : 0, min_rows_, shore_ != 0 && !all_dry(z), sea_fx_ >> level};
   HeightsAround heights;
   heights.own = row(0);
   if (rules.shore) {

@@ -51,9 +51,9 @@ class CaveCarver final : public Carver {
   int judged_ = 0;  // columns around the region that are judged
   int open_ring_ = 0;
   int span_ = 0;
-  std::int32_t loose_fx_ = 0;    // total thickness of loose material, at the region's level
-  std::int32_t least_rows_ = 0;  // minimum rows of a roof that holds
-  std::int32_t least_fx_ = 0;    // columns with less ground are solid
+  std::int32_t loose_fx_ = 0;  // total thickness of loose material, at the region's level
+  std::int32_t min_rows_ = 0;  // minimum rows of a roof that holds
+  std::int32_t min_fx_ = 0;    // columns with less ground are solid
   bool any_ = false;
   bool pending_ = false;
   int next_ = 0;  // next row of floors and roofs to compute

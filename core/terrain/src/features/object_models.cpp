@@ -242,9 +242,9 @@ ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256
 
 namespace {
 
-class Occupied {
+class OccupiedCells {
  public:
-  explicit Occupied(const ObjectModel& model) {
+  explicit OccupiedCells(const ObjectModel& model) {
     for (const ModelVoxel& v : model) full_.set(index(v.x, v.y, v.z));
   }
   [[nodiscard]] bool at(int x, int y, int z) const {
@@ -270,7 +270,7 @@ int levels_shown(const std::vector<ObjectModel>& models) {
     std::size_t all = 0;
     std::size_t together = 0;
     for (const ObjectModel& model : models) {
-      const Occupied full{model};
+      const OccupiedCells full{model};
       for (const auto& [x, y, z, part] : model) {
         if (y < 0) continue;
         ++all;

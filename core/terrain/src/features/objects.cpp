@@ -22,7 +22,7 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::size_t kMaxKinds = 32;
-constexpr int kLeastSpacing = 4;
+constexpr int kMinObjectSpacing = 4;
 constexpr std::uint8_t kMaxSeen = 32;  // maximum number of objects shown by a column of level 3 to 6
 constexpr std::size_t kMaxModelNameBytes = 200;
 constexpr int kVariants = 32;        // shapes per formula; objects draw one of them and a quarter turn
@@ -34,11 +34,11 @@ constexpr int kClumpOctaves = 3;
 constexpr double kClumpGain = 0.6;
 
 /// Rotates voxels by quarter turns about the foot.
-struct Turned {
+struct Rotation {
   int cos;
   int sin;
 
-  explicit Turned(int turn)
+  explicit Rotation(int turn)
       : cos{(turn & 1) != 0 ? 0 : 1 - (turn & 2)}, sin{(turn & 1) == 0 ? 0 : 2 - (turn & 3)} {}
   [[nodiscard]] int x(const ModelVoxel& voxel) const { return cos * voxel.x - sin * voxel.z; }
   [[nodiscard]] int z(const ModelVoxel& voxel) const { return sin * voxel.x + cos * voxel.z; }
@@ -202,7 +202,7 @@ bool Objects::place_in_cells(const StandingGround& ground, std::int64_t rows, Pl
 std::span<const ModelVoxel> Objects::seen(const PlacedObject& object) const {
   const ModelVoxel column{static_cast<std::int8_t>(object.seen_x - object.x), 0,
                           static_cast<std::int8_t>(object.seen_z - object.z)};
-  const Turned back{4 - object.turn};
+  const Rotation back{4 - object.turn};
   return kinds_[object.kind].columns[object.variant].at(back.x(column), back.z(column));
 }
 
@@ -252,7 +252,7 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
   const int level = lod.value();
   const std::int64_t half = level == 0 ? 0 : std::int64_t{1} << (level - 1);
   const int mask = (1 << level) - 1;
-  const Turned turn{object.turn};
+  const Rotation turn{object.turn};
   const auto foot_x = static_cast<int>(object.x - (origin.x << level));
   const auto foot_y = static_cast<int>(object.y - half - (origin.y << level));
   const auto foot_z = static_cast<int>(object.z - (origin.z << level));
@@ -274,7 +274,7 @@ void Objects::for_each_voxel(const PlacedObject& object, Lod lod, bool front, co
   }
   // The foot modulo the level's step, in the model's orientation: such voxels lie on the level's planes.
   const ModelVoxel low{static_cast<std::int8_t>(-foot_x & mask), 0, static_cast<std::int8_t>(-foot_z & mask)};
-  const Turned back{4 - object.turn};
+  const Rotation back{4 - object.turn};
   visit_shown(kind.levels[object.variant].at(front, level, back.x(low), -foot_y, back.z(low)));
 }
 
@@ -427,7 +427,7 @@ class ObjectReader {
     kind.seed = named_seed(section_.spec().seed, ".object " + kind.name);
     read_models(table, kind);
     // Bounds the number of an author's models, which may be full, that reach any one column.
-    const int closest = is_file(kind) ? std::max(kLeastSpacing, kind.reach) : kLeastSpacing;
+    const int closest = is_file(kind) ? std::max(kMinObjectSpacing, kind.reach) : kMinObjectSpacing;
     kind.spacing = static_cast<int>(table.integer("spacing", closest, 64));
     kind.chance_q16 = static_cast<std::int32_t>(rounded(table.real("chance", {0, 1}) * 65536));
     if (table.has("clumps"))

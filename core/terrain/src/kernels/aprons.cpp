@@ -90,7 +90,7 @@ ColumnRange begin_aprons(const std::int32_t* height, const std::int32_t* slope, 
     const auto rock = hn::Max(hn::Sub(hn::LoadU(d, mean + x), low), hn::Zero(d));
     const auto share =
         hn::ShiftRight<8>(hn::Mul(hn::Min(rock, hn::Set(d, supply.enough_fx)), hn::Set(d, supply.share_q8)));
-    const auto given = hn::Min(share, hn::Set(d, supply.most_fx));
+    const auto given = hn::Min(share, hn::Set(d, supply.max_fx));
     const auto leaning = hn::Add(low, given);
     const auto surface = hn::IfThenElse(above, hn::Min(own, leaning), own);
     // A wall is bare above its apron, and if its foot is out of reach.

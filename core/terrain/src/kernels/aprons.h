@@ -25,9 +25,9 @@ struct ApronRows {
 
 struct ApronSupply {
   std::int32_t wall_fx;
-  std::int32_t most_fx;
+  std::int32_t max_fx;
   std::int32_t share_q8;
-  std::int32_t enough_fx;  // height of rock above a foot that yields most_fx
+  std::int32_t enough_fx;  // height of rock above a foot that yields max_fx
 };
 
 struct ApronKernels {

@@ -166,7 +166,7 @@ void judge(const RoofRules& rules, const HeightsAround& heights, std::size_t wid
   over_row(Ints{}, width, [=, &rules, &rows](auto d, std::size_t x) HWY_ATTR {
     const auto at_level = [&](auto fx) HWY_ATTR { return hn::ShiftRightSame(fx, rules.level); };
     const auto loose = hn::Set(d, rules.loose_fx);
-    const auto too_few = hn::Set(d, rules.least_rows - 1);
+    const auto too_few = hn::Set(d, rules.min_rows - 1);
     const auto far_below = hn::Set(d, kFarBelow);
     const auto surface = at_level(hn::LoadU(d, heights.own + x));
     auto rock_row = boundary_rows(d, hn::Sub(surface, loose));

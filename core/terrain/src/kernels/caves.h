@@ -21,11 +21,11 @@ struct CaveNoises {
 /// Rules by which a column with air is roofed, open, or solid after all, at a level.
 struct RoofRules {
   int level = 0;
-  std::int32_t loose_fx = 0;    // total thickness of loose material
-  std::int32_t sunk_fx = 0;     // maximum depth of ground below H if water is near
-  std::int32_t least_rows = 0;  // minimum rows of a roof that holds
-  bool shore = false;           // true if water is near the row
-  std::int32_t sea_fx = 0;      // in subvoxels of the level
+  std::int32_t loose_fx = 0;  // total thickness of loose material
+  std::int32_t sunk_fx = 0;   // maximum depth of ground below H if water is near
+  std::int32_t min_rows = 0;  // minimum rows of a roof that holds
+  bool shore = false;         // true if water is near the row
+  std::int32_t sea_fx = 0;    // in subvoxels of the level
 };
 
 /// Level 0's H over three rows. `north` and `south` are null without a shore; with one, all three rows also

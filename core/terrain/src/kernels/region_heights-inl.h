@@ -35,22 +35,22 @@ struct PlainAt {
   [[nodiscard]] static HWY_INLINE RegionVector number(float value) { return constant(value); }
 };
 struct SlopedAt {
-  using Number = Sloped;
+  using Number = SlopedNumber;
   const SlopedRegionRow& row;
   std::size_t i;
 
-  [[nodiscard]] HWY_INLINE Sloped load(const float* RegionRow::*values) const {
+  [[nodiscard]] HWY_INLINE SlopedNumber load(const float* RegionRow::*values) const {
     const RegionTag f;
     return {hn::LoadU(f, row.value.*values + i), hn::LoadU(f, row.east.*values + i),
             hn::LoadU(f, row.south.*values + i)};
   }
   template <std::size_t k>
-  [[nodiscard]] HWY_INLINE Sloped octave() const {
+  [[nodiscard]] HWY_INLINE SlopedNumber octave() const {
     const RegionTag f;
     return {hn::LoadU(f, row.value.shape[k] + i), hn::LoadU(f, row.east.shape[k] + i),
             hn::LoadU(f, row.south.shape[k] + i)};
   }
-  [[nodiscard]] static HWY_INLINE Sloped number(float value) { return level(value); }
+  [[nodiscard]] static HWY_INLINE SlopedNumber number(float value) { return level(value); }
 };
 
 /// Reads slow rows between their samples, to the bit as spread() writes them.
@@ -137,7 +137,7 @@ HWY_INLINE ShapeSums<N> summed(const At& at, const RegionShape& shape) {
 
 /// The land before rivers cut it, and the inputs of the cut.
 template <class N>
-struct Uncut {
+struct UncutLand {
   N base, belt, plain, toward_hills, land, lifted, mesa, terrace_field, small;
   N river, tributary;
 };
@@ -164,7 +164,7 @@ HWY_INLINE N tributary_at(const At& at, N river) {
 // Work that changes no column of a vector is skipped: each `if` here leaves exactly the numbers, to the bit,
 // of the formula under it.
 template <class At, class N = typename At::Number>
-HWY_INLINE Uncut<N> uncut_at(const At& at, const Country<N>& country, const RegionShape& shape) {
+HWY_INLINE UncutLand<N> uncut_at(const At& at, const Country<N>& country, const RegionShape& shape) {
   const N base = country.base;
   // Between samples a curve may overshoot slightly.
   const N belt = unit(country.belt);
@@ -208,11 +208,11 @@ HWY_INLINE Uncut<N> uncut_at(const At& at, const Country<N>& country, const Regi
 }
 
 template <class At, class N = typename At::Number>
-HWY_INLINE Uncut<N> uncut_at(const At& at, const RegionShape& shape) {
+HWY_INLINE UncutLand<N> uncut_at(const At& at, const RegionShape& shape) {
   return uncut_at(at, country_at(at), shape);
 }
 
-HWY_INLINE Uncut<RegionVector> value_of(const Uncut<Sloped>& u) {
+HWY_INLINE UncutLand<RegionVector> value_of(const UncutLand<SlopedNumber>& u) {
   return {u.base.v, u.belt.v,          u.plain.v, u.toward_hills.v, u.land.v,     u.lifted.v,
           u.mesa.v, u.terrace_field.v, u.small.v, u.river.v,        u.tributary.v};
 }
@@ -227,18 +227,18 @@ constexpr float kWidest = 0.8F + 0.8F;  // maximum factor of the spec's half wid
 
 // A river narrows toward its spring and is dry where it is only as wide as a brook.
 template <class N>
-HWY_INLINE N wide_at(const Uncut<N>& u) {
+HWY_INLINE N wide_at(const UncutLand<N>& u) {
   return plus(times(ramp(24, 3, u.base), 0.8F), 0.8F);
 }
 template <class N>
-HWY_INLINE Stream<N> main_stream(const Uncut<N>& u, const RegionShape& shape) {
+HWY_INLINE Stream<N> main_stream(const UncutLand<N>& u, const RegionShape& shape) {
   const float high = shape.carve[0];
   const float low = shape.carve[1];
   const N wide = mul(wide_at(u), plus(times(ramp(high + 12, high - 28, u.plain), 0.75F), 0.25F));
   return {plus(times(ramp(low + 90, low + 30, u.plain), 0.55F), 0.45F), times(wide, shape.half_width[0])};
 }
 template <class N>
-HWY_INLINE Stream<N> side_stream(const Uncut<N>& u, const RegionShape& shape) {
+HWY_INLINE Stream<N> side_stream(const UncutLand<N>& u, const RegionShape& shape) {
   const float low = shape.carve[1];
   const N wide = mul(wide_at(u), plus(times(ramp(low + 12, low - 16, u.toward_hills), 0.75F), 0.25F));
   return {ramp(low + 28, low, u.toward_hills), times(wide, shape.half_width[1])};
@@ -260,7 +260,7 @@ struct Valleys {
   N main_reach, side_reach;
 };
 template <class N>
-HWY_INLINE Valleys<N> valleys_of(const Uncut<N>& u, const RegionShape& shape, float widened) {
+HWY_INLINE Valleys<N> valleys_of(const UncutLand<N>& u, const RegionShape& shape, float widened) {
   const N main = plus(times(u.belt, 150), shape.valley[0]);
   const N side = plus(times(u.belt, 120), shape.valley[1]);
   if (widened == 0) return {main, side, main, side};
@@ -310,7 +310,7 @@ HWY_INLINE Height<RegionVector> half_of(const Height<Two>& two, RegionVector Two
 }
 
 template <class N>
-HWY_INLINE Height<N> cut(const Uncut<N>& u, const RegionShape& shape, float widened) {
+HWY_INLINE Height<N> cut(const UncutLand<N>& u, const RegionShape& shape, float widened) {
   const Valleys<N> valleys = valleys_of(u, shape, widened);
   const Cut<N> main = cut_by(
       u.river, valleys.main, valleys.main_reach, [&]() HWY_ATTR { return main_stream(u, shape); }, u.lifted,

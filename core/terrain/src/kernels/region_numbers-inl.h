@@ -73,71 +73,71 @@ HWY_INLINE RegionVector value_of(RegionVector v) {
 }
 
 /// A number with its rise per column eastward and southward. Results computed from it have their derivatives.
-struct Sloped {
+struct SlopedNumber {
   RegionVector v;
   RegionVector x;
   RegionVector z;
 };
 
-HWY_INLINE Sloped add(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber add(SlopedNumber a, SlopedNumber b) {
   return {hn::Add(a.v, b.v), hn::Add(a.x, b.x), hn::Add(a.z, b.z)};
 }
-HWY_INLINE Sloped sub(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber sub(SlopedNumber a, SlopedNumber b) {
   return {hn::Sub(a.v, b.v), hn::Sub(a.x, b.x), hn::Sub(a.z, b.z)};
 }
-HWY_INLINE Sloped mul(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber mul(SlopedNumber a, SlopedNumber b) {
   return {hn::Mul(a.v, b.v), hn::Add(hn::Mul(a.x, b.v), hn::Mul(a.v, b.x)),
           hn::Add(hn::Mul(a.z, b.v), hn::Mul(a.v, b.z))};
 }
-HWY_INLINE Sloped quotient(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber quotient(SlopedNumber a, SlopedNumber b) {
   const auto q = hn::Div(a.v, b.v);
   return {q, hn::Div(hn::Sub(a.x, hn::Mul(q, b.x)), b.v), hn::Div(hn::Sub(a.z, hn::Mul(q, b.z)), b.v)};
 }
 /// The derivative is 0 where the number is 0.
-HWY_INLINE Sloped root(Sloped a) {
+HWY_INLINE SlopedNumber root(SlopedNumber a) {
   const auto r = hn::Sqrt(a.v);
   const auto by = hn::IfThenElseZero(hn::Gt(r, constant(1e-6F)), hn::Div(constant(0.5F), r));
   return {r, hn::Mul(a.x, by), hn::Mul(a.z, by)};
 }
-HWY_INLINE Sloped size_of(Sloped a) {
+HWY_INLINE SlopedNumber size_of(SlopedNumber a) {
   const auto negative = hn::Lt(a.v, constant(0));
   return {hn::Abs(a.v), hn::IfThenElse(negative, hn::Neg(a.x), a.x),
           hn::IfThenElse(negative, hn::Neg(a.z), a.z)};
 }
-HWY_INLINE Sloped where_above(Sloped a, Sloped b, Sloped yes, Sloped no) {
+HWY_INLINE SlopedNumber where_above(SlopedNumber a, SlopedNumber b, SlopedNumber yes, SlopedNumber no) {
   const auto above = hn::Gt(a.v, b.v);
   return {hn::IfThenElse(above, yes.v, no.v), hn::IfThenElse(above, yes.x, no.x),
           hn::IfThenElse(above, yes.z, no.z)};
 }
-HWY_INLINE Sloped larger(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber larger(SlopedNumber a, SlopedNumber b) {
   return where_above(a, b, a, b);
 }
-HWY_INLINE Sloped smaller(Sloped a, Sloped b) {
+HWY_INLINE SlopedNumber smaller(SlopedNumber a, SlopedNumber b) {
   return where_above(a, b, b, a);
 }
-HWY_INLINE Sloped times(Sloped a, float factor) {
+HWY_INLINE SlopedNumber times(SlopedNumber a, float factor) {
   return {times(a.v, factor), times(a.x, factor), times(a.z, factor)};
 }
-HWY_INLINE Sloped plus(Sloped a, float more) {
+HWY_INLINE SlopedNumber plus(SlopedNumber a, float more) {
   return {plus(a.v, more), a.x, a.z};
 }
-HWY_INLINE Sloped less(float whole, Sloped a) {
+HWY_INLINE SlopedNumber less(float whole, SlopedNumber a) {
   return {less(whole, a.v), hn::Neg(a.x), hn::Neg(a.z)};
 }
-HWY_INLINE Sloped level(float value) {
+HWY_INLINE SlopedNumber level(float value) {
   return {constant(value), constant(0), constant(0)};
 }
-HWY_INLINE Sloped at_least(Sloped a, float least) {
+HWY_INLINE SlopedNumber at_least(SlopedNumber a, float least) {
   return larger(a, level(least));
 }
-HWY_INLINE Sloped at_most(Sloped a, float most) {
+HWY_INLINE SlopedNumber at_most(SlopedNumber a, float most) {
   return smaller(a, level(most));
 }
-HWY_INLINE Sloped unit(Sloped a) {
+HWY_INLINE SlopedNumber unit(SlopedNumber a) {
   const auto inside = hn::And(hn::Gt(a.v, constant(0)), hn::Lt(a.v, constant(1)));
   return {unit(a.v), hn::IfThenElseZero(inside, a.x), hn::IfThenElseZero(inside, a.z)};
 }
-HWY_INLINE RegionVector value_of(Sloped a) {
+HWY_INLINE RegionVector value_of(SlopedNumber a) {
   return a.v;
 }
 
@@ -216,8 +216,9 @@ HWY_INLINE RegionVector equalized(const Equalizer& equalizer, RegionVector noise
   return hn::CopySign(half, noise);
 }
 /// The curve is odd, so its derivative is even.
-HWY_INLINE Sloped equalized(const Equalizer& equalizer, Sloped noise) {
-  const Sloped half = on_spline(equalizer.half(), size_of(times(noise, equalizer.reciprocal_deviation())));
+HWY_INLINE SlopedNumber equalized(const Equalizer& equalizer, SlopedNumber noise) {
+  const SlopedNumber half =
+      on_spline(equalizer.half(), size_of(times(noise, equalizer.reciprocal_deviation())));
   const auto negative = hn::Lt(noise.v, constant(0));
   return {hn::CopySign(half.v, noise.v), hn::IfThenElse(negative, hn::Neg(half.x), half.x),
           hn::IfThenElse(negative, hn::Neg(half.z), half.z)};
@@ -230,7 +231,7 @@ HWY_INLINE bool none(RegionVector v) {
 HWY_INLINE bool none(Two m) {
   return none(hn::Or(hn::Abs(m.a), hn::Abs(m.b)));
 }
-HWY_INLINE bool none(Sloped a) {
+HWY_INLINE bool none(SlopedNumber a) {
   return none(hn::Or(hn::Or(hn::Abs(a.v), hn::Abs(a.x)), hn::Abs(a.z)));
 }
 

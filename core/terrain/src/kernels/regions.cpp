@@ -43,7 +43,7 @@ void displace(const SlopedRow& wide, const SlopedRow& narrow, const std::array<f
 }
 
 void distances(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
-               float units_a_column, std::size_t width, const SlopedOut& out) {
+               float units_a_column, std::size_t width, const SlopedOutput& out) {
   const RegionTag f;
   const auto most = constant(1000);  // maximum distance at which rivers matter
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
@@ -126,10 +126,11 @@ void lay_sloped(const SlowNoises& noises, const SlowNoises& east, const SlowNois
   const RegionTag f;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
     const auto field = [&](const SlowFields::Field& of, const float* SlowNoises::*noise) HWY_ATTR {
-      return equalized(of.equalized, Sloped{hn::LoadU(f, noises.*noise + i), hn::LoadU(f, east.*noise + i),
-                                            hn::LoadU(f, south.*noise + i)});
+      return equalized(of.equalized,
+                       SlopedNumber{hn::LoadU(f, noises.*noise + i), hn::LoadU(f, east.*noise + i),
+                                    hn::LoadU(f, south.*noise + i)});
     };
-    const Land<Sloped> land = laid<Sloped>(fields, field);
+    const Land<SlopedNumber> land = laid<SlopedNumber>(fields, field);
     const auto rows = shaping(land);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       hn::StoreU(rows[k].v, f, out.*kShapingRows[k] + i);
@@ -273,12 +274,12 @@ void equalize(const Equalizer& equalizer, const float* noise, std::size_t width,
 }
 
 void equalize_sloped(const Equalizer& equalizer, const SlopedRow& noise, std::size_t width,
-                     const SlopedOut& out) {
+                     const SlopedOutput& out) {
   const RegionTag f;
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) {
-    const Sloped uniform = equalized(
-        equalizer,
-        Sloped{hn::LoadU(f, noise.value + i), hn::LoadU(f, noise.east + i), hn::LoadU(f, noise.south + i)});
+    const SlopedNumber uniform =
+        equalized(equalizer, SlopedNumber{hn::LoadU(f, noise.value + i), hn::LoadU(f, noise.east + i),
+                                          hn::LoadU(f, noise.south + i)});
     hn::StoreU(uniform.v, f, out.value + i);
     hn::StoreU(uniform.x, f, out.east + i);
     hn::StoreU(uniform.z, f, out.south + i);

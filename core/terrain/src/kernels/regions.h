@@ -89,7 +89,7 @@ struct Stretch {
 };
 
 /// Output row and its derivatives, which may be null. Padded.
-struct SlopedOut {
+struct SlopedOutput {
   float* value = nullptr;
   float* east = nullptr;
   float* south = nullptr;
@@ -127,7 +127,7 @@ struct RegionKernels {
   /// by its gradient. `saddle` keeps it finite and continuous where the gradient is 0, at saddles and
   /// summits.
   void (*distances)(const SlopedRow& noise, const Stretch& east, const Stretch& south, float saddle,
-                    float units_a_column, std::size_t width, const SlopedOut& out);
+                    float units_a_column, std::size_t width, const SlopedOutput& out);
   void (*lay)(const SlowNoises& noises, const SlowFields& fields, std::size_t width, const SlowLand& land);
   /// lay() from noises with their derivatives; derivatives of temperature and moisture are omitted.
   void (*lay_sloped)(const SlowNoises& noises, const SlowNoises& east, const SlowNoises& south,
@@ -161,7 +161,7 @@ struct RegionKernels {
   /// Makes a noise uniform.
   void (*equalize)(const Equalizer& equalizer, const float* noise, std::size_t width, float* out);
   void (*equalize_sloped)(const Equalizer& equalizer, const SlopedRow& noise, std::size_t width,
-                          const SlopedOut& out);
+                          const SlopedOutput& out);
 };
 
 [[nodiscard]] const RegionKernels& region_kernels(InstructionSet set);

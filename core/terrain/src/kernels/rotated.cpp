@@ -167,7 +167,7 @@ HWY_INLINE void add_octave(const RotatedOctave& octave, const UAt& u_at, const V
 constexpr std::size_t kBlock = 256;  // columns whose runs are found at once
 // Maximum number of runs if columns are at most a quarter of a cell apart along u and v.
 constexpr std::size_t kMaxRuns = kBlock / 2 + kMaxLanes;
-constexpr std::uint64_t kMostInRuns = std::uint64_t{1} << 30;
+constexpr std::uint64_t kMaxStepInRuns = std::uint64_t{1} << 30;
 
 std::uint32_t cell_of(std::uint64_t position) {
   return static_cast<std::uint32_t>(position >> 32);
@@ -180,7 +180,7 @@ struct Runs {
   std::uint32_t v[kMaxRuns];
   float corners[12][kMaxRuns + kMaxLanes];
 
-  /// REQUIRES that columns are at most kMostInRuns apart, and crossed < kMaxRuns.
+  /// REQUIRES that columns are at most kMaxStepInRuns apart, and crossed < kMaxRuns.
   void find(const RotatedOctave& octave, std::uint64_t first_u, std::uint64_t first_v, std::size_t crossed) {
     const auto du = static_cast<std::int64_t>(octave.step_u);
     const auto dv = static_cast<std::int64_t>(octave.step_v);
@@ -272,7 +272,7 @@ void add_in_runs(const RotatedOctave& octave, std::size_t width, const RotatedSu
 template <bool kSlopes, bool kFirst>
 void add_undisplaced(const RotatedOctave& octave, std::size_t width, const RotatedSums& out) {
   const bool even = octave.lane_steps != nullptr;
-  if (even && octave.step_u <= kMostInRuns && octave.step_v <= kMostInRuns) {
+  if (even && octave.step_u <= kMaxStepInRuns && octave.step_v <= kMaxStepInRuns) {
     return add_in_runs<kSlopes, kFirst>(octave, width, out);
   }
   const Positions p;

@@ -207,9 +207,9 @@ void settle(const PaddedRows<Cell>& rows, Rise rise) {
 // floats. A quotient that is not an integer is at least 1 / S below the next one, so adding half a unit to
 // the numerator never rounds past it; in floats if t and S are small enough: rounded twice, (t + 0.5) / 2^23
 // is less than 0.5 / S.
-constexpr std::int32_t kMostInFloats_fx = 4095;  // a share of it is exact, too
+constexpr std::int32_t kMaxInFloats_fx = 4095;  // a share of it is exact, too
 [[nodiscard]] bool fits_floats(std::int32_t thickness_fx, std::int32_t max_slope_fx) {
-  return thickness_fx <= kMostInFloats_fx && max_slope_fx <= 1 << 20 &&
+  return thickness_fx <= kMaxInFloats_fx && max_slope_fx <= 1 << 20 &&
          std::int64_t{thickness_fx} * max_slope_fx <= 1 << 21;
 }
 
@@ -285,12 +285,12 @@ void start_shared_by(const std::int32_t* slope, const std::int32_t* share, std::
       cells);
 }
 
-constexpr std::int32_t kMostShareInFloats = 1 << 12;
+constexpr std::int32_t kMaxShareInFloats = 1 << 12;
 
 template <class Cell>
 void start_shared(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
                   std::int32_t thickness_fx, std::int32_t whole, std::int32_t max_slope_fx, Cell* cells) {
-  if (fits_floats(thickness_fx, max_slope_fx) && whole <= kMostShareInFloats) {
+  if (fits_floats(thickness_fx, max_slope_fx) && whole <= kMaxShareInFloats) {
     start_shared_by<float>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);
   } else {
     start_shared_by<double>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);

@@ -24,16 +24,16 @@ using talus::HWY_NAMESPACE::round_to_even;
 
 using Floats = hn::ScalableTag<float>;
 
-constexpr std::size_t kMostVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
+constexpr std::size_t kMaxVectors = std::min<std::size_t>(4, kSegment / hn::MaxLanes(Floats{}));
 
 /// kVectors vectors of columns on which layers are stacked.
 template <class Tag, std::size_t kVectors>
-struct Stacked {
+struct StackedVectors {
   using Ints = hn::RebindToSigned<Tag>;
   hn::Vec<Ints> most[kVectors];
   hn::Vec<Ints> reached[kVectors];
 
-  HWY_INLINE Stacked(const std::int32_t* limit, const std::int32_t* below) {
+  HWY_INLINE StackedVectors(const std::int32_t* limit, const std::int32_t* below) {
     const Ints d;
     for (std::size_t v = 0; v < kVectors; ++v) {
       most[v] = hn::LoadU(d, limit + v * hn::Lanes(d));
@@ -87,8 +87,8 @@ template <class StackAt>
 HWY_INLINE void over_columns(std::size_t x, std::size_t end, std::size_t width, const StackAt& stack_at) {
   const Floats f;
   const std::size_t lanes = hn::Lanes(f);
-  for (; x + kMostVectors * lanes <= end; x += kMostVectors * lanes) {
-    stack_at.template operator()<kMostVectors>(f, x);
+  for (; x + kMaxVectors * lanes <= end; x += kMaxVectors * lanes) {
+    stack_at.template operator()<kMaxVectors>(f, x);
   }
   for (; x + lanes <= end; x += lanes) stack_at.template operator()<1>(f, x);
   if (x < end && width >= lanes) {
@@ -134,7 +134,7 @@ bool stack(const OctaveRow* octaves, std::size_t count, const LayerShape& shape,
            const std::int32_t* limit, const std::int32_t* below, std::uint8_t* open, std::int32_t* top) {
   // Copied, because stores might alias the shape.
   const auto stack_at = [=, own = shape]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     with_noise<kVectors>(f, octaves, count, at, [&](std::size_t v, auto noise) HWY_ATTR {
       columns.template add<false>(v, own, noise);
     });
@@ -166,7 +166,7 @@ HWY_INLINE std::size_t stack_lined(const LinedLayer* layers, std::size_t count, 
                                    std::uint8_t* open) {
   const LinedLayer* const end = layers + count;
   const auto stack_at = [=, own = row]<std::size_t kVectors, class Tag>(Tag f, std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     for (const LinedLayer* layer = layers; layer != end; ++layer) {
       const LayerShape shape = layer->shape;
       with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {
@@ -203,7 +203,7 @@ std::int32_t stack_inside(const LinedLayer* layers, std::size_t count, const Row
   std::int32_t room = std::numeric_limits<std::int32_t>::max();
   const auto stack_at = [=, &room, own = row]<std::size_t kVectors, class Tag>(Tag f,
                                                                                std::size_t at) HWY_ATTR {
-    Stacked<Tag, kVectors> columns{limit + at, below + at};
+    StackedVectors<Tag, kVectors> columns{limit + at, below + at};
     for (const LinedLayer* layer = layers; layer != end; ++layer) {
       const LayerShape shape = layer->shape;
       with_lined_noise<kVectors>(f, *layer, own, at, [&](std::size_t v, auto noise) HWY_ATTR {

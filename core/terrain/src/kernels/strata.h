@@ -21,7 +21,7 @@ struct LayerShape {
   /// of two is more than enough for rounding.
   [[nodiscard]] bool is_bounded() const { return swing <= 0.5F && mean_fx * (1 + 2 * swing) <= max_fx; }
   /// Exceeds the thickness everywhere if is_bounded(); the bound of noise has a margin of a hundredth.
-  [[nodiscard]] std::int32_t most_fx() const {
+  [[nodiscard]] std::int32_t bound_fx() const {
     return static_cast<std::int32_t>(mean_fx * (1 + 1.01F * swing)) + 2;
   }
 };

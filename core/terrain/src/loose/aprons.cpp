@@ -11,7 +11,7 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::int32_t kSteepestRepose_fx = 1 << 20;
-constexpr int kLeastCliffReach = 2;  // columns of a coarse level
+constexpr int kMinCliffReach = 2;  // columns of a coarse level
 
 // Multiplies by sqrt(2).
 std::int32_t along_diagonal(std::int32_t straight) {
@@ -26,8 +26,8 @@ bool along_diagonals(int step) {
 
 // Number of steps by which an apron spreads from its wall: until it has no thickness left.
 int spreads(const ApronNumbers& numbers) {
-  if (numbers.steps == 0 || numbers.share_q8 == 0 || numbers.most_fx == 0) return 0;
-  return (numbers.most_fx - 1) / numbers.c_fx;
+  if (numbers.steps == 0 || numbers.share_q8 == 0 || numbers.max_fx == 0) return 0;
+  return (numbers.max_fx - 1) / numbers.c_fx;
 }
 
 // Halo of the aprons: feet and means around their walls, and one column for smoothing.
@@ -72,7 +72,7 @@ ApronNumbers apron_numbers(const TalusSpec& talus, const LooseSpec& loose, int r
   ApronNumbers numbers;
   numbers.wall_fx = loose.S_fx;
   numbers.c_fx = loose.c_fx;
-  numbers.most_fx = static_cast<std::int32_t>(rounded(talus.thickness * voxels * kSubvoxels));
+  numbers.max_fx = static_cast<std::int32_t>(rounded(talus.thickness * voxels * kSubvoxels));
   numbers.share_q8 = static_cast<std::int32_t>(rounded(talus.share * 256));
   numbers.steps = static_cast<int>(std::bit_ceil(static_cast<unsigned>(rounded(talus.reach * voxels))));
   numbers.cliff_reach = static_cast<int>(rounded(talus.cliff * voxels));
@@ -92,7 +92,7 @@ ApronNumbers at_level(ApronNumbers numbers, Lod lod) {
       std::min<std::int64_t>(std::int64_t{numbers.c_fx} << level, kSteepestRepose_fx));
   numbers.steps >>= level;
   const int reach = numbers.cliff_reach >> level;
-  numbers.cliff_by_slope = level > 0 && numbers.cliff_reach > 0 && reach < kLeastCliffReach;
+  numbers.cliff_by_slope = level > 0 && numbers.cliff_reach > 0 && reach < kMinCliffReach;
   if (numbers.cliff_by_slope && reach == 1) numbers.walls_beside = {8, 5};
   if (numbers.cliff_by_slope && reach == 0 && numbers.cliff_reach >> (level - 1) == 1) {
     numbers.walls_beside = {5, 2};
@@ -210,8 +210,8 @@ void Aprons::find_means(const Field& height, int steps, int ring) {
 bool Aprons::begin(const Field& height, const Field& slope, const ApronNumbers& numbers, int ring) {
   floor_.reshape(height.width, height.depth);
   surface_.reshape(height.width, height.depth);
-  const std::int32_t enough_fx = (numbers.most_fx * 256 + numbers.share_q8 - 1) / numbers.share_q8;
-  const ApronSupply supply{numbers.wall_fx, numbers.most_fx, numbers.share_q8, enough_fx};
+  const std::int32_t enough_fx = (numbers.max_fx * 256 + numbers.share_q8 - 1) / numbers.share_q8;
+  const ApronSupply supply{numbers.wall_fx, numbers.max_fx, numbers.share_q8, enough_fx};
   active_.assign(active_.size(), {});
   bool any = false;
   for (int z = ring; z < height.depth - ring; ++z) {
@@ -246,7 +246,7 @@ void Aprons::spread(const ApronNumbers& numbers, int ring) {
       const auto x = static_cast<int>(columns.first);
       kernels_->spread(&feet_.at(x - 1, z - 1), stride, &floor_.at(x, z), columns.last - columns.first,
                        numbers.c_fx, along_diagonals(step) ? diagonal_fx : 0,
-                       numbers.most_fx - numbers.c_fx * step, &next_.at(x, z));
+                       numbers.max_fx - numbers.c_fx * step, &next_.at(x, z));
     }
     std::swap(active_, spread_);
   }

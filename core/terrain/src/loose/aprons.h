@@ -29,7 +29,7 @@ struct WallsBeside {
 struct ApronNumbers {
   std::int32_t wall_fx = 0;   // a column is a wall if its slope is above this
   std::int32_t c_fx = 1;      // rise per column at repose, 1 to 2^20
-  std::int32_t most_fx = 0;   // maximum thickness of an apron, 0 to 2^20; 0: no aprons
+  std::int32_t max_fx = 0;    // maximum thickness of an apron, 0 to 2^20; 0: no aprons
   std::int32_t share_q8 = 0;  // part of the height of surrounding rock above a foot, 0 to 1024 (= 4)
   int steps = 0;              // search distance for a wall's foot and rock, in columns: 1, 2, 4, .. 32, or 0
   std::int32_t bare_fx = -(1 << 29);  // aprons are at most H - bare_fx thick, so that beds stay free; to 2^23

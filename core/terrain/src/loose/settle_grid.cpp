@@ -99,8 +99,9 @@ void SettleGrid::settle(Rise rise) {
   if (narrow_) {
     kernels_->settle_int16(narrow_rows_, rise);
   } else {
-    constexpr std::int32_t kMost = kSteepest<std::int32_t>;
-    kernels_->settle_int32(wide_rows_, {std::min(rise.straight, kMost), std::min(rise.diagonal, 2 * kMost)});
+    constexpr std::int32_t kMaxRise = kSteepest<std::int32_t>;
+    kernels_->settle_int32(wide_rows_,
+                           {std::min(rise.straight, kMaxRise), std::min(rise.diagonal, 2 * kMaxRise)});
   }
 }
 

@@ -20,7 +20,7 @@ class SettleGrid {
   /// Sets the thickness before settling (eq. 3) over `slope`.
   void start(const Field& slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
   /// start() row by row: call begin(), with the maximum thickness, then start_row() for each row.
-  void begin(int width, int depth, std::int32_t most_fx) { reshape(width, depth, most_fx); }
+  void begin(int width, int depth, std::int32_t max_fx) { reshape(width, depth, max_fx); }
   void start_row(int z, const std::int32_t* slope, std::int32_t thickness_fx, std::int32_t max_slope_fx);
   /// Uses floor(thickness * share / whole), 0 <= share <= whole; `whole` is a power of two.
   void start_row(int z, const std::int32_t* slope, const std::int32_t* share, std::int32_t thickness_fx,

@@ -15,7 +15,7 @@ std::int64_t position_of(std::int64_t coordinate, int k, std::int64_t offset) {
 }
 
 // Minimum columns of a run that is filled at once.
-constexpr std::int64_t kLeastRun = 4;
+constexpr std::int64_t kMinRun = 4;
 // Minimum columns of a run that is filled by vectors.
 constexpr std::size_t kLongRun = 32;
 
@@ -101,7 +101,7 @@ void FbmRows::locate_columns(Octave& octave, int k, std::span<const std::int64_t
     }
     // Columns that surely lie in the same cell: all of them if columns are evenly spaced and close.
     const std::int64_t step = step_ * (std::int64_t{1} << k);
-    const bool close = step > 0 && kLeastRun * step <= fbm_.period;
+    const bool close = step > 0 && kMinRun * step <= fbm_.period;
     const std::size_t end =
         close ? std::min(xs.size(), i + static_cast<std::size_t>((fbm_.period - 1 - inside) / step) + 1)
               : i + 1;

@@ -7,7 +7,7 @@
 namespace talus::terrain {
 namespace {
 
-constexpr std::int64_t kMostEvenStep = 1 << 16;  // so that a vector's columns stay within 2^64 of its first
+constexpr std::int64_t kMaxEvenStep = 1 << 16;  // so that a vector's columns stay within 2^64 of its first
 
 RotatedLattice lattice_of(const RotatedNoise& noise, int k) {
   const std::uint64_t seed = derived_seed(noise.seed, static_cast<std::uint64_t>(k));
@@ -31,7 +31,7 @@ std::uint64_t displaced_by(std::uint64_t sum) {
 }
 
 std::uint64_t even_step(std::span<const std::int64_t> xs) {
-  if (xs.size() < 2 || xs[1] <= xs[0] || xs[1] - xs[0] > kMostEvenStep) return 0;
+  if (xs.size() < 2 || xs[1] <= xs[0] || xs[1] - xs[0] > kMaxEvenStep) return 0;
   for (std::size_t i = 2; i < xs.size(); ++i) {
     if (xs[i] - xs[i - 1] != xs[1] - xs[0]) return 0;
   }

@@ -23,8 +23,9 @@ void NarrowedCases::compared(const Places::Condition& condition, const ValueRang
   auto limits = std::find_if(limits_.begin(), limits_.end(),
                              [&](const Limits& known) { return known.quantity == condition.quantity; });
   if (limits == limits_.end()) {
-    constexpr float kMost = std::numeric_limits<float>::infinity();
-    limits = limits_.insert(limits_.end(), {condition.quantity, {-kMost, -kMost}, {kMost, kMost}});
+    constexpr float kMaxValue = std::numeric_limits<float>::infinity();
+    limits =
+        limits_.insert(limits_.end(), {condition.quantity, {-kMaxValue, -kMaxValue}, {kMaxValue, kMaxValue}});
   }
   const auto narrow_end = [&](float end, float& from, float& to) {
     if (end >= condition.limit) {

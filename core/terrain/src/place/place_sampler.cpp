@@ -149,10 +149,10 @@ std::vector<TileOfColumns> by_tile(std::span<const BaseColumn> columns) {
 
 }  // namespace
 
-PlacesFound places_at(const World& world, std::span<const BaseColumn> columns,
+PlaceValues places_at(const World& world, std::span<const BaseColumn> columns,
                       std::span<const std::string> names) {
   PlaceSampler sampler = PlaceSampler::make(world, names).value();
-  PlacesFound found;
+  PlaceValues found;
   found.looks.resize(columns.size());
   found.values.resize(columns.size() * names.size());
   std::vector<std::int64_t> xs;

@@ -88,11 +88,11 @@ TalusSpec read_talus(TableReader& table, const WorldSpec& spec) {
     return talus;
   }
   talus.of = static_cast<std::size_t>(found - spec.eroded.begin());
-  const auto length = [&](const char* key, double most_voxels, double otherwise) {
-    if (table.has(key)) return table.length(key, {0, kMaxHeight}, {spec.resolution, {0, most_voxels}});
-    if (otherwise * spec.resolution <= most_voxels) return otherwise;
+  const auto length = [&](const char* key, double max_voxels, double otherwise) {
+    if (table.has(key)) return table.length(key, {0, kMaxHeight}, {spec.resolution, {0, max_voxels}});
+    if (otherwise * spec.resolution <= max_voxels) return otherwise;
     table.fail(key, text_of("missing; ", otherwise, " units, the default, are ", otherwise * spec.resolution,
-                            " voxels at this resolution, more than ", most_voxels, ", so give a length"));
+                            " voxels at this resolution, more than ", max_voxels, ", so give a length"));
     return 0.0;
   };
   talus.thickness = length("thickness", kMaxApron, talus.thickness);

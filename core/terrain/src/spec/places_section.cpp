@@ -12,7 +12,7 @@
 namespace talus::terrain {
 namespace {
 
-constexpr double kLeastRamp = 0.001;  // so that its steepness is a finite float
+constexpr double kMinRamp = 0.001;  // so that its steepness is a finite float
 
 constexpr Range kDegrees{0, 89};
 constexpr Range kQuantityValues{-kMaxHeight, kMaxHeight};
@@ -74,8 +74,8 @@ void PlacesReader::add_ramps(TableReader& table, std::vector<PlaceRamp>& ramps) 
       // Of four points the last two are [all, none]: the quantity falls again.
       const double none = i == 0 ? points[0] : points[3];
       const double all = i == 0 ? points[1] : points[2];
-      if (std::abs(none - all) < kLeastRamp) {
-        table.fail(name, text_of("the values for nothing and all are the same, or nearly; ", kLeastRamp,
+      if (std::abs(none - all) < kMinRamp) {
+        table.fail(name, text_of("the values for nothing and all are the same, or nearly; ", kMinRamp,
                                  " between them is needed"));
         continue;
       }

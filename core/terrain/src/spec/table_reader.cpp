@@ -14,7 +14,7 @@
 namespace talus::terrain {
 
 // A TomlTable is never dereferenced: it is the address of a toml::table.
-struct TomlDocument::Parsed {
+struct TomlDocument::Tree {
   toml::table root;
 };
 
@@ -182,14 +182,14 @@ bool within(double value, Range range) {
 
 }  // namespace
 
-Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t most,
+Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t max_count,
                          const Curve& otherwise) {
   const toml::node* const node = table_of(table_).get(key);
   if (node == nullptr) return otherwise;
-  const std::string wanted = text_of("a list of 1 to ", most, " knots [x, y]");
+  const std::string wanted = text_of("a list of 1 to ", max_count, " knots [x, y]");
   const toml::array* const array = node->as_array();
   if (array == nullptr) return wrong_type(*this, *node, key, wanted), otherwise;
-  if (array->empty() || array->size() > most) {
+  if (array->empty() || array->size() > max_count) {
     fail(key, text_of(array->size(), " knots; ", wanted, " is needed"));
     return otherwise;
   }
@@ -252,13 +252,14 @@ std::vector<double> TableReader::numbers(const std::string& key, Range range,
   return wrong_type(*this, *node, key, wanted + " numbers"), std::vector<double>{};
 }
 
-std::vector<std::string> TableReader::texts(const std::string& key, std::size_t max_bytes, std::size_t most) {
+std::vector<std::string> TableReader::texts(const std::string& key, std::size_t max_bytes,
+                                            std::size_t max_count) {
   const toml::node* const node = find(*this, table_of(table_), key, "a list of strings");
   if (node == nullptr) return {};
   const toml::array* const list = node->as_array();
-  const bool sized = list != nullptr && !list->empty() && list->size() <= most;
+  const bool sized = list != nullptr && !list->empty() && list->size() <= max_count;
   if (!sized)
-    return wrong_type(*this, *node, key, text_of("a list of 1 to ", most, " strings")),
+    return wrong_type(*this, *node, key, text_of("a list of 1 to ", max_count, " strings")),
            std::vector<std::string>{};
   std::vector<std::string> texts;
   for (const toml::node& each : *list) {
@@ -385,7 +386,7 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
     return std::nullopt;
   }
   try {
-    return TomlDocument{std::make_unique<const Parsed>(Parsed{toml::parse(text)})};
+    return TomlDocument{std::make_unique<const Tree>(Tree{toml::parse(text)})};
   } catch (const toml::parse_error& bad) {
     const auto line = static_cast<int>(bad.source().begin.line);
     const std::string key = toml_key_at_line(text, line);
@@ -395,7 +396,7 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
   }
 }
 
-TomlDocument::TomlDocument(std::unique_ptr<const Parsed> parsed) : parsed_{std::move(parsed)} {}
+TomlDocument::TomlDocument(std::unique_ptr<const Tree> parsed) : parsed_{std::move(parsed)} {}
 TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
 TomlDocument& TomlDocument::operator=(TomlDocument&&) noexcept = default;
 TomlDocument::~TomlDocument() = default;

@@ -76,8 +76,8 @@ class TableReader {
   /// length(), rounded to integers of 2^-16 before the check.
   std::int64_t length_q16(const std::string& key, Range units, const Voxels& voxels);
 
-  /// `key = [[x, y], ...]`: 1 to `most` knots, x ascending, both in range. `otherwise` if omitted.
-  Curve curve(const std::string& key, Range xs, Range ys, std::size_t most, const Curve& otherwise);
+  /// `key = [[x, y], ...]`: 1 to `max_count` knots, x ascending, both in range. `otherwise` if omitted.
+  Curve curve(const std::string& key, Range xs, Range ys, std::size_t max_count, const Curve& otherwise);
   /// `key = [a, b]`. `otherwise` if omitted.
   std::array<double, 2> pair(const std::string& key, Range range, const std::array<double, 2>& otherwise);
 
@@ -85,8 +85,8 @@ class TableReader {
   std::vector<double> numbers(const std::string& key, Range range, const std::vector<std::size_t>& counts);
 
   std::string text(const std::string& key, std::size_t max_bytes);
-  /// `key = ["a", ...]`: 1 to `most` strings.
-  std::vector<std::string> texts(const std::string& key, std::size_t max_bytes, std::size_t most);
+  /// `key = ["a", ...]`: 1 to `max_count` strings.
+  std::vector<std::string> texts(const std::string& key, std::size_t max_bytes, std::size_t max_count);
   /// The index in `names` of the key's value.
   std::size_t choice(const std::string& key, std::initializer_list<std::string_view> names);
   /// Reads `name`, a material's name that must not be in `taken`, and adds it there.
@@ -127,9 +127,9 @@ class TomlDocument {
   [[nodiscard]] const TomlTable& root() const;
 
  private:
-  struct Parsed;
-  explicit TomlDocument(std::unique_ptr<const Parsed> parsed);
-  std::unique_ptr<const Parsed> parsed_;
+  struct Tree;
+  explicit TomlDocument(std::unique_ptr<const Tree> parsed);
+  std::unique_ptr<const Tree> parsed_;
 };
 
 }  // namespace talus::terrain

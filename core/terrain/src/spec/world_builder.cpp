@@ -322,7 +322,7 @@ void World::Builder::derive_halo() {
   if (!spec.talus) return;
   const ApronNumbers aprons = apron_numbers(world);
   world.halo_ += apron_halo(aprons) + 1;
-  if (aprons.most_fx > 0)
+  if (aprons.max_fx > 0)
     world.loose_[spec.talus->of].without_aprons_from =
         static_cast<int>(std::bit_width(static_cast<unsigned>(aprons.steps)));
 }

@@ -67,8 +67,8 @@ void HeightMapRows::start(std::span<const std::int64_t> xs) {
     shares_.push_back(share_of_map(x, map_.x_q16, map_.spacing_x_q16, heights.width));
   }
   const auto [least, most] = std::minmax_element(shares_.begin(), shares_.end());
-  least_share_ = *least;
-  most_share_ = *most;
+  min_share_ = *least;
+  max_share_ = *most;
 }
 
 void HeightMapRows::draw(std::int64_t sample_z, std::int32_t map_row, Line& line) const {
@@ -106,9 +106,9 @@ void HeightMapRows::map_row(std::int64_t z, std::int32_t* heights_fx) {
 
 void HeightMapRows::blend_row(std::int64_t z, std::int32_t* heights_fx) {
   const std::int64_t share_z = share_of_map(z, map_.z_q16, map_.spacing_z_q16, map_.heights_fx->depth);
-  const bool no_map = share_z == 0 || most_share_ == 0;
+  const bool no_map = share_z == 0 || max_share_ == 0;
   if (no_map) return around_->row(z, heights_fx);
-  const bool all_map = share_z == kAllMap && least_share_ == kAllMap;
+  const bool all_map = share_z == kAllMap && min_share_ == kAllMap;
   if (all_map) return map_row(z, heights_fx);
   around_->row(z, heights_fx);
   of_map_.resize(columns_.size());

@@ -52,8 +52,8 @@ class HeightMapRows final : public SurfaceRows {
   std::unique_ptr<SurfaceRows> around_;
   std::vector<Taps> columns_;
   std::vector<std::int64_t> shares_;  // share of the map along x, 0 to kAllMap; only with `around`
-  std::int64_t least_share_ = 0;
-  std::int64_t most_share_ = 0;
+  std::int64_t min_share_ = 0;
+  std::int64_t max_share_ = 0;
   std::array<Line, 4> lines_;  // four consecutive rows of samples, each at its index modulo 4
   std::vector<std::int32_t> of_map_;
 };

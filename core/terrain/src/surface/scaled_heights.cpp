@@ -26,7 +26,7 @@ std::optional<std::string> wrong_shape(const HeightMap& map, std::size_t samples
 }
 
 // Keeps the factor of samples finite.
-constexpr double kLeastRange = 1e-290;
+constexpr double kMinRange = 1e-290;
 
 // Operations in double in one fixed order give the same integers on every machine.
 template <class Sample>
@@ -72,10 +72,10 @@ tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(const He
           return tl::unexpected(
               HeightsFault{key, text_of("low is ", *low, " and high ", *high, "; low must be below high")});
         }
-        if (*high - *low < kLeastRange) {
+        if (*high - *low < kMinRange) {
           return tl::unexpected(
               HeightsFault{key, text_of("low is ", *low, " and high ", *high, "; high must be at least ",
-                                        kLeastRange, " above low")});
+                                        kMinRange, " above low")});
         }
         auto heights = std::make_shared<Field>(map.width, map.depth);
         scale(samples, *low, *high, highest_fx, *heights);

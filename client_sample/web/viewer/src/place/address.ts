@@ -3,22 +3,22 @@ import { writeLink, type Place } from './place';
 
 /** Browsers limit changes to some hundreds in half a minute, and each takes milliseconds: the address is updated when
  *  the player rests, and after several checks. */
-const LOOK_EVERY_MS = 500;
-const LOOKS_MOST = 10;
+const CHECK_INTERVAL_MS = 500;
+const MAX_CHECKS = 10;
 
 export class Address {
-  #looked = 0;
-  #looks = 0;
+  #checked = 0;
+  #checks = 0;
   #seen = '';
   #written = '';
 
   follow(now: number, place: Place): void {
-    if (now - this.#looked < LOOK_EVERY_MS) return;
-    this.#looked = now;
+    if (now - this.#checked < CHECK_INTERVAL_MS) return;
+    this.#checked = now;
     const link = writeLink(place, location.hash);
     const rests = link === this.#seen;
     this.#seen = link;
-    if (link !== this.#written && (rests || ++this.#looks >= LOOKS_MOST)) this.#put(link);
+    if (link !== this.#written && (rests || ++this.#checks >= MAX_CHECKS)) this.#put(link);
   }
 
   write(place: Place): void {
@@ -26,7 +26,7 @@ export class Address {
   }
 
   #put(link: string): void {
-    this.#looks = 0;
+    this.#checks = 0;
     if (link === this.#written) return;
     this.#written = link;
     history.replaceState(history.state, '', link);

@@ -56,7 +56,7 @@ struct BindEntry {
 };
 
 /// Result of an entry.
-struct Applied {
+struct EntryResult {
   enum class Kind : std::uint8_t {
     attached,
     superseded,    // attach: its epoch is not the next one
@@ -99,9 +99,9 @@ class Batch {
     staging_.expect(entries);
   }
   /// Applies an entry at the next position, whatever its result. The result lives as long as this object.
-  const Applied& apply(const AttachEntry& entry);
-  const Applied& apply(const EditEntry& entry);
-  const Applied& apply(const BindEntry& entry);
+  const EntryResult& apply(const AttachEntry& entry);
+  const EntryResult& apply(const EditEntry& entry);
+  const EntryResult& apply(const BindEntry& entry);
 
   /// Version of the state after all entries applied.
   [[nodiscard]] const Head& head() const { return head_; }
@@ -110,7 +110,7 @@ class Batch {
     return std::move(touched_);
   }
   /// Results of the entries, in order.
-  [[nodiscard]] const std::vector<Applied>& applied() const { return applied_; }
+  [[nodiscard]] const std::vector<EntryResult>& applied() const { return applied_; }
   /// Changes of every changed chunk, at any level.
   [[nodiscard]] const std::unordered_map<ChunkKey, StagedChunk>& chunks() const { return staging_.chunks(); }
 
@@ -125,19 +125,19 @@ class Batch {
   std::optional<EditorId> forget_never_used();
   /// Returns an editor found by find(), or a new one if null, for modification.
   Editor& touch(EditorId id, const Editor* editor);
-  Applied& begin(EditorId editor, Applied::Kind kind);
+  EntryResult& begin(EditorId editor, EntryResult::Kind kind);
 
   const Editors& editors_;
   const MaterialIds* materials_;
   std::optional<MaterialIds> bound_;  // after this batch; nullopt: unchanged
   Head head_;
-  Staging staging_;
+  StagingArea staging_;
   std::map<EditorId, std::optional<EditorChange>> touched_;
   std::size_t count_ = 0;  // number of editors
   bool forgot_idle_ = false;
   Editors::ByUse::const_iterator never_used_;  // the batch has touched all of the state's before it
   Editors::ByUse new_;                         // never used, touched by the batch
-  std::vector<Applied> applied_;
+  std::vector<EntryResult> applied_;
 };
 
 }  // namespace talus::edits

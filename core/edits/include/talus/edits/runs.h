@@ -32,8 +32,8 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out);
 
 /// Decodes a complete block. Safe for any bytes: anything that encode_runs() would not write is an error, and
 /// counts are checked against the remaining bytes before memory is allocated. The result, by ascending index,
-/// has at most `most_voxels` voxels, which are counted before they are expanded.
+/// has at most `max_voxels` voxels, which are counted before they are expanded.
 [[nodiscard]] tl::expected<std::vector<Override>, RunsError> decode_runs(
-    std::span<const std::byte> bytes, std::size_t most_voxels = kChunkVolume);
+    std::span<const std::byte> bytes, std::size_t max_voxels = kChunkVolume);
 
 }  // namespace talus::edits

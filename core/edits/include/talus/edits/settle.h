@@ -39,7 +39,7 @@ inline constexpr std::int64_t kSettleMargin = 7;  // columns around the edit, if
 inline constexpr int kSettleMoves = 4'096;        // moves of single voxels
 /// Inspections of columns and of voxels that may move. Bounds the cost of an edit even if little moves each
 /// time.
-inline constexpr int kSettleLooks = 32'768;
+inline constexpr int kSettleProbes = 32'768;
 /// Maximum distance in columns over which slopes are measured; distinguishes angles below 45 degrees.
 inline constexpr std::int64_t kSettleReach = 4;
 
@@ -62,14 +62,14 @@ struct SettlingVoxel {
 };
 
 /// Work done by settle().
-struct Settled {
+struct SettleWork {
   int moves = 0;
-  int looks = 0;
+  int probes = 0;
 };
 
 /// Moves all loose material to rest. `voxels` are the box's, x fastest, then z, then y; the box has at most
 /// kSettleRows rows. Voxels outside are fixed and hold; nothing leaves the box. Stops after kSettleMoves or
-/// kSettleLooks, even if more would move. Preserves the amount of each material of the rules.
-Settled settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
+/// kSettleProbes, even if more would move. Preserves the amount of each material of the rules.
+SettleWork settle(const VoxelBox& box, const SettleRules& rules, std::span<SettlingVoxel> voxels);
 
 }  // namespace talus::edits

@@ -26,11 +26,11 @@ struct StagedChunk {
 };
 
 /// Not thread-safe. Holds the writes, not the chunks written to.
-class Staging final : public OverrideSource {
+class StagingArea final : public OverrideSource {
  public:
   /// `applied` is the state under the batch; it must outlive this object and not change meanwhile. `hash` is
   /// its state hash.
-  Staging(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
+  StagingArea(const OverrideSource& applied, StateHash hash) : applied_{applied}, hash_{hash} {}
 
   /// Reserves memory for about this many chunks.
   void expect(std::size_t chunks) { chunks_.reserve(chunks); }

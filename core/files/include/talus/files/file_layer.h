@@ -21,11 +21,11 @@ class FileLayer {
   using Result = tl::expected<Value, std::error_code>;
 
   /// Selects whether opening and reading may block, as on a pipe without a writer.
-  enum class Waiting : std::uint8_t { allowed, never };
+  enum class WaitPolicy : std::uint8_t { allowed, never };
 
   virtual ~FileLayer() = default;
 
-  [[nodiscard]] virtual Result<int> open_to_read(const std::filesystem::path& path, Waiting waiting) = 0;
+  [[nodiscard]] virtual Result<int> open_to_read(const std::filesystem::path& path, WaitPolicy waiting) = 0;
   [[nodiscard]] virtual Result<int> open_directory(const std::filesystem::path& path) = 0;
   /// Creates a file without a name, which vanishes when it is closed or the process is killed. Fails if the
   /// file system does not support this.

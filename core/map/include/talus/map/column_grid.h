@@ -49,10 +49,9 @@ struct ColumnSamples {
 
 /// Samples a grid in pieces. Columns outside the world get the values of the nearest column inside. All names
 /// must be among place_names() of the world, which must outlive this.
-class ColumnSampling {
+class ColumnSampler {
  public:
-  ColumnSampling(const terrain::World& world, const ColumnGrid& grid,
-                 std::span<const std::string> names = {});
+  ColumnSampler(const terrain::World& world, const ColumnGrid& grid, std::span<const std::string> names = {});
   /// Samples some rows; false when no rows are left.
   bool step();
   [[nodiscard]] ColumnSamples take() { return std::move(samples_); }
@@ -68,9 +67,9 @@ class ColumnSampling {
 
 /// Computes, in pieces, the slope at a grid's columns: eq. 1 with the neighbours to the east, the south and
 /// the south-east. REQUIRES grid.every > 1.
-class SlopeSampling {
+class SlopeSampler {
  public:
-  SlopeSampling(const terrain::World& world, const ColumnGrid& grid);
+  SlopeSampler(const terrain::World& world, const ColumnGrid& grid);
   /// Computes some rows; false when no rows are left.
   bool step();
   /// Subvoxels per base column.
@@ -83,7 +82,7 @@ class SlopeSampling {
   int next_row_ = 0;
 };
 
-/// Runs a ColumnSampling to its end.
+/// Runs a ColumnSampler to its end.
 [[nodiscard]] ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid,
                                            std::span<const std::string> names = {});
 

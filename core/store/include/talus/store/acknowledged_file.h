@@ -23,18 +23,18 @@ namespace talus::store {
 class AcknowledgedFile {
  public:
   /// Reads the file; nullopt if it does not exist. An error is one line: the file is unreadable or damaged.
-  [[nodiscard]] static tl::expected<std::optional<Acknowledged>, std::string> read(rocksdb::Env& env,
-                                                                                   const std::string& path);
+  [[nodiscard]] static tl::expected<std::optional<AcknowledgedState>, std::string> read(
+      rocksdb::Env& env, const std::string& path);
   /// Writes `now`, syncs, and keeps the file open.
   [[nodiscard]] static tl::expected<AcknowledgedFile, std::string> open(rocksdb::Env& env,
                                                                         const std::string& path,
-                                                                        const Acknowledged& now);
+                                                                        const AcknowledgedState& now);
   AcknowledgedFile(AcknowledgedFile&&) noexcept;
   AcknowledgedFile& operator=(AcknowledgedFile&&) noexcept;
   ~AcknowledgedFile();
 
   /// Ignores failures: the file stays behind, but the data that it would acknowledge is already on the disk.
-  void write(const Acknowledged& now);
+  void write(const AcknowledgedState& now);
   void sync();
 
  private:

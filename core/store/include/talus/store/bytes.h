@@ -76,8 +76,8 @@ class ByteReader {
   }
   std::uint32_t fixed32() { return static_cast<std::uint32_t>(fixed(4)); }
   std::uint64_t fixed64() { return fixed(8); }
-  /// Accepts only the shortest encoding, and values of at most `most`.
-  std::uint64_t varint(std::uint64_t most = UINT64_MAX) {
+  /// Accepts only the shortest encoding, and values of at most `max_value`.
+  std::uint64_t varint(std::uint64_t max_value = UINT64_MAX) {
     std::uint64_t value = 0;
     for (int shift = 0; ok_; shift += 7) {
       const std::uint64_t part = byte();
@@ -88,12 +88,12 @@ class ByteReader {
       if (padded || (shift == 63 && part > 1)) ok_ = false;
       if (part < 128) break;
     }
-    if (value > most) ok_ = false;
+    if (value > max_value) ok_ = false;
     return ok_ ? value : 0;
   }
-  /// `most` bounds the encoded number.
-  std::int64_t zigzag(std::uint64_t most = UINT64_MAX) {
-    const std::uint64_t value = varint(most);
+  /// `max_value` bounds the encoded number.
+  std::int64_t zigzag(std::uint64_t max_value = UINT64_MAX) {
+    const std::uint64_t value = varint(max_value);
     return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
   }
   /// Count of items of at least one byte each, so at most the bytes left.
@@ -108,9 +108,9 @@ class ByteReader {
     return taken;
   }
   std::span<const std::byte> counted() { return take(count()); }
-  std::string text(std::size_t most) {
+  std::string text(std::size_t max_bytes) {
     const auto taken = counted();
-    if (taken.size() > most) ok_ = false;
+    if (taken.size() > max_bytes) ok_ = false;
     if (!ok_) return {};
     return {reinterpret_cast<const char*>(taken.data()), taken.size()};
   }

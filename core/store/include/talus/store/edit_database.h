@@ -39,7 +39,7 @@ struct HistoryLimits {
   std::chrono::milliseconds age = std::chrono::days{30};
 };
 
-struct HistoryKept {
+struct HistorySpan {
   std::uint64_t bytes = 0;
   std::int64_t since_ms = 0;  // history is complete since then, in ms since 1970 by the log's time; 0: empty
 };
@@ -48,7 +48,7 @@ struct HistoryKept {
 struct StoreMemory {
   std::size_t write_buffer_bytes = std::size_t{32} << 20U;  // there are at most two
   std::size_t block_cache_bytes = std::size_t{8} << 20U;
-  [[nodiscard]] std::size_t most() const { return 2 * write_buffer_bytes + block_cache_bytes; }
+  [[nodiscard]] std::size_t max_bytes() const { return 2 * write_buffer_bytes + block_cache_bytes; }
 };
 
 struct EditDatabaseSettings {
@@ -72,7 +72,7 @@ struct EditDatabaseSettings {
 
 class EditDatabase {
  public:
-  using Done = tl::expected<void, std::string>;  // an error is one line
+  using Status = tl::expected<void, std::string>;  // an error is one line
 
   /// Creates the store if it is missing. Rejects a store of another world or id, of a newer format, damaged,
   /// or with less than was acknowledged. A store without the file that records acknowledgements becomes
@@ -85,27 +85,29 @@ class EditDatabase {
   [[nodiscard]] const std::filesystem::path& path() const { return settings_.path; }
 
   /// Call after open(), in this order, before writing. Verifies every checksum.
-  [[nodiscard]] Done for_each_chunk(const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
-  [[nodiscard]] Done for_each_editor(const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
+  [[nodiscard]] Status for_each_chunk(
+      const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
+  [[nodiscard]] Status for_each_editor(
+      const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
   /// Replays the records after meta().flushed, some of which chunks and editors may lack. Verifies that
   /// positions are consecutive and each link is right. `visit` returns false to reject a record.
-  [[nodiscard]] Done replay(const std::function<bool(LogRecord&&)>& visit);
+  [[nodiscard]] Status replay(const std::function<bool(LogRecord&&)>& visit);
 
   /// Callable from any thread. nullopt if the chunk was never flushed.
   [[nodiscard]] tl::expected<std::optional<StoredChunk>, std::string> chunk(ChunkKey key) const;
 
   /// Visits the kept history and unflushed records from `first` on, until `visit` returns false. Verifies
   /// links, except that of the first batch. Only on the writing thread.
-  [[nodiscard]] Done for_each_record(std::uint64_t first,
-                                     const std::function<bool(LogRecord&&)>& visit) const;
+  [[nodiscard]] Status for_each_record(std::uint64_t first,
+                                       const std::function<bool(LogRecord&&)>& visit) const;
 
   /// Callable from any thread.
-  [[nodiscard]] HistoryKept history() const { return {history_size_, history_since_ms_}; }
+  [[nodiscard]] HistorySpan history() const { return {history_size_, history_since_ms_}; }
 
   /// Writes a snapshot, taken at some moment during the call and including everything that append() had
   /// returned for, to the new directory `path`, whose parent must exist. Immutable files are linked if on the
   /// same file system. On error leaves nothing. Callable from any thread.
-  [[nodiscard]] Done checkpoint(const std::filesystem::path& path) const;
+  [[nodiscard]] Status checkpoint(const std::filesystem::path& path) const;
 
   /// Keeps the database's files in place during its lifetime, so that another process can read and copy them;
   /// writes nothing. For when a checkpoint is impossible. After a disk error the database is reopened when
@@ -116,40 +118,40 @@ class EditDatabase {
   /// Writes everything that the batch applied, atomically and synced (unless log_elsewhere), with the store's
   /// place in the stream and the ids given to materials. After an error the outcome is unknown: only this
   /// batch may be appended until it succeeds; repeating it is harmless.
-  [[nodiscard]] Done append(const edits::Batch& batch, const StreamPlace& place);
-  [[nodiscard]] Done append(const edits::Batch& batch) { return append(batch, meta_.stream); }
+  [[nodiscard]] Status append(const edits::Batch& batch, const StreamPlace& place);
+  [[nodiscard]] Status append(const edits::Batch& batch) { return append(batch, meta_.stream); }
   /// For log_elsewhere: syncs everything appended and counts it as acknowledged.
-  [[nodiscard]] Done sync();
+  [[nodiscard]] Status sync();
   [[nodiscard]] bool has_unsynced() const { return unsynced_; }
   [[nodiscard]] bool has_log_elsewhere() const { return settings_.log_elsewhere; }
   /// sync() in three steps, so that another thread can wait for the disk: data written before begin_sync() is
   /// on the disk once sync_log(), called after it, returns; end_sync() then counts it as acknowledged.
-  struct Written {
+  struct SyncPoint {
     std::uint64_t position = 0;
     std::uint64_t link = 0;
   };
-  [[nodiscard]] Written begin_sync();
+  [[nodiscard]] SyncPoint begin_sync();
   /// Callable from any thread. recover() fails meanwhile.
-  [[nodiscard]] Done sync_log() const;
-  void end_sync(const Written& written);
+  [[nodiscard]] Status sync_log() const;
+  void end_sync(const SyncPoint& written);
   /// Records the store's place in the stream, synced, without applying anything.
-  [[nodiscard]] Done enter(const StreamPlace& place);
+  [[nodiscard]] Status enter(const StreamPlace& place);
 
   /// Writes current chunks and editors atomically, without a sync: until mark_flushed() the log's records
   /// contain them too.
   class Slice;
-  [[nodiscard]] Done put(const Slice& slice);
+  [[nodiscard]] Status put(const Slice& slice);
   /// Declares that all chunks and editors as of `position`, a batch's last record, were put and then synced.
   /// The sync is required because RocksDB's log has several files, and the newest may survive a power cut
   /// that truncates the one before: a mark must never survive without its chunks. Drops history beyond the
   /// limits.
-  [[nodiscard]] Done mark_flushed(std::uint64_t position);
+  [[nodiscard]] Status mark_flushed(std::uint64_t position);
   /// Syncs and flushes data that the log's records no longer contain. Makes the next open() cheap.
-  [[nodiscard]] Done settle();
+  [[nodiscard]] Status settle();
 
   /// Reopens the database after a write error, so that writing can be retried. Never waits: fails while a
   /// checkpoint or sync_log() runs.
-  [[nodiscard]] Done recover();
+  [[nodiscard]] Status recover();
 
   [[nodiscard]] std::uint64_t free_bytes() const;
 
@@ -162,17 +164,17 @@ class EditDatabase {
   [[nodiscard]] const edits::MaterialIds& materials() const { return materials_; }
   /// Binds unbound names, synced. Rejects a name with another id, and an id with another name; then nothing
   /// is bound.
-  [[nodiscard]] Done bind(const edits::MaterialIds& materials);
+  [[nodiscard]] Status bind(const edits::MaterialIds& materials);
   /// Renames a bound id, synced. Rejects what check_rename() rejects. Not allowed if a cluster's log binds
   /// names.
-  [[nodiscard]] Done rename(const std::string& from, const std::string& to);
+  [[nodiscard]] Status rename(const std::string& from, const std::string& to);
   /// Replaces the names of the materials that the world generates: their ids, below kFirstBound, follow from
   /// its fingerprint, their names do not. Rejects a name that is bound.
-  [[nodiscard]] Done name_generated(const edits::MaterialIds& materials);
+  [[nodiscard]] Status name_generated(const edits::MaterialIds& materials);
 
  private:
   /// A batch that is not flushed yet.
-  struct Unflushed {
+  struct UnflushedBatch {
     std::uint64_t position = 0;  // its last record's
     std::uint64_t link = 0;
     std::uint64_t bytes = 0;
@@ -185,19 +187,19 @@ class EditDatabase {
   [[nodiscard]] std::string acknowledged_path() const { return (settings_.path / "acknowledged").string(); }
   [[nodiscard]] std::string database_path() const { return (settings_.path / "db").string(); }
   [[nodiscard]] tl::unexpected<std::string> failure(std::string_view what) const;
-  [[nodiscard]] Done open_database();
-  [[nodiscard]] Done read_meta();
-  [[nodiscard]] Done make_store();
-  [[nodiscard]] Done check_meta() const;
+  [[nodiscard]] Status open_database();
+  [[nodiscard]] Status read_meta();
+  [[nodiscard]] Status make_store();
+  [[nodiscard]] Status check_meta() const;
   [[nodiscard]] bool has_acknowledged() const;
-  [[nodiscard]] Done check_acknowledged();
-  [[nodiscard]] Done become_another();
-  [[nodiscard]] Done read_materials();
-  [[nodiscard]] Done read_history();
-  [[nodiscard]] Done drop_records_beyond();
-  [[nodiscard]] Done write(rocksdb::WriteBatch& batch, bool sync);
+  [[nodiscard]] Status check_acknowledged();
+  [[nodiscard]] Status become_another();
+  [[nodiscard]] Status read_materials();
+  [[nodiscard]] Status read_history();
+  [[nodiscard]] Status drop_records_beyond();
+  [[nodiscard]] Status write(rocksdb::WriteBatch& batch, bool sync);
   void put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch);
-  void extend_history(const Unflushed& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
+  void extend_history(const UnflushedBatch& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
   void publish_history();
 
   EditDatabaseSettings settings_;
@@ -209,7 +211,7 @@ class EditDatabase {
   bool unsynced_ = false;   // for log_elsewhere: something was appended since the last sync()
   std::optional<AcknowledgedFile> acknowledged_;
   StoreMeta meta_;
-  std::deque<Unflushed> unflushed_;
+  std::deque<UnflushedBatch> unflushed_;
   std::deque<HistorySegment> history_;
   std::uint64_t history_bytes_ = 0;
   std::atomic<std::uint64_t> history_size_ = 0;  // history_bytes_, for other threads

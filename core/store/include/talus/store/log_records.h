@@ -16,7 +16,7 @@ namespace talus::store {
 
 /// An entry of the log and its outcome.
 struct LogRecord {
-  edits::Applied::Kind kind = edits::Applied::Kind::invalid;
+  edits::EntryResult::Kind kind = edits::EntryResult::Kind::invalid;
   edits::EditorId editor;
   std::uint64_t position = 0;
   std::uint64_t revision = 0;  // after this entry
@@ -32,8 +32,8 @@ struct LogRecord {
 
 // Replaces the contents of `out` and returns the link of the batch: a hash of it and of the link before it.
 // REQUIRES: at least one entry, consecutive positions and revisions, one time.
-std::uint64_t encode(std::span<const edits::Applied> applied, std::int64_t time_ms, std::uint64_t link_before,
-                     Bytes& out);
+std::uint64_t encode(std::span<const edits::EntryResult> applied, std::int64_t time_ms,
+                     std::uint64_t link_before, Bytes& out);
 std::uint64_t encode(std::span<const LogRecord> records, std::uint64_t link_before, Bytes& out);
 
 /// Decodes a batch whose link fits `link_before`, which becomes the link of this batch. nullopt if the bytes

@@ -20,7 +20,7 @@ namespace talus::store {
 
 class ReadOnlyStore {
  public:
-  using Done = tl::expected<void, std::string>;
+  using Status = tl::expected<void, std::string>;
 
   /// `path` contains the directory db. Verifies the log after meta.flushed. An error is one line.
   [[nodiscard]] static tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open(
@@ -36,9 +36,9 @@ class ReadOnlyStore {
   [[nodiscard]] StoreReader::Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
   /// Visits all chunks as of the last entry of the log in key order (level 0 first, by x, then z, then y)
   /// until `visit` returns false.
-  [[nodiscard]] Done for_each_chunk(const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const;
+  [[nodiscard]] Status for_each_chunk(const std::function<bool(ChunkKey, const StoredChunk&)>& visit) const;
   /// Visits chunks of level 0 only.
-  [[nodiscard]] Done for_each_base_chunk(
+  [[nodiscard]] Status for_each_base_chunk(
       const std::function<bool(ChunkCoord, const StoredChunk&)>& visit) const;
 
   /// Position of the first kept entry of the log; one past the last if none is kept.
@@ -48,14 +48,14 @@ class ReadOnlyStore {
   /// Number of editors as of the last entry of the log. Reads all of them.
   [[nodiscard]] StoreReader::Result<std::size_t> count_editors() const;
   /// Reads every block of every file.
-  [[nodiscard]] Done verify_files() const;
+  [[nodiscard]] Status verify_files() const;
   /// Approximate number of stored chunks, for progress reports.
   [[nodiscard]] std::uint64_t estimated_keys() const;
 
  private:
   explicit ReadOnlyStore(std::filesystem::path path);
   /// Applies the unflushed records to the chunks, by key.
-  [[nodiscard]] Done read_unflushed();
+  [[nodiscard]] Status read_unflushed();
 
   std::filesystem::path path_;
   std::unique_ptr<rocksdb::DB> db_;

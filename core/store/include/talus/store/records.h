@@ -22,7 +22,7 @@ inline constexpr std::size_t kMetaBytes = 141;
 struct StreamPlace {
   std::uint64_t sequence = 0;      // last applied message; 0: not in a cluster
   std::int64_t created_ns = 0;     // creation time of the stream, which identifies it
-  std::int64_t looked_ms = 0;      // the stream's clock was last consulted for this message time
+  std::int64_t asked_ms = 0;       // the stream's clock was last consulted for this message time
   std::uint64_t message_hash = 0;  // hash of message `sequence`; another hash there means another stream
   bool operator==(const StreamPlace&) const = default;
 };
@@ -63,10 +63,10 @@ struct HistorySegment {
 };
 
 /// Acknowledged state, stored next to the database: a database with less has lost data.
-struct Acknowledged {
+struct AcknowledgedState {
   std::uint64_t position = 0;
   std::uint64_t link = 0;
-  bool operator==(const Acknowledged&) const = default;
+  bool operator==(const AcknowledgedState&) const = default;
 };
 
 // Each replaces the contents of `out`. A value is bound to its key by its checksum.
@@ -75,7 +75,7 @@ void encode(std::string_view key, std::uint64_t revision, std::span<const Overri
 void encode(std::string_view key, std::uint64_t position, const edits::Editor& editor, Bytes& out);
 void encode(std::string_view key, const HistorySegment& segment, Bytes& out);
 void encode(std::string_view key, MaterialId material, Bytes& out);
-void encode(const Acknowledged& acknowledged, Bytes& out);
+void encode(const AcknowledgedState& acknowledged, Bytes& out);
 
 // nullopt if the bytes are damaged or encode() cannot have written them for this key.
 [[nodiscard]] std::optional<StoreMeta> decode_meta(std::span<const std::byte> value);
@@ -92,6 +92,6 @@ void encode(const Acknowledged& acknowledged, Bytes& out);
                                                            std::span<const std::byte> value);
 [[nodiscard]] std::optional<MaterialId> decode_material(std::string_view key,
                                                         std::span<const std::byte> value);
-[[nodiscard]] std::optional<Acknowledged> decode_acknowledged(std::span<const std::byte> value);
+[[nodiscard]] std::optional<AcknowledgedState> decode_acknowledged(std::span<const std::byte> value);
 
 }  // namespace talus::store

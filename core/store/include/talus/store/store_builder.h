@@ -25,7 +25,7 @@ namespace talus::store {
 
 class StoreBuilder {
  public:
-  using Done = tl::expected<void, std::string>;
+  using Status = tl::expected<void, std::string>;
 
   /// Creates the database in `directory`, which must be empty. Its log continues after `position` and `link`.
   [[nodiscard]] static tl::expected<std::unique_ptr<StoreBuilder>, std::string> create(
@@ -35,8 +35,8 @@ class StoreBuilder {
 
   /// Adds a chunk of level 0, each once, in any order; coarse levels are derived. Without voxels nothing is
   /// written. `revision` is at least 1.
-  [[nodiscard]] Done add(ChunkCoord chunk, std::uint64_t revision, std::span<const Override> voxels);
-  [[nodiscard]] Done add(std::string_view name, MaterialId material);
+  [[nodiscard]] Status add(ChunkCoord chunk, std::uint64_t revision, std::span<const Override> voxels);
+  [[nodiscard]] Status add(std::string_view name, MaterialId material);
 
   [[nodiscard]] std::uint64_t chunks() const { return chunks_; }  // of level 0
   [[nodiscard]] std::uint64_t voxels() const { return voxels_; }
@@ -44,7 +44,7 @@ class StoreBuilder {
 
   /// Writes the store's meta and the files next to the database, and syncs. `revision` must be at least the
   /// revision of each chunk.
-  [[nodiscard]] Done finish(std::uint64_t revision, std::int64_t time_ms);
+  [[nodiscard]] Status finish(std::uint64_t revision, std::int64_t time_ms);
 
  private:
   struct Coarse {
@@ -53,9 +53,9 @@ class StoreBuilder {
   };
 
   StoreBuilder(std::filesystem::path directory, const StoreIdentity& identity);
-  [[nodiscard]] Done put(const std::string& key);
-  [[nodiscard]] Done write();
-  [[nodiscard]] Done write_coarse();
+  [[nodiscard]] Status put(const std::string& key);
+  [[nodiscard]] Status write();
+  [[nodiscard]] Status write_coarse();
 
   std::filesystem::path directory_;
   std::unique_ptr<rocksdb::DB> db_;

@@ -28,7 +28,7 @@ inline constexpr std::string_view kStoreLost = "restore a backup, or give --data
 
 class StoreReader {
  public:
-  using Done = tl::expected<void, std::string>;
+  using Status = tl::expected<void, std::string>;
   template <typename Value>
   using Result = tl::expected<Value, std::string>;
 
@@ -41,11 +41,13 @@ class StoreReader {
   /// Oldest first; consecutive up to `flushed`.
   [[nodiscard]] Result<std::deque<HistorySegment>> history(std::uint64_t flushed) const;
 
-  [[nodiscard]] Done for_each_chunk(const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
+  [[nodiscard]] Status for_each_chunk(
+      const std::function<void(ChunkKey, std::uint64_t revision)>& visit) const;
   /// Visits chunks with their voxels in key order from the chunk `first` on, until `visit` returns false.
-  [[nodiscard]] Done for_each_chunk_value(ChunkKey first,
-                                          const std::function<bool(ChunkKey, StoredChunk&&)>& visit) const;
-  [[nodiscard]] Done for_each_editor(const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
+  [[nodiscard]] Status for_each_chunk_value(ChunkKey first,
+                                            const std::function<bool(ChunkKey, StoredChunk&&)>& visit) const;
+  [[nodiscard]] Status for_each_editor(
+      const std::function<void(edits::EditorId, StoredEditor&&)>& visit) const;
   [[nodiscard]] Result<std::optional<StoredChunk>> chunk(ChunkKey key) const;
 
   /// Replays the records after meta.flushed up to meta's position; verifies that none is missing and each
@@ -54,8 +56,8 @@ class StoreReader {
                                              const std::function<bool(LogRecord&&)>& visit) const;
   /// Visits records from `first`, or from the first kept, to meta's position, until `visit` returns false.
   /// Verifies that none is missing, and all links except that of the first batch.
-  [[nodiscard]] Done for_each_record(const StoreMeta& meta, std::uint64_t first,
-                                     const std::function<bool(LogRecord&&)>& visit) const;
+  [[nodiscard]] Status for_each_record(const StoreMeta& meta, std::uint64_t first,
+                                       const std::function<bool(LogRecord&&)>& visit) const;
 
   [[nodiscard]] tl::unexpected<std::string> failure(std::string_view what) const;
 

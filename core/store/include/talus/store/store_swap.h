@@ -23,13 +23,13 @@ namespace talus::store {
 inline constexpr std::string_view kRejoinName = "rejoin";
 
 /// Fate of the replaced store: deleted if it had the same edits as the new one, otherwise kept.
-enum class Replaced { stays, goes };
+enum class ReplacedStore { stays, goes };
 
 /// Makes the complete and synced store in `staging` the directory's store, and removes kRejoinName, which was
 /// about the previous store. Returns the path where the previous store is kept; empty if it did not exist or
 /// was deleted.
-[[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(const std::filesystem::path& directory,
-                                                                       Replaced replaced = Replaced::stays);
+[[nodiscard]] tl::expected<std::filesystem::path, std::string> swap_in(
+    const std::filesystem::path& directory, ReplacedStore replaced = ReplacedStore::stays);
 
 /// True if a swap was interrupted or failed after the new store became valid: tidy_up() completes it.
 [[nodiscard]] bool swap_is_begun(const std::filesystem::path& directory);

@@ -48,12 +48,12 @@ class PlaceSampler {
 };
 
 /// Properties of any set of columns.
-struct PlacesFound {
+struct PlaceValues {
   std::vector<std::uint8_t> looks;  // one per column: index into World::look_names()
   std::vector<float> values;        // by column, then in the order of the names
 };
 /// REQUIRES that `names` is a subset of place_names(). Cheapest for adjacent columns of a row.
-[[nodiscard]] PlacesFound places_at(const World& world, std::span<const BaseColumn> columns,
+[[nodiscard]] PlaceValues places_at(const World& world, std::span<const BaseColumn> columns,
                                     std::span<const std::string> names);
 
 }  // namespace talus::terrain

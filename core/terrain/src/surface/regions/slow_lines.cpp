@@ -176,8 +176,8 @@ void SlowLines::draw_rivers_in_parts(std::int64_t z, SlopedLine& line) {
   };
   const Displacements warped{east_.displacement.data(), south_.displacement.data()};
   for (std::size_t k = 0; k < rivers_.size(); ++k) {
-    const SlopedOut out{slow_row(line.values, kRiverRows[k]), slow_row(line.east, kRiverRows[k]),
-                        slow_row(line.south, kRiverRows[k])};
+    const SlopedOutput out{slow_row(line.values, kRiverRows[k]), slow_row(line.east, kRiverRows[k]),
+                           slow_row(line.south, kRiverRows[k])};
     std::fill_n(out.value, width_, kFar);
     std::fill_n(out.east, width_, 0.0F);
     std::fill_n(out.south, width_, 0.0F);
@@ -195,8 +195,8 @@ void SlowLines::draw_rivers_in_parts(std::int64_t z, SlopedLine& line) {
 void SlowLines::draw_terraces_in_parts(std::int64_t z, SlopedLine& line) {
   const Displacements warped{east_.displacement.data(), south_.displacement.data()};
   const float* const mesa = slow_row(line.values, Slow::mesa);
-  const SlopedOut out{slow_row(line.values, Slow::terrace), slow_row(line.east, Slow::terrace),
-                      slow_row(line.south, Slow::terrace)};
+  const SlopedOutput out{slow_row(line.values, Slow::terrace), slow_row(line.east, Slow::terrace),
+                         slow_row(line.south, Slow::terrace)};
   std::fill_n(out.value, width_, 0.0F);
   std::fill_n(out.east, width_, 0.0F);
   std::fill_n(out.south, width_, 0.0F);

@@ -93,11 +93,11 @@ class Chunk {
 
  private:
   using Dense = std::shared_ptr<const DenseVoxels>;
-  struct Overridden {
+  struct OverriddenLayers {
     Layers base;
     std::vector<Override> overrides;  // by ascending index, without duplicates; each differs from the base
   };
-  using Form = std::variant<Layers, Overridden, Dense>;
+  using Form = std::variant<Layers, OverriddenLayers, Dense>;
   explicit Chunk(Form form) : form_{std::move(form)} {}
   Form form_;
 };

@@ -47,7 +47,7 @@ const COVER_LATEST_MS = 240;
 /** Time per update for heights: a few columns at least, then as many as possible; more before anything is drawn. */
 const HEIGHTS_MS = 1;
 const FIRST_HEIGHTS_MS = 4;
-const HEIGHTS_LEAST = 4;
+const MIN_HEIGHTS = 4;
 
 export class Land<D extends Drawable> {
   shape: Shape = [];
@@ -427,7 +427,7 @@ export class Land<D extends Drawable> {
     const budgetMs = this.cover.length === 0 ? FIRST_HEIGHTS_MS : HEIGHTS_MS;
     let refreshed = 0;
     for (const column of this.stale) {
-      if (refreshed === columns || (refreshed >= HEIGHTS_LEAST && this.options.now() - start > budgetMs)) break;
+      if (refreshed === columns || (refreshed >= MIN_HEIGHTS && this.options.now() - start > budgetMs)) break;
       refreshed++;
       this.stale.delete(column);
       const level = this.shape[column.lod];

@@ -4,7 +4,7 @@ import type { SlicePlane } from './messages.js';
 
 const SORT_EVERY_MS = 120;
 /** Maximum number of chunks without room that are skipped at a time. */
-const PASSED_MOST = 32;
+const MAX_PASSED = 32;
 
 export class MeshQueue<D extends Drawable> {
   private chunks: Chunk<D>[] = []; // the last is next
@@ -38,7 +38,7 @@ export class MeshQueue<D extends Drawable> {
     if (this.chunks.length === 0) return;
     if (!this.isSorted && now - this.sortedAt > SORT_EVERY_MS) this.sort(now, camera);
     const passed: Chunk<D>[] = [];
-    while (this.chunks.length > 0 && passed.length < PASSED_MOST) {
+    while (this.chunks.length > 0 && passed.length < MAX_PASSED) {
       const chunk = this.chunks.pop()!;
       chunk.queued = false;
       if (start(chunk)) continue;

@@ -4,7 +4,7 @@ import { coverOf, nearestMissing, type CoverColumn } from '../../../src/engine/s
 import { columnKey } from '../../../src/engine/stream/keys.js';
 import { chunksOf, hasColumn, ringsFor, shapeOf, type Shape } from '../../../src/engine/stream/shape.js';
 
-class Held {
+class HeldChunks {
   readonly map = new Map<number, CoverColumn>();
   get = (lod: number, x: number, z: number) => this.map.get(columnKey(lod, x, z));
   values = () => this.map.values();
@@ -53,7 +53,7 @@ describe('coverOf', () => {
   for (const seed of [1, 2, 3]) {
     it(`never draws a place twice, nor opens a hole where something was, while columns come in any order (seed ${seed})`, () => {
       const shape = shapeAt(seed * 1000, -seed * 777, 2, 200);
-      const held = new Held();
+      const held = new HeldChunks();
       let before = new Set<string>();
       for (const [lod, x, z] of shuffled([...columnsOf(shape)], seed)) {
         held.put(lod, x, z);
@@ -67,7 +67,7 @@ describe('coverOf', () => {
 
   it('draws the whole square of the coarsest level in the end, and level 0 around the centre', () => {
     const shape = shapeAt(100, 100);
-    const held = new Held();
+    const held = new HeldChunks();
     for (const [lod, x, z] of columnsOf(shape)) held.put(lod, x, z);
     const drawn = coverOf(shape, held);
     const top = shape.at(-1)!;
@@ -79,7 +79,7 @@ describe('coverOf', () => {
 
   it('keeps what was fine until the coarse that replaces it has come', () => {
     const here = shapeAt(0, 0);
-    const held = new Held();
+    const held = new HeldChunks();
     for (const [lod, x, z] of columnsOf(here)) held.put(lod, x, z);
     const before = times(coverOf(here, held));
     const there = shapeAt(64 * 5, 0);
@@ -98,7 +98,7 @@ describe('coverOf', () => {
 
   it('says how far away the nearest missing column is', () => {
     const shape = shapeAt(16, 16);
-    const held = new Held();
+    const held = new HeldChunks();
     for (const [lod, x, z] of columnsOf(shape)) if (!(lod === 0 && x === 2 && z === 0)) held.put(lod, x, z);
     expect(nearestMissing(shape, held, 16, 16)).toBe(48);
   });

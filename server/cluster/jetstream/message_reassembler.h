@@ -26,16 +26,16 @@ namespace talus::server::jetstream {
 /// If no leader answers, any replica is asked. A sound replica has only messages of the stream, though it may
 /// lack some; with nats-server 2.9.10 some were seen to hold others. So they are believed until a leader
 /// answers: then take() returns nothing until the leader has confirmed each of those messages.
-class Reading {
+class MessageReassembler {
  public:
   using TimePoint = LogStream::TimePoint;
 
-  static constexpr std::size_t kMostRequests = 64;
+  static constexpr std::size_t kMaxRequests = 64;
   static constexpr std::uint64_t kWindow = 1024;                  // messages kept ahead
   static constexpr std::size_t kWindowBytes = 16U << 20;          // total size of kept messages
   static constexpr std::chrono::milliseconds kSilence{1000};      // then the next message is requested
   static constexpr std::chrono::milliseconds kSilenceUnled{250};  // the same without a leader
-  static constexpr std::size_t kMostUnconfirmed = 65'536;         // messages: 4 MiB
+  static constexpr std::size_t kMaxUnconfirmed = 65'536;          // messages: 4 MiB
   static constexpr std::chrono::milliseconds kAnswerIn{500};      // then a request is repeated
   static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may still bring it
   static constexpr std::chrono::milliseconds kFirstRetry{5};      // a deposed leader may have answered
@@ -47,7 +47,7 @@ class Reading {
   static constexpr std::chrono::milliseconds kDisputed{20};
 
   /// `seed` must be secret, so that others cannot construct two messages with equal digests.
-  Reading(TimePoint now, std::uint64_t seed) : news_{now}, seed_{seed} {}
+  MessageReassembler(TimePoint now, std::uint64_t seed) : news_{now}, seed_{seed} {}
 
   /// Makes the message after `after` the next one.
   void move_to(std::uint64_t after, TimePoint now);
@@ -87,7 +87,7 @@ class Reading {
   /// True if the tail claims more than the leader has reported: the leader must be asked for the end.
   [[nodiscard]] bool claims_more() const { return claimed_ > std::max(known_, after_); }
   /// Next time at which wanted() may return more.
-  [[nodiscard]] TimePoint next_look() const;
+  [[nodiscard]] TimePoint next_poll() const;
 
   /// Sets whether a leader answers. Without one the end is unknown, and messages are requested more often;
   /// with one, messages from replicas that take() did not return are dropped.
@@ -106,7 +106,7 @@ class Reading {
 
  private:
   enum class From : std::uint8_t { tail, replica, leader };
-  struct Held {
+  struct HeldMessage {
     std::vector<std::byte> bytes;
     From from = From::tail;
     std::optional<std::int64_t> time_ms{};
@@ -116,13 +116,13 @@ class Reading {
     std::uint64_t high = 0;
     bool operator==(const Digest&) const = default;
   };
-  struct Given {
+  struct ReturnedMessage {
     std::uint64_t sequence = 0;
     Digest digest;
     bool answered = false;
   };
   static constexpr std::size_t kRemembered = 1024;
-  static constexpr std::size_t kMostDoubts = 64;
+  static constexpr std::size_t kMaxDoubts = 64;
 
   [[nodiscard]] Digest digest(std::span<const std::byte> bytes) const;
   void hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
@@ -131,7 +131,7 @@ class Reading {
   /// is not the leader's either, neither is kept.
   bool differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes);
   [[nodiscard]] std::chrono::milliseconds silence() const { return led_ ? kSilence : kSilenceUnled; }
-  void drop(std::map<std::uint64_t, Held>::iterator at);
+  void drop(std::map<std::uint64_t, HeldMessage>::iterator at);
   void doubt(std::uint64_t sequence);
   void disputed();
   void progressed(TimePoint now);
@@ -139,17 +139,17 @@ class Reading {
   [[nodiscard]] bool asked_or_held(std::uint64_t sequence) const {
     return asked_.contains(sequence) || held_.contains(sequence);
   }
-  [[nodiscard]] const Given* remembered(std::uint64_t sequence) const;
+  [[nodiscard]] const ReturnedMessage* remembered(std::uint64_t sequence) const;
 
   std::uint64_t after_ = 0;
   std::uint64_t known_ = 0;    // in the stream, as the leader reported or as take() returned
   std::uint64_t claimed_ = 0;  // in the stream, as the tail claims
-  std::map<std::uint64_t, Held> held_;
+  std::map<std::uint64_t, HeldMessage> held_;
   std::size_t held_bytes_ = 0;
   std::map<std::uint64_t, TimePoint> asked_;  // with the due times of the answers
   std::set<std::uint64_t> doubted_;           // the tail had two of them
   TimePoint news_;
-  TimePoint looked_{};
+  TimePoint polled_{};
   TimePoint retry_{};
   TimePoint paused_{};  // when retry_ was last set
   std::chrono::milliseconds pause_ = kFirstRetry;
@@ -159,14 +159,14 @@ class Reading {
   std::size_t claim_requests_ = 1;  // number of claimed messages to request at once
   TimePoint ask_from_{};            // for messages known to exist that were not pushed
   /// The last messages returned by take(), by sequence.
-  std::deque<Given> given_;
-  std::optional<Given> altered_;  // undecodable and not from the leader
-  struct Unconfirmed {
+  std::deque<ReturnedMessage> given_;
+  std::optional<ReturnedMessage> altered_;  // undecodable and not from the leader
+  struct UnconfirmedMessage {
     Digest digest;
     std::optional<std::int64_t> time_ms;
-    bool operator==(const Unconfirmed&) const = default;
+    bool operator==(const UnconfirmedMessage&) const = default;
   };
-  std::map<std::uint64_t, Unconfirmed> unconfirmed_;  // from replicas
+  std::map<std::uint64_t, UnconfirmedMessage> unconfirmed_;  // from replicas
   bool led_ = true;
   std::uint64_t seed_;
   std::optional<std::uint64_t> forged_;

@@ -1,17 +1,17 @@
-#include "player/session/editing.h"
+#include "player/session/session_edits.h"
 
 #include <utility>
 
 namespace talus::server {
 
-void Editing::attach(AttachRequest request, std::uint64_t voxels_per_second) {
+void SessionEdits::attach(AttachRequest request, std::uint64_t voxels_per_second) {
   attaching_ = true;
   is_known_ = true;
   voxels_per_second_ = voxels_per_second;
   taker_->attach(mailbox_, std::move(request));
 }
 
-void Editing::edit(std::uint32_t id, std::uint64_t sequence, AdmittedEdit edit) {
+void SessionEdits::edit(std::uint32_t id, std::uint64_t sequence, AdmittedEdit edit) {
   unanswered_.insert(id, {edit.voxels, edit.bytes, edit.prepared_bytes});
   bytes_ += edit.bytes;
   prepared_bytes_.insert(edit.prepared_bytes);
@@ -20,7 +20,7 @@ void Editing::edit(std::uint32_t id, std::uint64_t sequence, AdmittedEdit edit) 
                           std::move(edit.subject), edit.settles});
 }
 
-void Editing::receive(AttachAnswer&& mail) {
+void SessionEdits::receive(AttachAnswer&& mail) {
   if (!attaching_) return;  // abandoned
   attaching_ = false;
   if (mail.answer) {
@@ -31,8 +31,8 @@ void Editing::receive(AttachAnswer&& mail) {
   }
 }
 
-void Editing::receive(EditAnswer&& mail) {
-  const Unanswered* const edit = unanswered_.find(mail.id);
+void SessionEdits::receive(EditAnswer&& mail) {
+  const UnansweredEdit* const edit = unanswered_.find(mail.id);
   if (edit == nullptr) return;  // abandoned
   bytes_ -= edit->bytes;
   prepared_bytes_.erase(prepared_bytes_.find(edit->prepared_bytes));
@@ -46,11 +46,11 @@ void Editing::receive(EditAnswer&& mail) {
   }
 }
 
-void Editing::input_ended() {
+void SessionEdits::input_ended() {
   if (unanswered_.size() > 0) taker_->input_ended(mailbox_->owner());
 }
 
-void Editing::abandon() {
+void SessionEdits::abandon() {
   if (std::exchange(is_known_, false)) taker_->forget(mailbox_->owner());
   attaching_ = false;
   editor_.reset();

@@ -1,4 +1,4 @@
-#include "cluster/jetstream/reading.h"
+#include "cluster/jetstream/message_reassembler.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,39 +8,39 @@
 
 namespace talus::server::jetstream {
 
-Reading::Digest Reading::digest(std::span<const std::byte> bytes) const {
+MessageReassembler::Digest MessageReassembler::digest(std::span<const std::byte> bytes) const {
   const XXH128_hash_t hash = XXH3_128bits_withSeed(bytes.data(), bytes.size(), seed_);
   return {hash.low64, hash.high64};
 }
 
-void Reading::drop(std::map<std::uint64_t, Held>::iterator at) {
+void MessageReassembler::drop(std::map<std::uint64_t, HeldMessage>::iterator at) {
   held_bytes_ -= at->second.bytes.size();
   held_.erase(at);
 }
 
-void Reading::progressed(TimePoint now) {
+void MessageReassembler::progressed(TimePoint now) {
   news_ = now;
   retry_ = {};
   paused_ = {};
   pause_ = kFirstRetry;
 }
 
-void Reading::claim_held() {
+void MessageReassembler::claim_held() {
   claim_retry_ = {};
   claim_pause_ = kFirstRetry;
 }
 
-void Reading::doubt(std::uint64_t sequence) {
+void MessageReassembler::doubt(std::uint64_t sequence) {
   doubted_.insert(sequence);
   // Keeps the lowest numbers, which matter first, however many are forged.
-  if (doubted_.size() > kMostDoubts) doubted_.erase(std::prev(doubted_.end()));
+  if (doubted_.size() > kMaxDoubts) doubted_.erase(std::prev(doubted_.end()));
 }
 
-void Reading::disputed() {
+void MessageReassembler::disputed() {
   retry_ = std::min(retry_, paused_ + kDisputed);
 }
 
-void Reading::move_to(std::uint64_t after, TimePoint now) {
+void MessageReassembler::move_to(std::uint64_t after, TimePoint now) {
   if (after == after_) return;
   if (after < after_) {
     // Messages already returned are read again.
@@ -58,15 +58,15 @@ void Reading::move_to(std::uint64_t after, TimePoint now) {
   progressed(now);
 }
 
-const Reading::Given* Reading::remembered(std::uint64_t sequence) const {
+const MessageReassembler::ReturnedMessage* MessageReassembler::remembered(std::uint64_t sequence) const {
   const auto found =
       std::lower_bound(given_.begin(), given_.end(), sequence,
                        [](const auto& each, std::uint64_t wanted) { return each.sequence < wanted; });
   return found != given_.end() && found->sequence == sequence ? &*found : nullptr;
 }
 
-void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
-                   std::optional<std::int64_t> time_ms) {
+void MessageReassembler::hold(std::uint64_t sequence, std::span<const std::byte> bytes, From from,
+                              std::optional<std::int64_t> time_ms) {
   if (sequence <= after_ || sequence - after_ > kWindow) return;
   if (const auto found = held_.find(sequence); found != held_.end()) drop(found);
   // The next message always has room.
@@ -74,11 +74,11 @@ void Reading::hold(std::uint64_t sequence, std::span<const std::byte> bytes, Fro
     drop(std::prev(held_.end()));
   }
   if (sequence != after_ + 1 && held_bytes_ + bytes.size() > kWindowBytes) return;
-  held_.emplace(sequence, Held{{bytes.begin(), bytes.end()}, from, time_ms});
+  held_.emplace(sequence, HeldMessage{{bytes.begin(), bytes.end()}, from, time_ms});
   held_bytes_ += bytes.size();
 }
 
-bool Reading::differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes) {
+bool MessageReassembler::differs_from_leaders(std::uint64_t sequence, std::span<const std::byte> bytes) {
   const auto found = held_.find(sequence);
   if (std::equal(bytes.begin(), bytes.end(), found->second.bytes.begin(), found->second.bytes.end()))
     return false;
@@ -88,7 +88,7 @@ bool Reading::differs_from_leaders(std::uint64_t sequence, std::span<const std::
   return false;
 }
 
-void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
+void MessageReassembler::heard(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now) {
   if (sequence == 0) return;
   if (doubted_.contains(sequence)) {
     if (sequence == after_ + 1) disputed();
@@ -99,7 +99,7 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
     return;
   }
   if (sequence <= after_) {
-    const Given* const given = remembered(sequence);
+    const ReturnedMessage* const given = remembered(sequence);
     if (given == nullptr || given->digest == digest(bytes)) return;
     if (given->answered) {
       ++false_messages_;
@@ -125,8 +125,8 @@ void Reading::heard(std::uint64_t sequence, std::span<const std::byte> bytes, Ti
   }
 }
 
-void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
-                       std::optional<std::int64_t> time_ms) {
+void MessageReassembler::answered(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
+                                  std::optional<std::int64_t> time_ms) {
   asked_.erase(sequence);
   const bool doubted = doubted_.erase(sequence) > 0;
   if (doubted) ++false_messages_;
@@ -135,27 +135,27 @@ void Reading::answered(std::uint64_t sequence, std::span<const std::byte> bytes,
     altered_.reset();
   }
   if (const auto found = unconfirmed_.find(sequence); found != unconfirmed_.end()) {
-    if (found->second != Unconfirmed{digest(bytes), time_ms}) forged_ = sequence;
+    if (found->second != UnconfirmedMessage{digest(bytes), time_ms}) forged_ = sequence;
     unconfirmed_.erase(found);
     progressed(now);
     return;
   }
   if (sequence <= after_) {
-    const Given* const given = remembered(sequence);
+    const ReturnedMessage* const given = remembered(sequence);
     if (doubted && given != nullptr && given->digest != digest(bytes)) forged_ = sequence;
     return;
   }
   if (sequence > known_) {
     claim_held();
-    claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+    claim_requests_ = std::min(2 * claim_requests_, kMaxRequests);
   }
   known_ = std::max(known_, sequence);
   hold(sequence, bytes, From::leader, time_ms);
   progressed(now);
 }
 
-void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes, TimePoint now,
-                                  std::optional<std::int64_t> time_ms) {
+void MessageReassembler::answered_by_replica(std::uint64_t sequence, std::span<const std::byte> bytes,
+                                             TimePoint now, std::optional<std::int64_t> time_ms) {
   // Only the leader can decide disputes.
   if (doubted_.contains(sequence) || (altered_ && altered_->sequence == sequence)) {
     return not_found(sequence, now);
@@ -168,13 +168,13 @@ void Reading::answered_by_replica(std::uint64_t sequence, std::span<const std::b
   }
   // More messages may follow.
   claim_held();
-  claim_requests_ = std::min(2 * claim_requests_, kMostRequests);
+  claim_requests_ = std::min(2 * claim_requests_, kMaxRequests);
   claimed_ = std::max(claimed_, sequence + claim_requests_);
   hold(sequence, bytes, From::replica, time_ms);
   progressed(now);
 }
 
-void Reading::not_found(std::uint64_t sequence, TimePoint now) {
+void MessageReassembler::not_found(std::uint64_t sequence, TimePoint now) {
   const auto asked = asked_.find(sequence);
   const TimePoint asked_at = asked == asked_.end() ? now : asked->second - kAnswerIn;
   asked_.erase(sequence);
@@ -194,7 +194,7 @@ void Reading::not_found(std::uint64_t sequence, TimePoint now) {
   pause_ = std::min(pause_ * 2, kLastRetry);
 }
 
-bool Reading::learned(std::uint64_t sequence, TimePoint now) {
+bool MessageReassembler::learned(std::uint64_t sequence, TimePoint now) {
   if (sequence <= known_) return false;
   if (std::max(known_, claimed_) <= after_) ask_from_ = now + kOnItsWay;
   known_ = sequence;
@@ -202,7 +202,7 @@ bool Reading::learned(std::uint64_t sequence, TimePoint now) {
   return true;
 }
 
-void Reading::ends_at(std::uint64_t last) {
+void MessageReassembler::ends_at(std::uint64_t last) {
   // Messages that arrived after the request may exceed `last`; if they exist a request will return them.
   const std::uint64_t end = std::max(last, after_);
   if (claimed_ > end && claim_pause_ >= kSureOfNone) claimed_ = end;
@@ -215,12 +215,12 @@ void Reading::ends_at(std::uint64_t last) {
   doubted_.erase(doubted_.upper_bound(end), doubted_.end());
 }
 
-void Reading::starts_at(std::uint64_t first) {
+void MessageReassembler::starts_at(std::uint64_t first) {
   doubted_.erase(doubted_.begin(), doubted_.lower_bound(first));
   unconfirmed_.erase(unconfirmed_.begin(), unconfirmed_.lower_bound(first));
 }
 
-void Reading::leader_answers(bool does) {
+void MessageReassembler::leader_answers(bool does) {
   if (std::exchange(led_, does) == does || !does) return;
   for (auto at = held_.begin(); at != held_.end();) {
     const auto next = std::next(at);
@@ -230,16 +230,16 @@ void Reading::leader_answers(bool does) {
   asked_.clear();  // requests to replicas
 }
 
-std::optional<std::uint64_t> Reading::unconfirmed() const {
+std::optional<std::uint64_t> MessageReassembler::unconfirmed() const {
   return unconfirmed_.empty() ? std::nullopt : std::optional{unconfirmed_.rbegin()->first};
 }
 
-bool Reading::is_unconfirmed_after(std::uint64_t last) const {
+bool MessageReassembler::is_unconfirmed_after(std::uint64_t last) const {
   const auto number = std::distance(unconfirmed_.upper_bound(last), unconfirmed_.end());
   return last < after_ && static_cast<std::uint64_t>(number) == after_ - last;
 }
 
-std::optional<StreamMessage> Reading::take() {
+std::optional<StreamMessage> MessageReassembler::take() {
   if (led_ && !unconfirmed_.empty()) return std::nullopt;
   const auto next = held_.find(after_ + 1);
   if (next == held_.end()) return std::nullopt;
@@ -256,7 +256,7 @@ std::optional<StreamMessage> Reading::take() {
   return message;
 }
 
-void Reading::ask_again(TimePoint now) {
+void MessageReassembler::ask_again(TimePoint now) {
   if (given_.empty() || given_.back().sequence != after_ || given_.back().answered) return;
   altered_ = given_.back();
   given_.pop_back();
@@ -266,8 +266,8 @@ void Reading::ask_again(TimePoint now) {
   ask_from_ = now;
 }
 
-std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
-  looked_ = now;
+std::vector<std::uint64_t> MessageReassembler::wanted(TimePoint now) {
+  polled_ = now;
   std::erase_if(asked_, [&](const auto& each) { return each.second <= now; });
   std::vector<std::uint64_t> wanted;
   const auto ask = [&](std::uint64_t sequence) {
@@ -277,12 +277,12 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   if (now < retry_) return wanted;
   if (led_ && !unconfirmed_.empty()) {
     for (const auto& [sequence, digest] : unconfirmed_) {
-      if (asked_.size() >= kMostRequests) break;
+      if (asked_.size() >= kMaxRequests) break;
       if (!asked_.contains(sequence)) ask(sequence);
     }
     return wanted;
   }
-  if (unconfirmed_.size() >= kMostUnconfirmed) return wanted;
+  if (unconfirmed_.size() >= kMaxUnconfirmed) return wanted;
   for (const std::uint64_t sequence : doubted_) {
     if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // only the leader can decide these
     if (!asked_.contains(sequence)) ask(sequence);
@@ -290,7 +290,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   if (known_ > after_) {
     if (now < ask_from_) return wanted;
     const std::uint64_t end = std::min(known_, after_ + kWindow);
-    for (std::uint64_t sequence = after_ + 1; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
+    for (std::uint64_t sequence = after_ + 1; sequence <= end && asked_.size() < kMaxRequests; ++sequence) {
       if (sequence > after_ + 1 && held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }
@@ -298,7 +298,7 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
     const bool claimed = claimed_ > after_ && now >= std::max(ask_from_, claim_retry_);
     if (claimed || now - news_ >= silence()) ask(after_ + 1);
     const std::uint64_t end = claimed ? std::min(claimed_, after_ + claim_requests_) : 0;
-    for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMostRequests; ++sequence) {
+    for (std::uint64_t sequence = after_ + 2; sequence <= end && asked_.size() < kMaxRequests; ++sequence) {
       if (held_bytes_ >= kWindowBytes) break;
       if (!asked_or_held(sequence)) ask(sequence);
     }
@@ -306,17 +306,17 @@ std::vector<std::uint64_t> Reading::wanted(TimePoint now) {
   return wanted;
 }
 
-Reading::TimePoint Reading::next_look() const {
-  TimePoint look = TimePoint::max();
-  for (const auto& [sequence, due] : asked_) look = std::min(look, due);
-  if (retry_ > looked_) look = std::min(look, retry_);
-  if (known_ > after_ && ask_from_ > looked_) look = std::min(look, ask_from_);
+MessageReassembler::TimePoint MessageReassembler::next_poll() const {
+  TimePoint next = TimePoint::max();
+  for (const auto& [sequence, due] : asked_) next = std::min(next, due);
+  if (retry_ > polled_) next = std::min(next, retry_);
+  if (known_ > after_ && ask_from_ > polled_) next = std::min(next, ask_from_);
   if (claims_more() && known_ <= after_) {
     const TimePoint due = std::max(ask_from_, claim_retry_);
-    if (due > looked_) look = std::min(look, due);
+    if (due > polled_) next = std::min(next, due);
   }
-  if (known_ <= after_ && asked_.empty()) look = std::min(look, std::max(news_ + silence(), looked_));
-  return look;
+  if (known_ <= after_ && asked_.empty()) next = std::min(next, std::max(news_ + silence(), polled_));
+  return next;
 }
 
 }  // namespace talus::server::jetstream

@@ -17,13 +17,13 @@
 
 namespace talus::server {
 
-class Editing {
+class SessionEdits {
  public:
   /// `taker` is null if nothing is stored; edits are refused then. It and `replies` outlive this.
-  Editing(EditTaker* taker, MailboxPtr mailbox, Replies& replies)
+  SessionEdits(EditTaker* taker, MailboxPtr mailbox, Replies& replies)
       : taker_{taker}, mailbox_{std::move(mailbox)}, replies_{replies} {}
-  Editing(const Editing&) = delete;
-  Editing& operator=(const Editing&) = delete;
+  SessionEdits(const SessionEdits&) = delete;
+  SessionEdits& operator=(const SessionEdits&) = delete;
 
   /// True while an Attach is not answered.
   [[nodiscard]] bool attaching() const { return attaching_; }
@@ -67,12 +67,12 @@ class Editing {
   bool attaching_ = false;
   std::uint64_t voxels_per_second_ = 0;
   std::optional<EditorSession> editor_;
-  struct Unanswered {
+  struct UnansweredEdit {
     std::uint64_t voxels = 0;  // named by the edit
     std::size_t bytes = 0;
     std::size_t prepared_bytes = 0;
   };
-  IdMap<Unanswered> unanswered_;
+  IdMap<UnansweredEdit> unanswered_;
   std::size_t bytes_ = 0;                      // in unanswered_
   std::multiset<std::size_t> prepared_bytes_;  // in unanswered_
   std::uint64_t slid_voxels_ = 0;
