@@ -24,9 +24,10 @@ if(TALUS_SANITIZE)
   target_compile_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   # Without the check of vptr: it opens a pipe to see whether memory is readable, and reports a fault where a test has left
-  # the process no descriptors.
+  # the process no descriptors. Without those of null and object-size: AddressSanitizer stops at such an access too, and a
+  # fifth of the time to compile was theirs.
   if(TALUS_SANITIZE MATCHES undefined)
-    target_compile_options(talus_flags INTERFACE -fno-sanitize=vptr)
+    target_compile_options(talus_flags INTERFACE -fno-sanitize=vptr,null,object-size)
   endif()
   target_link_options(talus_flags INTERFACE -fsanitize=${TALUS_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
