@@ -112,7 +112,7 @@ TEST_CASE("the index tells which columns of a region were edited") {
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
 }
 
-TEST_CASE("after a column's revision is visible, all chunks of that edit are") {
+TEST_CASE("after a column's revision is visible, all chunks of that edit are, with their voxels") {
   const ScratchDirectory scratch;
   EditStore store{scratch / "edits"};
   REQUIRE(store.open() == "");
@@ -125,6 +125,8 @@ TEST_CASE("after a column's revision is visible, all chunks of that edit are") {
     while (!done) {
       const std::uint64_t revision = store.state().index().column_revision(kChunk);
       for (std::int32_t y = 0; y < kRows; ++y) torn += store.state().revision({{0, y, 0}, Lod{}}) < revision;
+      const auto chunk = store.state().load(kChunk);
+      torn += !chunk || chunk->revision < revision;
     }
   }};
   for (std::uint16_t i = 0; i < 300; ++i) {
