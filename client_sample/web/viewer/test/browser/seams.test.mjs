@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { filled, launch, newPage, noProblems } from './browser.mjs';
+import { landSeen } from './land_seen.mjs';
 import { startSite } from './talusd.mjs';
 
 const world = (name) => fileURLToPath(new URL(`../../../../../core/worlds/${name}.toml`, import.meta.url));
@@ -14,42 +15,6 @@ const FOV = 70; // degrees, from top to bottom
 const voxelPixels = (radius) => ((SIZE.height / 2 / Math.tan((FOV / 2) * (Math.PI / 180))) * 2) / (radius * 32);
 /** Software draws no more than these in a bearable time. */
 const MOST_TRIANGLES = 300_000;
-
-/** A picture of the solid land alone, before nothing: its skyline, the topmost row of each column of pixels that shows land, and
- *  the pixels inside of the land that show none. */
-function landSeen(page) {
-  return page.evaluate(async ({ width, height }) => {
-    const { engine } = window.talus;
-    const { frames } = engine;
-    frames.sky.visible = frames.terrain.liquid.visible = false;
-    frames.renderer.setClearColor(0xff00ff, 1);
-    const shot = engine.screenshot();
-    engine.frame(performance.now()); // the only picture, as software takes long for one
-    const picture = await createImageBitmap(await shot);
-    const canvas = new OffscreenCanvas(width, height);
-    const context = canvas.getContext('2d');
-    context.drawImage(picture, 0, 0);
-    const { data } = context.getImageData(0, 0, width, height);
-    const isLand = (x, y) => data.subarray(4 * (y * width + x), 4 * (y * width + x) + 3).join() !== '255,0,255';
-    const skyline = Array.from({ length: width }, (_, x) => {
-      let y = 0;
-      while (y < height && !isLand(x, y)) ++y;
-      return y;
-    });
-    // From the top row on, from pixel to pixel: what is not reached lies inside.
-    const reached = new Uint8Array(width * height);
-    const edge = Array.from({ length: width }, (_, x) => [x, 0]);
-    while (edge.length > 0) {
-      const [x, y] = edge.pop();
-      if (x < 0 || x >= width || y < 0 || y >= height || reached[y * width + x] || isLand(x, y)) continue;
-      reached[y * width + x] = 1;
-      edge.push([x - 1, y], [x + 1, y], [x, y - 1], [x, y + 1]);
-    }
-    const holes = [];
-    for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) if (!isLand(x, y) && !reached[y * width + x]) holes.push([x, y]);
-    return { skyline, holes, triangles: engine.stats().triangles };
-  }, SIZE);
-}
 
 /** Level eyes, so that every column of pixels is a vertical plane. The next picture is from there, whether the page has stepped or not. */
 function lookFrom(page, place, rise, yaw) {
@@ -102,7 +67,7 @@ for (const { name, radii, horizon, places, most, usual, gaps } of [
         const skylines = [];
         for (const radius of radii) {
           await drawAround(page, radius, horizon);
-          const { skyline, holes, triangles } = await landSeen(page);
+          const { skyline, holes, triangles } = await landSeen(page, SIZE);
           const where = `${JSON.stringify(place)}, ${rise} up, toward ${yaw}, radius ${radius}`;
           assert.ok(holes.length <= gaps, `${where}: one looks through the land at ${holes.length} pixels, ${JSON.stringify(holes.slice(0, 5))} among them`);
           assert.ok(triangles <= MOST_TRIANGLES, `${where}: ${triangles} triangles`);

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { addressFollows, filled, launch, newPage, noProblems, place, SMALL, stats } from './browser.mjs';
+import { landSeen } from './land_seen.mjs';
 import { readNpy } from './npy.mjs';
 import { scratch, startSite, talusGen } from './talusd.mjs';
 
@@ -89,6 +90,18 @@ test('a page of a real talusd', async (t) => {
     assert.equal(await other.evaluate(() => document.getElementById('time-now').textContent), '10:45');
     noProblems(other);
     await other.context().close();
+  });
+
+  await t.test('the land is drawn without holes', async () => {
+    await page.evaluate(() => {
+      window.talus.player.body.pitch = -20;
+    });
+    const size = page.viewportSize();
+    const { skyline, holes } = await landSeen(page, size);
+    const shown = skyline.reduce((sum, y) => sum + size.height - y, 0);
+    assert.ok(shown > (size.width * size.height) / 4, `${shown} pixels of land`);
+    // One sees sky between the leaves of trees.
+    assert.ok(holes.length < shown / 200, `one looks through the land at ${holes.length} of ${shown} pixels`);
   });
 
   noProblems(page);
