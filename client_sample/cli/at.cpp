@@ -34,12 +34,12 @@ void print(const client::Column& column, std::size_t i, const client::ColumnPlac
 
 }  // namespace
 
-asio::awaitable<CommandResult> at(ConnectTarget connecting, AtOptions options) {
+asio::awaitable<CommandResult> at(ConnectTarget target, AtOptions options) {
   const auto executor = co_await asio::this_coro::executor;
-  client::Client client{executor, connecting.options};
-  const RequestTimeout timeout{executor, *connecting.options.clock, client,
+  client::Client client{executor, target.options};
+  const RequestTimeout timeout{executor, *target.options.clock, client,
                                RequestTimeout::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
+  const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{timeout.explain(world.error())};
 
   std::vector<std::string> fields = world->fields;

@@ -207,8 +207,8 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   app.fallthrough();
   CommandLine line;
   Words words;
-  line.connecting.options.client_name = "talus-client " TALUS_VERSION;
-  line.connecting.options.reconnect.max_attempts = 8;
+  line.target.options.client_name = "talus-client " TALUS_VERSION;
+  line.target.options.reconnect.max_attempts = 8;
   command_line::ConnectWords connect;
   command_line::add_connect_options(app, connect);
   GetOptions get_options;
@@ -223,13 +223,13 @@ tl::expected<CommandLine, Exit> read_command_line(int argc, const char* const* a
   add_edit(app, edit_options, words);
 
   if (auto exit = command_line::parse(app, argc, argv)) return tl::unexpected{*std::move(exit)};
-  auto connecting = command_line::read_connect_options(connect);
-  if (!connecting) return tl::unexpected{Exit{kExitWrongUse, connecting.error()}};
-  line.connecting.server = std::move(connecting->server);
-  line.connecting.options.token = std::move(connecting->token);
-  line.connecting.options.tls = std::move(connecting->tls);
-  line.connecting.options.more_servers = command_line::more_servers(*connecting);
-  line.connecting.options.websocket = std::move(connecting->websocket);
+  auto connection = command_line::read_connect_options(connect);
+  if (!connection) return tl::unexpected{Exit{kExitWrongUse, connection.error()}};
+  line.target.server = std::move(connection->server);
+  line.target.options.token = std::move(connection->token);
+  line.target.options.tls = std::move(connection->tls);
+  line.target.options.more_servers = command_line::more_servers(*connection);
+  line.target.options.websocket = std::move(connection->websocket);
 
   auto checked = app.got_subcommand("get")    ? check_get(std::move(line), get_options, words)
                  : app.got_subcommand("at")   ? check_at(std::move(line), at_options, words)

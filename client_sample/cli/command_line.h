@@ -12,7 +12,7 @@
 namespace talus::cli {
 
 struct CommandLine {
-  ConnectTarget connecting;
+  ConnectTarget target;
   std::variant<GetOptions, AtOptions, FlyOptions, MapOptions, EditOptions> options;
 };
 

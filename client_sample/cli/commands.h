@@ -28,7 +28,7 @@ struct GetOptions {
   std::filesystem::path output;  // empty: print a summary
   double timeout_seconds = 30;   // without an answer
 };
-[[nodiscard]] asio::awaitable<CommandResult> get(ConnectTarget connecting, GetOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> get(ConnectTarget target, GetOptions options);
 
 struct FlyOptions {
   static constexpr int kRadius = 8;
@@ -43,13 +43,13 @@ struct FlyOptions {
   std::filesystem::path output;        // map; may be empty
   std::filesystem::path view;          // final view of the camera; may be empty
 };
-[[nodiscard]] asio::awaitable<CommandResult> fly(ConnectTarget connecting, FlyOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> fly(ConnectTarget target, FlyOptions options);
 
 struct AtOptions {
   std::vector<client::Column> columns;
   double timeout_seconds = 30;  // without an answer
 };
-[[nodiscard]] asio::awaitable<CommandResult> at(ConnectTarget connecting, AtOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> at(ConnectTarget target, AtOptions options);
 
 struct EditOptions {
   VoxelPos from, to;            // corners of a box, both included, in any order
@@ -58,7 +58,7 @@ struct EditOptions {
   std::string subject;          // player for whom to edit; empty: the token's own subject
   double timeout_seconds = 30;  // without an answer
 };
-[[nodiscard]] asio::awaitable<CommandResult> edit(ConnectTarget connecting, EditOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> edit(ConnectTarget target, EditOptions options);
 
 struct MapOptions {
   std::optional<client::Column> center;     // nullopt: the spawn point
@@ -66,6 +66,6 @@ struct MapOptions {
   std::filesystem::path output;
   double timeout_seconds = 30;  // without an answer
 };
-[[nodiscard]] asio::awaitable<CommandResult> map(ConnectTarget connecting, MapOptions options);
+[[nodiscard]] asio::awaitable<CommandResult> map(ConnectTarget target, MapOptions options);
 
 }  // namespace talus::cli

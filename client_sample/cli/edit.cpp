@@ -47,12 +47,12 @@ tl::expected<client::Edit, std::string> edit_of(const EditOptions& options, cons
 
 }  // namespace
 
-asio::awaitable<CommandResult> edit(ConnectTarget connecting, EditOptions options) {
+asio::awaitable<CommandResult> edit(ConnectTarget target, EditOptions options) {
   const auto executor = co_await asio::this_coro::executor;
-  client::Client client{executor, connecting.options};
-  const RequestTimeout timeout{executor, *connecting.options.clock, client,
+  client::Client client{executor, target.options};
+  const RequestTimeout timeout{executor, *target.options.clock, client,
                                RequestTimeout::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
+  const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{timeout.explain(world.error())};
   auto edit = edit_of(options, *world);
   if (!edit) co_return tl::unexpected{edit.error()};

@@ -187,17 +187,17 @@ CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo&
 
 }  // namespace
 
-asio::awaitable<CommandResult> fly(ConnectTarget connecting, FlyOptions options) {
+asio::awaitable<CommandResult> fly(ConnectTarget target, FlyOptions options) {
   for (const auto& path : {options.output, options.view}) {
     if (const auto checked = check_output(path); !checked) co_return checked;
   }
   const auto executor = co_await asio::this_coro::executor;
   FlightData gathered;
-  client::Client client{executor, connecting.options, events_into(gathered)};
-  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
+  client::Client client{executor, target.options, events_into(gathered)};
+  const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{world.error().message};
   gathered.surface.emplace(world->materials);
-  RequestTimeout timeout{executor, *connecting.options.clock, client,
+  RequestTimeout timeout{executor, *target.options.clock, client,
                          RequestTimeout::Seconds{options.seconds + kGraceSeconds}};
   const auto flight = co_await plan(client, *world, options, timeout);
   if (!flight) co_return tl::unexpected{timeout.explain(flight.error())};

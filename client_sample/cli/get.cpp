@@ -60,13 +60,13 @@ tl::expected<void, files::FileError> write_npy(const std::filesystem::path& path
 
 }  // namespace
 
-asio::awaitable<CommandResult> get(ConnectTarget connecting, GetOptions options) {
+asio::awaitable<CommandResult> get(ConnectTarget target, GetOptions options) {
   if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
-  client::Client client{executor, connecting.options};
-  const RequestTimeout timeout{executor, *connecting.options.clock, client,
+  client::Client client{executor, target.options};
+  const RequestTimeout timeout{executor, *target.options.clock, client,
                                RequestTimeout::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
+  const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{timeout.explain(world.error())};
 
   const auto asked = std::chrono::steady_clock::now();

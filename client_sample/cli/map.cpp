@@ -143,13 +143,13 @@ class Survey {
 
 }  // namespace
 
-asio::awaitable<CommandResult> map(ConnectTarget connecting, MapOptions options) {
+asio::awaitable<CommandResult> map(ConnectTarget target, MapOptions options) {
   if (const auto checked = check_output(options.output); !checked) co_return checked;
   const auto executor = co_await asio::this_coro::executor;
-  client::Client client{executor, connecting.options};
-  RequestTimeout timeout{executor, *connecting.options.clock, client,
+  client::Client client{executor, target.options};
+  RequestTimeout timeout{executor, *target.options.clock, client,
                          RequestTimeout::Seconds{options.timeout_seconds}};
-  const auto world = co_await client.connect(connecting.server.host, std::to_string(connecting.server.port));
+  const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{timeout.explain(world.error())};
 
   const auto center = options.center.value_or(client::Column{world->spawn.x, world->spawn.z});

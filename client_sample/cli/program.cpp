@@ -19,11 +19,11 @@ int failed(const std::string& line, int status = 1) {
 }
 
 asio::awaitable<CommandResult> start(const CommandLine& line) {
-  if (const auto* options = std::get_if<GetOptions>(&line.options)) return get(line.connecting, *options);
-  if (const auto* options = std::get_if<AtOptions>(&line.options)) return at(line.connecting, *options);
-  if (const auto* options = std::get_if<FlyOptions>(&line.options)) return fly(line.connecting, *options);
-  if (const auto* options = std::get_if<EditOptions>(&line.options)) return edit(line.connecting, *options);
-  return map(line.connecting, std::get<MapOptions>(line.options));
+  if (const auto* options = std::get_if<GetOptions>(&line.options)) return get(line.target, *options);
+  if (const auto* options = std::get_if<AtOptions>(&line.options)) return at(line.target, *options);
+  if (const auto* options = std::get_if<FlyOptions>(&line.options)) return fly(line.target, *options);
+  if (const auto* options = std::get_if<EditOptions>(&line.options)) return edit(line.target, *options);
+  return map(line.target, std::get<MapOptions>(line.options));
 }
 
 CommandResult run(const CommandLine& line) {

@@ -96,7 +96,7 @@ void add_builders(CLI::App& app, Options& options) {
       app.add_option("--edit-in-flight", options.edits_in_flight,
                      "Instead of a rate: edits that each player keeps unanswered (a closed loop)");
   auto* const group = app.add_option("--edit-group", options.edit_group,
-                                     "Number of players who edit and look on at one place");
+                                     "Number of players that edit and watch at one place");
   app.add_option("--edits-file", options.edits_file,
                  "Append a line to this file for each acknowledged edit that changed its voxel: revision, x, "
                  "y, z, material id");

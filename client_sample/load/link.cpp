@@ -35,34 +35,34 @@ std::error_code error_of(const tls::Step& step) {
 Link::Link(asio::io_context& io, std::span<std::byte> scratch, LinkOwner& owner)
     : socket_{io}, scratch_{scratch}, owner_{owner}, frames_{protocol::kServerFrameBytes} {}
 
-void Link::open(const OpenOptions& opening) {
+void Link::open(const OpenOptions& options) {
   close(false);
   frames_ = protocol::FrameReader{protocol::kServerFrameBytes};
   std::error_code error;
-  socket_.open(opening.server.protocol(), error);
-  if (!error && opening.from) {
+  socket_.open(options.server.protocol(), error);
+  if (!error && options.from) {
     // Choose the port on connecting, or there would be only 64,512 ports for all servers.
     const int on = 1;
     ::setsockopt(socket_.native_handle(), IPPROTO_IP, IP_BIND_ADDRESS_NO_PORT, &on, sizeof(on));
-    socket_.bind({*opening.from, 0}, error);
+    socket_.bind({*options.from, 0}, error);
   }
-  if (!error && opening.paced) {
+  if (!error && options.paced) {
     socket_.set_option(asio::socket_base::receive_buffer_size{kPacedReceiveBuffer}, error);
   }
   if (!error) socket_.non_blocking(true, error);
   if (error) return fail(words_of(error));
-  paced_ = opening.paced;
-  if (opening.tls != nullptr) {
-    tls_.emplace(client::new_tls(opening.tls, opening.tls_options, opening.server.address().to_string()),
+  paced_ = options.paced;
+  if (options.tls != nullptr) {
+    tls_.emplace(client::new_tls(options.tls, options.tls_options, options.server.address().to_string()),
                  socket_.native_handle());
   }
-  if (opening.websocket.on) {
-    auto side = client::new_websocket(opening.websocket, opening.server.address().to_string(),
-                                      std::to_string(opening.server.port()));
+  if (options.websocket.on) {
+    auto side = client::new_websocket(options.websocket, options.server.address().to_string(),
+                                      std::to_string(options.server.port()));
     if (!side) return fail(side.error().message);
     websocket_ = std::move(*side);
   }
-  socket_.async_connect(opening.server, [this, mine = opening_](std::error_code failed) {
+  socket_.async_connect(options.server, [this, mine = opening_](std::error_code failed) {
     if (mine != opening_) return;
     if (failed) return fail(words_of(failed));
     std::error_code ignored;

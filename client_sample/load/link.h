@@ -46,7 +46,7 @@ class Link {
     client::TlsOptions tls_options{};
     client::WebSocketOptions websocket{};
   };
-  void open(const OpenOptions& opening);
+  void open(const OpenOptions& options);
   void send(std::span<const std::byte> frame);
   /// Reads at most `max_bytes` available bytes. No effect before opened(): earlier bytes belong to the
   /// handshake.

@@ -22,9 +22,9 @@ glm::dvec3 scattered(const glm::dvec3& origin, double radius, Random& random) {
   return origin + ahead(random.between(0, kTurn)) * random.between(0, radius);
 }
 
-class Standing final : public Motion {
+class NoMotion final : public Motion {
  public:
-  explicit Standing(const glm::dvec3& place) : place_{place} {}
+  explicit NoMotion(const glm::dvec3& place) : place_{place} {}
   Pose at(double) override { return {place_, {}}; }
   [[nodiscard]] bool moves() const override { return false; }
 
@@ -32,9 +32,9 @@ class Standing final : public Motion {
   glm::dvec3 place_;
 };
 
-class Flying final : public Motion {
+class Flight final : public Motion {
  public:
-  Flying(const glm::dvec3& start, double heading, double speed)
+  Flight(const glm::dvec3& start, double heading, double speed)
       : start_{start}, ahead_{ahead(heading)}, speed_{speed} {}
   Pose at(double seconds) override { return {start_ + ahead_ * (speed_ * seconds), ahead_}; }
 
@@ -44,10 +44,9 @@ class Flying final : public Motion {
 };
 
 /// Straight on for some seconds, then in another direction.
-class Walking final : public Motion {
+class Walk final : public Motion {
  public:
-  Walking(const glm::dvec3& start, double speed, Random random)
-      : from_{start}, speed_{speed}, random_{random} {
+  Walk(const glm::dvec3& start, double speed, Random random) : from_{start}, speed_{speed}, random_{random} {
     turn();
   }
   Pose at(double seconds) override {
@@ -71,9 +70,9 @@ class Walking final : public Motion {
   Random random_;
 };
 
-class Teleporting final : public Motion {
+class Teleports final : public Motion {
  public:
-  Teleporting(const glm::dvec3& origin, double dwell_seconds, Random random)
+  Teleports(const glm::dvec3& origin, double dwell_seconds, Random random)
       : origin_{origin}, place_{origin}, dwell_{dwell_seconds}, random_{random} {
     until_ = random_.between(0, dwell_);  // so that players do not all jump at once
   }
@@ -92,9 +91,9 @@ class Teleporting final : public Motion {
 };
 
 /// From the surroundings to one place, then around in it.
-class Swarming final : public Motion {
+class SwarmWalk final : public Motion {
  public:
-  Swarming(const glm::dvec3& goal, double speed, Random random)
+  SwarmWalk(const glm::dvec3& goal, double speed, Random random)
       : start_{scattered(goal, 1500, random)},
         goal_{scattered(goal, kApart, random)},
         speed_{speed},
@@ -110,12 +109,12 @@ class Swarming final : public Motion {
  private:
   glm::dvec3 start_, goal_;
   double speed_;
-  Walking about_;
+  Walk about_;
 };
 
-class Tracing final : public Motion {
+class TracePlayback final : public Motion {
  public:
-  Tracing(const glm::dvec3& origin, std::shared_ptr<const Trace> trace)
+  TracePlayback(const glm::dvec3& origin, std::shared_ptr<const Trace> trace)
       : origin_{origin}, trace_{std::move(trace)} {}
   Pose at(double seconds) override {
     while (next_ + 1 < trace_->size() && (*trace_)[next_].seconds < seconds) ++next_;
@@ -139,17 +138,17 @@ std::unique_ptr<Motion> make_motion(const MotionPlan& plan, Random random) {
   switch (plan.model) {
     case Role::walk:
     case Role::slow:
-      return std::make_unique<Walking>(start, plan.speed, random);
+      return std::make_unique<Walk>(start, plan.speed, random);
     case Role::fly:
-      return std::make_unique<Flying>(start, plan.heading, plan.speed);
+      return std::make_unique<Flight>(start, plan.heading, plan.speed);
     case Role::teleport:
-      return std::make_unique<Teleporting>(start, plan.dwell_seconds, random);
+      return std::make_unique<Teleports>(start, plan.dwell_seconds, random);
     case Role::swarm:
-      return std::make_unique<Swarming>(plan.origin, plan.speed, random);
+      return std::make_unique<SwarmWalk>(plan.origin, plan.speed, random);
     case Role::trace:
-      return std::make_unique<Tracing>(plan.origin, plan.trace);
+      return std::make_unique<TracePlayback>(plan.origin, plan.trace);
     default:
-      return std::make_unique<Standing>(start);
+      return std::make_unique<NoMotion>(start);
   }
 }
 

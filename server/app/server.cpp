@@ -39,9 +39,9 @@ namespace talus::server {
 namespace {
 
 constexpr std::chrono::milliseconds kHousekeepingInterval{50};
-constexpr std::chrono::seconds kMemoryInterval{1};
-constexpr std::chrono::seconds kFlowsInterval{1};
-constexpr std::chrono::seconds kEditsInterval{1};
+constexpr std::chrono::seconds kMemoryCheckInterval{1};
+constexpr std::chrono::seconds kFlowsCollectInterval{1};
+constexpr std::chrono::seconds kEditsCheckInterval{1};
 constexpr std::size_t kTopFlows = 10;
 // The main thread counts as hung after this long without housekeeping.
 constexpr std::chrono::seconds kMaxSilence{15};
@@ -449,7 +449,7 @@ bool Server::fit_edit_cache() {
 void Server::watch_edits() {
   if (edits_ == nullptr) return;
   const auto now = clock_.now();
-  if (now - edits_checked_at_ < kEditsInterval) return;
+  if (now - edits_checked_at_ < kEditsCheckInterval) return;
   edits_checked_at_ = now;
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
@@ -466,7 +466,7 @@ void Server::watch_edits() {
 
 void Server::collect_flows() {
   const auto now = clock_.now();
-  if (now - flows_collected_at_ < kFlowsInterval) return;
+  if (now - flows_collected_at_ < kFlowsCollectInterval) return;
   flows_collected_at_ = now;
   try {
     flows_.collect(now);
@@ -477,7 +477,7 @@ void Server::collect_flows() {
 
 void Server::give_memory_back() {
   const auto now = clock_.now();
-  if (now - memory_checked_at_ < kMemoryInterval) return;
+  if (now - memory_checked_at_ < kMemoryCheckInterval) return;
   memory_checked_at_ = now;
 #ifdef __GLIBC__
   if (trims_ || !trim_policy_.due(memory_.used())) return;

@@ -54,9 +54,9 @@ class ChunkSource {
   /// received that yet finds the change here.
   [[nodiscard]] virtual std::uint64_t revision(ChunkKey) const { return kBaseRevision; }
   /// Returns the voxels that changed after revision `since`; nullopt if that is not known, or if they are
-  /// more than `most`.
+  /// more than `max_voxels`.
   [[nodiscard]] virtual std::optional<ChangedVoxels> changes_since(ChunkKey, std::uint64_t /*since*/,
-                                                                   std::size_t /*most*/) const {
+                                                                   std::size_t /*max_voxels*/) const {
     return std::nullopt;
   }
 

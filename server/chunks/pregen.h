@@ -69,7 +69,7 @@ using RunPregen = std::function<tl::expected<PregenProgress, std::string>(
 
 /// The error if nothing is stored on disk.
 inline constexpr std::string_view kNoColumnCache =
-    "what is generated is not kept on disk here; set cache.disk_bytes and give --data DIR";
+    "generated chunks are not kept on disk here; set cache.disk_bytes and give --data DIR";
 
 class Pregen {
  public:

@@ -25,7 +25,7 @@ namespace talus::server {
 inline constexpr std::chrono::nanoseconds kFoundChunk{2000};
 
 // Maximum size of output that is written at once by the code that produced it.
-inline constexpr std::size_t kMaxLittleBytes = 4096;
+inline constexpr std::size_t kMaxImmediateBytes = 4096;
 
 inline constexpr std::string_view kClosedByClient = "closed by the client";
 
@@ -323,7 +323,7 @@ bool SessionRunner<S>::write_little() {
   if constexpr (requires { stream_.write_now(asio::const_buffer{}); }) {
     // No write is in flight or pending.
     const bool idle = output_waits_.deadline() != Clock::time_point::min() && !unsent_;
-    if (!idle || session_.closing() || !session_.has_little_to_write(kMaxLittleBytes)) return false;
+    if (!idle || session_.closing() || !session_.has_little_to_write(kMaxImmediateBytes)) return false;
     Output output = session_.take_output(batch_size_.bytes(), S::kGatherFrom);
     const auto pieces = output.pieces();
     std::size_t sent = 0;

@@ -25,12 +25,12 @@ TEST_CASE("a map asks for no more heights at once than the server allows") {
   const ScratchDirectory scratch;
   std::vector<std::size_t> requests;
   const auto visit = [&]() -> asio::awaitable<void> {
-    ConnectTarget connecting{{"127.0.0.1", static_cast<std::uint16_t>(std::stoi(peer.port()))}, {}};
+    ConnectTarget target{{"127.0.0.1", static_cast<std::uint16_t>(std::stoi(peer.port()))}, {}};
     MapOptions options;
     options.center = client::Column{16, 16};
     options.width = options.depth = 2;
     options.output = scratch / "map.png";
-    const auto drawn = co_await map(std::move(connecting), std::move(options));
+    const auto drawn = co_await map(std::move(target), std::move(options));
     CHECK((drawn ? "" : drawn.error()) == std::string{});
   };
   const auto serve = [&]() -> asio::awaitable<void> {

@@ -223,7 +223,7 @@ TEST_CASE("a client says Ping before the server's idle time-out, however seldom 
 }
 
 TEST_CASE("a server that answers no Ping is sent few to keep the connection alive") {
-  constexpr int kMaxUnanswered = 8;
+  constexpr int kMaxUnansweredPings = 8;
   asio::io_context io;
   Peer peer{io};
   ManualClock clock;
@@ -234,7 +234,7 @@ TEST_CASE("a server that answers no Ping is sent few to keep the connection aliv
   Client client{io.get_executor(), options};
   const auto visit = [&]() -> asio::awaitable<void> {
     co_await join(client, peer);
-    for (int interval = 0; interval < 2 * kMaxUnanswered; ++interval) {
+    for (int interval = 0; interval < 2 * kMaxUnansweredPings; ++interval) {
       while (!clock.next()) co_await asio::post(io, asio::use_awaitable);
       clock.advance(*clock.next() - clock.now());
     }
@@ -244,7 +244,7 @@ TEST_CASE("a server that answers no Ping is sent few to keep the connection aliv
   };
   const auto serve = [&]() -> asio::awaitable<void> {
     co_await peer.welcome();
-    for (int pings = 0; pings < kMaxUnanswered; ++pings) (void)co_await peer.receive();
+    for (int pings = 0; pings < kMaxUnansweredPings; ++pings) (void)co_await peer.receive();
     const auto nonce = (co_await peer.receive())->body_as_Ping()->nonce();
     co_await peer.send(protocol::make_frame([&](auto& b) { return wire::CreatePong(b, nonce); }));
     peer.hang_up();

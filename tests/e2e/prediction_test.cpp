@@ -18,7 +18,7 @@ using namespace talus::e2e;
 
 namespace {
 
-constexpr std::size_t kMaxUnanswered = 256;
+constexpr std::size_t kMaxUnansweredEdits = 256;
 
 /// A player whose store shows own edits at once.
 struct Builder {
@@ -178,7 +178,7 @@ TEST_CASE("when two who build over one another are done, both see what the serve
     who.edit(write_of(at, MaterialId{static_cast<std::uint16_t>(random() % 2 == 0 ? 0 : 2)}, who.sees(at)));
     who.io.poll();
     who.io.restart();
-    who.until([&] { return who.unanswered < kMaxUnanswered; });
+    who.until([&] { return who.unanswered < kMaxUnansweredEdits; });
   }
   const auto quiet = [&] { return one.unanswered + two.unanswered + one.own.open() + two.own.open() == 0; };
   while (!quiet()) {

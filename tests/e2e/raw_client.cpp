@@ -116,8 +116,8 @@ bool RawClient::send_raw(std::span<const std::byte> bytes) {
 }
 
 std::optional<std::size_t> RawClient::send_some(std::span<const std::byte> bytes) {
-  constexpr std::size_t kMaxWrapped = std::size_t{64} * 1024;
-  const std::size_t fresh = websocket_ && unsent_.empty() ? std::min(bytes.size(), kMaxWrapped) : 0;
+  constexpr std::size_t kMaxMessageBytes = std::size_t{64} * 1024;
+  const std::size_t fresh = websocket_ && unsent_.empty() ? std::min(bytes.size(), kMaxMessageBytes) : 0;
   if (fresh > 0) unsent_ = wrapped(bytes.first(fresh));
   if (websocket_) bytes = unsent_;
   ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

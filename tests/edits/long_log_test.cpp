@@ -24,7 +24,7 @@ constexpr std::uint64_t kLogs = 2;
 #else
 constexpr std::uint64_t kLogs = 40;
 #endif
-constexpr std::uint64_t kComparisonInterval = 500;  // at all voxels
+constexpr std::uint64_t kComparisonInterval = 500;  // revisions between comparisons of all voxels
 
 class LongLog {
  public:

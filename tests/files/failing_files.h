@@ -25,8 +25,8 @@ class FailingFiles final : public FileLayer {
   [[nodiscard]] bool has_failed() const { return calls_left_ < 0; }
   [[nodiscard]] std::size_t open_files() const { return open_.size(); }
 
-  Result<int> open_to_read(const std::filesystem::path& path, WaitPolicy waiting) override {
-    return opened([&] { return system_files().open_to_read(path, waiting); });
+  Result<int> open_to_read(const std::filesystem::path& path, WaitPolicy wait) override {
+    return opened([&] { return system_files().open_to_read(path, wait); });
   }
   Result<int> open_directory(const std::filesystem::path& path) override {
     auto directory = opened([&] { return system_files().open_directory(path); });

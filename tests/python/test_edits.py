@@ -204,7 +204,7 @@ class Live(unittest.TestCase):
                             os.kill(server.process.pid, signal.SIGKILL)
                             server.__exit__()
                             server = Server(**settings)
-                        # Status twice, its guard would not hold.
+                        # Applied twice, its guard would not hold.
                         self.assertEqual(world.edit([((x + i, y, z), stone)], guards=[((x + i, y, z), "air")]).changed, 1)
                     for i in range(8):
                         at = (x + i) // 32, y // 32, z // 32

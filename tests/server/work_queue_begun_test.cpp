@@ -193,7 +193,7 @@ TEST_CASE("two heights of one client in the making are both gone on with") {
   }
   auto first = take(queue);
   auto second = take(queue);
-  std::get<HeightsTask>(second.what).making() = std::make_unique<Nothing>();
+  std::get<HeightsTask>(second.what).build() = std::make_unique<Nothing>();
   queue.put_back(std::move(std::get<HeightsTask>(second.what)));
   queue.reconcile(second, 25);
   std::get<HeightsTask>(first.what).add({{7}, {}, {}});
@@ -219,7 +219,7 @@ TEST_CASE("heights that were begun count until they are gone on with or cancelle
     auto& task = std::get<HeightsTask>(work.what);
     CHECK(task.is_begun() == cancelled);
     CHECK(queue.begun() == 0);
-    if (!task.is_begun()) task.making() = std::make_unique<Nothing>();
+    if (!task.is_begun()) task.build() = std::make_unique<Nothing>();
     queue.put_back(std::move(task));
     queue.reconcile(work, 25);
     CHECK(queue.begun() == 1);

@@ -328,9 +328,9 @@ asio::awaitable<void> Core::ping_loop(ConnectionPtr connection, std::chrono::mil
       co_return;
     }
     // A Pong may be delayed behind much other data. A server that never answers gets no more Pings.
-    constexpr std::ptrdiff_t kMaxUnanswered = 8;
+    constexpr std::ptrdiff_t kMaxUnansweredPings = 8;
     const auto keeps_alive = [](const auto& ping) { return ping.second.handler == nullptr; };
-    if (std::ranges::count_if(open_pings_, keeps_alive) < kMaxUnanswered) ping(nullptr);
+    if (std::ranges::count_if(open_pings_, keeps_alive) < kMaxUnansweredPings) ping(nullptr);
   }
 }
 

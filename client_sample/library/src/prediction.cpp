@@ -25,7 +25,7 @@ LocalPos place_of(std::uint16_t index) {
 
 }  // namespace
 
-struct Prediction::Open {
+struct Prediction::PredictedEdit {
   Id id{};
   Edit edit;
   std::vector<edits::TouchedChunk> touched;
@@ -72,7 +72,7 @@ void Prediction::erase(const ChunkKey& key) {
   store_.erase(key);
   if (!is_touched(key)) return;
   confirmed_.erase(key.coord);
-  for (Open& open : edits_) {
+  for (PredictedEdit& open : edits_) {
     if (open.revision && open.touches(key.coord)) open.resolved.insert(key.coord);
   }
   rebuild();
@@ -80,7 +80,7 @@ void Prediction::erase(const ChunkKey& key) {
 
 bool Prediction::is_touched(const ChunkKey& key) const {
   return key.lod == Lod{} &&
-         std::ranges::any_of(edits_, [&](const Open& open) { return open.touches(key.coord); });
+         std::ranges::any_of(edits_, [&](const PredictedEdit& open) { return open.touches(key.coord); });
 }
 
 bool Prediction::covers_lost() const {
@@ -144,7 +144,7 @@ Prediction::Id Prediction::begin(const Edit& edit) {
 }
 
 void Prediction::done(Id id, const Result<EditDone>& result) {
-  const auto open = std::ranges::find(edits_, id, &Open::id);
+  const auto open = std::ranges::find(edits_, id, &PredictedEdit::id);
   if (open == edits_.end()) return;
   if (result) {
     open->revision = result->revision;
@@ -160,7 +160,7 @@ void Prediction::done(Id id, const Result<EditDone>& result) {
 
 std::vector<ChunkKey> Prediction::behind(Id id) const {
   std::vector<ChunkKey> keys;
-  const auto open = std::ranges::find(edits_, id, &Open::id);
+  const auto open = std::ranges::find(edits_, id, &PredictedEdit::id);
   if (open == edits_.end() || !open->revision) return keys;
   for (const edits::TouchedChunk& touched : open->touched) {
     if (waits(*open, touched.chunk)) keys.push_back(key_of(touched.chunk));
@@ -169,7 +169,7 @@ std::vector<ChunkKey> Prediction::behind(Id id) const {
 }
 
 void Prediction::resolve(Id id, const ChunkKey& key) {
-  const auto open = std::ranges::find(edits_, id, &Open::id);
+  const auto open = std::ranges::find(edits_, id, &PredictedEdit::id);
   if (open == edits_.end()) return;
   open->resolved.insert(key.coord);
   rebuild();
@@ -181,7 +181,7 @@ void Prediction::rebuild(std::optional<ChunkKey> came) {
   std::vector<ChunkKey> changed;
   if (!edits_.empty() || !confirmed_.empty()) {
     Overlays overlays;
-    std::erase_if(edits_, [&](const Open& open) { return apply(open, overlays); });
+    std::erase_if(edits_, [&](const PredictedEdit& open) { return apply(open, overlays); });
     changed = show(overlays);
   }
   if (came && std::ranges::find(changed, *came) == changed.end()) changed.push_back(*came);
@@ -189,7 +189,7 @@ void Prediction::rebuild(std::optional<ChunkKey> came) {
   for (const ChunkKey& key : changed) changed_(key);
 }
 
-bool Prediction::waits(const Open& open, ChunkCoord chunk) const {
+bool Prediction::waits(const PredictedEdit& open, ChunkCoord chunk) const {
   // A chunk at the edit's revision or later includes it. A chunk that the edit did not change never reaches
   // that revision; once the server's earlier edits have arrived, reapplying the edit there mostly changes
   // nothing. But loose material may have slid into a dug hole; then requesting the chunk again settles it.
@@ -198,7 +198,7 @@ bool Prediction::waits(const Open& open, ChunkCoord chunk) const {
   return !open.revision || (held->revision < *open.revision && !open.resolved.contains(chunk));
 }
 
-bool Prediction::apply(const Open& open, Overlays& overlays) const {
+bool Prediction::apply(const PredictedEdit& open, Overlays& overlays) const {
   edits::BaseVoxels base;
   for (const edits::TouchedChunk& touched : open.touched) {
     const ReceivedChunk* const held = confirmed(touched.chunk);

@@ -79,9 +79,9 @@ class Header:
                 return value
         raise DecodeError("bad_number", "a number over 65,535 or longer than necessary")
 
-    def numbers(self, count, most):
-        if not 1 <= count <= most:
-            raise DecodeError("bad_materials", f"{count} materials; from 1 to {most} are possible")
+    def numbers(self, count, max_count):
+        if not 1 <= count <= max_count:
+            raise DecodeError("bad_materials", f"{count} materials; from 1 to {max_count} are possible")
         return [self.number() for _ in range(count)]
 
     def materials_with_probabilities(self):
@@ -92,7 +92,7 @@ class Header:
 
     def coded(self):
         """The rest: 16 states and the coded part."""
-        return Coded(self.payload, self.at)
+        return RansReader(self.payload, self.at)
 
 
 def slot_table(sizes):
@@ -102,7 +102,7 @@ def slot_table(sizes):
     return [(size, place, symbol) for symbol, size in enumerate(sizes) for place in range(size)]
 
 
-class Coded:
+class RansReader:
     """Sixteen rANS states and the bytes that they read, to the end of the payload."""
 
     def __init__(self, payload, at):

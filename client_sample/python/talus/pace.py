@@ -11,8 +11,8 @@ class Pace:
         rates = [rates for rates in (limits.session_rates, limits.address_rates) if rates and rates.requests]
         self.per_second = min((rates.requests for rates in rates), default=0)
         # An eighth is reserved, as the two clocks differ.
-        self.most = min((max(1, rates.requests * rates.burst_ms / 1000 * 7 / 8) for rates in rates), default=1)
-        self.level = self.most
+        self.max_level = min((max(1, rates.requests * rates.burst_ms / 1000 * 7 / 8) for rates in rates), default=1)
+        self.level = self.max_level
         self.updated = now()
         self.held_until = self.updated
 
@@ -40,5 +40,5 @@ class Pace:
 
     def _fill(self):
         now = self.now()
-        self.level = min(self.most, self.level + max(0, now - self.updated) * self.per_second)
+        self.level = min(self.max_level, self.level + max(0, now - self.updated) * self.per_second)
         self.updated = max(self.updated, now)

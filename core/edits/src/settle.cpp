@@ -62,7 +62,7 @@ class Settler {
         }
       }
     }
-    return settled_;
+    return work_;
   }
 
  private:
@@ -77,9 +77,7 @@ class Settler {
   SettlingVoxel& at(int x, int y, int z) {
     return voxels_[static_cast<std::size_t>(y) * columns_.size() + number(x, z)];
   }
-  [[nodiscard]] bool may_go_on() const {
-    return settled_.moves < kSettleMoves && settled_.probes < kSettleProbes;
-  }
+  [[nodiscard]] bool may_go_on() const { return work_.moves < kSettleMoves && work_.probes < kSettleProbes; }
 
   [[nodiscard]] const SettleRule* rule_of(MaterialId material) const {
     const auto rule = std::ranges::lower_bound(rules_, material, {}, &SettleRule::material);
@@ -119,7 +117,7 @@ class Settler {
 
   /// From the bottom up, so that material comes down on material already at rest.
   void settle_column(int x, int z) {
-    ++settled_.probes;
+    ++work_.probes;
     const Column& column = this->column(x, z);
     for (int y = 0; y + 1 < rows_ && may_go_on();) {
       const Rows over_room = column.loose & (column.open << 1U);
@@ -127,7 +125,7 @@ class Settler {
       const Rows left = (over_room | in_the_open) & ~below(y + 1) & ~row(0);
       if (left == 0) return;
       y = std::countr_zero(left);
-      ++settled_.probes;
+      ++work_.probes;
       if ((over_room & row(y)) != 0) {
         if (const auto to = fall(x, y, z)) move({x, y, z}, *to);
       } else if (const auto to = slide(x, y, z)) {
@@ -197,7 +195,7 @@ class Settler {
     reached.loose |= row(to.y);
     set_around(from.x, from.z);
     set_around(to.x, to.z);
-    ++settled_.moves;
+    ++work_.moves;
   }
 
   int width_;
@@ -207,7 +205,7 @@ class Settler {
   std::span<SettlingVoxel> voxels_;
   std::vector<Column> columns_;
   bool any_wait_ = false;
-  SettleWork settled_;
+  SettleWork work_;
 };
 
 }  // namespace

@@ -35,8 +35,8 @@ std::string descriptor_link(int file) {
 
 class SystemFiles final : public FileLayer {
  public:
-  Result<int> open_to_read(const fs::path& path, WaitPolicy waiting) override {
-    const int never_waits = waiting == WaitPolicy::never ? O_NONBLOCK : 0;
+  Result<int> open_to_read(const fs::path& path, WaitPolicy wait) override {
+    const int never_waits = wait == WaitPolicy::never ? O_NONBLOCK : 0;
     return opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | never_waits));
   }
 

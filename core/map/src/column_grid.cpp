@@ -97,10 +97,10 @@ bool SlopeSampler::step() {
 
 ColumnSamples sample_columns(const terrain::World& world, const ColumnGrid& grid,
                              std::span<const std::string> names) {
-  ColumnSampler sampling{world, grid, names};
-  while (sampling.step()) {
+  ColumnSampler sampler{world, grid, names};
+  while (sampler.step()) {
   }
-  return sampling.take();
+  return sampler.take();
 }
 
 }  // namespace talus::map

@@ -42,24 +42,24 @@ class GridPainter::Work final : public Painting {
         image_{image},
         x_{x},
         y_{y},
-        sampling_{std::in_place, painter.world_, grid.expanded(kReliefRing), painter.looks_->names()} {
-    if (painter.source_ == Source::own_slope) sloping_.emplace(painter.world_, grid);
+        sampler_{std::in_place, painter.world_, grid.expanded(kReliefRing), painter.looks_->names()} {
+    if (painter.source_ == Source::own_slope) slope_sampler_.emplace(painter.world_, grid);
   }
 
   bool step() override {
-    if (sampling_) {
-      if (sampling_->step()) return true;
-      samples_ = sampling_->take();
-      sampling_.reset();
+    if (sampler_) {
+      if (sampler_->step()) return true;
+      samples_ = sampler_->take();
+      sampler_.reset();
       ground_ = painter_.lifted(samples_.heights_fx, false);
       seen_ = painter_.lifted(samples_.heights_fx, true);
       if (painter_.source_ == Source::stacks) tops_ = painter_.tops_of_stacks(grid_);
       return true;
     }
-    if (sloping_) {
-      if (sloping_->step()) return true;
-      slopes_fx_ = sloping_->take();
-      sloping_.reset();
+    if (slope_sampler_) {
+      if (slope_sampler_->step()) return true;
+      slopes_fx_ = slope_sampler_->take();
+      slope_sampler_.reset();
       return true;
     }
     const int end = std::min(grid_.depth, next_row_ + kRowsAStep);
@@ -100,8 +100,8 @@ class GridPainter::Work final : public Painting {
   Image& image_;
   const int x_;
   const int y_;
-  std::optional<ColumnSampler> sampling_;
-  std::optional<SlopeSampler> sloping_;
+  std::optional<ColumnSampler> sampler_;
+  std::optional<SlopeSampler> slope_sampler_;
   ColumnSamples samples_;     // with the ring
   terrain::Field slopes_fx_;  // without the ring
   terrain::Field ground_;

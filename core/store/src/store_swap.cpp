@@ -157,7 +157,7 @@ bool swap_is_begun(const fs::path& directory) {
 }
 
 tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, const fs::path& replaced) {
-  constexpr std::size_t kMaxRejoined = 2;
+  constexpr std::size_t kMaxRejoinedStores = 2;
   constexpr std::string_view kRejoined = "rejoined-";
   std::set<std::uint64_t> numbers;
   std::error_code code;
@@ -173,7 +173,7 @@ tl::expected<fs::path, std::string> keep_rejoined(const fs::path& directory, con
   const std::uint64_t next = numbers.empty() ? 1 : *numbers.rbegin() + 1;
   const fs::path kept = directory / fmt::format("{}{}", kRejoined, next);
   if (auto moved = rename_now(replaced, kept); !moved) return tl::unexpected{moved.error()};
-  for (; numbers.size() >= kMaxRejoined; numbers.erase(numbers.begin())) {
+  for (; numbers.size() >= kMaxRejoinedStores; numbers.erase(numbers.begin())) {
     const fs::path oldest = directory / fmt::format("{}{}", kRejoined, *numbers.begin());
     fs::remove_all(oldest, code);
     if (code) return swap_failure(oldest, code);

@@ -102,7 +102,7 @@ class BandPainter {
         options_{options},
         light_{rays},
         seam_{glm::clamp((camera.pixels_per_voxel() - 3) / 7, 0.0F, 1.0F)},
-        // Both fade if voxels are smaller than a few pixels, as they would trace like noise.
+        // Both fade if voxels are smaller than a few pixels, as they would look like noise.
         grain_{0.16F * glm::clamp((camera.pixels_per_voxel() - 1) / 5, 0.0F, 1.0F)},
         corner_{glm::mix(0.22F, 0.45F, glm::clamp((camera.pixels_per_voxel() - 1) / 6, 0.0F, 1.0F))} {}
 
@@ -133,35 +133,35 @@ class BandPainter {
     return colour;
   }
 
-  glm::vec3 lit(const RayHit& meeting, glm::vec3 point) {
-    const float sun = light_.sun(point, meeting.face, sun_direction(sample_));
-    const float sky = light_.sky(meeting);
-    return kSunlight * sun + kSkylight * sky + kGroundlight * (meeting.face == Face::up ? 0.3F : 1.0F);
+  glm::vec3 lit(const RayHit& hit, glm::vec3 point) {
+    const float sun = light_.sun(point, hit.face, sun_direction(sample_));
+    const float sky = light_.sky(hit);
+    return kSunlight * sun + kSkylight * sky + kGroundlight * (hit.face == Face::up ? 0.3F : 1.0F);
   }
 
-  glm::vec3 solid(const RayHit& meeting, glm::vec3 point) {
-    const glm::vec3 inside = point - glm::vec3{meeting.voxel};
-    const FaceAxes axes = face_axes(meeting.face);
+  glm::vec3 solid(const RayHit& hit, glm::vec3 point) {
+    const glm::vec3 inside = point - glm::vec3{hit.voxel};
+    const FaceAxes axes = face_axes(hit.face);
     const glm::vec2 place = glm::clamp(
         glm::vec2{glm::dot(inside, glm::vec3{axes.u}), glm::dot(inside, glm::vec3{axes.v})}, 0.0F, 1.0F);
     const glm::vec2 rim = glm::min(place, 1.0F - place);
     const float seam = glm::smoothstep(0.0F, 0.09F, std::min(rim.x, rim.y));
-    const MaterialId material = rays_.grid().at(meeting.voxel.x, meeting.voxel.y, meeting.voxel.z);
-    const float speckled = 1 + grain_ * (speckle(meeting.voxel) - 0.5F);
-    const float corners = 1 - corner_ * (1 - light_.corners(meeting, place));
-    return lights_[to_integer(material)] * lit(meeting, point) * speckled * corners *
+    const MaterialId material = rays_.grid().at(hit.voxel.x, hit.voxel.y, hit.voxel.z);
+    const float speckled = 1 + grain_ * (speckle(hit.voxel) - 0.5F);
+    const float corners = 1 - corner_ * (1 - light_.corners(hit, place));
+    return lights_[to_integer(material)] * lit(hit, point) * speckled * corners *
            (1 - 0.16F * seam_ * (1 - seam));
   }
 
-  glm::vec3 water(const RayHit& meeting, glm::vec3 point, glm::vec3 behind, float length) {
+  glm::vec3 water(const RayHit& hit, glm::vec3 point, glm::vec3 behind, float length) {
     const float through = 0.8F * std::exp(-length / options_.clear_water);
-    const glm::vec3 own = lights_[to_integer(kWater)] * lit(meeting, point);
-    const glm::vec3 mirrored = meeting.face == Face::up ? kSkylight * 0.10F : glm::vec3{0};
+    const glm::vec3 own = lights_[to_integer(kWater)] * lit(hit, point);
+    const glm::vec3 mirrored = hit.face == Face::up ? kSkylight * 0.10F : glm::vec3{0};
     return glm::mix(own, behind * glm::vec3{0.78F, 0.93F, 1.0F}, through) + mirrored;
   }
 
   // The table below the block, with its shadow, which fades at the edges of the picture so that it does not
-  // trace cut off.
+  // look cut off.
   glm::vec3 table(glm::vec3 origin, glm::vec2 pixel) const {
     const glm::vec3 direction = camera_.direction();
     const glm::vec3 point = origin + direction * (-origin.y / direction.y);

@@ -84,7 +84,7 @@ std::string to_text(const Quality& quality) {
     }
   }
   lines.add("");
-  lines.add("Of all columns looked at");
+  lines.add("In all columns sampled");
   add_place("highest", quality.highest);
   add_place("deepest", quality.deepest);
   lines.add("");

@@ -63,20 +63,19 @@ VoxelLight::VoxelLight(const VoxelRays& rays) : rays_{rays}, memory_(kRemembered
   }
 }
 
-float VoxelLight::sky(const RayHit& meeting) {
+float VoxelLight::sky(const RayHit& hit) {
   const auto bits = [](int value) { return static_cast<std::uint64_t>(value); };
-  const std::uint64_t key =
-      ((bits(meeting.voxel.x) << 40) | (bits(meeting.voxel.z) << 20) | bits(meeting.voxel.y)) * 8 +
-      static_cast<std::uint64_t>(meeting.face);
+  const std::uint64_t key = ((bits(hit.voxel.x) << 40) | (bits(hit.voxel.z) << 20) | bits(hit.voxel.y)) * 8 +
+                            static_cast<std::uint64_t>(hit.face);
   CachedSky& remembered = memory_[(key * 0x9E3779B97F4A7C15U) >> 50];
-  if (remembered.key != key) remembered = {key, measure_sky(meeting)};
+  if (remembered.key != key) remembered = {key, measure_sky(hit)};
   return remembered.sky;
 }
 
-float VoxelLight::measure_sky(const RayHit& meeting) const {
-  const glm::vec3 normal = normal_of(meeting.face);
-  const glm::vec3 centre = glm::vec3{meeting.voxel} + 0.5F + normal * 0.6F;
-  const bool level = meeting.face == Face::up;
+float VoxelLight::measure_sky(const RayHit& hit) const {
+  const glm::vec3 normal = normal_of(hit.face);
+  const glm::vec3 centre = glm::vec3{hit.voxel} + 0.5F + normal * 0.6F;
+  const bool level = hit.face == Face::up;
   float seen = 0;
   float weights = 0;
   for (const glm::vec2 direction : kCompass.directions) {
@@ -98,9 +97,9 @@ float VoxelLight::measure_sky(const RayHit& meeting) const {
   return (level ? 1.0F : 0.5F) * seen / weights;
 }
 
-float VoxelLight::corners(const RayHit& meeting, glm::vec2 place) const {
-  const FaceAxes axes = face_axes(meeting.face);
-  const glm::ivec3 outside = meeting.voxel + whole(normal_of(meeting.face));
+float VoxelLight::corners(const RayHit& hit, glm::vec2 place) const {
+  const FaceAxes axes = face_axes(hit.face);
+  const glm::ivec3 outside = hit.voxel + whole(normal_of(hit.face));
   const auto closed = [&](int u, int v) {
     const glm::ivec3 at = outside + axes.u * u + axes.v * v;
     return rays_.solid_at(at.x, at.y, at.z) ? 1 : 0;

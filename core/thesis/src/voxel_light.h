@@ -21,10 +21,10 @@ class VoxelLight {
   explicit VoxelLight(const VoxelRays& rays);
 
   /// 0 to 1: the part of the sky that a face sees above the terrain; 0.5 for a wall under open sky.
-  [[nodiscard]] float sky(const RayHit& meeting);
+  [[nodiscard]] float sky(const RayHit& hit);
   /// 0 to 1: darker near corners that other voxels close. `place` is the position on the face, 0 to 1 along
   /// each of face_axes().
-  [[nodiscard]] float corners(const RayHit& meeting, glm::vec2 place) const;
+  [[nodiscard]] float corners(const RayHit& hit, glm::vec2 place) const;
   /// 0 to 1: the share of the sun's light that reaches a point on a face past the terrain above.
   [[nodiscard]] float sun(glm::vec3 point, Face face, glm::vec3 to_sun) const;
 
@@ -33,7 +33,7 @@ class VoxelLight {
     std::uint64_t key = ~std::uint64_t{0};
     float sky = 0;
   };
-  [[nodiscard]] float measure_sky(const RayHit& meeting) const;
+  [[nodiscard]] float measure_sky(const RayHit& hit) const;
 
   const VoxelRays& rays_;
   std::vector<int> reaches_;

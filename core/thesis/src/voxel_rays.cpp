@@ -38,7 +38,7 @@ Face entered(int axis, glm::vec3 direction) {
   return direction.y > 0 ? Face::down : Face::up;
 }
 
-// Calls meet(meeting, material) for the voxels along the ray that are not air, until it returns false.
+// Calls meet(hit, material) for the voxels along the ray that are not air, until it returns false.
 template <typename Meet>
 void walk(const VoxelRays& rays, glm::vec3 origin, glm::vec3 direction, const Meet& meet) {
   const VoxelGrid& grid = rays.grid();
@@ -118,12 +118,12 @@ VoxelRays::VoxelRays(const VoxelGrid& grid) : grid_{&grid} {
 
 Sight VoxelRays::see(glm::vec3 origin, glm::vec3 direction) const {
   Sight sight;
-  walk(*this, origin, direction, [&](const RayHit& meeting, MaterialId material) {
+  walk(*this, origin, direction, [&](const RayHit& hit, MaterialId material) {
     if (material == kWater) {
-      if (!sight.water) sight.water = meeting;
+      if (!sight.water) sight.water = hit;
       return true;
     }
-    sight.solid = meeting;
+    sight.solid = hit;
     return false;
   });
   return sight;

@@ -11,7 +11,7 @@
 namespace talus::server {
 
 struct BegunPatch {
-  std::unique_ptr<PatchBuild> making;
+  std::unique_ptr<PatchBuild> build;
   std::unique_ptr<terrain::Stacks> stacks;  // filled when it is made
   std::chrono::nanoseconds spent{};         // thread time so far
 };

@@ -35,11 +35,11 @@ tl::expected<AfterStep, GenerationError> ChunkMaker::heights(HeightsTask& task,
       task.add({.picture = drawn});
       return AfterStep::go_on;
     }
-    if (task.making() == nullptr) task.making() = generator_.start_heights(task.next_piece());
-    while (task.making()->step()) {
+    if (task.build() == nullptr) task.build() = generator_.start_heights(task.next_piece());
+    while (task.build()->step()) {
       if (const AfterStep next = after_step(); next != AfterStep::go_on) return next;
     }
-    const HeightsResult found = task.making()->take();
+    const HeightsResult found = task.build()->take();
     metrics_.heights_made.add(found.heights_fx.size());
     if (task.tile()) metrics_.map_tiles_made.add();
     if (keeps) maps_->put(*task.tile(), found.picture);

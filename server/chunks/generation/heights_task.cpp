@@ -51,7 +51,7 @@ void HeightsTask::add(const HeightsResult& found) {
     std::copy_n(found.values.begin() + static_cast<std::ptrdiff_t>(i * fields), fields,
                 found_.values.begin() + static_cast<std::ptrdiff_t>(place * fields));
   }
-  making_.reset();
+  build_.reset();
 }
 
 void HeightsTask::write_body() {

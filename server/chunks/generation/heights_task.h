@@ -32,16 +32,16 @@ class HeightsTask {
   /// Returns the query for the next columns to be made, all of one tile; without columns if none is left.
   [[nodiscard]] HeightsQuery next_piece() const;
   /// Returns what makes the next piece; null if it was not begun.
-  [[nodiscard]] std::unique_ptr<HeightsBuild>& making() { return making_; }
-  [[nodiscard]] bool is_begun() const { return making_ != nullptr; }
-  /// Adds the heights of next_piece()'s columns; they are no longer in the making.
+  [[nodiscard]] std::unique_ptr<HeightsBuild>& build() { return build_; }
+  [[nodiscard]] bool is_begun() const { return build_ != nullptr; }
+  /// Adds the heights of next_piece()'s columns; they are no longer being built.
   void add(const HeightsResult& found);
   /// When no column is left: writes the body that the query wants, if it wants one.
   void write_body();
   /// Ends the task: no more heights are made.
   void give_up() {
     done_ = columns_;
-    making_.reset();
+    build_.reset();
   }
   /// When no column is left: returns the heights in the order of the request.
   [[nodiscard]] HeightsResult take_found() { return std::move(found_); }
@@ -54,7 +54,7 @@ class HeightsTask {
   std::size_t columns_ = 0;           // number of columns asked for
   std::size_t done_ = 0;              // number of columns made
   HeightsResult found_;
-  std::unique_ptr<HeightsBuild> making_;
+  std::unique_ptr<HeightsBuild> build_;
 };
 
 }  // namespace talus::server

@@ -144,10 +144,10 @@ void PatchStore::make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after
   if (begun == nullptr) {
     begun = std::make_unique<BegunPatch>();
     begun->stacks = spare_.take();
-    begun->making = parts_.generator.start_patch(loan.patch, std::move(*begun->stacks));
+    begun->build = parts_.generator.start_patch(loan.patch, std::move(*begun->stacks));
   }
   auto next = AfterStep::go_on;
-  while (next == AfterStep::go_on && begun->making->step()) next = after_step();
+  while (next == AfterStep::go_on && begun->build->step()) next = after_step();
   begun->spent += parts_.clock.thread_cpu() - began;
   switch (next) {
     case AfterStep::pause:
@@ -159,7 +159,7 @@ void PatchStore::make(Loan& loan, BegunPatchPtr begun, const AskAfterStep& after
     case AfterStep::go_on:
       break;
   }
-  *begun->stacks = begun->making->take();
+  *begun->stacks = begun->build->take();
   parts_.metrics.patches_made.add();
   ++measured.patches;
   measured.patch_time += begun->spent;

@@ -282,7 +282,7 @@ std::vector<std::uint64_t> MessageReassembler::wanted(TimePoint now) {
     }
     return wanted;
   }
-  if (unconfirmed_.size() >= kMaxUnconfirmed) return wanted;
+  if (unconfirmed_.size() >= kMaxUnconfirmedMessages) return wanted;
   for (const std::uint64_t sequence : doubted_) {
     if (!led_ || sequence > std::max(known_, after_ + 1)) break;  // only the leader can decide these
     if (!asked_.contains(sequence)) ask(sequence);

@@ -35,7 +35,7 @@ class MessageReassembler {
   static constexpr std::size_t kWindowBytes = 16U << 20;          // total size of kept messages
   static constexpr std::chrono::milliseconds kSilence{1000};      // then the next message is requested
   static constexpr std::chrono::milliseconds kSilenceUnled{250};  // the same without a leader
-  static constexpr std::size_t kMaxUnconfirmed = 65'536;          // messages: 4 MiB
+  static constexpr std::size_t kMaxUnconfirmedMessages = 65'536;  // 4 MiB
   static constexpr std::chrono::milliseconds kAnswerIn{500};      // then a request is repeated
   static constexpr std::chrono::milliseconds kOnItsWay{10};       // the tail may still bring it
   static constexpr std::chrono::milliseconds kFirstRetry{5};      // a deposed leader may have answered

@@ -229,7 +229,7 @@ class Checker {
       add(Kind::fault, contents.error());
       return;
     }
-    for (const Contents::Unread& each : contents->unread) add_unread(each, contents->enabled);
+    for (const Contents::UnreadMessage& each : contents->unread) add_unread(each, contents->enabled);
     if (contents->unread_count > contents->unread.size()) {
       add(Kind::note,
           fmt::format("{} more messages cannot be read", contents->unread_count - contents->unread.size()));
@@ -273,7 +273,7 @@ class Checker {
     if (lines->empty()) add(Kind::ok, "all replicas that answer have the same newest messages");
   }
 
-  void add_unread(const Contents::Unread& unread, const cluster::EnabledFormats& enabled) {
+  void add_unread(const Contents::UnreadMessage& unread, const cluster::EnabledFormats& enabled) {
     const bool stops =
         unread.fault.kind == cluster::MessageFault::Kind::newer && enabled.is_newer_at(unread.sequence);
     if (stops || unread.sequence == 1) {

@@ -15,7 +15,7 @@ using jetstream::StreamNames;
 
 // One replica of three is missed once in 17,000 times, and the next request reaches it again.
 constexpr int kTimesAsked = 24;
-constexpr int kMaxSilent = 3;  // consecutive requests without an answer
+constexpr int kMaxUnansweredRequests = 3;  // consecutive requests without an answer
 constexpr int kMaxPauses = 20;
 constexpr std::array<std::uint64_t, 5> kMessagesBack{0, 1, 16, 256, 4096};
 
@@ -58,7 +58,7 @@ class ReplicaComparison {
     for (int i = 0; i < kTimesAsked && !failure_; ++i) {
       auto answer = questions_.ask(question);
       if (!answer) {
-        if (++silent == kMaxSilent) failure_ = std::move(answer.error());
+        if (++silent == kMaxUnansweredRequests) failure_ = std::move(answer.error());
         continue;
       }
       silent = 0;

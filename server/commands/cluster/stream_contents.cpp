@@ -16,14 +16,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kMessagePatience = 500ms;
-constexpr int kMaxAsked = 20;  // while a leader is being elected
-constexpr std::size_t kMaxNamed = 10;
+constexpr int kMaxTries = 20;  // while a leader is being elected
+constexpr std::size_t kMaxUnreadMessages = 10;
 
 /// Returns the message; nullopt if the stream no longer keeps it.
 tl::expected<std::optional<jetstream::StoredMessage>, std::string> message_of(
     jetstream::Connection& connection, const Target& target, std::uint64_t sequence) {
   std::string why;
-  for (int asked = 0; asked < kMaxAsked; ++asked) {
+  for (int asked = 0; asked < kMaxTries; ++asked) {
     if (asked > 0) std::this_thread::sleep_for(kBetweenTries);
     auto reply = connection.request(target.names.message_get(), jetstream::StreamNames::by_number(sequence),
                                     kMessagePatience);
@@ -65,7 +65,8 @@ tl::expected<Contents, std::string> read_contents(
       auto fault = cluster::fault_of((*message)->bytes, sequence, identity);
       if (fault) {
         ++contents.unread_count;
-        if (contents.unread.size() < kMaxNamed) contents.unread.push_back({sequence, *std::move(fault)});
+        if (contents.unread.size() < kMaxUnreadMessages)
+          contents.unread.push_back({sequence, *std::move(fault)});
       }
     }
     on_read(sequence - contents.first + 1, state.last - contents.first + 1);

@@ -17,11 +17,11 @@ struct Contents {
   std::uint64_t first = 0;  // first message read
   std::uint64_t last = 0;
   cluster::EnabledFormats enabled;
-  struct Unread {
+  struct UnreadMessage {
     std::uint64_t sequence = 0;
     cluster::MessageFault fault;
   };
-  std::vector<Unread> unread;  // only the first few
+  std::vector<UnreadMessage> unread;  // only the first few
   std::uint64_t unread_count = 0;
 };
 

@@ -22,14 +22,14 @@ SubjectEdit edit_of(const store::LogRecord& record) {
   return all;
 }
 
-/// Counts edits by subject, for up to kMaxOthers subjects.
+/// Counts edits by subject, for up to kMaxOtherSubjects subjects.
 class Others {
  public:
   void count(const std::string& subject) {
     const auto at = edits_.find(subject);
     if (at != edits_.end()) {
       ++at->second;
-    } else if (edits_.size() < SubjectSummary::kMaxOthers) {
+    } else if (edits_.size() < SubjectSummary::kMaxOtherSubjects) {
       edits_.emplace(subject, 1);
     } else {
       more_ = true;

@@ -60,7 +60,7 @@ struct SubjectEdit {
 /// Result of a search, known after the last visit.
 struct SubjectSummary {
   /// Maximum number of subjects in `others`; few readers need more.
-  static constexpr std::size_t kMaxOthers = 1'000;
+  static constexpr std::size_t kMaxOtherSubjects = 1'000;
 
   std::uint64_t listed = 0;
   std::uint64_t last_position = 0;  // of the last edit listed
@@ -68,7 +68,7 @@ struct SubjectSummary {
   bool met = false;                 // the subject has an edit, even outside the query's bounds
   /// If `met` is false: other subjects with their numbers of edits, most edits first.
   std::vector<std::pair<std::string, std::uint64_t>> others;
-  bool more_others = false;  // there are more than kMaxOthers
+  bool more_others = false;  // there are more than kMaxOtherSubjects
 };
 
 /// Visits the edits of a subject, oldest first. Stops one edit after the last one listed.

@@ -36,7 +36,7 @@ void Rollback::count_other(const std::string& subject, const edits::ChunkChanges
   const auto known = others_.find(subject);
   if (known != others_.end()) {
     known->second += inside;
-  } else if (others_.size() < kMaxOthers) {
+  } else if (others_.size() < kMaxOtherSubjects) {
     others_.emplace(subject, inside);
   }
 }

@@ -39,7 +39,7 @@ class Rollback {
   static constexpr std::size_t kMaxVoxels = std::size_t{8} << 20U;
 
   /// Maximum number of other subjects recorded.
-  static constexpr std::size_t kMaxOthers = 1000;
+  static constexpr std::size_t kMaxOtherSubjects = 1000;
 
   explicit Rollback(RollbackRequest request) : request_{std::move(request)} {}
 
@@ -54,7 +54,7 @@ class Rollback {
   /// True if the subject changed any voxel in the box.
   [[nodiscard]] bool met_subject() const { return met_subject_; }
   /// Other subjects that changed the box before the first change by the subject, busiest first. Complete, up
-  /// to kMaxOthers, if the subject changed nothing.
+  /// to kMaxOtherSubjects, if the subject changed nothing.
   [[nodiscard]] std::vector<Changer> others() const;
   /// The edits to make; in each change `before` is the current material and `after` the restored one.
   [[nodiscard]] std::vector<std::vector<edits::ChunkChanges>> slices() const;

@@ -382,14 +382,14 @@ struct MaterialRenamer {
 };
 
 /// Fails if the store has voxels of materials that the world lacks.
-tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, MaterialRenamer& renaming) {
+tl::expected<void, std::string> check_names(const store::ReadOnlyStore& store, MaterialRenamer& renamer) {
   const auto uses = voxels_by_material(store);
   if (!uses) return tl::unexpected{uses.error()};
   std::map<std::string, std::uint64_t> unknown;
   for (const auto& [material, voxels] : *uses) {
-    if (renaming(material)) continue;
-    const auto name = renaming.names.find(material);
-    unknown[name == renaming.names.end() ? fmt::format("material {}", to_integer(material)) : name->second] =
+    if (renamer(material)) continue;
+    const auto name = renamer.names.find(material);
+    unknown[name == renamer.names.end() ? fmt::format("material {}", to_integer(material)) : name->second] =
         voxels;
   }
   if (unknown.empty()) return {};
@@ -439,19 +439,19 @@ tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& dire
   const auto named = rebased_materials(store->materials(), world);
   if (!named) return tl::unexpected{fmt::format("data {}: {}", directory.path().string(), named.error())};
   const std::map<std::string, MaterialId>& materials = *named;
-  MaterialRenamer renaming{{}, {}, &materials};
-  for (const auto& [name, id] : store->materials()) renaming.names.emplace(id, name);
+  MaterialRenamer renamer{{}, {}, &materials};
+  for (const auto& [name, id] : store->materials()) renamer.names.emplace(id, name);
   if (same_land) {
     // Generated materials keep their ids, even if renamed in the world's file since the last start.
-    for (const terrain::Material& material : world.materials()) renaming.to.emplace(material.id, material.id);
+    for (const terrain::Material& material : world.materials()) renamer.to.emplace(material.id, material.id);
   }
   if (!drop_unknown || same_land) {
-    const auto known = check_names(*store, renaming);
+    const auto known = check_names(*store, renamer);
     if (!known && !drop_unknown) return tl::unexpected{known.error()};
     // A placed material that is now generated counts as changed even if unused, because talusd rejects its
     // name.
     const bool same_materials = std::ranges::none_of(
-        store->materials(), [&](const auto& each) { return renaming.changes(each.second); });
+        store->materials(), [&](const auto& each) { return renamer.changes(each.second); });
     if (known && same_land && same_materials) {
       return tl::unexpected{
           fmt::format("data {}: the store already belongs to that world, {}; there is nothing to do",
@@ -482,12 +482,12 @@ tl::expected<Rebuilt, std::string> rebase_edits(const store::DataDirectory& dire
     if (stored.voxels.empty()) return true;
     // On the same land an override with an unchanged material still differs from the generated voxel.
     const bool compared = !same_land || std::ranges::any_of(stored.voxels, [&](const Override& voxel) {
-      return renaming.changes(voxel.material);
+      return renamer.changes(voxel.material);
     });
     if (compared) maker.make(chunk, *base);
     std::vector<Override> kept;
     for (const Override& voxel : stored.voxels) {
-      const auto material = renaming(voxel.material);
+      const auto material = renamer(voxel.material);
       if (!material) {
         ++rebuilt.unknown;
       } else if (compared && (*base)[voxel.index] == *material) {

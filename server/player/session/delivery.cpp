@@ -68,14 +68,14 @@ std::size_t Delivery::drop_what_left_view() {
       [&](const Outbox::Entry& entry) { return entry.request_id == 0 && left(entry.key); });
 }
 
-void Delivery::take_mail(SessionEdits& editing) {
+void Delivery::take_mail(SessionEdits& session_edits) {
   constexpr std::size_t kKept = 8;
   std::vector<Mail> mail = mailbox_->take(std::move(read_mail_));
   for (Mail& each : mail) {
     std::visit(
         [&]<typename Letter>(Letter& letter) {
           if constexpr (std::is_same_v<Letter, AttachAnswer> || std::is_same_v<Letter, EditAnswer>) {
-            editing.receive(std::move(letter));
+            session_edits.receive(std::move(letter));
           } else {
             // Any mail from the generators shows that their queue moves.
             if constexpr (!std::is_same_v<Letter, ChunksChanged>) queue_full_ = false;

@@ -114,8 +114,8 @@ class Delivery {
   [[nodiscard]] bool has_lost_mail() const { return mailbox_->has_lost(); }
   void receive(QueueHasRoom) {}  // take_mail() resets queue_full_
   void receive(ChunksChanged&& mail);
-  /// Takes all mail. Answers to the session's own edits go to `editing`.
-  void take_mail(SessionEdits& editing);
+  /// Takes all mail. Answers to the session's own edits go to `session_edits`.
+  void take_mail(SessionEdits& session_edits);
 
   // ---- work
   /// Starts requests and chunks of the View until a bound is reached, always of the one that holds less, so

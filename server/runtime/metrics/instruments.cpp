@@ -16,16 +16,16 @@ std::uint64_t Counter::total() const {
 }
 
 LatencyHistogram::Snapshot LatencyHistogram::read() const {
-  Snapshot reading;
+  Snapshot snapshot;
   std::uint64_t sum_ns = 0;
   for (const Stripe& each : stripes_) {
     for (std::size_t i = 0; i < each.counts.size(); ++i) {
-      reading.counts[i] += each.counts[i].load(std::memory_order_relaxed);
+      snapshot.counts[i] += each.counts[i].load(std::memory_order_relaxed);
     }
     sum_ns += each.sum_ns.load(std::memory_order_relaxed);
   }
-  reading.sum_seconds = static_cast<double>(sum_ns) * 1e-9;
-  return reading;
+  snapshot.sum_seconds = static_cast<double>(sum_ns) * 1e-9;
+  return snapshot;
 }
 
 }  // namespace talus::server

@@ -345,7 +345,7 @@ const std::array kRows{
 // clang-format on
 
 /// Reads the samples of a row.
-struct Read {
+struct SampleReader {
   const MetricSources& from;
 
   Samples operator()(Counter Metrics::*member) const {
@@ -382,14 +382,14 @@ prometheus::MetricType type_of(MetricType type) {
 }
 
 void set_histogram(prometheus::ClientMetric::Histogram& into, const LatencyHistogram& from) {
-  const LatencyHistogram::Snapshot reading = from.read();
+  const LatencyHistogram::Snapshot snapshot = from.read();
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < LatencyHistogram::kBoundsSeconds.size(); ++i) {
-    sum += reading.counts[i];
+    sum += snapshot.counts[i];
     into.bucket.push_back({sum, LatencyHistogram::kBoundsSeconds[i]});
   }
-  into.sample_count = sum + reading.counts.back();
-  into.sample_sum = reading.sum_seconds;
+  into.sample_count = sum + snapshot.counts.back();
+  into.sample_sum = snapshot.sum_seconds;
 }
 
 prometheus::ClientMetric metric_of(const MetricRow& row, const Sample& sample) {
@@ -413,7 +413,7 @@ std::span<const MetricRow> metric_rows() {
 std::string metrics_page(const MetricSources& sources) {
   std::vector<prometheus::MetricFamily> families;
   for (const MetricRow& row : kRows) {
-    const Samples samples = std::visit(Read{sources}, row.value);
+    const Samples samples = std::visit(SampleReader{sources}, row.value);
     if (samples.empty()) continue;
     prometheus::MetricFamily& family = families.emplace_back();
     family.name = row.name;

@@ -67,20 +67,20 @@ ProcessStats read_process() {
   constexpr std::size_t kVirtualBytes = 23;
   constexpr std::size_t kResidentPages = 24;
 
-  ProcessStats reading;
-  reading.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+  ProcessStats stats;
+  stats.cpu_seconds = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
 
   const StatFields stat;
   // Computed once: setting the clock, or the delay between two clock reads, must not change it.
   static const double start = start_of(stat);
-  reading.start_seconds = start;
-  reading.threads = stat.number(kThreads);
-  reading.virtual_bytes = stat.number(kVirtualBytes);
-  reading.resident_bytes = stat.number(kResidentPages) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  reading.open_descriptors = open_descriptors();
+  stats.start_seconds = start;
+  stats.threads = stat.number(kThreads);
+  stats.virtual_bytes = stat.number(kVirtualBytes);
+  stats.resident_bytes = stat.number(kResidentPages) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+  stats.open_descriptors = open_descriptors();
   rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) reading.max_descriptors = files.rlim_cur;
-  return reading;
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0) stats.max_descriptors = files.rlim_cur;
+  return stats;
 }
 
 }  // namespace talus::server

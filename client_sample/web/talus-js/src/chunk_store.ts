@@ -24,7 +24,7 @@ export function neighbourBit(dx: number, dy: number, dz: number): number {
   return 1 << (((dy + 1) * 3 + dz + 1) * 3 + dx + 1);
 }
 
-interface Held {
+interface HeldChunk {
   readonly key: ChunkKey;
   readonly chunk: Voxels;
 }
@@ -34,7 +34,7 @@ function bytesOf(chunk: Voxels): number {
 }
 
 export class ChunkStore {
-  private readonly held = new Map<string, Held>(); // least recently used first
+  private readonly held = new Map<string, HeldChunk>(); // least recently used first
   private usedBytes = 0;
 
   /** Holds about `maxBytes` of voxels; evicts the least recently used chunks, but never the one put last. */

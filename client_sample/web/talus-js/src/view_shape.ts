@@ -218,8 +218,8 @@ export function checkedView(view: View): View {
 
 /** Throws a TalusError if the View exceeds the server's limits. */
 export function checkLimits(view: View, shape: ViewShape, limits: Limits): void {
-  const within = (value: number, most: number, name: string) => {
-    if (value > most) refuse(`the View's ${name} is ${value}; this server allows ${most}`);
+  const within = (value: number, max: number, name: string) => {
+    if (value > max) refuse(`the View's ${name} is ${value}; this server allows ${max}`);
   };
   within(view.horizontalRadius, limits.viewHorizontalRadius, 'horizontalRadius');
   within(view.verticalRadius, limits.viewVerticalRadius, 'verticalRadius');

@@ -207,9 +207,9 @@ void settle(const PaddedRows<Cell>& rows, Rise rise) {
 // floats. A quotient that is not an integer is at least 1 / S below the next one, so adding half a unit to
 // the numerator never rounds past it; in floats if t and S are small enough: rounded twice, (t + 0.5) / 2^23
 // is less than 0.5 / S.
-constexpr std::int32_t kMaxInFloats_fx = 4095;  // a share of it is exact, too
+constexpr std::int32_t kMaxThicknessInFloats_fx = 4095;  // a share of it is exact, too
 [[nodiscard]] bool fits_floats(std::int32_t thickness_fx, std::int32_t max_slope_fx) {
-  return thickness_fx <= kMaxInFloats_fx && max_slope_fx <= 1 << 20 &&
+  return thickness_fx <= kMaxThicknessInFloats_fx && max_slope_fx <= 1 << 20 &&
          std::int64_t{thickness_fx} * max_slope_fx <= 1 << 21;
 }
 

@@ -174,7 +174,8 @@ std::string World::canonical_form() const {
   }
   if (spec_.talus) {
     const ApronNumbers aprons = apron_numbers(*this);
-    form << "talus of " << spec_.talus->of << " max_fx " << aprons.max_fx << " share_q8 " << aprons.share_q8
+    // These words are hashed: another word is another fingerprint, and no store of the world opens.
+    form << "talus of " << spec_.talus->of << " most_fx " << aprons.max_fx << " share_q8 " << aprons.share_q8
          << " steps " << aprons.steps << " cliff_reach " << aprons.cliff_reach << '\n';
   }
   add_features(*this, Feature::Stage::voxels, form);

@@ -19,8 +19,8 @@ constexpr std::size_t kBandDepth = 16;
 constexpr std::size_t kLayersAtOnce = 4;
 // Maximum and minimum number of layers stacked at once if they surely end under the limit; fewer are as fast
 // by the general way.
-constexpr std::size_t kMaxInside = 16;
-constexpr std::size_t kMinInside = 3;
+constexpr std::size_t kMaxStackedLayers = 16;
+constexpr std::size_t kMinStackedLayers = 3;
 // Layers of regions are slow if their shortest wave is at least eight times kRowStep: their noise is drawn
 // only at every kRowStep-th row.
 constexpr std::int64_t kRowStep = 16;
@@ -192,14 +192,15 @@ void StrataBuilder::add_layer() {
 bool StrataBuilder::add_inside() {
   if (layer_ == 0) room_fx_ = stack_inside({});
   std::size_t count = 0;
-  for (std::int32_t room_fx = room_fx_; count < std::min(kMaxInside, layers_.size() - 1 - layer_); ++count) {
+  for (std::int32_t room_fx = room_fx_; count < std::min(kMaxStackedLayers, layers_.size() - 1 - layer_);
+       ++count) {
     const LayerShape& shape = layers_[layer_ + count].shape;
     if (!shape.is_bounded() || shape.bound_fx() >= room_fx) break;
     room_fx -= shape.bound_fx();
   }
-  near_limit_ = count < kMinInside;
+  near_limit_ = count < kMinStackedLayers;
   if (near_limit_) return false;
-  std::array<LinedLayer, kMaxInside> layers;
+  std::array<LinedLayer, kMaxStackedLayers> layers;
   room_fx_ = stack_inside(lined_layers(layers.data(), count));
   layer_ += count;
   return true;

@@ -76,14 +76,14 @@ class Prediction {
   [[nodiscard]] std::size_t open() const;
 
  private:
-  struct Open;
+  struct PredictedEdit;
   struct Overlay;  // voxels of one chunk
   using Overlays = std::map<ChunkCoord, Overlay>;
 
   /// Schedules requests for the chunks in behind().
   static void ask_later(const std::weak_ptr<Prediction*>& self, Client& client, Id id);
   /// True if the chunk is held without the edit.
-  [[nodiscard]] bool waits(const Open& open, ChunkCoord chunk) const;
+  [[nodiscard]] bool waits(const PredictedEdit& open, ChunkCoord chunk) const;
   /// True if an open edit names voxels of the chunk.
   [[nodiscard]] bool is_touched(const ChunkKey& key) const;
   /// True if the store evicted a chunk that it showed with an edit.
@@ -93,13 +93,13 @@ class Prediction {
   /// Reapplies all open edits to the server's chunks and reports changes; `came` has changed.
   void rebuild(std::optional<ChunkKey> came = std::nullopt);
   /// Applies one edit on top of the earlier ones. Returns true if it is no longer needed.
-  [[nodiscard]] bool apply(const Open& open, Overlays& overlays) const;
+  [[nodiscard]] bool apply(const PredictedEdit& open, Overlays& overlays) const;
   /// Returns the chunks whose voxels changed.
   [[nodiscard]] std::vector<ChunkKey> show(const Overlays& overlays);
 
   ChunkStore& store_;
   std::function<void(ChunkKey)> changed_;
-  std::list<Open> edits_;  // in the order of begin()
+  std::list<PredictedEdit> edits_;  // in the order of begin()
   std::uint64_t last_id_ = 0;
   std::map<ChunkCoord, ReceivedChunk> confirmed_;  // chunks that the store shows differently
   std::shared_ptr<Prediction*> self_;              // for answers that arrive after destruction

@@ -5,7 +5,7 @@ import { chunksOutside, countOf, forEachChunk } from '../view_difference.js';
 import type { Heights, ViewShape } from '../view_shape.js';
 import { ViewShape as Shape } from '../view_shape.js';
 
-export interface Delivered {
+export interface DeliveredChunk {
   readonly key: ChunkKey;
   readonly revision: bigint;
   readonly hash: string | null;
@@ -15,7 +15,7 @@ export interface Delivered {
 export class Tracker {
   view: View | null = null;
   shape: ViewShape | null = null;
-  private readonly delivered = new Map<string, Delivered>();
+  private readonly delivered = new Map<string, DeliveredChunk>();
 
   /** Replaces the View; returns the chunks that left. */
   replace(view: View | null, heights: Heights): ChunkKey[] {
@@ -72,12 +72,12 @@ export class Tracker {
     return this.delivered.has(keyName(key));
   }
 
-  find(key: ChunkKey): Delivered | undefined {
+  find(key: ChunkKey): DeliveredChunk | undefined {
     return this.delivered.get(keyName(key));
   }
 
   /** The chunk that the application holds is also current at a newer revision. */
-  confirm(held: Delivered, revision: bigint): void {
+  confirm(held: DeliveredChunk, revision: bigint): void {
     this.delivered.set(keyName(held.key), { ...held, revision });
   }
 

@@ -41,16 +41,16 @@ export class Encoder {
   }
 }
 
-/** Sizes of intervals that fill 0 to 255, as close to the counts as possible; none exceeds `most`. */
-export function intervals(counts: readonly number[], most: number): number[] {
+/** Sizes of intervals that fill 0 to 255, as close to the counts as possible; none exceeds `maxSize`. */
+export function intervals(counts: readonly number[], maxSize: number): number[] {
   const total = counts.reduce((sum, count) => sum + count, 0);
-  const sizes = counts.map((count) => (count === 0 ? 0 : Math.min(most, Math.max(1, Math.round((count * 256) / total)))));
+  const sizes = counts.map((count) => (count === 0 ? 0 : Math.min(maxSize, Math.max(1, Math.round((count * 256) / total)))));
   let left = 256 - sizes.reduce((sum, size) => sum + size, 0);
   // Adjusts the largest, where it matters least.
   for (; left !== 0; left -= Math.sign(left)) {
     let best = -1;
     for (let i = 0; i < sizes.length; ++i) {
-      if (left > 0 && sizes[i]! >= most) continue;
+      if (left > 0 && sizes[i]! >= maxSize) continue;
       if (best < 0 || sizes[i]! > sizes[best]!) best = i;
     }
     sizes[best]! += Math.sign(left);

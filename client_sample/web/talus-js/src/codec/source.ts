@@ -44,10 +44,10 @@ export class Source {
     throw new DecodeError('bad_number');
   }
 
-  /** A list of 1 to `most` ids; the caller must check their order. */
-  materials(most: number): number[] {
+  /** A list of 1 to `maxCount` ids; the caller must check their order. */
+  materials(maxCount: number): number[] {
     const count = this.number();
-    if (count === 0 || count > most) throw new DecodeError('bad_materials');
+    if (count === 0 || count > maxCount) throw new DecodeError('bad_materials');
     const ids: number[] = [];
     for (let i = 0; i < count; ++i) ids.push(this.number());
     return ids;

@@ -7,14 +7,14 @@ const VOLUME = 32_768;
  *  bytes are invalid, or not the unique form of a set of voxels; runs visited before must then be dropped. */
 export function readRuns(bytes: Uint8Array, visit: (first: number, end: number, material: number) => void): void {
   let next = 0;
-  const number = (most: number): number => {
+  const number = (maxValue: number): number => {
     let value = 0;
     for (let shift = 0; shift < 35; shift += 7) {
       const byte = bytes[next++];
       if (byte === undefined) throw broken('runs of voxels that end too early');
       value += (byte & 0x7f) * 2 ** shift;
       if (byte >= 0x80) continue;
-      if ((byte === 0 && shift > 0) || value > most) break;
+      if ((byte === 0 && shift > 0) || value > maxValue) break;
       return value;
     }
     throw broken('runs of voxels with a number that is past its range, or longer than need be');

@@ -8,7 +8,7 @@ import type { Chunk, ChunkKey, ConnectOptions, EditDone, EditLimits, Places } fr
 import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
 import { broken } from '../wire/table.js';
-import { Asked } from './asked.js';
+import { RequestQueue } from './request_queue.js';
 import { MAX_BODY_BYTES, readColumn, readSquare } from './columns.js';
 import { EditedRegions } from './edited_regions.js';
 import {
@@ -54,7 +54,7 @@ export class HttpClient extends ClientBase {
   private abort = new AbortController();
   private tasks: Task[] = [];
   private running = new Map<Task, AbortController>();
-  private readonly asked = new Asked(
+  private readonly asked = new RequestQueue(
     () => (this.isClosed ? this.closedError() : null),
     () => this.pump(),
   );
@@ -88,10 +88,10 @@ export class HttpClient extends ClientBase {
     return `${this.worldUrl}/${this.store}/edits/${regionName(region)}`;
   }
 
-  private async get(url: string, most: number, signal = this.abort.signal, method = 'GET'): Promise<Got> {
+  private async get(url: string, maxBytes: number, signal = this.abort.signal, method = 'GET'): Promise<Got> {
     const began = performance.now();
     ++this.stats.requests;
-    const got = await get(this.getter, url, most, signal, method);
+    const got = await get(this.getter, url, maxBytes, signal, method);
     this.stats.latencyMs = performance.now() - began;
     this.stats.receivedBytes += got.body.length;
     return got;
@@ -257,8 +257,8 @@ export class HttpClient extends ClientBase {
   /** Starts as many tasks as allowed, the application's requests first. */
   private pump(): void {
     if (!this.connected) return;
-    const most = Math.max(1, Math.min(MAX_REQUESTS_AT_ONCE, this.options.requestsAtOnce ?? MAX_REQUESTS_AT_ONCE));
-    const isFull = () => this.asked.running + this.running.size >= most;
+    const maxRunning = Math.max(1, Math.min(MAX_REQUESTS_AT_ONCE, this.options.requestsAtOnce ?? MAX_REQUESTS_AT_ONCE));
+    const isFull = () => this.asked.running + this.running.size >= maxRunning;
     while (!isFull() && this.asked.startNext());
     const window = this.options.windowBytes ?? DEFAULT_WINDOW_BYTES;
     while (!isFull() && this.holdTimer === undefined && this.owedBytes < window) {

@@ -30,11 +30,11 @@ export interface Got {
   readonly revision: string | null;
 }
 
-/** `most`: maximum bytes of the body. */
+/** `maxBytes`: of the body. */
 export async function get(
   { fetch, token }: Getter,
   url: string,
-  most: number,
+  maxBytes: number,
   signal: AbortSignal,
   method = 'GET',
 ): Promise<Got> {
@@ -51,7 +51,7 @@ export async function get(
     });
     if (!response.ok) throw await failure(response, url);
     const revision = response.headers.get('Talus-Revision');
-    return { body: await readBounded(response, most, url), url: response.url, revision };
+    return { body: await readBounded(response, maxBytes, url), url: response.url, revision };
   } catch (error) {
     if (error instanceof TalusError) throw error;
     if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);
@@ -65,7 +65,7 @@ export async function get(
   }
 }
 
-async function readBounded(response: Response, most: number, url: string): Promise<Uint8Array> {
+async function readBounded(response: Response, maxBytes: number, url: string): Promise<Uint8Array> {
   const reader = response.body?.getReader();
   if (reader === undefined) return new Uint8Array(0);
   let body = new Uint8Array(0);
@@ -73,15 +73,15 @@ async function readBounded(response: Response, most: number, url: string): Promi
   for (;;) {
     const { done, value } = await reader.read();
     if (done) return body.subarray(0, count);
-    if (count + value.length > most) {
+    if (count + value.length > maxBytes) {
       void reader.cancel().catch(() => {});
-      throw new TalusError('broken_protocol', `${url} has more than ${most} bytes`);
+      throw new TalusError('broken_protocol', `${url} has more than ${maxBytes} bytes`);
     }
     if (count === 0) {
       body = value; // most answers are one piece
     } else {
       if (count + value.length > body.length) {
-        const grown = new Uint8Array(Math.min(most, Math.max(2 * body.length, count + value.length)));
+        const grown = new Uint8Array(Math.min(maxBytes, Math.max(2 * body.length, count + value.length)));
         grown.set(body.subarray(0, count));
         body = grown;
       }

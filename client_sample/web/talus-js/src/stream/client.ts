@@ -15,7 +15,7 @@ import { KeptChunks } from './kept_chunks.js';
 import { Pace } from './pace.js';
 import { Pings } from './pings.js';
 import { Requests } from './requests.js';
-import { Sending } from './sending.js';
+import { SendScheduler } from './send_scheduler.js';
 import { errorOf } from './server_error.js';
 import type { OpenTransport, Transport } from './transport.js';
 import { chunkOf, ViewContents } from './view_contents.js';
@@ -51,7 +51,7 @@ export class StreamClient extends ClientBase {
   private sentShape: ViewShape | null = null;
   private readonly contents: ViewContents;
   private readonly edits = new EditSession(() => this.connected && this.sending.later(0));
-  private readonly sending = new Sending(
+  private readonly sending = new SendScheduler(
     {
       openWorld: () => (this.connected && this.leaving === null ? this.world : null),
       send: (frame) => this.send(frame),

@@ -1,6 +1,6 @@
 // Kept payloads, so that chunks can be sent as their hash and edited by broadcasts.
 import { type KeptPayload, PayloadCache } from '../client/payload_cache.js';
-import type { Delivered } from '../client/tracker.js';
+import type { DeliveredChunk } from '../client/tracker.js';
 import { decodeChunk } from '../decode.js';
 import { readRuns } from '../edits/runs.js';
 import { encodeChunk } from '../encode.js';
@@ -33,17 +33,17 @@ export class KeptChunks {
     return kept?.hash === hash ? kept : undefined;
   }
 
-  /** Up to `most` kept chunks in `shape` but not in `before`: a View brings back no others. */
-  known(most: number, shape: ViewShape, before: ViewShape | null): KnownChunk[] {
+  /** Up to `maxCount` kept chunks in `shape` but not in `before`: a View brings back no others. */
+  known(maxCount: number, shape: ViewShape, before: ViewShape | null): KnownChunk[] {
     const known: KnownChunk[] = [];
     const entering = chunksOutside(shape, before);
     if (countOf(entering) > this.cache.size) {
       for (const [, { key, hash }] of this.cache.entries()) {
-        if (known.length < most && shape.covers(key) && !before?.covers(key)) known.push({ key, hash });
+        if (known.length < maxCount && shape.covers(key) && !before?.covers(key)) known.push({ key, hash });
       }
     } else {
       forEachChunk(entering, (key) => {
-        const kept = known.length < most ? this.cache.find(keyName(key)) : undefined;
+        const kept = known.length < maxCount ? this.cache.find(keyName(key)) : undefined;
         if (kept !== undefined) known.push({ key, hash: kept.hash });
       });
     }
@@ -51,7 +51,7 @@ export class KeptChunks {
   }
 
   /** The held chunk with the edit applied; null if it was not kept, or the edit does not apply to it. */
-  edited(held: Delivered, { key, revision, previousRevision, runs }: Extract<ServerMessage, { kind: 'edit_broadcast' }>): Chunk | null {
+  edited(held: DeliveredChunk, { key, revision, previousRevision, runs }: Extract<ServerMessage, { kind: 'edit_broadcast' }>): Chunk | null {
     const payload = held.material === null ? this.find(key, held.hash)?.payload : uniformPayload(held.material);
     if (payload === undefined || runs.length === 0 || previousRevision > held.revision) return null;
     const voxels = new Uint16Array(CHUNK_VOLUME);

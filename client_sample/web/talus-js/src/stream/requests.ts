@@ -2,14 +2,14 @@
 import type { TalusError } from '../errors.js';
 import type { Chunk, ChunkKey, Places } from '../types.js';
 
-export interface ChunkWanted {
+export interface PendingChunk {
   readonly kind: 'chunk';
   readonly key: ChunkKey;
   resolve(chunk: Chunk): void;
   reject(error: TalusError): void;
 }
 
-export interface PlacesWanted {
+export interface PendingPlaces {
   readonly kind: 'places';
   readonly columns: readonly { readonly x: number; readonly z: number }[];
   readonly looks: boolean;
@@ -18,14 +18,14 @@ export interface PlacesWanted {
   reject(error: TalusError): void;
 }
 
-export type Wanted = ChunkWanted | PlacesWanted;
+export type PendingRequest = PendingChunk | PendingPlaces;
 
 export class Requests {
-  private readonly inFlight = new Map<number, Wanted>();
-  private waiting: Wanted[] = [];
+  private readonly inFlight = new Map<number, PendingRequest>();
+  private waiting: PendingRequest[] = [];
   private lastId = 0;
 
-  add(request: Wanted): void {
+  add(request: PendingRequest): void {
     this.waiting.push(request);
   }
 
@@ -34,7 +34,7 @@ export class Requests {
   }
 
   /** Moves the next request to in-flight; its id is below 2^31, unlike ids of edits. */
-  next(): { id: number; request: Wanted } | null {
+  next(): { id: number; request: PendingRequest } | null {
     const request = this.waiting.shift();
     if (request === undefined) return null;
     do this.lastId = (this.lastId % 0x7fffffff) + 1;
@@ -43,15 +43,15 @@ export class Requests {
     return { id: this.lastId, request };
   }
 
-  peek(): Wanted | undefined {
+  peek(): PendingRequest | undefined {
     return this.waiting[0];
   }
 
-  find(id: number): Wanted | undefined {
+  find(id: number): PendingRequest | undefined {
     return this.inFlight.get(id);
   }
 
-  take(id: number): Wanted | undefined {
+  take(id: number): PendingRequest | undefined {
     const request = this.inFlight.get(id);
     this.inFlight.delete(id);
     return request;

@@ -2,7 +2,7 @@
 import type { EditLimits, Material, TalusError } from 'talus';
 import type { Body } from '../controls/body';
 import type { Engine, Hit, Marker, Vector } from '../engine/engine';
-import { History, pairsThatFit, undoing, type Made } from './history';
+import { History, pairsThatFit, undoing, type VoxelEdit } from './history';
 import { aim, AIR, boxOf, eachVoxel, FILL_MAX, sidesOf, voxelOf, volumeOf, type Box, type Tool } from './target';
 
 /** Blocks: near enough to see the result. */
@@ -212,7 +212,7 @@ export class Builder {
       this.#say('You stand there yourself.', true);
       return false;
     }
-    const made: Made[] = [];
+    const made: VoxelEdit[] = [];
     let isHere = true;
     eachVoxel(box, (voxel) => {
       const before = engine.voxelAt(voxel.x, voxel.y, voxel.z);

@@ -2,14 +2,14 @@
 import type { Edit } from 'talus';
 import type { Vector } from '../engine/api';
 
-export interface Made {
+export interface VoxelEdit {
   readonly voxel: Vector;
   readonly before: number;
   readonly after: number;
 }
 
 export interface Step {
-  readonly made: readonly Made[];
+  readonly made: readonly VoxelEdit[];
 }
 
 const KEPT = 200;
@@ -24,7 +24,7 @@ export class History {
     return this.#steps.length === 0;
   }
 
-  push(made: readonly Made[]): Step {
+  push(made: readonly VoxelEdit[]): Step {
     const step = { made };
     this.#steps.push(step);
     if (this.#steps.length > KEPT) this.#steps.shift();
@@ -51,11 +51,11 @@ export function pairsThatFit(frameBytes: number, voxels: number): number {
   return Math.max(1, Math.min(Math.floor((frameBytes - REST_BYTES) / PAIR_BYTES), byVoxels));
 }
 
-/** Edits that restore `made`, each of at most `most` voxels. */
-export function undoing(made: readonly Made[], most: number): { edit: Edit; made: readonly Made[] }[] {
+/** Edits that restore `made`, each of at most `maxVoxels` voxels. */
+export function undoing(made: readonly VoxelEdit[], maxVoxels: number): { edit: Edit; made: readonly VoxelEdit[] }[] {
   const edits = [];
-  for (let from = 0; from < made.length; from += most) {
-    const part = made.slice(from, from + most);
+  for (let from = 0; from < made.length; from += maxVoxels) {
+    const part = made.slice(from, from + maxVoxels);
     const edit = {
       guards: part.map(({ voxel, after }) => ({ voxel, material: after })),
       writes: part.map(({ voxel, before }) => ({ voxel, material: before })),

@@ -6,7 +6,7 @@ import { Ground } from './draw/ground.js';
 import { materialTexture } from './draw/materials.js';
 import { NearestFirst } from './draw/nearest_first.js';
 import type { TerrainMesh } from './draw/terrain.js';
-import { Editing } from './edit/editing.js';
+import { EditSender } from './edit/edit_sender.js';
 import { Predictions, type Content, type VoxelChange } from './edit/predictions.js';
 import { touchedNeighbours } from './edit/touched.js';
 import { kindIn, tablesOf } from './mesh/kinds.js';
@@ -65,7 +65,7 @@ export class Engine {
   private selection: Vector | null = null;
   private marker: Marker | null = null;
   private readonly predictions: Predictions;
-  private readonly editing: Editing;
+  private readonly editing: EditSender;
   private readonly nearestFirst = new NearestFirst<TerrainMesh>();
   private lost = false;
   private disposed = false;
@@ -152,7 +152,7 @@ export class Engine {
       },
       show: ({ x, y, z }, content) => this.addChunk(0, x, y, z, content),
     });
-    this.editing = new Editing(this.predictions, () => (this.disposed ? null : this.link.client));
+    this.editing = new EditSender(this.predictions, () => (this.disposed ? null : this.link.client));
     options.canvas.addEventListener('webglcontextlost', this.onContextLost);
     options.canvas.addEventListener('webglcontextrestored', this.onContextRestored);
   }

@@ -25,7 +25,7 @@ class FileLayer {
 
   virtual ~FileLayer() = default;
 
-  [[nodiscard]] virtual Result<int> open_to_read(const std::filesystem::path& path, WaitPolicy waiting) = 0;
+  [[nodiscard]] virtual Result<int> open_to_read(const std::filesystem::path& path, WaitPolicy wait) = 0;
   [[nodiscard]] virtual Result<int> open_directory(const std::filesystem::path& path) = 0;
   /// Creates a file without a name, which vanishes when it is closed or the process is killed. Fails if the
   /// file system does not support this.

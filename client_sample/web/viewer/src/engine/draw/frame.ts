@@ -34,7 +34,7 @@ import { Ground } from './ground.js';
 import type { Marker } from '../api.js';
 import { MarkerBox } from './marker.js';
 import { lightAt, type Light } from './sun.js';
-import { ANCHOR_STEP, Terrain, type Sorted, type TerrainMesh } from './terrain.js';
+import { ANCHOR_STEP, Terrain, type ColumnList, type TerrainMesh } from './terrain.js';
 
 export interface Eye {
   x: number;
@@ -247,7 +247,7 @@ export class Frame {
   /** Returns true if it drew. */
   draw(options: {
     eye: Eye;
-    columns: Sorted;
+    columns: ColumnList;
     seconds: number;
     now: number;
     slice: SlicePlane | null;

@@ -24,7 +24,7 @@ export interface TerrainMesh extends Drawable {
 }
 
 /** Columns, and for each its position: west end, north end, side. */
-export interface Sorted {
+export interface ColumnList {
   readonly columns: readonly Column<TerrainMesh>[];
   readonly squares: Float64Array;
 }
@@ -139,7 +139,7 @@ export class Terrain implements Drawer<TerrainMesh> {
   }
 
   /** Lists the columns' meshes that the camera at `eye` (blocks of the world) sees. */
-  list({ columns, squares }: Sorted, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
+  list({ columns, squares }: ColumnList, eye: { x: number; y: number; z: number }, matrix: Matrix4, slice: SlicePlane | null, hideBuried: boolean): void {
     for (const set of this.sets) {
       set.solid.empty();
       set.liquid.empty();

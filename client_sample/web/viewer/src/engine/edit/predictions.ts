@@ -38,7 +38,7 @@ export class Prediction {
   revision: bigint | null = null;
 }
 
-interface Covered {
+interface CoveredChunk {
   readonly place: Place;
   /** Revision of the chunk beneath; -1: unknown, as it arrived before. */
   revision: bigint;
@@ -59,7 +59,7 @@ function voxelsOf({ payload, material }: Content): Uint16Array {
 const isSame = (a: Uint16Array, b: Uint16Array) => a.every((material, i) => material === b[i]);
 
 export class Predictions {
-  private readonly covered = new Map<string, Covered>();
+  private readonly covered = new Map<string, CoveredChunk>();
 
   constructor(private readonly host: Host) {}
 
@@ -144,19 +144,19 @@ export class Predictions {
     this.covered.clear();
   }
 
-  private cover(name: string, place: Place): Covered | null {
+  private cover(name: string, place: Place): CoveredChunk | null {
     const already = this.covered.get(name);
     if (already !== undefined) return already;
     const held = this.host.held(place);
     if (held === null) return null;
     const base = { payload: held.payload, material: held.material, hash: held.hash }; // `held` will show the prediction
     const voxels = voxelsOf(base);
-    const covered: Covered = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
+    const covered: CoveredChunk = { place, revision: -1n, base, voxels, shown: voxels, predictions: [] };
     this.covered.set(name, covered);
     return covered;
   }
 
-  private put(covered: Covered, revision: bigint, content: Content): void {
+  private put(covered: CoveredChunk, revision: bigint, content: Content): void {
     covered.revision = revision;
     covered.base = content;
     covered.voxels = voxelsOf(content);
@@ -164,7 +164,7 @@ export class Predictions {
   }
 
   /** Removes the prediction from those of its chunks for which `isOver` is true. */
-  private eachOf(prediction: Prediction, isOver: (covered: Covered) => boolean): void {
+  private eachOf(prediction: Prediction, isOver: (covered: CoveredChunk) => boolean): void {
     for (const name of prediction.layers.keys()) {
       const covered = this.covered.get(name);
       if (covered === undefined || !covered.predictions.includes(prediction) || !isOver(covered)) continue;
@@ -173,13 +173,13 @@ export class Predictions {
     }
   }
 
-  private refresh(name: string, covered: Covered): void {
+  private refresh(name: string, covered: CoveredChunk): void {
     const content = this.compose(name, covered);
     if (content !== null) this.host.show(covered.place, content);
   }
 
   /** null: the shown content is correct. */
-  private compose(name: string, covered: Covered): Content | null {
+  private compose(name: string, covered: CoveredChunk): Content | null {
     const { predictions, base, voxels } = covered;
     if (predictions.length === 0) this.covered.delete(name);
     let wanted = voxels;

@@ -3,11 +3,11 @@
 import { DOWN, EAST, GROUPS, NORTH, SKIRTS, SOUTH, UP, WEST } from './quad.js';
 import {
   DX, DY, DZ, ROWS, blockEnds, blockRow, classify, eastOf, ground, liquidEnds, liquidRow, openCut, openCutEnds, row, solid, solidRow, westOf,
-  type Kept,
+  type KeptColumns,
 } from './rows.js';
 import { PADDED, SIDE, paddedIndex } from './volume.js';
 
-export { GAS, LIQUID, SOLID, type Kept } from './rows.js';
+export { GAS, LIQUID, SOLID, type KeptColumns } from './rows.js';
 
 /** Depth of a skirt below open space, in voxels. */
 const SKIRT_DEPTH = 12;
@@ -25,7 +25,7 @@ export interface MeshOptions {
   readonly grounded: boolean;
   /** For each row z, the voxels x that a slice keeps, as bits; null: all. 34 rows, -1 to 32, bit 0 is x = 0; western
    *  and eastern aprons have their own arrays. */
-  readonly kept: Kept | null;
+  readonly kept: KeptColumns | null;
 }
 
 export interface ChunkMesh {

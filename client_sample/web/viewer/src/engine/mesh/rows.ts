@@ -6,7 +6,7 @@ export const LIQUID = 1;
 export const SOLID = 2;
 
 /** Columns that a slice keeps: rows z = -1 to 32; bits x = 0 to 31 in `mask`, and x = -1 and x = 32. */
-export interface Kept {
+export interface KeptColumns {
   readonly mask: Uint32Array;
   readonly west: Uint8Array;
   readonly east: Uint8Array;
@@ -50,7 +50,7 @@ function knowKinds(kinds: Uint8Array): void {
 }
 
 /** Fills the rows above from the chunk. */
-export function classify(padded: Uint16Array, kinds: Uint8Array, kept: Kept | null): { solids: boolean; liquids: boolean } {
+export function classify(padded: Uint16Array, kinds: Uint8Array, kept: KeptColumns | null): { solids: boolean; liquids: boolean } {
   knowKinds(kinds);
   const pairs = new Uint32Array(padded.buffer, padded.byteOffset, padded.length / 2);
   let anySolid = 0;

@@ -1,5 +1,5 @@
 // The part of a chunk that a slice keeps.
-import type { Kept } from '../mesh/mesher.js';
+import type { KeptColumns } from '../mesh/mesher.js';
 import { PADDED } from '../mesh/volume.js';
 import type { SlicePlane } from './messages.js';
 
@@ -16,7 +16,7 @@ export function sideOf(plane: SlicePlane, x: number, z: number, size: number): S
 }
 
 /** Removes voxels whose centre is beyond the plane. */
-export function keptOf(plane: SlicePlane, lod: number, cx: number, cz: number): Kept {
+export function keptOf(plane: SlicePlane, lod: number, cx: number, cz: number): KeptColumns {
   const scale = 2 ** lod;
   const mask = new Uint32Array(PADDED);
   const west = new Uint8Array(PADDED);

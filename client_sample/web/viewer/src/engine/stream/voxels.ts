@@ -7,10 +7,10 @@ import type { Chunk } from './column.js';
 const KEPT = 128; // chunks: 8 MiB
 
 /** null: the payload does not decode, or does not match its hash. */
-type Decoded = number | Uint16Array | null;
+type DecodedVoxels = number | Uint16Array | null;
 
 export class Voxels {
-  private readonly decoded = new Map<string, { payload: Uint8Array; voxels: Decoded }>();
+  private readonly decoded = new Map<string, { payload: Uint8Array; voxels: DecodedVoxels }>();
 
   /** `chunkAt`: the land's chunk of level 0. */
   constructor(private readonly chunkAt: (x: number, y: number, z: number) => Chunk | undefined) {}
@@ -48,7 +48,7 @@ export class Voxels {
 }
 
 /** The workers, which receive every chunk too, report payloads that do not decode. */
-function decodedOrNull(payload: Uint8Array, hash: string | null): Decoded {
+function decodedOrNull(payload: Uint8Array, hash: string | null): DecodedVoxels {
   try {
     return decodeChunk(payload, hash);
   } catch {

@@ -4,7 +4,7 @@ import { shellOf, type Shell } from '../mesh/volume.js';
 import { chunkKey } from './keys.js';
 import type { ChunkData } from './messages.js';
 
-interface Held {
+interface HeldChunk {
   readonly payload: Uint8Array | null;
   material: number | null;
   hash: string | null; // null: checked, or not known
@@ -18,7 +18,7 @@ const CACHED = 160; // chunks: 10 MiB
 export type Decode = (payload: Uint8Array, hash: string | null) => number | Uint16Array;
 
 export class WorkerChunks {
-  private readonly held = new Map<string, Held>();
+  private readonly held = new Map<string, HeldChunk>();
   private readonly voxels = new Map<string, Uint16Array>();
   private payloadBytes = 0;
   private shells = 0;
@@ -78,7 +78,7 @@ export class WorkerChunks {
     return held.shell!;
   }
 
-  private decoded(held: Held): number | Uint16Array {
+  private decoded(held: HeldChunk): number | Uint16Array {
     const voxels = this.decode(held.payload!, held.hash);
     held.hash = null; // checking once is enough
     if (typeof voxels === 'number') {

@@ -1,6 +1,6 @@
 // The mesher against a plain reference: every face that can be seen is covered by one quad, and no other.
 import { describe, expect, it } from 'vitest';
-import { GAS, LIQUID, SOLID, meshChunk, type ChunkMesh, type Kept } from '../../../src/engine/mesh/mesher.js';
+import { GAS, LIQUID, SOLID, meshChunk, type ChunkMesh, type KeptColumns } from '../../../src/engine/mesh/mesher.js';
 import { FACES, GROUPS, unpack } from '../../../src/engine/mesh/quad.js';
 import { PADDED_VOXELS, SIDE, UNKNOWN, fillPadded, paddedIndex, shellOf, voxelIndex } from '../../../src/engine/mesh/volume.js';
 
@@ -179,7 +179,7 @@ describe('meshChunk', () => {
 
   it('opens the land along a slice, and marks the faces that only the slice opened', () => {
     const padded = new Uint16Array(PADDED_VOXELS).fill(2);
-    const kept: Kept = { mask: new Uint32Array(34).fill(0xffff), west: new Uint8Array(34).fill(1), east: new Uint8Array(34) };
+    const kept: KeptColumns = { mask: new Uint32Array(34).fill(0xffff), west: new Uint8Array(34).fill(1), east: new Uint8Array(34) };
     const quads = quadsOf(meshChunk(padded, { ...options, kept }), 0, 6);
     expect(quads.length).toBe(1);
     expect(quads[0]).toMatchObject({ x: 15, y: 0, z: 0, face: 3, width: 32, height: 32, cut: true });

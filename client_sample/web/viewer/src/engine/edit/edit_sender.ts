@@ -2,7 +2,7 @@
 import type { Client, Edit, EditDone } from 'talus';
 import type { Prediction, Predictions, VoxelChange } from './predictions.js';
 
-export class Editing {
+export class EditSender {
   /** `client()`: the current client; null: there is none any more. */
   constructor(
     private readonly predictions: Predictions,

@@ -1,7 +1,7 @@
 // The application's requests: in their order, alternating with the View's requests, and before them.
 import type { TalusError } from '../errors.js';
 
-export class Asked {
+export class RequestQueue {
   private readonly waiting: (() => void)[] = [];
   running = 0;
 

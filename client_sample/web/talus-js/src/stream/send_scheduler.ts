@@ -11,7 +11,7 @@ import {
   REST_BYTES,
 } from '../wire/write.js';
 import type { Pace } from './pace.js';
-import type { PlacesWanted, Requests } from './requests.js';
+import type { PendingPlaces, Requests } from './requests.js';
 
 export interface Sender {
   /** The world of a server that accepts requests now; null: not connected. */
@@ -20,7 +20,7 @@ export interface Sender {
   sendView(): void;
 }
 
-export class Sending {
+export class SendScheduler {
   viewWaits = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -90,7 +90,7 @@ export class Sending {
     flush();
   }
 
-  private askPlaces({ limits, fields: known }: World, room: number, id: number, request: PlacesWanted): void {
+  private askPlaces({ limits, fields: known }: World, room: number, id: number, request: PendingPlaces): void {
     const reject = (text: string) => this.requests.take(id)!.reject(new TalusError('out_of_range', text));
     const most = Math.min(limits.heightsPerRequest, Math.floor(room / COLUMN_BYTES));
     const fields = request.fields.map((name) => known.indexOf(name));
