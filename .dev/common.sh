@@ -34,7 +34,7 @@ compiling() {
     { mapfile -d '' -t arguments <"$process/cmdline" && status="$(<"$process/stat")"; } 2>/dev/null || continue
     [[ "${arguments[0]:-}" == */cc1plus || "${arguments[1]:-}" == -cc1 ]] || continue
     for argument in "${arguments[@]}"; do
-      [[ "$argument" == "$PWD"/*.c* ]] || continue
+      [[ "$argument" == "$PWD"/*.@(c|cc|cpp|cxx) ]] || continue
       # The 22nd field is when it began, in hundredths of a second; the second may contain blanks.
       read -ra status <<<"${status##*) }"
       read -r up _ </proc/uptime

@@ -1,7 +1,7 @@
 vcl 4.1;
 
 # Varnish in front of talusd's HTTP and WebSocket:
-#   varnishd -a :80 -f talus.vcl -s malloc,8g
+#   varnishd -a :80 -f /etc/varnish/talus.vcl -s malloc,8g
 # Set the backend's address; Varnish's own goes into talusd's `proxies`. The test of it is tests/proxies/run.sh.
 
 backend talus {

@@ -38,8 +38,9 @@ Answer Requester::find(const http::Request& request) {
   if (!connection_.through_proxy) return std::nullopt;
   const auto address = forwarded_for(request.list("X-Forwarded-For"), context_.settings.proxies);
   if (!address) {
-    return error_response(400, ErrorCode::malformed,
-                          "the proxy in front of this server names no client; it must set X-Forwarded-For");
+    return error_response(
+        400, ErrorCode::malformed,
+        "the proxy in front of this server must name a client outside `proxies` in X-Forwarded-For");
   }
   if (shared_.access.meet(*address)) {
     shared_.metrics.denied(AuthFailure::blocked).add();
