@@ -83,6 +83,7 @@ void ClusterLog::cannot_get(const StreamFailure& failure) {
       (void)pause(kSoon);
       break;
     case StreamFailure::Kind::refused:
+    case StreamFailure::Kind::too_large:  // of publish() only
       trouble(failure.reason);
       (void)pause(kRetryOfFault);
       break;

@@ -158,36 +158,64 @@ void Publisher::run() {
     if (taken.empty() && !stand) continue;
     pace_.sent(std::chrono::steady_clock::now(), taken.size());
     if (!stand) stand = parts_.stand();
-    const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand->revision, stand->hash};
     std::vector<store::Bytes> entries;
-    OpenMessage open;
+    std::vector<EditLog::Callback> done;
     for (Queue::Item& each : taken) {
       entries.push_back(std::move(each.entry.bytes));
-      open.done.push_back(std::move(each.done));
+      done.push_back(std::move(each.done));
     }
-    const store::Bytes message = encode_batch(head, parts_.settles, entries);
-    open.seal.assign(seal_of(message).begin(), seal_of(message).end());
-    {
-      const std::lock_guard lock{mutex_};
-      open_.emplace(head.number, std::move(open));
-    }
-    publish(head.number, message);
+    send(*stand, entries, std::move(done));
   }
 }
 
-void Publisher::publish(std::uint64_t number, std::span<const std::byte> message) {
+void Publisher::send(const Stand& stand, std::span<const store::Bytes> entries,
+                     std::vector<EditLog::Callback> done) {
+  const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand.revision, stand.hash};
+  const store::Bytes message = encode_batch(head, parts_.settles, entries);
+  {
+    OpenMessage open{std::move(done), {}};
+    open.seal.assign(seal_of(message).begin(), seal_of(message).end());
+    const std::lock_guard lock{mutex_};
+    open_.emplace(head.number, std::move(open));
+  }
+  const auto too_large = publish(head.number, message);
+  if (!too_large) return;
+  {
+    const std::lock_guard lock{mutex_};
+    done = std::move(open_.extract(head.number).mapped().done);
+  }
+  if (too_large->may_be_stored) return answer_unknown(done, too_large->reason);
+  if (entries.size() > 1) {
+    for (std::size_t i = 0; i < entries.size(); ++i) send(stand, entries.subspan(i, 1), {std::move(done[i])});
+    return;
+  }
+  const tl::expected<const edits::EntryResult*, EditError> failure = edit_error(
+      EditErrorCode::out_of_range,
+      fmt::format("the edit takes {} bytes of the log that this world's servers share, more than it accepts "
+                  "({}); split it",
+                  message.size(), too_large->reason));
+  for (const EditLog::Callback& each : done) each(failure);
+}
+
+std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
+                                                      std::span<const std::byte> message) {
   const auto began = std::chrono::steady_clock::now();
   for (bool first = true;; first = false) {
     if (!first) republished_.add();
     const auto acked = parts_.stream.publish(message);
     if (acked) break;
     using Kind = StreamFailure::Kind;
+    if (acked.error().kind == Kind::too_large) {
+      set_takes(true);
+      return TooLarge{acked.error().reason, !first};
+    }
     if (acked.error().kind == Kind::other || acked.error().kind == Kind::false_message) {
-      return give_up(acked.error().reason);
+      give_up(acked.error().reason);
+      return std::nullopt;
     }
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_ || gave_up_) return;
+      if (stopping_ || gave_up_) return std::nullopt;
       trouble_ = acked.error().reason;
     }
     if (std::chrono::steady_clock::now() - began > kPatience) {
@@ -201,10 +229,11 @@ void Publisher::publish(std::uint64_t number, std::span<const std::byte> message
   latency_.add(took);
   {
     const std::lock_guard lock{mutex_};
-    if (stopping_ || gave_up_) return;
+    if (stopping_ || gave_up_) return std::nullopt;
     trouble_.clear();
   }
   set_takes(true);
+  return std::nullopt;
 }
 
 bool Publisher::wait_for_retry(std::uint64_t number) {
@@ -248,13 +277,15 @@ void Publisher::answer_open() {
     const std::lock_guard lock{mutex_};
     open.swap(open_);
   }
+  for (const auto& [number, each] : open) answer_unknown(each.done, trouble());
+}
+
+void Publisher::answer_unknown(const std::vector<EditLog::Callback>& done, std::string_view why) {
   const tl::expected<const edits::EntryResult*, EditError> failure = edit_error(
       EditErrorCode::unwritable,
       fmt::format("the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
-                  trouble()));
-  for (const auto& [number, each] : open) {
-    for (const EditLog::Callback& done : each.done) done(failure);
-  }
+                  why));
+  for (const EditLog::Callback& each : done) each(failure);
 }
 
 }  // namespace talus::server::cluster

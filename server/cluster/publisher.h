@@ -104,15 +104,25 @@ class Publisher {
     bool seen = false;
   };
 
+  /// The stream takes no message of this size, and the message is not published again.
+  struct TooLarge {
+    std::string reason;
+    bool may_be_stored = false;  // by an earlier attempt, whose outcome is unknown
+  };
+
   void run();
   [[nodiscard]] std::int64_t time_ms() const;
-  void publish(std::uint64_t number, std::span<const std::byte> message);
+  /// Publishes the entries in one message, or one by one if the stream takes no message of that size. An
+  /// entry that is too large by itself is rejected as out_of_range.
+  void send(const Stand& stand, std::span<const store::Bytes> entries, std::vector<EditLog::Callback> done);
+  [[nodiscard]] std::optional<TooLarge> publish(std::uint64_t number, std::span<const std::byte> message);
   /// True if the message need not be published again.
   [[nodiscard]] bool wait_for_retry(std::uint64_t number);
   void set_takes(bool takes);
   void refuse(const std::vector<Queue::Item>& waiting) const;
   void refuse_all();
   void answer_open();
+  static void answer_unknown(const std::vector<EditLog::Callback>& done, std::string_view why);
   [[nodiscard]] EditError cut_off() const;
 
   const Parts parts_;

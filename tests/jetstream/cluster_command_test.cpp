@@ -294,9 +294,13 @@ TEST_CASE("check says that the stream is missing, and how to make it") {
   CHECK_THAT(faults_of(target_at(servers.url_list(), 1)), Catch::Contains("talusd cluster init"));
 }
 
-TEST_CASE("check names a small max_payload") {
+TEST_CASE("check and init name a small max_payload") {
   NatsServers servers{{.servers = 1, .more = "max_payload: 64KB"}};
-  CHECK_THAT(faults_of(target_at(servers.url_list(), 1)), Catch::Contains("max_payload is 65536"));
+  const std::string fault = servers.url(0) + ": max_payload of nats-server is 65536";
+  CHECK_THAT(faults_of(target_at(servers.url_list(), 1)), Catch::Contains(fault));
+  const auto made = init(target_at(servers.url_list(), 1), cluster::Genesis{});
+  REQUIRE_FALSE(made);
+  CHECK_THAT(made.error(), Catch::Contains(fault));
 }
 
 TEST_CASE("check names each missing permission, and one too many") {

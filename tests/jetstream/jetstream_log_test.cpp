@@ -172,6 +172,33 @@ TEST_CASE("a message of any size reaches all who read, cut where no talusd would
   CHECK(read(*log, 2) == "c");
 }
 
+TEST_CASE("a NATS server that does not take every message is named, and what it cannot take fails for good") {
+  OneServer one("max_payload: 64KB");
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names);
+  const auto state = log->state();
+  REQUIRE_FALSE(state);
+  CHECK(state.error().kind == Kind::refused);
+  CHECK_THAT(state.error().reason, Catch::Contains("max_payload of nats-server is 65536"));
+  const auto large = log->publish(bytes_of(std::string(65'537, 'x')));
+  REQUIRE_FALSE(large);
+  CHECK(large.error().kind == Kind::too_large);
+  publish(*log, "a");
+  CHECK(read(*log, 0) == "a");
+}
+
+TEST_CASE("a message above the stream's own limit fails for good") {
+  OneServer one;
+  auto settings = wanted_settings(one.names, 1);
+  settings["max_msg_size"] = 4096;
+  ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
+  const auto log = open_log(one.servers.url_list(), one.names);
+  const auto large = log->publish(bytes_of(std::string(5000, 'x')));
+  REQUIRE_FALSE(large);
+  CHECK(large.error().kind == Kind::too_large);
+  publish(*log, "a");
+}
+
 TEST_CASE("the leader of three servers dies: no acknowledged message is lost, and the log continues") {
   NatsServers servers;
   const StreamNames names = test_names();

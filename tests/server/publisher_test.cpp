@@ -2,6 +2,7 @@
 #include "cluster/publisher.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include <catch2/catch.hpp>
 
@@ -16,15 +17,22 @@ using TimePoint = std::chrono::steady_clock::time_point;
 
 constexpr store::StoreIdentity kOwnStore{{1, 2}, {3, 4}};
 
-/// Acknowledges when it is told to.
+/// Acknowledges when it is told to, and takes no message of more than `limit` bytes.
 class SlowStream final : public LogStream {
  public:
+  explicit SlowStream(std::size_t limit = kMaxMessageBytes) : limit_{limit} {}
+
   struct PublishedMessage {
     TimePoint at;
     std::size_t entries = 0;
   };
 
   tl::expected<std::uint64_t, StreamFailure> publish(std::span<const std::byte> message) override {
+    if (breaks_.exchange(false)) {
+      return tl::unexpected{StreamFailure{StreamFailure::Kind::unavailable, "the connection broke"}};
+    }
+    if (message.size() > limit_)
+      return tl::unexpected{StreamFailure{StreamFailure::Kind::too_large, "limit"}};
     const auto now = std::chrono::steady_clock::now();
     const auto batch = decode_batch(message, kOwnStore);
     std::unique_lock lock{mutex_};
@@ -52,6 +60,8 @@ class SlowStream final : public LogStream {
     changed_.wait(lock, [&] { return published_.size() >= number; });
     return published_[number - 1];
   }
+  /// The next attempt to publish has an unknown outcome.
+  void break_once() { breaks_ = true; }
   void acknowledge(std::size_t number) {
     const std::lock_guard lock{mutex_};
     acknowledged_ = number;
@@ -59,6 +69,8 @@ class SlowStream final : public LogStream {
   }
 
  private:
+  const std::size_t limit_;
+  std::atomic<bool> breaks_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<PublishedMessage> published_;
@@ -116,6 +128,47 @@ TEST_CASE("edits that come while a message is in flight are in the next, when th
   CHECK(second.entries == 10);
   CHECK(second.at - began >=
         MessagePace::kLongest * 7 / 8);  // one acknowledgement, however quick, is an eighth
+}
+
+TEST_CASE("an edit that the stream can never take is answered at once, and others go on") {
+  const bool is_unknown = GENERATE(false, true);
+  // Room for a batch with one short entry.
+  constexpr std::size_t kShort = 60;
+  SlowStream stream{encode_batch({}, nullptr, {}).size() + kShort};
+  const ManualClock clock;
+  Publisher publisher{{stream, clock, kOwnStore, 1, nullptr, [] { return Publisher::Stand{}; }, [] {}}};
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<std::string> rejected;
+  const auto append = [&](const std::string& name, std::size_t length) {
+    const edits::AttachEntry entry{{1, 2}, 1, name + std::string(length, '.')};
+    REQUIRE(publisher.append(entry, [&, name](const auto& outcome) {
+      const std::lock_guard lock{mutex};
+      const auto code = is_unknown ? EditErrorCode::unwritable : EditErrorCode::out_of_range;
+      rejected.push_back(!outcome && outcome.error().code == code ? name : "?");
+      changed.notify_all();
+    }));
+  };
+  const auto await_rejected = [&] {
+    std::unique_lock lock{mutex};
+    changed.wait(lock, [&] { return !rejected.empty(); });
+    return rejected;
+  };
+  if (is_unknown) {
+    stream.break_once();
+  } else {
+    append("small", 0);
+  }
+  // In one message with the small one, because the thread has not started.
+  append("large", 2 * kShort);
+  publisher.start();
+  if (!is_unknown) stream.acknowledge(1);
+  CHECK(await_rejected() == std::vector<std::string>{"large"});
+  append("other", 0);
+  CHECK(stream.await(is_unknown ? 1 : 2).entries == 1);
+  CHECK(publisher.takes());
+  stream.stop();
+  publisher.stop();
 }
 
 }  // namespace

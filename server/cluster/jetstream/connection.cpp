@@ -386,7 +386,11 @@ natsStatus Connection::await_acks() {
 
 tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const ReceivedMessage& answer) {
   const auto said = parse_answer(answer.text());
-  if (!said) return tl::unexpected{unavailable(fmt::format("NATS: {}", words_of(said.error().what)))};
+  if (!said) {
+    StreamFailure failure = unavailable(fmt::format("NATS: {}", words_of(said.error().what)));
+    if (said.error().code == JSStreamMessageExceedsMaximumErr) failure.kind = StreamFailure::Kind::too_large;
+    return tl::unexpected{std::move(failure)};
+  }
   return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
 }
 
@@ -402,6 +406,10 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
   const std::string reply = fmt::format("{}.{}", acks_to_, ++published_);
   natsStatus status = natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(),
                                                     bytes.data(), static_cast<int>(bytes.size()));
+  if (status == NATS_MAX_PAYLOAD) {
+    return tl::unexpected{StreamFailure{StreamFailure::Kind::too_large,
+                                        fmt::format("max_payload of nats-server is {}", max_payload())}};
+  }
   while (status == NATS_OK) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(began + patience - Clock::now());
     natsMsg* come = nullptr;

@@ -90,7 +90,7 @@ StreamFailure JetStreamLog::explained(StreamFailure failure) const {
 tl::expected<std::uint64_t, StreamFailure> JetStreamLog::publish(std::span<const std::byte> message) {
   if (auto fault = inbox_->fault()) return tl::unexpected{*std::move(fault)};
   if (message.size() > kStreamMessageBytes) {
-    return stream_failure(Kind::refused,
+    return stream_failure(Kind::too_large,
                           fmt::format("a message of {} bytes is over the {} that the stream takes",
                                       message.size(), kStreamMessageBytes));
   }
@@ -180,6 +180,10 @@ void JetStreamLog::find_leader() {
 tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
+  // At every answer, because it may change with the connection and while connected.
+  if (auto small = small_payload((*connection)->max_payload()); small && (*connection)->connected()) {
+    return stream_failure(Kind::refused, *std::move(small));
+  }
   const std::uint64_t read_before = inbox_->after();
   const auto info = ask_info(**connection, settings_.names);
   if (!info) return tl::unexpected{explained(info.error())};

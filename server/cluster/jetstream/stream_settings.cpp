@@ -69,6 +69,13 @@ std::optional<std::string> other_settings(const nlohmann::json& present, const S
                      others.front().name == "num_replicas" ? "cluster.replicas, or it" : "it");
 }
 
+std::optional<std::string> small_payload(std::int64_t max_payload) {
+  if (max_payload >= kStreamMessageBytes) return std::nullopt;
+  return fmt::format(
+      "max_payload of nats-server is {} and should be at least {}; raise it in its configuration",
+      max_payload, kStreamMessageBytes);
+}
+
 std::string to_string(const SettingDifference& difference) {
   return fmt::format("{} is {} and should be {}", difference.name, difference.is, difference.should);
 }

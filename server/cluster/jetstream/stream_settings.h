@@ -31,6 +31,8 @@ struct SettingDifference {
 /// Returns one line with the first difference of an existing stream; nullopt if there is not one.
 [[nodiscard]] std::optional<std::string> other_settings(const nlohmann::json& present,
                                                         const StreamNames& names, std::uint64_t replicas);
+/// Returns one line if a NATS server with this `max_payload` does not take every message; nullopt if it does.
+[[nodiscard]] std::optional<std::string> small_payload(std::int64_t max_payload);
 /// Formats "max_age is 3600000000000 and should be 604800000000000".
 [[nodiscard]] std::string to_string(const SettingDifference& difference);
 

@@ -76,9 +76,8 @@ class Checker {
     add(Kind::ok, fmt::format("{}: nats-server {}, {}", url, greeting->version, greeting->name));
     if (!greeting->jetstream)
       add(Kind::fault, fmt::format("{}: JetStream is off; switch it on in its configuration", url));
-    if (greeting->max_payload < jetstream::kStreamMessageBytes) {
-      add(Kind::fault, fmt::format("{}: max_payload is {} and should be {} at least", url,
-                                   greeting->max_payload, jetstream::kStreamMessageBytes));
+    if (const auto small = jetstream::small_payload(greeting->max_payload)) {
+      add(Kind::fault, fmt::format("{}: {}", url, *small));
     }
     if (!at_least(greeting->version, 2, 9)) {
       add(Kind::fault,

@@ -19,6 +19,9 @@ constexpr auto kAckPatience = 5s;
 tl::expected<InitResult, std::string> init(const Target& target, const cluster::Genesis& genesis) {
   const auto connection = target.connect();
   if (!connection) return tl::unexpected{connection.error().reason};
+  if (const auto small = jetstream::small_payload((*connection)->max_payload())) {
+    return tl::unexpected{fmt::format("{}: {}", target.urls.text(), *small)};
+  }
   const auto stream = ensure_stream(**connection, target.names, target.replicas);
   if (!stream) return tl::unexpected{stream.error()};
   InitResult made{stream->made, false};
