@@ -47,7 +47,7 @@ void EditIntake::edit(const MailboxPtr& mailbox, EditRequest request) {
 }
 
 bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
-  if (!started_ || named_voxels(request.edit) > kSmallVoxels || (settles() && request.settles)) return false;
+  if (!started_ || request.extent.voxels > kSmallVoxels || (settles() && request.settles)) return false;
   // Another calling thread finishes sooner than the intake's could be woken.
   constexpr int kTries = 100;
   std::unique_lock working{work_, std::try_to_lock};

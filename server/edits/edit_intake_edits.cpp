@@ -94,7 +94,9 @@ std::optional<EditIntake::Preparation> EditIntake::prepare(const Lane& lane, Wai
   }
   Preparation prepared{std::move(edit), *std::move(touched), {}, {}, {}, {}};
   const EditRequest& request = prepared.edit.request;
-  if (settles() && request.settles) prepared.settling = edits::with_settling(prepared.touched, request.edit);
+  if (settles() && request.settles) {
+    prepared.settling = edits::with_settling(prepared.touched, request.extent.loose);
+  }
   for (const edits::TouchedChunk& each : prepared.needed()) prepared.missing.insert(each.chunk);
   return prepared;
 }

@@ -90,8 +90,8 @@ void EditIntake::enter(Lane& lane) {
   std::size_t chunks = 0;
   if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
     const EditRequest& request = lane.waiting.front().request;
-    voxels = named_voxels(request.edit) + (settles() && request.settles ? edits::kSettleVoxels : 0);
-    chunks = named_chunks(request.edit);
+    voxels = request.extent.voxels + (settles() && request.settles ? edits::kSettleVoxels : 0);
+    chunks = request.extent.chunks.size();
   }
   const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
   lane.cost = kEditCost + voxels + kDecodeCost * chunks;

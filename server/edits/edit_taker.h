@@ -27,6 +27,7 @@ struct EditRequest {
   edits::Edit edit;
   std::string subject{};  // the player it is made for; empty: the subject that attached
   bool settles = true;    // loose material may slide, if the world lets any
+  edits::Extent extent{};
 };
 
 /// Callable from any thread. Calls do no I/O and never block on any; each is answered by one mail, and edits

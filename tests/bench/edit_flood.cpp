@@ -92,6 +92,7 @@ class Flooder {
     const VoxelPos first{static_cast<std::int64_t>(id_) * 64, 0, 0};
     request.edit.fills.push_back(
         {first, {first.x + edge_ - 1, std::min<std::int64_t>(edge_, 16) - 1, edge_ - 1}, material, {}});
+    request.extent = extent_of(request.edit, false);
     intake_.edit(mailbox_, std::move(request));
   }
 
@@ -159,6 +160,7 @@ void measure(const fs::path& path, const char* name, int sessions, bool one_flow
     EditRequest request{id, as.editor, as.epoch, id, {}};
     request.edit.writes.push_back({{-5, 3, 3}, MaterialId{static_cast<std::uint16_t>(3 + id % 5)}});
     const auto sent = Now::now();
+    request.extent = extent_of(request.edit, false);
     intake.edit(digger.mailbox, std::move(request));
     if (!std::get<EditAnswer>(digger.wait()).answer) fail("the digger is refused");
     ms.push_back(std::chrono::duration<double, std::milli>(Now::now() - sent).count());

@@ -368,8 +368,8 @@ void settle_costs() {
   /// CPU microseconds of applying it to generated ground of `ground` rows of rock, above it `above`.
   const auto cost = [&](const edits::Edit& edit, bool settles, std::int64_t ground, MaterialId above) {
     edits::EditEntry entry{{1, 1}, 1, 1, edit, {}, settles ? rules : nullptr};
-    const auto all = edits::touched_voxels(edit, settles);
-    for (const auto& touched : *all) {
+    const auto loose = settles ? edits::settle_box(edit) : std::nullopt;
+    for (const auto& touched : edits::with_settling(edits::touched_voxels(edit).value(), loose)) {
       const std::int64_t low = chunk_origin(touched.chunk).y;
       for (const std::uint16_t index : touched.voxels) {
         entry.base[touched.chunk].push_back({index, low + index / 1024 < ground ? kRock : above});

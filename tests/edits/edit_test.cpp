@@ -117,45 +117,56 @@ TEST_CASE("boxes that overlap touch each voxel once, in order, be they small or 
   }
 }
 
+std::vector<ChunkCoord> chunks_of(const Edit& edit) {
+  return extent_of(edit, false).chunks;
+}
+
 TEST_CASE("an edit touches its writable chunks and its guards' chunks, or no chunk if it is refused") {
   Edit edit = filling({30, 0, 0}, {33, 0, 0});
   edit.writes.push_back({{-1, 5, 64}, kStone});
   edit.writes.push_back({{-2, 5, 64}, kStone});
   edit.guards.push_back({{1'000, 0, 0}, kStone});
-  CHECK(touched_chunks(edit) == std::vector<ChunkCoord>{{-1, 0, 2}, {0, 0, 0}, {1, 0, 0}, {31, 0, 0}});
+  CHECK(chunks_of(edit) == std::vector<ChunkCoord>{{-1, 0, 2}, {0, 0, 0}, {1, 0, 0}, {31, 0, 0}});
   // A paste may write all that it lies in, whatever it holds.
   Edit paste;
   paste.paste = Paste{{1, 0, 0}, Chunk::uniform(kAir), false};
-  CHECK(touched_chunks(paste) == std::vector<ChunkCoord>{{0, 0, 0}, {1, 0, 0}});
-  CHECK(touched_chunks(filling({0, 0, 0}, {64 * 32 - 1, 0, 0})).size() == 64);
-  CHECK(touched_chunks(filling({0, 0, 0}, {64 * 32, 0, 0})).empty());
+  CHECK(chunks_of(paste) == std::vector<ChunkCoord>{{0, 0, 0}, {1, 0, 0}});
+  CHECK(chunks_of(filling({0, 0, 0}, {64 * 32 - 1, 0, 0})).size() == 64);
+  CHECK(chunks_of(filling({0, 0, 0}, {64 * 32, 0, 0})).empty());
   Edit guarding = filling({0, 0, 0}, {63 * 32 - 1, 0, 0});
   guarding.guards.push_back({{0, 32, 0}, kStone});
-  CHECK(touched_chunks(guarding).size() == 64);
+  CHECK(chunks_of(guarding).size() == 64);
   guarding.guards.push_back({{0, 64, 0}, kStone});
-  CHECK(touched_chunks(guarding).empty());
-  CHECK(touched_chunks(filling({kWorldEnd, 0, 0}, {kWorldEnd, 0, 0})).empty());
-  CHECK(touched_chunks(filling({1, 0, 0}, {0, 0, 0})).empty());
+  CHECK(chunks_of(guarding).empty());
+  CHECK(chunks_of(filling({kWorldEnd, 0, 0}, {kWorldEnd, 0, 0})).empty());
+  CHECK(chunks_of(filling({1, 0, 0}, {0, 0, 0})).empty());
   // Far beyond the world nothing overflows.
   paste.paste->origin = {INT64_MAX, INT64_MAX - 31, INT64_MIN};
-  CHECK(touched_chunks(paste).empty());
+  CHECK(chunks_of(paste).empty());
   CHECK_FALSE(touched_voxels(paste));
   // At the world's six faces too.
   for (const std::int64_t end : {std::int64_t{-kWorldEnd}, std::int64_t{kWorldEnd} - 1}) {
     for (const VoxelPos at : {VoxelPos{end, 0, 0}, VoxelPos{0, end, 0}, VoxelPos{0, 0, end}}) {
-      CHECK(touched_chunks(filling(at, at)) == std::vector{chunk_holding(at, Lod{})->coord});
-      CHECK(named_chunks(filling(at, at)) == 1);
+      CHECK(chunks_of(filling(at, at)) == std::vector{chunk_holding(at, Lod{})->coord});
     }
   }
   // What is loose around it may come into its neighbours.
   Edit corner;
   corner.writes.push_back({{0, 40, 0}, kStone});
-  CHECK(touched_chunks(corner).size() == 1);
-  const auto touched = touched_voxels(corner, true);
-  const auto settling = touched_chunks(corner, true);
-  REQUIRE(settling.size() == touched->size());
-  for (std::size_t i = 0; i < settling.size(); ++i) CHECK(settling[i] == (*touched)[i].chunk);
-  CHECK(settling.size() == 12);
+  CHECK(chunks_of(corner).size() == 1);
+  const Extent settling = extent_of(corner, true);
+  CHECK(settling.chunks == chunks_of(corner));
+  CHECK(settling.loose == settle_box(corner));
+  CHECK_FALSE(extent_of(corner, false).loose);
+  std::vector<ChunkCoord> all = settling.loose_chunks;
+  all.insert(all.end(), settling.chunks.begin(), settling.chunks.end());
+  std::ranges::sort(all);
+  const auto touched = with_settling(touched_voxels(corner).value(), settling.loose);
+  REQUIRE(all.size() == touched.size());
+  for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == touched[i].chunk);
+  CHECK(all.size() == 12);
+  CHECK(extent_of(filling({0, 0, 0}, {64 * 32, 0, 0}), true).voxels == 64 * 32 + 1);
+  CHECK_FALSE(extent_of(filling({0, 0, 0}, {64 * 32, 0, 0}), true).loose);
 }
 
 TEST_CASE("a world names the rows and materials that edits may use") {

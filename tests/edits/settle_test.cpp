@@ -272,8 +272,8 @@ TEST_CASE("placed sand slides on land without sand") {
   batch.apply(AttachEntry{{1, 1}, 1, ""});
   const auto entry_of = [](std::uint64_t sequence, Edit edit) {
     EditEntry entry{{1, 1}, 1, sequence, std::move(edit), {}, std::make_shared<const SettleRules>(kRules)};
-    const auto all = touched_voxels(entry.edit, true);
-    for (const TouchedChunk& each : *all) {
+    for (const TouchedChunk& each :
+         with_settling(touched_voxels(entry.edit).value(), settle_box(entry.edit))) {
       const VoxelPos origin = chunk_origin(each.chunk);
       for (const std::uint16_t index : each.voxels) {
         entry.base[each.chunk].push_back({index, origin.y + index / 1024 < 10 ? kRock : kAir});
@@ -317,8 +317,8 @@ TEST_CASE("an entry with rules settles where it is applied, all in one edit, and
   const auto sand_below = [](std::int64_t y) { return y < 10 ? kRock : y < 40 ? kSand : kAir; };
   EditEntry entry{{1, 1}, 1, 1, {}, {}, std::make_shared<const SettleRules>(kRules)};
   entry.edit.fills.push_back({{30, 34, 30}, {34, 39, 34}, kAir, {}});
-  const auto touched = touched_voxels(entry.edit, true);
-  for (const TouchedChunk& each : touched.value()) {
+  const auto touched = with_settling(touched_voxels(entry.edit).value(), settle_box(entry.edit));
+  for (const TouchedChunk& each : touched) {
     const VoxelPos origin = chunk_origin(each.chunk);
     for (const std::uint16_t index : each.voxels) {
       entry.base[each.chunk].push_back({index, sand_below(origin.y + index / 1024)});

@@ -29,6 +29,12 @@ EncodedChunkPtr of(MaterialId material) {
   return encode_shared(Chunk::uniform(material));
 }
 
+/// As EditAdmission hands it on.
+EditRequest measured(EditRequest request) {
+  request.extent = extent_of(request.edit, true);
+  return request;
+}
+
 struct HeldLog final : EditLog {
   struct Entry {
     LogEntry entry;
@@ -77,7 +83,7 @@ struct Bench {
   void edit(std::uint32_t id, std::vector<VoxelPos> voxels, MaterialId material = kGlass) {
     EditRequest request{id, kEditor, 3, id, {}};
     for (const VoxelPos voxel : voxels) request.edit.writes.push_back({voxel, material});
-    intake.edit(session, std::move(request));
+    intake.edit(session, measured(std::move(request)));
     intake.do_what_waits();
   }
   void look_ups_answered(MaterialId material) {
@@ -175,7 +181,7 @@ TEST_CASE("edits of a session keep their order, and edits of other sessions do n
   const MailboxPtr other = std::make_shared<Mailbox>(ClientId{2}, [] {});
   EditRequest request{7, {5, 6}, 1, 1, {}};
   request.edit.writes = {{{161, 0, 0}, kGlass}};
-  bench.intake.edit(other, std::move(request));
+  bench.intake.edit(other, measured(std::move(request)));
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 1);
   CHECK(bench.log.edit(0).editor == edits::EditorId{5, 6});
@@ -418,7 +424,7 @@ TEST_CASE("few edits wait in the log, and a newcomer goes before sessions that h
   const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
     EditRequest request{id, {static_cast<std::uint64_t>(from->owner()), 1}, 1, id, {}};
     request.edit.writes = {{{1, 0, 0}, kGlass}};
-    bench.intake.edit(from, std::move(request));
+    bench.intake.edit(from, measured(std::move(request)));
   };
   std::vector<MailboxPtr> flood;
   for (std::uint64_t id = 100; id < 200; ++id) {
@@ -470,7 +476,7 @@ TEST_CASE("many small edits do not keep a large one from the log, nor do edits o
         ClientId{id}, [] {}, flow));
     EditRequest request{1, {id, 1}, 1, 1, {}};
     for (std::int32_t x = 0; x < chunks; ++x) request.edit.guards.push_back({{x * 32, 0, 0}, kStone});
-    bench.intake.edit(crowd.back(), std::move(request));
+    bench.intake.edit(crowd.back(), measured(std::move(request)));
   }
   EditRequest alone{1, kEditor, 3, 1, {}};
   if (chunks == 1) {
@@ -478,7 +484,7 @@ TEST_CASE("many small edits do not keep a large one from the log, nor do edits o
   } else {
     alone.edit.writes = {{{0, 0, 0}, kGlass}};
   }
-  bench.intake.edit(bench.session, std::move(alone));
+  bench.intake.edit(bench.session, measured(std::move(alone)));
   bench.intake.do_what_waits();
   std::size_t place = 0;
   while (place < bench.log.entries.size() && bench.log.edit(place).editor != kEditor) ++place;
@@ -490,14 +496,14 @@ TEST_CASE("edits made while no session waited are not charged later") {
   bench.source.in_memory[{{0, 0, 0}, Lod{}}] = of(kStone);
   EditRequest large{1, kEditor, 3, 1, {}};
   large.edit.fills = {{{0, 0, 0}, {31, 31, 31}, kGlass, {}}};
-  bench.intake.edit(bench.session, std::move(large));
+  bench.intake.edit(bench.session, measured(std::move(large)));
   bench.intake.do_what_waits();
   REQUIRE(bench.log.entries.size() == 1);
   const MailboxPtr other = std::make_shared<Mailbox>(ClientId{2}, [] {});
   const auto send = [&](const MailboxPtr& from, std::uint32_t id) {
     EditRequest request{id, {static_cast<std::uint64_t>(from->owner()), 2}, 3, id, {}};
     request.edit.writes = {{{1, 0, 0}, kGlass}};
-    bench.intake.edit(from, std::move(request));
+    bench.intake.edit(from, measured(std::move(request)));
   };
   send(bench.session, 2);
   for (std::uint32_t id = 1; id <= 5; ++id) send(other, id);
@@ -531,7 +537,7 @@ TEST_CASE("if memory runs out, requests that arrive meanwhile still wait, and ar
   const auto send = [&](const MailboxPtr& from) {
     EditRequest request{1, kEditor, 3, 1, {}};
     request.edit.writes = {{{1, 0, 0}, kGlass}};
-    intake.edit(from, std::move(request));
+    intake.edit(from, measured(std::move(request)));
   };
   const MailboxPtr first = std::make_shared<Mailbox>(ClientId{1}, [] {});
   const MailboxPtr second = std::make_shared<Mailbox>(ClientId{2}, [] {});
@@ -552,7 +558,7 @@ TEST_CASE("in the log wait few bytes, but one edit alone may have more") {
   for (std::uint32_t id = 1; id <= 8; ++id) {
     EditRequest request{id, kEditor, 3, id, {}};
     request.edit.fills = {{{0, 0, 0}, {63, 31, 31}, kGlass, {}}};  // 256 KiB of base
-    bench.intake.edit(bench.session, std::move(request));
+    bench.intake.edit(bench.session, measured(std::move(request)));
   }
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.size() == 1);
@@ -637,7 +643,7 @@ TEST_CASE("a small edit goes to the log on the thread that brings it, while the 
   const auto edit = [&](std::uint32_t number, VoxelPos voxel) {
     EditRequest request{number, kEditor, 3, number, {}};
     request.edit.writes.push_back({voxel, kGlass});
-    intake.edit(session, std::move(request));
+    intake.edit(session, measured(std::move(request)));
     std::unique_lock lock{log.mutex};
     log.came.wait(lock, [&] { return log.sequences.size() == number; });
     return log.sequences.back().second == std::this_thread::get_id();

@@ -192,8 +192,8 @@ TEST_CASE("if the index is full, only chunks that were edited before can be edit
   edits::EditEntry settles = editor.entry(here);
   settles.edit.writes[0].material = MaterialId{10};
   settles.settles = std::make_shared<const edits::SettleRules>(edits::SettleRules{{MaterialId{10}, 160}});
-  const auto all = edits::touched_voxels(settles.edit, true);
-  for (const auto& touched : *all) {
+  settles.touched = edits::touched_voxels(settles.edit).value();
+  for (const auto& touched : edits::with_settling(settles.touched, edits::settle_box(settles.edit))) {
     settles.base[touched.chunk].clear();
     for (const std::uint16_t index : touched.voxels) settles.base[touched.chunk].push_back({index, kAir});
   }

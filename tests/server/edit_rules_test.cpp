@@ -81,19 +81,22 @@ TEST_CASE("a paste is checked by the voxels that it writes") {
 }
 
 TEST_CASE("material that slides after an edit does not leave a box that the edit must stay out of") {
-  CHECK(may_settle(write_at({16, 0, 0}), editor(), {}));
-  CHECK(may_settle(write_at({17 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
-  CHECK_FALSE(may_settle(write_at({16 + edits::kSettleMargin, 0, 0}), editor(), kSpawn));
-  CHECK(may_settle(write_at({16, 0, 0}), editor({Right::read, Right::edit, Right::admin}), kSpawn));
+  const auto around = [](std::int64_t x, std::int64_t z) { return *edits::settle_box(write_at({x, 0, z})); };
+  CHECK(may_settle(around(16, 0), editor(), {}));
+  CHECK(may_settle(around(17 + edits::kSettleMargin, 0), editor(), kSpawn));
+  CHECK_FALSE(may_settle(around(16 + edits::kSettleMargin, 0), editor(), kSpawn));
+  CHECK(may_settle(around(16, 0), editor({Right::read, Right::edit, Right::admin}), kSpawn));
   Grant grant = editor();
   grant.edit_in = *Boxes::parse("0,0:31,31");
-  CHECK(may_settle(write_at({16, 0, 16}), grant, {}));
-  CHECK_FALSE(may_settle(write_at({2, 0, 16}), grant, {}));
-  // Farther off than can be counted: it is refused where its voxels are looked at.
+  CHECK(may_settle(around(16, 16), grant, {}));
+  CHECK_FALSE(may_settle(around(2, 16), grant, {}));
+  // Farther off than can be counted: the edit has no box, and is refused where its voxels are looked at.
   for (const std::int64_t far : {INT64_MIN, INT64_MAX}) {
-    CHECK(may_settle(fill_of({0, 0, 0}, {far, far, far}), grant, {}));
-    CHECK(may_settle(paste_of({far, far, far}, 0, true), grant, {}));
-    CHECK_FALSE(edit_forbidden(paste_of({far, far, far}, kChunkVolume - 1, false), grant, {}));
+    for (const edits::Edit& edit :
+         {fill_of({0, 0, 0}, {far, far, far}), paste_of({far, far, far}, kChunkVolume - 1, false)}) {
+      CHECK_FALSE(extent_of(edit, true).loose);
+      CHECK_FALSE(edit_forbidden(edit, grant, {}));
+    }
   }
 }
 

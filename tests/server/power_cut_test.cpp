@@ -96,8 +96,8 @@ class PowerCuts {
   [[nodiscard]] edits::BaseVoxels base_for(const edits::Edit& edit) const {
     if (rules_ == nullptr) return base_of(edit);
     edits::BaseVoxels base;
-    const auto all = edits::touched_voxels(edit, true);
-    for (const edits::TouchedChunk& touched : *all) {
+    const auto all = edits::with_settling(edits::touched_voxels(edit).value(), edits::settle_box(edit));
+    for (const edits::TouchedChunk& touched : all) {
       const VoxelPos at = chunk_origin(touched.chunk);
       auto& voxels = base[touched.chunk];
       for (const std::uint16_t index : touched.voxels) {

@@ -211,7 +211,7 @@ TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
   builder.Finish(wire::CreateEdit(builder, 1, 0, 1, 0, builder.CreateVectorOfStructs(fills)));
   const auto checked = read_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()));
   REQUIRE(checked);
-  CHECK(checked->voxels == 65'536);
+  CHECK(checked->extent.voxels == 65'536);
   CHECK(checked->prepared_bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
   // Of those that wait behind it only what they say: one is prepared at a time.
   EditingBench shared;

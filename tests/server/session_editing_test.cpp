@@ -54,6 +54,8 @@ TEST_CASE("an Edit goes to the log as its editor, and is answered by its id") {
   CHECK(request.epoch == 3);
   CHECK(request.sequence == 17);
   CHECK(request.edit.writes == std::vector{edits::VoxelWrite{{-1, 2, 3}, MaterialId{5}}});
+  CHECK(request.extent.voxels == 1);
+  CHECK(request.extent.chunks == std::vector{ChunkCoord{-1, 0, 0}});
   CHECK(shared.bench.output().empty());
 
   const SessionFrame said = shared.answered({4, edits::EditResult{17, 10, 1, {}}});

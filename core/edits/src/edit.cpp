@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bitset>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -84,6 +85,33 @@ void put_in_order(std::vector<std::uint16_t>& indices) {
   }
 }
 
+/// Appends the chunks of a box, except one that was appended just before. Returns false, with nothing
+/// appended, if the corners are not in order or not in the world.
+bool add_chunks(VoxelPos first, VoxelPos last, std::vector<ChunkCoord>& chunks) {
+  if (first.x > last.x || first.y > last.y || first.z > last.z) return false;
+  if (!chunk_holding(first, Lod{}) || !chunk_holding(last, Lod{})) return false;
+  const ChunkCoord low = chunk_of(first);
+  const ChunkCoord high = chunk_of(last);
+  // 64 bits: the coordinate of the world's last chunk is the maximum of 32 bits.
+  for (std::int64_t y = low.y; y <= high.y; ++y) {
+    for (std::int64_t z = low.z; z <= high.z; ++z) {
+      for (std::int64_t x = low.x; x <= high.x; ++x) {
+        const ChunkCoord chunk{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
+                               static_cast<std::int32_t>(z)};
+        if (chunks.empty() || chunks.back() != chunk) chunks.push_back(chunk);
+      }
+    }
+  }
+  return true;
+}
+
+/// Sorts chunks and removes duplicates, without spare capacity.
+void put_in_order(std::vector<ChunkCoord>& chunks) {
+  std::ranges::sort(chunks);
+  chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
+  chunks.shrink_to_fit();
+}
+
 /// Voxels by chunk. Neighbours are mostly in one chunk, so the last one is checked first.
 class TouchedVoxels {
  public:
@@ -150,72 +178,29 @@ std::size_t named_voxels(const Edit& edit) {
   return voxels;
 }
 
-std::size_t named_chunks(const Edit& edit) {
-  std::vector<ChunkCoord> single;
-  for (const auto* const list : {&edit.guards, &edit.writes}) {
-    for (const VoxelWrite& each : *list) {
-      const ChunkCoord chunk = chunk_of(each.voxel);
-      if (single.empty() || single.back() != chunk) single.push_back(chunk);
-    }
-  }
-  std::ranges::sort(single);
-  single.erase(std::unique(single.begin(), single.end()), single.end());
-  std::size_t chunks = single.size();
-  const auto add_box = [&](VoxelPos first, VoxelPos last) {
-    if (first.x > last.x || first.y > last.y || first.z > last.z) return;
-    const ChunkCoord low = chunk_of(first);
-    const ChunkCoord high = chunk_of(last);
-    std::size_t box = 1;
-    for (const auto& [from, to] :
-         {std::pair{low.x, high.x}, std::pair{low.y, high.y}, std::pair{low.z, high.z}}) {
-      const auto along = static_cast<std::uint64_t>(std::int64_t{to} - from);
-      box = std::min<std::uint64_t>(box * (std::min<std::uint64_t>(along, kMaxChunks) + 1), kMaxChunks);
-    }
-    chunks += box;
-  };
-  for (const Fill& each : edit.fills) add_box(each.first, each.last);
-  if (edit.paste) add_box(edit.paste->origin, last_of(*edit.paste));
-  return chunks;
-}
-
-std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles) {
+Extent extent_of(const Edit& edit, bool settles) {
+  Extent extent{.voxels = named_voxels(edit)};
+  if (extent.voxels > kMaxVoxels) return extent;
   std::vector<ChunkCoord> chunks;
-  const auto add_box = [&](VoxelPos first, VoxelPos last) {
-    if (first.x > last.x || first.y > last.y || first.z > last.z) return false;
-    if (!chunk_holding(first, Lod{}) || !chunk_holding(last, Lod{})) return false;
-    const ChunkCoord low = chunk_of(first);
-    const ChunkCoord high = chunk_of(last);
-    // 64 bits: the coordinate of the world's last chunk is the maximum of 32 bits.
-    for (std::int64_t y = low.y; y <= high.y; ++y) {
-      for (std::int64_t z = low.z; z <= high.z; ++z) {
-        for (std::int64_t x = low.x; x <= high.x; ++x) {
-          chunks.push_back(
-              {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)});
-        }
-      }
-    }
-    return true;
-  };
-  const auto in_order = [&] {
-    std::ranges::sort(chunks);
-    chunks.erase(std::unique(chunks.begin(), chunks.end()), chunks.end());
-  };
   bool good = true;
+  const auto add = [&](VoxelPos first, VoxelPos last) { good = good && add_chunks(first, last, chunks); };
   for (const auto* list : {&edit.guards, &edit.writes}) {
-    for (const VoxelWrite& each : *list) good = good && add_box(each.voxel, each.voxel);
+    for (const VoxelWrite& each : *list) add(each.voxel, each.voxel);
   }
-  for (const Fill& each : edit.fills) good = good && add_box(each.first, each.last);
-  if (edit.paste) good = good && add_box(edit.paste->origin, last_of(*edit.paste));
-  in_order();
-  if (!good || chunks.size() > kMaxChunks) return {};
-  if (const auto box = settles ? settle_box(edit) : std::nullopt) {
-    (void)add_box(box->first, box->last);
-    in_order();
-  }
-  return chunks;
+  for (const Fill& each : edit.fills) add(each.first, each.last);
+  if (edit.paste) add(edit.paste->origin, last_of(*edit.paste));
+  put_in_order(chunks);
+  if (!good || chunks.size() > kMaxChunks) return extent;
+  extent.chunks = std::move(chunks);
+  if (!settles || !(extent.loose = settle_box(edit))) return extent;
+  std::vector<ChunkCoord> loose;
+  (void)add_chunks(extent.loose->first, extent.loose->last, loose);
+  put_in_order(loose);
+  std::ranges::set_difference(loose, extent.chunks, std::back_inserter(extent.loose_chunks));
+  return extent;
 }
 
-tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit, bool settles) {
+tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit) {
   const auto count = count_voxels(edit);
   if (!count) return Refusal{count.error()};
   if (*count > kMaxVoxels) {
@@ -237,14 +222,14 @@ tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& ed
     return refused("edit: it reaches more than " + std::to_string(kMaxChunks) +
                    " chunks; it must be divided");
   }
-  return settles ? with_settling(touched.take(), edit) : touched.take();
+  return touched.take();
 }
 
-std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched, const Edit& edit) {
-  const auto box = settle_box(edit);
-  if (!box) return touched;
+std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched,
+                                        const std::optional<VoxelBox>& loose) {
+  if (!loose) return touched;
   TouchedVoxels all{std::move(touched)};
-  visit_box(box->first, box->last, [&](VoxelPos voxel) { (void)all.insert(voxel); });
+  visit_box(loose->first, loose->last, [&](VoxelPos voxel) { (void)all.insert(voxel); });
   return all.take();
 }
 

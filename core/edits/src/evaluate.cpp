@@ -211,7 +211,7 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
   operate(edit, voxels);
   if (settles != nullptr && may_settle(*settles, *chunks, base, overrides)) {
     if (const auto box = settle_box(edit)) {
-      chunks = stage(with_settling({touched.begin(), touched.end()}, edit), base, overrides);
+      chunks = stage(with_settling({touched.begin(), touched.end()}, box), base, overrides);
       if (!chunks) return tl::unexpected{std::move(chunks.error())};
       StagedVoxels all{*chunks};
       operate(edit, all);

@@ -83,19 +83,25 @@ tl::expected<AdmittedEdit, EditError> EditAdmission::admit(const wire::Edit& wir
   if (auto why = edit_forbidden(edit->edit, session.grant, parts_.rules)) {
     return edit_error(Code::forbidden, *std::move(why));
   }
-  edit->settles = may_settle(edit->edit, session.grant, parts_.rules);
-  edit->chunks = edits::touched_chunks(edit->edit, edit->settles && parts_.taker->settles());
+  edits::Extent& extent = edit->extent;
+  edit->settles = !extent.loose || may_settle(*extent.loose, session.grant, parts_.rules);
+  if (!edit->settles) {
+    extent.loose.reset();
+    extent.loose_chunks.clear();
+  }
   return edit;
 }
 
 std::optional<SessionRates::Refusal> EditAdmission::charge(const AdmittedEdit& edit, SessionRates& rates,
                                                            SessionRates::Time now) {
   std::vector<ChunkCoord> to_pay;
-  std::ranges::copy_if(edit.chunks, std::back_inserter(to_pay), [&](ChunkCoord chunk) {
-    return parts_.chunks.revision({chunk, Lod{}}) == kBaseRevision &&
-           std::ranges::find(paid_, chunk) == paid_.end();
-  });
-  if (auto refusal = rates.refuse_edit(now, {edit.voxels, to_pay.size()})) return refusal;
+  for (const auto* const chunks : {&edit.extent.chunks, &edit.extent.loose_chunks}) {
+    std::ranges::copy_if(*chunks, std::back_inserter(to_pay), [&](ChunkCoord chunk) {
+      return parts_.chunks.revision({chunk, Lod{}}) == kBaseRevision &&
+             std::ranges::find(paid_, chunk) == paid_.end();
+    });
+  }
+  if (auto refusal = rates.refuse_edit(now, {edit.extent.voxels, to_pay.size()})) return refusal;
   for (const ChunkCoord chunk : to_pay) {
     if (paid_.size() < kMaxPaid) {
       paid_.push_back(chunk);

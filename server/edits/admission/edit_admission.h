@@ -2,7 +2,8 @@
 // the log.
 //
 // Two stages follow, which need what is known later: EditIntake checks the bounds of the world when it
-// prepares an edit, and admit_to_log() bounds of memory when the log accepts it.
+// prepares an edit, and admit_to_log() bounds of memory when the log accepts it. The extent of an edit is
+// computed here, once: rates, turns, settling and the store use this one.
 #pragma once
 
 #include <cstddef>

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <talus/edits/settle.h>
-
 namespace talus::server {
 namespace {
 
@@ -126,10 +124,8 @@ std::optional<std::string> edit_forbidden(const edits::Edit& edit, const Grant& 
   return first_forbidden(edit, [&](const Box& box) { return box_forbidden(box, grant, rules); });
 }
 
-bool may_settle(const edits::Edit& edit, const Grant& grant, const EditRules& rules) {
-  if (!is_bounded(grant, rules) || !near_world(edit)) return true;
-  const auto loose = edits::settle_box(edit);
-  return !loose || !box_forbidden({loose->first, loose->last}, grant, rules);
+bool may_settle(const edits::VoxelBox& loose, const Grant& grant, const EditRules& rules) {
+  return !is_bounded(grant, rules) || !box_forbidden({loose.first, loose.last}, grant, rules);
 }
 
 }  // namespace talus::server

@@ -25,7 +25,8 @@ struct EditRules {
 [[nodiscard]] std::optional<std::string> edit_forbidden(const edits::Edit& edit, const Grant& grant,
                                                         const EditRules& rules);
 
-/// Returns true if loose material around the edit may slide: no voxel that could change is forbidden.
-[[nodiscard]] bool may_settle(const edits::Edit& edit, const Grant& grant, const EditRules& rules);
+/// Returns true if loose material in the box, which lies in the world, may slide: no voxel of it is
+/// forbidden.
+[[nodiscard]] bool may_settle(const edits::VoxelBox& loose, const Grant& grant, const EditRules& rules);
 
 }  // namespace talus::server

@@ -12,23 +12,22 @@ namespace {
 tl::expected<void, EditError> admit(edits::EditEntry& entry, const EditState& state) {
   if (!state.is_full()) return {};
   const auto is_new = [&](ChunkCoord chunk) { return state.revision({chunk, Lod{}}) == 0; };
-  if (std::ranges::none_of(entry.base, is_new, &edits::BaseVoxels::value_type::first)) return {};
-  // Some of them may be there for settling only.
-  if (entry.touched.empty()) {
-    auto touched = edits::touched_voxels(entry.edit);
-    if (!touched) return {};  // applying reports it
-    entry.touched = *std::move(touched);
-  }
-  const auto chunk = std::ranges::find_if(entry.touched, is_new, &edits::TouchedChunk::chunk);
-  if (chunk == entry.touched.end()) {
-    entry.settles = nullptr;
-    return {};
+  const auto first = std::ranges::find_if(entry.base, is_new, &edits::BaseVoxels::value_type::first);
+  if (first == entry.base.end()) return {};
+  ChunkCoord chunk = first->first;
+  if (entry.settles != nullptr) {  // some of the base may be there for settling only
+    const auto touched = std::ranges::find_if(entry.touched, is_new, &edits::TouchedChunk::chunk);
+    if (touched == entry.touched.end()) {
+      entry.settles = nullptr;
+      return {};
+    }
+    chunk = touched->chunk;
   }
   return edit_error(
       EditErrorCode::index_full,
       fmt::format("the index of edited chunks is full (limit {} bytes), and chunk {} was never edited; "
                   "edit chunks that were edited before",
-                  state.index_limit(), to_string(chunk->chunk)));
+                  state.index_limit(), to_string(chunk)));
 }
 
 }  // namespace

@@ -31,10 +31,11 @@ std::vector<edits::VoxelWrite> writes_of(const flatbuffers::Vector<const wire::V
   return writes;
 }
 
-std::size_t bytes_as_it_came(const edits::Edit& edit) {
+std::size_t bytes_as_it_came(const edits::Edit& edit, const edits::Extent& extent) {
   constexpr std::size_t kAnyEdit = 512;
   return kAnyEdit + edit.fills.size() * sizeof(edits::Fill) +
          (edit.guards.size() + edit.writes.size()) * sizeof(edits::VoxelWrite) +
+         (extent.chunks.size() + extent.loose_chunks.size()) * sizeof(ChunkCoord) +
          (edit.paste ? sizeof(DenseVoxels) : 0);
 }
 
@@ -88,18 +89,18 @@ tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool set
     }
     edit.paste = edits::Paste{voxel_of(*paste->origin()), *std::move(chunk), paste->with_air()};
   }
-  checked.voxels = named_voxels(edit);
-  if (checked.voxels > edits::kMaxVoxels) {
-    return edit_error(
-        EditErrorCode::too_large,
-        fmt::format("the edit names {} or more voxels, over the limit {}",
-                    std::min<std::uint64_t>(checked.voxels, edits::kMaxVoxels + 1), edits::kMaxVoxels));
+  checked.extent = extent_of(edit, settles);
+  const std::size_t voxels = checked.extent.voxels;
+  if (voxels > edits::kMaxVoxels) {
+    return edit_error(EditErrorCode::too_large,
+                      fmt::format("the edit names {} or more voxels, over the limit {}",
+                                  std::min(voxels, edits::kMaxVoxels + 1), edits::kMaxVoxels));
   }
-  if (checked.voxels == 0) {
+  if (voxels == 0) {
     return edit_error(EditErrorCode::out_of_range, "the edit names no voxels; give writes, fills or a paste");
   }
-  checked.bytes = bytes_as_it_came(edit);
-  checked.prepared_bytes = bytes_prepared(checked.voxels, settles);
+  checked.bytes = bytes_as_it_came(edit, checked.extent);
+  checked.prepared_bytes = bytes_prepared(voxels, settles);
   return checked;
 }
 

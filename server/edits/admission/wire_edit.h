@@ -2,15 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include <tl/expected.hpp>
 
 #include <talus/edits/edit.h>
 #include <talus/protocol/message.h>
-#include <talus/voxel/coords.h>
 
 #include "chunks/edit_error.h"
 
@@ -18,17 +15,16 @@ namespace talus::server {
 
 struct AdmittedEdit {
   edits::Edit edit;
-  std::uint64_t voxels = 0;          // named by the edit
-  std::size_t bytes = 0;             // memory until it is answered
-  std::size_t prepared_bytes = 0;    // additional memory while its base is looked up
-  std::string subject{};             // the player behind a game server's edit; empty: the session itself
-  bool settles = true;               // loose material around it may slide, if the world lets any
-  std::vector<ChunkCoord> chunks{};  // edits::touched_chunks(), once admitted
+  edits::Extent extent{};          // without `loose` unless `settles`
+  std::size_t bytes = 0;           // memory until it is answered
+  std::size_t prepared_bytes = 0;  // additional memory while its base is looked up
+  std::string subject{};           // the player behind a game server's edit; empty: the session itself
+  bool settles = true;             // loose material around it may slide, if the world lets any
 };
 
 /// Costs no more than the length of the message and the decoding of one chunk; the bounds of the world and
 /// its materials are checked when the edit is prepared. EditErrorCode::malformed ends the connection.
-/// `settles`: counts the memory for material that may slide.
+/// `settles`: the world lets material slide.
 [[nodiscard]] tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& edit, bool settles = false);
 
 }  // namespace talus::server

@@ -12,12 +12,12 @@ void SessionEdits::attach(AttachRequest request, std::uint64_t voxels_per_second
 }
 
 void SessionEdits::edit(std::uint32_t id, std::uint64_t sequence, AdmittedEdit edit) {
-  unanswered_.insert(id, {edit.voxels, edit.bytes, edit.prepared_bytes});
+  unanswered_.insert(id, {edit.extent.voxels, edit.bytes, edit.prepared_bytes});
   bytes_ += edit.bytes;
   prepared_bytes_.insert(edit.prepared_bytes);
   mailbox_->expect_answer(true);
   taker_->edit(mailbox_, {id, editor_->editor, editor_->epoch, sequence, std::move(edit.edit),
-                          std::move(edit.subject), edit.settles});
+                          std::move(edit.subject), edit.settles, std::move(edit.extent)});
 }
 
 void SessionEdits::receive(AttachAnswer&& mail) {

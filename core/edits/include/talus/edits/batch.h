@@ -46,7 +46,8 @@ struct EditEntry {
   /// Rules of settling; null: nothing settles. Part of the entry, so that nodes need not know its world.
   SettleRulesPtr settles{};
   std::string subject{};  // player for whom a game server edits; empty: the editor's own subject
-  /// Result of touched_voxels(), if already known; if empty, it is computed. Not stored in logs.
+  /// touched_voxels(), set by the node that admits the edit. Not stored in logs: an entry read from a log has
+  /// none, and applying computes it.
   std::vector<TouchedChunk> touched{};
 };
 

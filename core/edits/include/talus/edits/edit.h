@@ -60,16 +60,25 @@ struct Edit {
 /// amount that rates limit. If a fill has more than kMaxVoxels, only a value above kMaxVoxels.
 [[nodiscard]] std::size_t named_voxels(const Edit& edit);
 
-/// Number of chunks of level 0 that hold named voxels, which is the cost of looking up their base. Chunks of
-/// guards and writes count once, chunks of each fill and of the paste again. Counts at most kMaxChunks per
-/// fill; the value is arbitrary for positions outside the world.
-[[nodiscard]] std::size_t named_chunks(const Edit& edit);
+/// Both corners are included.
+struct VoxelBox {
+  VoxelPos first;
+  VoxelPos last;
+  bool operator==(const VoxelBox&) const = default;
+};
 
-/// The chunks of level 0 that the edit may write or guards, in order, without duplicates; which ones it
-/// writes is known only when it is applied. With `settles`, also the chunks of settle_box(). Empty if
-/// touched_voxels() rejects the edit. Cheap: visits no voxels of fills or pastes. REQUIRES: named_voxels() <=
-/// kMaxVoxels.
-[[nodiscard]] std::vector<ChunkCoord> touched_chunks(const Edit& edit, bool settles = false);
+/// The size of an edit, computed once, when the edit is admitted.
+struct Extent {
+  std::size_t voxels = 0;  // named_voxels()
+  /// Chunks of level 0 that the edit may write or guards, in order, without duplicates; which ones it writes
+  /// is known only when it is applied. Empty if touched_voxels() rejects the edit.
+  std::vector<ChunkCoord> chunks{};
+  std::optional<VoxelBox> loose{};         // settle_box(); nullopt if nothing may settle
+  std::vector<ChunkCoord> loose_chunks{};  // chunks of `loose` that are not in `chunks`, in order
+};
+
+/// Cheap for any edit: visits no voxels of fills or pastes. `settles`: loose material may settle.
+[[nodiscard]] Extent extent_of(const Edit& edit, bool settles);
 
 /// Why an edit is rejected, in one line: the thing, the fault, and what is expected.
 struct EditError {
@@ -84,13 +93,12 @@ struct TouchedChunk {
 
 /// The voxels whose base materials evaluate() needs, ordered by chunk coordinates; an error if the edit
 /// leaves the world or exceeds kMaxVoxels or kMaxChunks. Cheap for any edit: volumes are checked before
-/// voxels are visited, and it stops at the first chunk too many. With `settles`, also the voxels of
-/// settle_box(), which are not limited.
-[[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit,
-                                                                                bool settles = false);
+/// voxels are visited, and it stops at the first chunk too many.
+[[nodiscard]] tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit);
 
-/// Adds the voxels of settle_box() to `touched`, which touched_voxels(edit) returned.
-[[nodiscard]] std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched, const Edit& edit);
+/// Adds the voxels of `loose`, if any, to `touched`, which touched_voxels() returned. They are not limited.
+[[nodiscard]] std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched,
+                                                      const std::optional<VoxelBox>& loose);
 
 /// Edits that a world allows. Checked by the node that accepts an edit, never when applying: nodes may have
 /// different lists.

@@ -17,7 +17,7 @@
 namespace talus::edits {
 
 /// Base materials of level-0 voxels, by chunk and ascending index; log entries store them as runs. Contains
-/// at least the voxels of touched_voxels(), including settling ones; more are harmless.
+/// at least the voxels of touched_voxels() and of settle_box(); more are harmless.
 using BaseVoxels = std::map<ChunkCoord, std::vector<Override>>;
 
 /// Source of overrides. Returned pointers are valid until the state changes.
@@ -60,8 +60,7 @@ struct Outcome {
 /// Evaluates `edit` on the state `overrides`, then settles loose material by `settles`, if not null. Fails if
 /// touched_voxels() fails, if `base` lacks a voxel that the edit touches, or if base material may settle and
 /// `base` lacks a voxel of settle_box(); the error names it. Every node gets the same error, as edit and base
-/// come from the log. `touched`: touched_voxels() of `edit` without settling ones, if already known; if
-/// empty, it is computed.
+/// come from the log. `touched`: touched_voxels() of `edit`, if already known; if empty, it is computed.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                                         const OverrideSource& overrides,
                                                         const SettleRules* settles = nullptr,

@@ -43,13 +43,6 @@ inline constexpr int kSettleProbes = 32'768;
 /// Maximum distance in columns over which slopes are measured; distinguishes angles below 45 degrees.
 inline constexpr std::int64_t kSettleReach = 4;
 
-/// Both corners are included.
-struct VoxelBox {
-  VoxelPos first;
-  VoxelPos last;
-  bool operator==(const VoxelBox&) const = default;
-};
-
 /// Region that an edit may set loose: around all its writes, 64 rows and at most 256 columns. nullopt if the
 /// edit writes too much, or is near the edge of the world. REQUIRES: touched_voxels() accepts the edit.
 [[nodiscard]] std::optional<VoxelBox> settle_box(const Edit& edit);
