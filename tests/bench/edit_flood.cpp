@@ -75,7 +75,7 @@ class Flooder {
   void answered() {
     for (Mail& mail : mailbox_->take()) {
       if (auto* const attached = std::get_if<AttachAnswer>(&mail)) {
-        if (!attached->answer) fail(attached->answer.error().text);
+        if (!attached->answer) fail(attached->answer.error().message);
         editor_ = *attached->answer;
         for (int i = 0; i < kUnanswered; ++i) send();
       } else {
