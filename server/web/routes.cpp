@@ -185,7 +185,7 @@ class Query {
     }
   }
 
-  /// Returns nullopt if the key is missing. A second value of a key is left for unknown().
+  /// Returns nullopt if the key is missing. A second value of a key is left for left().
   [[nodiscard]] std::optional<std::string_view> take(std::string_view key) {
     for (auto value = values_.begin(); value != values_.end(); ++value) {
       if (value->first != key) continue;
@@ -195,8 +195,15 @@ class Query {
     }
     return std::nullopt;
   }
-  /// Returns a key that was not taken.
+  /// Returns a key that is not in kHeightsKeys.
   [[nodiscard]] std::optional<std::string_view> unknown() const {
+    const auto found = std::find_if(values_.begin(), values_.end(), [](const auto& value) {
+      return std::find(kHeightsKeys.begin(), kHeightsKeys.end(), value.first) == kHeightsKeys.end();
+    });
+    return found == values_.end() ? std::nullopt : std::optional{found->first};
+  }
+  /// Returns a key that was not taken.
+  [[nodiscard]] std::optional<std::string_view> left() const {
     return values_.empty() ? std::nullopt : std::optional{values_.front().first};
   }
 
@@ -240,7 +247,7 @@ tl::expected<void, RouteError> grid_columns(Query& query, std::size_t max_column
   if (!width) return tl::make_unexpected(width.error());
   const auto depth = read("h", std::nullopt, 1, columns / *width);
   if (!depth) return tl::make_unexpected(depth.error());
-  const auto step = read("step", 1, 1, std::int64_t{1} << 20);
+  const auto step = read("step", 1, 1, kMaxHeightsStep);
   if (!step) return tl::make_unexpected(step.error());
   route.width = *width;
   for (std::int64_t row = 0; row < *depth; ++row) {
@@ -253,6 +260,10 @@ tl::expected<void, RouteError> grid_columns(Query& query, std::size_t max_column
 
 tl::expected<Route, RouteError> heights(std::string_view text, std::size_t max_columns) {
   Query query{text};
+  if (const auto unknown = query.unknown()) {
+    return wrong(400,
+                 fmt::format("'{}' is not a key of this query; {}", unknown->substr(0, 40), kHeightForms));
+  }
   HeightsRoute route;
   const auto list = query.take("columns");
   if (const auto done =
@@ -272,9 +283,8 @@ tl::expected<Route, RouteError> heights(std::string_view text, std::size_t max_c
   if (route.npy && (route.looks || !route.fields.empty())) {
     return wrong(400, "format: .npy holds heights alone; ask for looks and fields in JSON");
   }
-  if (const auto unknown = query.unknown()) {
-    return wrong(400,
-                 fmt::format("'{}' is not a key of this query; {}", unknown->substr(0, 40), kHeightForms));
+  if (const auto left = query.left()) {
+    return wrong(400, fmt::format("'{}' is given twice, or with columns; {}", *left, kHeightForms));
   }
   return route;
 }

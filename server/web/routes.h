@@ -1,6 +1,7 @@
 // Parses the paths of players' HTTP requests. Pure functions. Source: PROTOCOL.md, "HTTP".
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,12 @@ namespace talus::server::web {
 
 /// Maximum edge of an aligned square of columns in one answer.
 inline constexpr std::int32_t kMaxSquareEdge = 4;
+
+/// Keys of the query of /v1/heights.
+inline constexpr std::array<std::string_view, 9> kHeightsKeys{"columns", "x",     "z",      "w",     "h",
+                                                              "step",    "looks", "fields", "format"};
+/// Maximum distance between the columns of a grid, in base columns.
+inline constexpr std::int64_t kMaxHeightsStep = std::int64_t{1} << 20;
 
 /// The store and the revision of edited land.
 struct Edition {
