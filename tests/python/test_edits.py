@@ -173,6 +173,39 @@ class Edits(Scripted):
             with self.assertRaisesRegex(talus.OutcomeUnknown, "nobody; the edit was sent"):
                 world.edit(*WRITE)
 
+    def test_a_server_that_takes_no_edits_is_not_waited_for_without_end(self):
+        attaches = False
+        put_off = {"code": ErrorCode.overloaded, "text": "so it is", "retry_after_ms": 1}
+
+        def script(peer):
+            peer.greet(greeting())
+            while message := peer.receive():
+                if type(message) is protocol.Edit:
+                    peer.send(protocol.Error(request_id=message.id, about=ErrorAbout.request, **put_off))
+                elif attaches:
+                    peer.send(attached())
+                else:
+                    peer.send(protocol.Error(about=ErrorAbout.attach, **put_off))
+
+        with mock.patch.object(edits, "KEEP_TRYING_S", 0.05), talus.connect(self.serve(script)) as world:
+            for attaches in (False, True):
+                with self.assertRaisesRegex(talus.ServerError, "overloaded: so it is"):
+                    world.edit(*WRITE)
+
+    def test_a_refusal_after_a_lost_connection_leaves_the_outcome_unknown(self):
+        answers = [attached(), protocol.Error(code=ErrorCode.forbidden, text="no right", about=ErrorAbout.attach)]
+
+        def script(peer):
+            peer.greet(greeting())
+            peer.receive()
+            peer.send(answers.pop(0))
+            if answers:
+                peer.receive()  # the edit; then the connection breaks
+
+        with talus.connect(self.serve(script, connections=2)) as world:
+            with self.assertRaisesRegex(talus.OutcomeUnknown, "no right; the edit was sent before"):
+                world.edit(*WRITE)
+
     def test_a_server_that_stores_nothing_takes_no_edits(self):
         with talus.connect(self.serve(lambda peer: peer.greet())) as world:
             with self.assertRaisesRegex(talus.ServerError, "stores no edits"):

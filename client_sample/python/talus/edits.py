@@ -8,7 +8,7 @@ from . import protocol
 from .errors import OutcomeUnknown, ServerError, WorldChanged, again_later
 from .protocol import ErrorCode
 
-KEEP_TRYING_S = 60  # maximum time of reconnecting for an unanswered edit
+KEEP_TRYING_S = 60  # maximum time of trying again, for an edit without an answer or that the server puts off
 FIRST_DELAY_S, LONGEST_DELAY_S = 0.1, 5
 
 _NOBODY = protocol.Hash128(0, 0)
@@ -78,14 +78,19 @@ class Editor:
         self._seen_revision = max(self._seen_revision, revision)
 
     def edit(self, message):
-        """Sends an edit until its outcome is known. Raises ServerError if it was not applied, and OutcomeUnknown if
-        that can no longer be known."""
+        """Sends an edit until its outcome is known, or for KEEP_TRYING_S. Raises ServerError if it was not applied, and
+        OutcomeUnknown if that can no longer be known."""
         message.sequence = 0
         sent = False  # and so it may have happened
+        unanswered = False  # since its connection broke
         give_up = None
         while True:
             try:
-                if not self._attach() and sent:
+                try:
+                    known = self._attach()
+                except ServerError as refused:
+                    raise self._outcome(refused, unanswered) from refused
+                if not known and sent:
                     raise OutcomeUnknown("the server has forgotten who sent the edit: it may have happened")
                 if message.sequence == 0:
                     self._last_sequence += 1
@@ -95,6 +100,7 @@ class Editor:
             except protocol.ProtocolError:
                 raise
             except OSError as error:
+                unanswered = sent
                 give_up = self._reconnect(error, sent, give_up)
                 continue
             if isinstance(answer, protocol.EditResult):
@@ -102,15 +108,21 @@ class Editor:
                 return EditDone(answer.revision, answer.changed)
             error = ServerError(answer.code, answer.text, answer.retry_after_ms)
             if again_later(error):
-                continue
-            if error.code == ErrorCode.expired:
+                give_up = give_up or time.monotonic() + KEEP_TRYING_S
+                if time.monotonic() >= give_up:
+                    raise self._outcome(error, unanswered)
+            elif error.code == ErrorCode.expired:
                 self._attached_by = None
             elif error.code == ErrorCode.not_applied:
-                message.sequence, sent = 0, False
-            elif again and error.code != ErrorCode.conflict:
-                raise OutcomeUnknown(f"{error}; the edit was sent before, and its outcome is unknown") from error
+                message.sequence, sent, unanswered = 0, False, False
             else:
-                raise error
+                raise self._outcome(error, again and error.code != ErrorCode.conflict)
+
+    @staticmethod
+    def _outcome(error, unknown):
+        if not unknown:
+            return error
+        return OutcomeUnknown(f"{error}; the edit was sent before, and its outcome is unknown")
 
     def _attach(self):
         """Returns true if the server knows the editor of earlier connections."""
@@ -119,12 +131,13 @@ class Editor:
         if self._store_id != self._link.store_id:
             self._id, self._seen_revision, self._last_sequence = _NOBODY, 0, 0
             self._store_id = self._link.store_id
+        give_up = time.monotonic() + KEEP_TRYING_S
         while True:
             answer = self._link.attach(protocol.Attach(editor=self._id, seen_revision=self._seen_revision))
             if isinstance(answer, protocol.Attached):
                 break
             error = ServerError(answer.code, answer.text, answer.retry_after_ms)
-            if not again_later(error):
+            if not again_later(error) or time.monotonic() >= give_up:
                 raise error
         self._id = answer.editor or _NOBODY
         self._last_sequence = max(self._last_sequence if answer.known else 0, answer.last_sequence)

@@ -123,8 +123,8 @@ class World(Queries):
         `writes` and `guards`: ((x, y, z), material) each, in base voxels; if a guard's voxel has another material,
         nothing is applied. `fills`: a Fill each. `paste`: (origin, payload) or (origin, payload, with_air), with a
         Chunk's payload. Materials are ids or names. `subject`: the player that edits, if the token has the right
-        "gateway". Raises ServerError if the edit was not applied (`conflict`: a guard does not hold), and
-        OutcomeUnknown if that can no longer be known.
+        "gateway". Raises ServerError if the edit was not applied (`conflict`: a guard does not hold; `overloaded`: the
+        server took no edits for a minute), and OutcomeUnknown if that can no longer be known.
         """
         message = edit_message(self.welcome.materials, writes, guards, fills, paste, subject)
         if self.store_id == protocol.Hash128(0, 0):
