@@ -6,6 +6,7 @@
 //   ...
 //   const voxels = new Uint16Array(apronVolume(1));
 //   if (store.apron(key, 1, 0, voxels) === 0) mesh(voxels);
+import { TalusError } from './errors.js';
 import { keyName } from './keys.js';
 import type { ChunkKey, Voxels } from './types.js';
 
@@ -43,7 +44,7 @@ export class ChunkStore {
   /** Replaces the chunk of this key. The voxels are kept, not copied. */
   put(key: ChunkKey, chunk: Voxels): void {
     if (chunk.voxels !== null && chunk.voxels.length !== VOLUME) {
-      throw new RangeError(`ChunkStore.put: a chunk has ${VOLUME} voxels, not ${chunk.voxels.length}`);
+      throw new TalusError('out_of_range', `ChunkStore.put: a chunk has ${VOLUME} voxels, not ${chunk.voxels.length}`);
     }
     const name = keyName(key);
     this.eraseName(name);
@@ -116,7 +117,8 @@ export class ChunkStore {
    *  store's bound must allow 27 chunks. */
   apron(key: ChunkKey, width: number, filler: number, out: Uint16Array): number {
     if (!Number.isInteger(width) || width < 0 || width > MAX_APRON || out.length !== apronVolume(width)) {
-      throw new RangeError(
+      throw new TalusError(
+        'out_of_range',
         `ChunkStore.apron: width ${width} and ${out.length} voxels; widths are 0 to ${MAX_APRON}, voxels apronVolume(width)`,
       );
     }

@@ -5,6 +5,7 @@ import { LayersDecoder } from './codec/layers.js';
 import { RunsDecoder } from './codec/runs.js';
 import { MAX_PAYLOAD_BYTES, Source } from './codec/source.js';
 import { VolumeDecoder } from './codec/volume.js';
+import { TalusError } from './errors.js';
 import { hashVoxels } from './hash.js';
 import type { Voxels } from './types.js';
 
@@ -30,7 +31,10 @@ export function decodeChunk(
   options: { readonly hash?: string | null; readonly into?: Uint16Array<ArrayBuffer> } = {},
 ): Voxels {
   if (options.into !== undefined && options.into.length !== CHUNK_VOLUME) {
-    throw new RangeError(`decodeChunk: into must have ${CHUNK_VOLUME} voxels, not ${options.into.length}`);
+    throw new TalusError('out_of_range', `decodeChunk: into must have ${CHUNK_VOLUME} voxels, not ${options.into.length}`);
+  }
+  if (!ArrayBuffer.isView(payload) || payload.BYTES_PER_ELEMENT !== 1) {
+    throw new TalusError('out_of_range', 'decodeChunk: a payload is a Uint8Array');
   }
   const decoded = decode(payload, options.into);
   if (options.hash != null && hashVoxels(decoded) !== options.hash) throw new DecodeError('bad_hash');

@@ -2,6 +2,7 @@
 // uniform, runs, raw. A server's payloads are shorter.
 import { Encoder, intervals } from './codec/encoder.js';
 import { LANES } from './codec/source.js';
+import { TalusError } from './errors.js';
 import type { Voxels } from './types.js';
 import { uniformPayload } from './uniform.js';
 
@@ -12,7 +13,7 @@ const DIGIT_COUNTS = 16;
 /** Returns a payload that decodeChunk() and every server can read. */
 export function encodeChunk({ uniform, voxels }: Voxels): Uint8Array<ArrayBuffer> {
   if (voxels === null) return uniformPayload(uniform);
-  if (voxels.length !== VOLUME) throw new RangeError(`encodeChunk: a chunk has ${VOLUME} voxels, not ${voxels.length}`);
+  if (voxels.length !== VOLUME) throw new TalusError('out_of_range', `encodeChunk: a chunk has ${VOLUME} voxels, not ${voxels.length}`);
   const materials: number[] = [];
   const lengths: number[] = [];
   for (let i = 0; i < VOLUME; ++i) {

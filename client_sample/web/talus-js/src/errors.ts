@@ -2,12 +2,12 @@
 
 export type TalusErrorKind =
   | 'unreachable' // nothing answers at the address
-  | 'refused' // the server rejects this client (version, token) or its edits
+  | 'refused' // the server rejects this client (version, token) or its edits, or it is not a Talus server
   | 'disconnected' // the connection broke, or the server closed it
   | 'timed_out'
   | 'broken_protocol' // the server violated the protocol
   | 'bad_chunk' // a payload failed to decode, or does not match its hash
-  | 'out_of_range' // outside the world or the server's limits
+  | 'out_of_range' // a wrong argument, or outside the world or the server's limits
   | 'overloaded' // the server asks for a retry after retryAfterMs
   | 'cancelled'
   | 'conflict' // a guard of the edit does not hold: nothing was applied
@@ -26,5 +26,15 @@ export class TalusError extends Error {
     readonly retryAfterMs = 0,
   ) {
     super(message);
+  }
+}
+
+/** Runs a check of the application's arguments, so that those of a wrong type are TalusErrors, too. */
+export function checking<T>(what: string, check: () => T): T {
+  try {
+    return check();
+  } catch (error) {
+    if (error instanceof TalusError) throw error;
+    throw new TalusError('out_of_range', `${what}: ${(error as Error).message}`);
   }
 }

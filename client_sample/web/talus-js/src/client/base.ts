@@ -1,6 +1,6 @@
 // Common parts of clients over a stream and over HTTP: events, the View, statistics.
 import { Emitter } from '../emitter.js';
-import { TalusError } from '../errors.js';
+import { checking, TalusError } from '../errors.js';
 import type {
   Chunk,
   ChunkKey,
@@ -104,7 +104,7 @@ export abstract class ClientBase implements Client {
 
   setView(view: View | null): void {
     if (this.isClosed) throw this.closedError();
-    const checked = view === null ? null : checkedView(view);
+    const checked = view === null ? null : checking('setView', () => checkedView(view));
     if (checked !== null && this.world !== null) {
       checkLimits(checked, new ViewShape(checked, this.world), this.world.limits);
     }
@@ -196,7 +196,9 @@ export abstract class ClientBase implements Client {
     this.viewTimer = undefined;
     // A delay requested by a server applies to this server, not to the next one.
     const asked = typeof this.options.url !== 'string' && this.options.url.length > 1 ? 0 : error.retryAfterMs;
-    const wait = error.kind === 'refused' ? null : this.backoff.next(asked);
+    // Before it has joined, what is not a server's answer never becomes one.
+    const isFinal = error.kind === 'refused' || (error.kind === 'broken_protocol' && this.world === null);
+    const wait = isFinal ? null : this.backoff.next(asked);
     this.emit('disconnected', error, wait);
     if (this.isClosed) return;
     if (wait === null) {

@@ -1,5 +1,5 @@
 // Edits of a client over a stream: sending them, and the server's answers.
-import { TalusError } from '../errors.js';
+import { checking, TalusError } from '../errors.js';
 import type { World } from '../types.js';
 import type { ServerMessage } from '../wire/messages.js';
 import { broken } from '../wire/table.js';
@@ -45,7 +45,7 @@ export class EditSession {
     return new Promise((resolve, reject) => {
       const refusal = world === null ? null : noEditsIn(world);
       if (refusal !== null) throw refusal;
-      this.open.add({ edit: checkedEdit(edit), sequence: 0n, sentBefore: false, resolve, reject });
+      this.open.add({ edit: checking('edit', () => checkedEdit(edit)), sequence: 0n, sentBefore: false, resolve, reject });
       this.wake();
     });
   }

@@ -3,7 +3,7 @@
 // edited ones are fetched by revision, all others as generated, which every cache keeps for ever.
 import { ClientBase } from '../client/base.js';
 import { TalusError } from '../errors.js';
-import { checkKey, keyName } from '../keys.js';
+import { checkColumns, checkKey, keyName } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, EditDone, EditLimits, Places } from '../types.js';
 import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
@@ -32,6 +32,8 @@ const DEFAULT_WINDOW_BYTES = 1 << 20;
 
 const DEFAULT_EDITS_INTERVAL_MS = 5_000;
 const NO_STORE = '0'.repeat(32);
+/** Statuses below 500 that a server may give for a while. */
+const MAY_PASS: ReadonlySet<number> = new Set([401, 403, 408, 425, 429]);
 
 /** A unit of fetching; nearest first. */
 type Task = { readonly tile: Tile } | { readonly key: ChunkKey } | { readonly region: Region };
@@ -112,7 +114,12 @@ export class HttpClient extends ClientBase {
   }
 
   private async getWorld(): Promise<ReturnType<typeof readWorld>> {
-    const { body } = await this.get(`${this.base}/v1/world`, MAX_WORLD_BYTES);
+    const url = `${this.base}/v1/world`;
+    const { body } = await this.get(url, MAX_WORLD_BYTES).catch((error: TalusError) => {
+      const isFound = this.world !== null || !(error instanceof HttpError) || MAY_PASS.has(error.status);
+      if (isFound || error.status >= 500) throw error;
+      throw new TalusError('refused', `${url} answered ${error.status}: no Talus server has this URL`);
+    });
     try {
       return readWorld(JSON.parse(new TextDecoder().decode(body)));
     } catch (error) {
@@ -437,6 +444,7 @@ export class HttpClient extends ClientBase {
     columns: readonly { readonly x: number; readonly z: number }[],
     wanted: { readonly looks?: boolean; readonly fields?: readonly string[] } = {},
   ): Promise<Places> {
+    checkColumns(columns);
     const get = async (query: string) => (await this.get(`${this.base}/v1/heights?${query}`, MAX_BODY_BYTES)).body;
     return askHeights(columns, wanted, () => this.world!.looks, (query) => this.asked.inTurn(() => get(query)));
   }

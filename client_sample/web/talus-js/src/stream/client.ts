@@ -3,8 +3,9 @@ import { ClientBase } from '../client/base.js';
 import { EDIT_ID_BIT } from '../edits/open_edits.js';
 import { EditSession } from '../edits/session.js';
 import { TalusError } from '../errors.js';
-import { checkKey, keyName, sameKey } from '../keys.js';
+import { checkColumns, checkKey, keyName, sameKey } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, Edit, EditDone, EditLimits, Places } from '../types.js';
+import { shownUrl, urlsOf } from '../url.js';
 import type { ViewShape } from '../view_shape.js';
 import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
@@ -102,13 +103,19 @@ export class StreamClient extends ClientBase {
     this.leaving = null;
     const timeout = this.options.connectTimeoutMs ?? DEFAULT_CONNECT_TIMEOUT_MS;
     this.deadline = setTimeout(() => {
-      this.drop(new TalusError('timed_out', `no answer from ${this.options.url} within ${timeout / 1_000} s: it is away, or this program is too busy`));
+      this.drop(new TalusError('timed_out', `no answer from ${urlsOf(this.options.url).map(shownUrl).join(', ')} within ${timeout / 1_000} s: it is away, or this program is too busy`));
     }, timeout);
-    this.transport = this.open({
-      opened: () => isCurrent() && this.sayHello(),
-      received: (bytes) => isCurrent() && this.receive(bytes, isCurrent),
-      ended: (error) => isCurrent() && this.drop(this.leaving ?? error),
-    });
+    try {
+      this.transport = this.open({
+        opened: () => isCurrent() && this.sayHello(),
+        received: (bytes) => isCurrent() && this.receive(bytes, isCurrent),
+        ended: (error) => isCurrent() && this.drop(this.leaving ?? error),
+      });
+    } catch (error) {
+      // A page by https may not open ws:, and TLS rejects wrong options: another attempt would fail alike.
+      const refused = new TalusError('refused', `the connection cannot be opened: ${(error as Error).message}`);
+      queueMicrotask(() => isCurrent() && this.drop(refused));
+    }
   }
 
   private sayHello(): void {
@@ -394,10 +401,7 @@ export class StreamClient extends ClientBase {
     wanted: { readonly looks?: boolean; readonly fields?: readonly string[] } = {},
   ): Promise<Places> {
     return new Promise((resolve, reject) => {
-      for (const { x, z } of columns) {
-        if (Number.isSafeInteger(x) && Number.isSafeInteger(z)) continue;
-        throw new TalusError('out_of_range', `column ${x}, ${z}: its coordinates must be whole numbers`);
-      }
+      checkColumns(columns);
       const { looks = false, fields = [] } = wanted;
       this.ask({ kind: 'places', columns: [...columns], looks, fields: [...fields], resolve, reject });
     });

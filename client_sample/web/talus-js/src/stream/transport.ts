@@ -1,5 +1,5 @@
 // Carries frames: a WebSocket, or a TCP connection in Node.
-import { TalusError } from '../errors.js';
+import type { TalusError } from '../errors.js';
 
 export interface TransportEvents {
   opened(): void;
@@ -21,10 +21,4 @@ export type OpenTransport = (events: TransportEvents) => Transport;
 export function takeTurns(servers: readonly OpenTransport[]): OpenTransport {
   let attempts = 0;
   return (events) => servers[attempts++ % servers.length]!(events);
-}
-
-export function urlsOf(url: string | readonly string[]): readonly string[] {
-  const urls = typeof url === 'string' ? [url] : url;
-  if (urls.length === 0) throw new TalusError('unreachable', 'url: there is none');
-  return urls;
 }
