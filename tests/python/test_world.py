@@ -478,6 +478,10 @@ class Broken(Scripted):
     def test_an_invalid_address(self):
         with self.assertRaisesRegex(ValueError, "address 'localhost' is not HOST:PORT"):
             talus.connect("localhost")
+        for address in ("http://me:hush@localhost", "me:hush@localhost", "localhost:1,me:hush@localhost:1"):
+            with self.assertRaisesRegex(ValueError, "pass token= instead") as raised:
+                talus.connect(address)
+            self.assertNotIn("hush", str(raised.exception))
 
 
 class Rates(unittest.TestCase):

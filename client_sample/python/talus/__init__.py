@@ -48,6 +48,8 @@ def connect(address, *, token="", tls=False, ca=None, timeout=10):
     """
     from .connection import tls_context
 
+    if "@" in address:  # the message must not repeat a password
+        raise ValueError("the address has a user or password, which are never sent; pass token= instead")
     by_http = address.startswith(("http://", "https://"))
     context = tls_context(ca) if tls or ca or address.startswith("https://") else None
     if by_http:
