@@ -21,11 +21,12 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
   const auto wrong = [&](const std::string& what) {
     return tl::unexpected{"--token-file " + words.token_file + ": " + what};
   };
-  constexpr std::size_t kLineEndBytes = 2;
-  auto text = files::read_file(words.token_file, kMaxTokenBytes + kLineEndBytes);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  constexpr std::size_t kAddedBytes = 16;  // by editors: the mark, and line ends
+  auto text = files::read_file(words.token_file, kMaxTokenBytes + kAddedBytes);
   if (!text && text.error().code != std::errc::file_too_large) return wrong(text.error().reason);
-  if (text && text->ends_with('\n')) text->pop_back();
-  if (text && text->ends_with('\r')) text->pop_back();
+  if (text && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
+  while (text && (text->ends_with('\n') || text->ends_with('\r'))) text->pop_back();
   if (!text || text->empty() || text->size() > kMaxTokenBytes) {
     return wrong("holds no token; give a file with 1 to " + std::to_string(kMaxTokenBytes) + " bytes");
   }

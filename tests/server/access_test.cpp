@@ -124,13 +124,18 @@ TEST_CASE("a key file without a secret in it is refused in one line") {
   CHECK(read_key_file(scratch.write("short", "x"), {1, 16}).has_value());
 }
 
-TEST_CASE("a single trailing newline is ignored, and nothing else is") {
+TEST_CASE("a single trailing newline is ignored, and more, or a byte order mark, are refused") {
   const ScratchDirectory scratch;
   const std::string text = "16 secret bytes.";
   for (const std::string end : {"", "\n", "\r\n"}) {
     CHECK(read_key_file(scratch.write("file", text + end), {16, 16})->secret.bytes() == text);
   }
-  CHECK(read_key_file(scratch.write("file", text + "\n\n"), {1, 20})->secret.bytes() == text + "\n");
+  for (const std::string end : {"\n\n", "\r\n\r\n", "\r\n\n", "\r\r\n"}) {
+    CHECK_THAT(read_key_file(scratch.write("file", text + end), {1, 24}).error(),
+               Catch::Contains("file: has empty lines at its end; end it after the secret"));
+  }
+  CHECK_THAT(read_key_file(scratch.write("file", "\xEF\xBB\xBF" + text), {1, 20}).error(),
+             Catch::Contains("file: begins with a byte order mark; save it as UTF-8 without one"));
 }
 
 TEST_CASE("a key file that other users may read or change is a warning") {

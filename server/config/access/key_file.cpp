@@ -20,6 +20,16 @@ std::string_view without_newline(std::string_view text) {
   return text;
 }
 
+/// Bytes that editors add, which a client would not send; nullptr if there are none.
+const char* added_by_editor(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) return "begins with a byte order mark; save it as UTF-8 without one";
+  const bool is_pem = bytes.starts_with("-----BEGIN");  // whose readers ignore what follows it
+  if (!is_pem && (bytes.ends_with('\n') || bytes.ends_with('\r'))) {
+    return "has empty lines at its end; end it after the secret";
+  }
+  return nullptr;
+}
+
 /// Detects files that were zero-filled or never written. Does not judge short passwords.
 bool holds_no_secret(std::string_view bytes) {
   constexpr std::size_t kShort = 16;
@@ -61,6 +71,7 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
     return wrong(fmt::format(
         "has no secret: it is blank, or one character again and again; give it one, as {}", bounds.as));
   }
+  if (const char* added = added_by_editor(bytes)) return wrong(added);
   return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
 }
 

@@ -38,8 +38,8 @@ struct KeyBounds {
 };
 
 /// Reads the file without one trailing newline. An error is one line that begins with the file: it cannot be
-/// read, is not a regular file, has a length out of bounds, or is not a secret (blank, or one repeated
-/// character).
+/// read, is not a regular file, has a length out of bounds, is not a secret (blank, or one repeated
+/// character), or begins with a byte order mark or ends with empty lines, which no client sends.
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
 
