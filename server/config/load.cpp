@@ -47,6 +47,25 @@ std::optional<std::string> list_text(const toml::array& list) {
   return text;
 }
 
+std::string_view described(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a floating-point number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
 Status set_from_node(const Field& field, Config& config, const toml::node& node) {
   if (is_number(field) && node.is_integer()) return set_from_number(field, config, node.as_integer()->get());
   const bool is_switch = std::holds_alternative<SwitchTarget>(field.target);
@@ -63,7 +82,7 @@ Status set_from_node(const Field& field, Config& config, const toml::node& node)
   if (node.is_string() && takes(node.as_string()->get())) {
     return set_from_text(field, config, node.as_string()->get());
   }
-  return tl::make_unexpected(fmt::format("the value has the wrong type; give {}", expectation(field)));
+  return tl::make_unexpected(fmt::format("the value is {}; give {}", described(node), expectation(field)));
 }
 
 /// Applies one file to the settings.

@@ -261,9 +261,16 @@ TEST_CASE("a setting of a flag has no line in the file") {
 
 TEST_CASE("a value of the wrong type says what would be right") {
   CHECK_THAT(toml_error("listen = 80"), Catch::Contains("listen") && Catch::Contains("HOST:PORT"));
-  CHECK_THAT(toml_error("[threads]\nio = 1.5"), Catch::Contains("threads.io") && Catch::Contains("whole"));
+  CHECK_THAT(toml_error("[threads]\nio = 1.0"),
+             Catch::Contains("threads.io: the value is a floating-point number; give a whole number"));
   CHECK_THAT(toml_error("limits = 5"), Catch::Contains("[limits]"));
   CHECK_THAT(toml_error("[log]\nlevel = \"loud\""), Catch::Contains("\"debug\""));
+}
+
+TEST_CASE("a file in UTF-8 may begin with a byte order mark, and one in UTF-16 is named as such") {
+  CHECK(settings_of("\xEF\xBB\xBF[log]\r\nlevel = \"debug\"\r\n").config.log.level == "debug");
+  CHECK(toml_error("\xFF\xFEl\0o\0g") ==
+        "file.toml:1: the file is in UTF-16; TOML is in UTF-8, so save it as that");
 }
 
 TEST_CASE("a syntax error is one line with its place") {

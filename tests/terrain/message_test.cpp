@@ -81,7 +81,9 @@ const Mistake kMistakes[] = {
      "needed"},
     {"", "gain = 1.0", "gain = true", "w.toml:8: surface.gain: true is a boolean; a number is needed",
      "w.toml:8: surface.gain: is not right as it stands (boolean); a number is needed"},
-    {"", "seed = 1", "seed = 1.5", "w.toml:1: seed: 1.5 is not an integer; an integer is needed",
+    {"", "seed = 1", "seed = 1.0", "w.toml:1: seed: 1.0 is a floating-point number; an integer is needed",
+     ""},
+    {"", "seed = 1", "seed = 1.5", "w.toml:1: seed: 1.5 is a floating-point number; an integer is needed",
      "w.toml:1: seed: is not right as it stands (floating-point); an integer is needed"},
     // A long key or value is cut.
     {"", "gain = 1.0", "gain = 1.0\n" + kLongKey + " = 1",

@@ -36,7 +36,7 @@ TEST_CASE("A string of several lines is refused, as it would hide a key's parts 
   for (const std::string quotes : {"\"\"\"", "'''"}) {
     const std::string inner = quotes.substr(0, 1);
     CHECK(error_of("x = {y = " + quotes + "p" + inner + "q" + quotes + ", " + key + " = 1}\n") ==
-          "w.toml:1: a string of several lines; only strings of one line are read");
+          "w.toml:1: a string in three quotes; only strings of one line are read, in one quote");
   }
   CHECK(World::parse(with("seed = 1", "seed = 1 # \"\"\""), "w.toml"));
 }

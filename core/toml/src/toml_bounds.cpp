@@ -8,6 +8,9 @@ std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
     return TomlFault{1, "the file has over " + std::to_string(kMaxTomlBytes) + " bytes"};
   }
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return TomlFault{1, "the file is in UTF-16; TOML is in UTF-8, so save it as that"};
+  }
   // Counts outside strings and comments. Numbers have dots too, but never that many in a line. A parser stops
   // at the first line end inside a single-line string, so the text after it does not matter.
   int line = 1;
@@ -26,7 +29,7 @@ std::optional<TomlFault> find_toml_fault(std::string_view text) {
       if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {
       if (text.substr(i, 3) == std::string(3, c)) {
-        return TomlFault{line, "a string of several lines; only strings of one line are read"};
+        return TomlFault{line, "a string in three quotes; only strings of one line are read, in one quote"};
       }
       quote = c;
     } else if (c == '#') {

@@ -76,11 +76,16 @@ namespace {
 
 constexpr std::size_t kMaxShown = 60;  // bytes of a value
 
-// A value and its type, as in "1.5 is no integer".
+constexpr double kBillion = 1e9;  // plain() writes larger numbers with an exponent
+
+// A value and its type, as in "1.0 is a floating-point number".
 std::string described(const toml::node& node) {
   if (const auto* text = node.as_string()) return "'" + shortened(text->get(), kMaxShown) + "' is a string";
   if (const auto* number = node.as_integer()) return text_of(number->get(), " is an integer");
-  if (const auto* number = node.as_floating_point()) return text_of(number->get(), " is not an integer");
+  if (const auto* number = node.as_floating_point()) {
+    const bool whole = std::abs(number->get()) < kBillion && number->get() == std::floor(number->get());
+    return text_of(number->get(), whole ? ".0" : "", " is a floating-point number");
+  }
   if (const auto* truth = node.as_boolean()) return truth->get() ? "true is a boolean" : "false is a boolean";
   if (node.is_array()) return "an array";
   return node.is_table() ? "a table" : "a date or time";

@@ -21,8 +21,8 @@ struct TomlFault {
   std::string what;  // the fault and what is expected
 };
 
-/// Returns the first bound that the text exceeds: length, parts of a key, depth of brackets, or a multi-line
-/// string (""" or '''), which could hide the rest of a line. Does not check that the text is TOML.
+/// Returns the first bound that the text exceeds: length, parts of a key, depth of brackets, a multi-line
+/// string (""" or '''), which could hide the rest of a line, or UTF-16. Does not check that the text is TOML.
 [[nodiscard]] std::optional<TomlFault> find_toml_fault(std::string_view text);
 
 }  // namespace talus
