@@ -160,6 +160,28 @@ TEST_CASE("Samples of every type come to the range between low and high") {
   CHECK((*scaled(whole))->values == Field::Values{0, 1000, 500, 750});
   const HeightMap real{2, 2, std::vector<float>{-1.5F, 2.5F, 0.5F, -1.5F}};
   CHECK((*scaled(real))->values == Field::Values{0, 1000, 500, 0});
+  const HeightMap doubles{2, 2, std::vector<double>{-1.5, 2.5, 0.5, -1.5}};
+  CHECK((*scaled(doubles))->values == Field::Values{0, 1000, 500, 0});
+  const HeightMap bytes{2, 2, std::vector<std::uint8_t>{0, 255, 51, 102}};
+  CHECK((*scaled(bytes))->values == Field::Values{0, 1000, 200, 400});
+}
+
+TEST_CASE("Samples that mark missing data flatten no land") {
+  const auto error = [](const HeightMap& map, std::optional<double> low = {},
+                        std::optional<double> high = {}) {
+    const auto heights = scaled(map, low, high);
+    return heights ? "accepted" : heights.error().key + ": " + heights.error().what;
+  };
+  const HeightMap holes{2, 2, std::vector<std::int32_t>{5, 7, -9999, 90}};
+  CHECK(error(holes) == "file: sample 0 of row 1 is -9999, which marks missing data; fill it, or give low");
+  CHECK(error(holes, 0.0) == "accepted");
+  CHECK(error(holes, {}, 90.0) != "accepted");
+  for (const double mark : {-32768.0, -32767.0, -99999.0, -3.4028234663852886e38, -3.4e38}) {
+    CAPTURE(mark);
+    CHECK_THAT(error({2, 2, std::vector<double>{5, mark, 7, 8}}), Catch::Contains("give low"));
+  }
+  CHECK_THAT(error({2, 2, std::vector<float>{5, 3.402823466e38F, 7, 8}}), Catch::Contains("give high"));
+  CHECK(error({2, 2, std::vector<float>{-9998.5F, 5, 7, 8}}) == "accepted");
 }
 
 TEST_CASE("Samples that are not heights are refused by their place") {

@@ -20,6 +20,8 @@ const char* descriptor(NpyType type) {
       return "<u2";
     case NpyType::float32:
       return "<f4";
+    case NpyType::float64:
+      return "<f8";
   }
   return "";
 }
@@ -36,6 +38,8 @@ std::size_t item_bytes(NpyType type) {
       return 2;
     case NpyType::float32:
       return 4;
+    case NpyType::float64:
+      return 8;
   }
   return 0;
 }
@@ -89,6 +93,11 @@ tl::expected<void, FileError> NpyFile::write(std::size_t first_item,
 
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item, std::span<const float> items) const {
   assert(type_ == NpyType::float32);
+  return write_bytes(first_item, std::as_bytes(items));
+}
+
+tl::expected<void, FileError> NpyFile::write(std::size_t first_item, std::span<const double> items) const {
+  assert(type_ == NpyType::float64);
   return write_bytes(first_item, std::as_bytes(items));
 }
 

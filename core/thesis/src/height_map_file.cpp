@@ -22,6 +22,12 @@ files::NpyType type_of(const std::vector<std::int32_t>&) {
 files::NpyType type_of(const std::vector<float>&) {
   return files::NpyType::float32;
 }
+files::NpyType type_of(const std::vector<std::uint8_t>&) {
+  return files::NpyType::uint8;
+}
+files::NpyType type_of(const std::vector<double>&) {
+  return files::NpyType::float64;
+}
 
 template <class Sample>
 Expected<void> write_npy(const std::filesystem::path& target, const terrain::HeightMap& map,
@@ -42,7 +48,7 @@ Expected<void> check_height_map_name(const std::filesystem::path& target, const 
     return wrong_use("--output: '" + target.string() + "' ends in neither .png nor .npy");
   }
   if (std::holds_alternative<std::vector<std::uint16_t>>(map.samples)) return {};
-  return wrong_use("--output: a .png holds 16 bits a sample, and the input's have 32; give a .npy");
+  return wrong_use("--output: a .png holds 16 bits a sample, and the input's have another size; give a .npy");
 }
 
 Expected<void> write_height_map(const std::filesystem::path& target, const terrain::HeightMap& map) {

@@ -12,9 +12,11 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
+#include <talus/files/npy_header.h>
 #include <talus/files/read_file.h>
 #include <talus/voxel/codec.h>
 #include <talus/world_files/world_files.h>
@@ -25,10 +27,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "voxels are read as they lie in memory");
 
-constexpr std::string_view kWanted =
-    "it must be a .npy array of 32 x 32 x 32 uint8 or uint16, [y][z][x], or a .vox file of one model of at "
-    "most "
-    "32 voxels a side";
+constexpr std::string_view kNoChunk =
+    "no chunk of voxels; it must be a .npy array of 32 x 32 x 32 uint8 or uint16, [y][z][x], or a .vox file "
+    "of one model of at most 32 voxels a side";
 
 // Above the size of any readable file; .vox files include palettes and scene graphs.
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22U;
@@ -39,46 +40,17 @@ bool wide(const DenseVoxels& voxels) {
   return std::any_of(voxels.begin(), voxels.end(), [](MaterialId id) { return to_integer(id) > 255; });
 }
 
-std::uint32_t little_endian(const char* bytes) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-/// The value of `key` in the dictionary of an array's header, without spaces; a tuple is complete.
-std::string value_of(const std::string& header, const std::string& key) {
-  const std::size_t at = header.find("'" + key + "':");
-  if (at == std::string::npos) return {};
-  std::string value;
-  for (std::size_t i = at + key.size() + 3; i < header.size(); ++i) {
-    const bool in_tuple = value.find('(') != std::string::npos && value.find(')') == std::string::npos;
-    if (header[i] == '}' || (header[i] == ',' && !in_tuple)) break;
-    if (header[i] != ' ') value += header[i];
-  }
-  return value;
-}
-
-std::optional<Chunk> chunk_of_npy(const Bytes& bytes) {
-  if (bytes.size() < 12) return std::nullopt;
-  const bool first_version = bytes[6] == 1;
-  std::size_t length = std::size_t{static_cast<std::uint8_t>(bytes[8])} |
-                       std::size_t{static_cast<std::uint8_t>(bytes[9])} << 8U;
-  std::size_t start = 10;
-  if (!first_version) {
-    length = little_endian(bytes.data() + 8);
-    start = 12;
-  }
-  if (length > bytes.size() - start) return std::nullopt;
-  const std::string header{bytes.data() + start, length};
-  const std::string type = value_of(header, "descr");
-  const bool narrow = type == "'|u1'" || type == "'<u1'";
-  if (!narrow && type != "'<u2'") return std::nullopt;
-  if (value_of(header, "shape") != "(32,32,32)" || value_of(header, "fortran_order") != "False") {
-    return std::nullopt;
+tl::expected<Chunk, std::string> chunk_of_npy(const Bytes& bytes) {
+  const auto header = files::read_npy_header(std::as_bytes(std::span{bytes}));
+  if (!header) return tl::unexpected{header.error()};
+  const bool narrow = header->type == "|u1" || header->type == "<u1";
+  const std::vector<std::uint64_t> cube(3, kChunkSize);
+  if ((!narrow && header->type != "<u2") || header->shape != cube || header->fortran_order) {
+    return tl::unexpected{std::string{kNoChunk}};
   }
   const std::size_t item = narrow ? 1 : 2;
-  if (bytes.size() - start - length != kChunkVolume * item) return std::nullopt;
-  const char* const items = bytes.data() + start + length;
+  if (bytes.size() - header->data_at != kChunkVolume * item) return tl::unexpected{std::string{kNoChunk}};
+  const char* const items = bytes.data() + header->data_at;
   const auto voxels = std::make_unique<DenseVoxels>();
   for (std::size_t i = 0; i < voxels->size(); ++i) {
     std::uint16_t id = 0;
@@ -104,15 +76,10 @@ tl::expected<Chunk, std::string> chunk_of_vox(const Bytes& bytes) {
 Expected<Chunk> read_voxels(const std::string& path) {
   const auto bytes = files::read_regular_file(path, kMaxFileBytes);
   if (!bytes) return tl::unexpected{Failure{bytes.error()}};
-  const std::string_view text{*bytes};
-  std::optional<Chunk> chunk;
-  if (text.starts_with("\x93NUMPY")) chunk = chunk_of_npy(*bytes);
-  if (text.starts_with("VOX ")) {
-    auto found = chunk_of_vox(*bytes);
-    if (!found) return failed(path + ": " + found.error());
-    chunk = *std::move(found);
-  }
-  if (!chunk) return failed(path + ": no chunk of voxels; " + std::string{kWanted});
+  tl::expected<Chunk, std::string> chunk = tl::unexpected{std::string{kNoChunk}};
+  if (files::is_npy(std::as_bytes(std::span{*bytes}))) chunk = chunk_of_npy(*bytes);
+  if (bytes->starts_with("VOX ")) chunk = chunk_of_vox(*bytes);
+  if (!chunk) return failed(path + ": " + chunk.error());
   return *std::move(chunk);
 }
 

@@ -37,6 +37,8 @@ const char* type_name(files::NpyType type) {
       return "uint16";
     case files::NpyType::float32:
       return "float32";
+    case files::NpyType::float64:
+      return "float64";
   }
   return "";
 }

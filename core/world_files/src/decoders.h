@@ -23,7 +23,7 @@ using DecodeResult = tl::expected<terrain::HeightMap, std::string>;
 [[nodiscard]] bool is_png(std::span<const std::byte> bytes);
 [[nodiscard]] DecodeResult decode_png(std::span<const std::byte> bytes);
 
-[[nodiscard]] bool is_npy(std::span<const std::byte> bytes);
+/// REQUIRES: files::is_npy(bytes).
 [[nodiscard]] DecodeResult decode_npy(std::span<const std::byte> bytes);
 
 /// Returns the error of a claimed size, if any.

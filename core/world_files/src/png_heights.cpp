@@ -6,6 +6,8 @@
 #include <bit>
 #include <csetjmp>
 #include <cstring>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,9 +57,10 @@ class Reader {
     png_read_info(png_, info_);
     return true;
   }
-  bool read_rows(std::uint16_t* samples) {
+  template <class Sample>
+  bool read_rows(Sample* samples) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_swap(png_);
+    if constexpr (sizeof(Sample) == 2) png_set_swap(png_);
     const int passes = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     const std::size_t width = png_get_image_width(png_, info_);
@@ -76,12 +79,51 @@ class Reader {
   [[nodiscard]] std::uint64_t depth() const { return png_get_image_height(png_, info_); }
   [[nodiscard]] int bit_depth() const { return png_get_bit_depth(png_, info_); }
   [[nodiscard]] bool grey() const { return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_GRAY; }
+  [[nodiscard]] std::string_view colours() const {
+    switch (png_get_color_type(png_, info_)) {
+      case PNG_COLOR_TYPE_GRAY:
+        return "grey";
+      case PNG_COLOR_TYPE_GRAY_ALPHA:
+        return "grey and alpha";
+      case PNG_COLOR_TYPE_PALETTE:
+        return "a palette";
+      case PNG_COLOR_TYPE_RGB:
+        return "RGB";
+      default:
+        return "RGBA";
+    }
+  }
+  /// The sample of pixels that are transparent, as places without data are; nullopt: all are visible.
+  [[nodiscard]] std::optional<std::uint16_t> transparent() const {
+    png_color_16p value = nullptr;
+    if (png_get_tRNS(png_, info_, nullptr, nullptr, &value) == 0 || value == nullptr) return std::nullopt;
+    return value->gray;
+  }
 
  private:
   Source source_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
 };
+
+template <class Sample>
+DecodeResult map_of(Reader& reader) {
+  std::vector<Sample> samples(reader.width() * reader.depth());
+  if (!reader.read_rows(samples.data())) return refused("is not a whole PNG: " + reader.complaint());
+  const auto none = reader.transparent();
+  const auto hole = none ? std::find(samples.begin(), samples.end(), *none) : samples.end();
+  if (hole != samples.end()) {
+    const auto place = static_cast<std::size_t>(hole - samples.begin());
+    return refused("has a transparent sample, which marks missing data: " + std::to_string(*none) +
+                   ", as sample " + std::to_string(place % reader.width()) + " of row " +
+                   std::to_string(place / reader.width()) + "; fill it, or write the file without tRNS");
+  }
+  terrain::HeightMap map;
+  map.width = static_cast<int>(reader.width());
+  map.depth = static_cast<int>(reader.depth());
+  map.samples = std::move(samples);
+  return map;
+}
 
 }  // namespace
 
@@ -94,19 +136,14 @@ bool is_png(std::span<const std::byte> bytes) {
 DecodeResult decode_png(std::span<const std::byte> bytes) {
   Reader reader{bytes};
   if (!reader.read_header()) return refused("is not a whole PNG: " + reader.complaint());
-  if (reader.bit_depth() != 16 || !reader.grey()) {
-    return refused("has " + std::to_string(reader.bit_depth()) + " bits a channel" +
-                   (reader.grey() ? "" : " in colour, or with transparency") +
-                   "; 16 bits of grey alone are needed");
+  const bool is_byte = reader.bit_depth() == 8;
+  if (!reader.grey() || !(is_byte || reader.bit_depth() == 16)) {
+    return refused("is a PNG of " + std::string{reader.colours()} + " with " +
+                   std::to_string(reader.bit_depth()) +
+                   " bits a channel; grey alone of 8 or 16 bits is needed");
   }
   if (auto wrong = wrong_size(reader.width(), reader.depth())) return refused(*std::move(wrong));
-  std::vector<std::uint16_t> samples(reader.width() * reader.depth());
-  if (!reader.read_rows(samples.data())) return refused("is not a whole PNG: " + reader.complaint());
-  terrain::HeightMap map;
-  map.width = static_cast<int>(reader.width());
-  map.depth = static_cast<int>(reader.depth());
-  map.samples = std::move(samples);
-  return map;
+  return is_byte ? map_of<std::uint8_t>(reader) : map_of<std::uint16_t>(reader);
 }
 
 }  // namespace talus::world_files

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <talus/files/npy_header.h>
 #include <talus/files/read_file.h>
 
 #include "decoders.h"
@@ -10,8 +11,8 @@
 namespace talus::world_files {
 namespace {
 
-// The largest map at four bytes per sample, and a header.
-constexpr std::size_t kMaxHeightMapBytes = terrain::kMaxHeightMapSamples * 4 + (std::size_t{1} << 20);
+// The largest map at eight bytes per sample, and a header.
+constexpr std::size_t kMaxHeightMapBytes = terrain::kMaxHeightMapSamples * 8 + (std::size_t{1} << 20);
 
 // Models of the largest sizes; .vox files also contain palettes and scene graphs.
 constexpr std::size_t kMaxModelFileBytes = std::size_t{1} << 22;
@@ -42,8 +43,8 @@ std::optional<std::string> wrong_size(std::uint64_t width, std::uint64_t depth) 
 
 tl::expected<terrain::HeightMap, std::string> decode_height_map(std::span<const std::byte> bytes) {
   if (is_png(bytes)) return decode_png(bytes);
-  if (is_npy(bytes)) return decode_npy(bytes);
-  return refused("is neither PNG nor .npy; a 16-bit greyscale PNG or an array of two axes is needed");
+  if (files::is_npy(bytes)) return decode_npy(bytes);
+  return refused("is neither PNG nor .npy; a greyscale PNG or an array of two axes is needed");
 }
 
 tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesystem::path& file) {

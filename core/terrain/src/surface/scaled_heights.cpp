@@ -1,8 +1,10 @@
 #include "surface/scaled_heights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -23,6 +25,15 @@ std::optional<std::string> wrong_shape(const HeightMap& map, std::size_t samples
   }
   if (samples != wanted) return text_of("it has ", samples, " samples where its shape needs ", wanted);
   return std::nullopt;
+}
+
+// Returns true for values by which programs such as GDAL mark places without data: as the least or greatest
+// sample they would flatten all land.
+bool marks_no_data(double sample) {
+  constexpr double kBeyondHeights = 1e30;  // the limits of float and double, and what is printed for them
+  constexpr std::array kMarks{-9999.0, -99999.0, -32767.0, -32768.0, -2147483648.0};
+  return std::abs(sample) >= kBeyondHeights ||
+         std::find(kMarks.begin(), kMarks.end(), sample) != kMarks.end();
 }
 
 // Keeps the factor of samples finite.
@@ -52,18 +63,31 @@ tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(const He
         using Sample = typename std::decay_t<decltype(samples)>::value_type;
         if (auto wrong = wrong_shape(map, samples.size()))
           return tl::unexpected(HeightsFault{"file", *std::move(wrong)});
+        const auto wrong_sample = [&](std::size_t i, const std::string& why) {
+          const auto width = static_cast<std::size_t>(map.width);
+          return tl::unexpected(HeightsFault{"file", text_of("sample ", i % width, " of row ", i / width,
+                                                             " is ", static_cast<double>(samples[i]), why)});
+        };
         for (std::size_t i = 0; i < samples.size(); ++i) {
           if (std::isfinite(static_cast<double>(samples[i]))) continue;
-          const std::size_t width = static_cast<std::size_t>(map.width);
-          return tl::unexpected(
-              HeightsFault{"file", text_of("sample ", i % width, " of row ", i / width, " is ", samples[i],
-                                           "; only numbers are heights")});
+          return wrong_sample(i, "; only numbers are heights");
         }
-        const auto [least, greatest] = std::minmax_element(samples.begin(), samples.end());
-        constexpr bool kWhole = std::is_same_v<Sample, std::uint16_t>;
+        constexpr bool kFullRange = std::is_unsigned_v<Sample>;
         const std::string key = high ? "high" : low ? "low" : "file";
-        if (!low) low = kWhole ? 0.0 : static_cast<double>(*least);
-        if (!high) high = kWhole ? 65535.0 : static_cast<double>(*greatest);
+        if constexpr (kFullRange) {
+          if (!low) low = 0;
+          if (!high) high = std::numeric_limits<Sample>::max();
+        } else {
+          const auto [least, greatest] = std::minmax_element(samples.begin(), samples.end());
+          for (const auto& [given, extreme, name] :
+               {std::tuple{&low, least, "low"}, std::tuple{&high, greatest, "high"}}) {
+            if (*given) continue;
+            *given = static_cast<double>(*extreme);
+            if (!marks_no_data(**given)) continue;
+            return wrong_sample(static_cast<std::size_t>(extreme - samples.begin()),
+                                text_of(", which marks missing data; fill it, or give ", name));
+          }
+        }
         if (!(*low < *high)) {
           if (key == "file") {
             return tl::unexpected(

@@ -13,7 +13,7 @@
 
 namespace talus::files {
 
-enum class NpyType : std::uint8_t { int32, uint8, uint16, float32 };
+enum class NpyType : std::uint8_t { int32, uint8, uint16, float32, float64 };
 
 [[nodiscard]] std::size_t item_bytes(NpyType type);
 
@@ -38,6 +38,8 @@ class NpyFile {
                                                     std::span<const std::uint16_t> items) const;
   [[nodiscard]] tl::expected<void, FileError> write(std::size_t first_item,
                                                     std::span<const float> items) const;
+  [[nodiscard]] tl::expected<void, FileError> write(std::size_t first_item,
+                                                    std::span<const double> items) const;
 
   /// Writes the header and sets the file's length; items beyond the shape are cut off.
   [[nodiscard]] tl::expected<void, FileError> finish(std::span<const std::size_t> shape) const;

@@ -16,7 +16,9 @@ inline constexpr std::size_t kMaxHeightMapSamples = std::size_t{1} << 26;
 struct HeightMap {
   int width = 0;  // along x
   int depth = 0;  // along z
-  std::variant<std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<float>> samples;
+  std::variant<std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<float>,
+               std::vector<std::uint8_t>, std::vector<double>>
+      samples;
 };
 
 }  // namespace talus::terrain
