@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             "an error is one line");
     return 0;
   }
-  require(!models->empty() && models->size() <= terrain::kMaxModels, "a file has 1 to 32 models");
+  require(!models->empty() && models->size() <= terrain::kMaxModels, "a file has 1 to 256 models");
   std::array<std::uint8_t, 256> parts{};
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = static_cast<std::uint8_t>(i / 2);
   for (const terrain::VoxelModel& model : *models) {

@@ -44,7 +44,7 @@ const std::string kHuts =
     "[object.palette]\n9 = { name = \"oak thatch\", colour = \"#a08040\" }\n"
     "200 = { name = \"oak planks\", colour = \"#806040\" }\n";
 
-/// "hut.vox": one hut that no turn leaves as it is, and one as large as may be.
+/// "hut.vox": one hut that no turn leaves as it is, and one larger than a chunk's half.
 const std::vector<VoxelModel>& huts() {
   static const std::vector<VoxelModel> models = [] {
     VoxelModel small{4, 6, 3, {}};
@@ -56,7 +56,7 @@ const std::vector<VoxelModel>& huts() {
         }
       }
     }
-    VoxelModel large{kMaxModelWidth, kMaxModelHeight, kMaxModelWidth, {}};
+    VoxelModel large{21, 32, 21, {}};
     for (std::uint8_t i = 0; i < 21; ++i) {
       large.voxels.push_back({i, static_cast<std::uint8_t>(i + 11), 3, 9});
       large.voxels.push_back({10, 0, i, 200});
@@ -66,9 +66,23 @@ const std::vector<VoxelModel>& huts() {
   return models;
 }
 
+/// "CASTLE.VOX": the largest model, two walls that cross.
+VoxelModel castle() {
+  constexpr std::uint8_t kMiddle = kMaxModelWidth / 2;
+  VoxelModel largest{kMaxModelWidth, kMaxModelHeight, kMaxModelWidth, {}};
+  for (std::uint8_t y = 0; y < kMaxModelHeight; ++y) {
+    for (std::uint8_t i = 0; i < kMaxModelWidth; ++i) {
+      largest.voxels.push_back({i, y, kMiddle, 200});
+      largest.voxels.push_back({kMiddle, y, i, 9});
+    }
+  }
+  return largest;
+}
+
 WorldFiles with_huts() {
   return {{}, [](const std::string& file) -> tl::expected<std::vector<VoxelModel>, std::string> {
             if (file == "hut.vox") return huts();
+            if (file == "CASTLE.VOX") return std::vector{castle()};
             return tl::unexpected{std::string{"is not there"}};
           }};
 }
@@ -140,6 +154,27 @@ TEST_CASE("An object across chunks is whole from whatever patch it is cut, at ev
     }
   }));
   CHECK(seen > 10000);
+}
+
+TEST_CASE("An object of the largest size is whole, and files' names end in .vox or .VOX") {
+  std::string text = test::replaced(kHuts, "hut.vox", "CASTLE.VOX");
+  text = test::replaced(text, "spacing = 24\nchance = 0.8", "spacing = 64\nchance = 1");
+  auto parsed = World::parse(test::small_world_text(7) + text, "castles.toml", with_huts());
+  REQUIRE(parsed.has_value());
+  std::size_t seen = 0;
+  for (const int level : {0, 1, 4}) {
+    const Lod lod = Lod::of(level);
+    const Stacks stacks = generate_stacks(*parsed, {-kChunkSize, 0, kChunkSize, kChunkSize, lod});
+    const MixedRange rows = mixed_range(*parsed, stacks, -1, 0);
+    CHECK(rows.last <= mixed_range(*parsed, lod).last);
+    for (std::int32_t y = rows.first; y <= rows.last + 1; ++y) {
+      const Chunk chunk = extract_chunk(*parsed, stacks, {-1, y, 0});
+      CHECK(chunk == generate_chunk(*parsed, {{-1, y, 0}, lod}));
+      CHECK((y <= rows.last || chunk.is_uniform()));
+      seen += chunk.overrides().size();
+    }
+  }
+  CHECK(seen > 100);
 }
 
 TEST_CASE("Objects fill air above the ground alone, with caves, too") {
@@ -249,10 +284,10 @@ TEST_CASE("Objects may stand so thick and no thicker") {
   // A full model is 21 x 21 x 32 voxels and 4 more of root: 36 a column where the next stands 21 on.
   WorldFiles files;
   files.models = [](const std::string&) {
-    VoxelModel full{kMaxModelWidth, kMaxModelHeight, kMaxModelWidth, {}};
-    for (std::uint8_t y = 0; y < kMaxModelHeight; ++y) {
-      for (std::uint8_t z = 0; z < kMaxModelWidth; ++z) {
-        for (std::uint8_t x = 0; x < kMaxModelWidth; ++x) full.voxels.push_back({x, y, z, 9});
+    VoxelModel full{21, 32, 21, {}};
+    for (std::uint8_t y = 0; y < 32; ++y) {
+      for (std::uint8_t z = 0; z < 21; ++z) {
+        for (std::uint8_t x = 0; x < 21; ++x) full.voxels.push_back({x, y, z, 9});
       }
     }
     return std::vector<VoxelModel>{full};

@@ -13,7 +13,6 @@
 #include <talus/terrain/generator.h>
 
 #include "feature.h"
-#include "features/object_models.h"
 #include "kernels/chunk_planes.h"
 #include "kernels/columns.h"
 #include "overlay.h"
@@ -326,10 +325,14 @@ std::int64_t highest_object_row(const World& world, const Stacks& stacks, std::i
   if (stacks.objects.empty()) return highest;
   const int level = stacks.region.lod.value();
   const int rows = above_ground(world, Lod{}, true);
+  int reach = 0;
+  for (const auto& feature : world.features()) {
+    if (feature->stands()) reach = std::max(reach, feature->halo(Lod{}));
+  }
   const auto apart = [&](std::int64_t foot, std::int32_t chunk) {
     const std::int64_t from = std::int64_t{chunk} * kChunkSize << level;
     const std::int64_t to = (std::int64_t{chunk} + 1) * kChunkSize << level;
-    return foot + kObjectReach < from || foot - kObjectReach >= to;
+    return foot + reach < from || foot - reach >= to;
   };
   for (const PlacedObject& object : stacks.objects) {
     if (apart(object.x, chunk_x) || apart(object.z, chunk_z)) continue;

@@ -1,7 +1,6 @@
 #include "features/object_models.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cstdlib>
 #include <tuple>
 
@@ -13,6 +12,10 @@ namespace {
 
 constexpr std::uint8_t kTrunk = 0;
 constexpr std::uint8_t kCrown = 1;
+
+// Bounds of shapes by formulas, part of what the formulas mean.
+constexpr int kFormulaReach = 10;
+constexpr int kFormulaTop = 32;
 
 /// A sequence of random numbers. Draw each in a statement of its own, as C++ does not order operands.
 class ModelDraws {
@@ -36,7 +39,7 @@ class Sculptor {
   explicit Sculptor(std::uint64_t seed) : draws{seed}, seed_{seed} {}
 
   void put(int x, int y, int z, std::uint8_t part) {
-    if (std::abs(x) > kObjectReach || std::abs(z) > kObjectReach || y >= kObjectTop || y < -kObjectRoot)
+    if (std::abs(x) > kFormulaReach || std::abs(z) > kFormulaReach || y >= kFormulaTop || y < -kObjectRoot)
       return;
     model.push_back(
         {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z), part});
@@ -55,9 +58,9 @@ class Sculptor {
   };
   /// Puts the union of several ellipsoids, with outermost voxels frayed if `ragged`.
   void ellipsoids(const std::vector<Ellipsoid>& all, int lowest, bool ragged, std::uint8_t part) {
-    for (int y = lowest; y < kObjectTop; ++y) {
-      for (int z = -kObjectReach; z <= kObjectReach; ++z) {
-        for (int x = -kObjectReach; x <= kObjectReach; ++x) {
+    for (int y = lowest; y < kFormulaTop; ++y) {
+      for (int z = -kFormulaReach; z <= kFormulaReach; ++z) {
+        for (int x = -kFormulaReach; x <= kFormulaReach; ++x) {
           int nearest = 1 << 20;
           for (const Ellipsoid& each : all) {
             const int dx = 4 * x - each.x;
@@ -90,8 +93,8 @@ void conifer(Sculptor& tree) {
     const int down = height + 2 - y;
     const int cone = 4 * down * (height / 5 + 2) / (height + 2 - base) + 2;
     const int radius = cone * (5 + 3 * (down % tier) / (tier - 1)) / 8 + 1;
-    for (int z = -kObjectReach; z <= kObjectReach; ++z) {
-      for (int x = -kObjectReach; x <= kObjectReach; ++x) {
+    for (int z = -kFormulaReach; z <= kFormulaReach; ++z) {
+      for (int x = -kFormulaReach; x <= kFormulaReach; ++x) {
         const int square = 16 * (x * x + z * z);
         if (square > radius * radius) continue;
         const bool rim = 256 * square > Sculptor::kRim * radius * radius && square > 16;
@@ -245,21 +248,26 @@ namespace {
 class OccupiedCells {
  public:
   explicit OccupiedCells(const ObjectModel& model) {
-    for (const ModelVoxel& v : model) full_.set(index(v.x, v.y, v.z));
+    for (const ModelVoxel& v : model) {
+      reach_ = std::max({reach_, std::abs(int{v.x}), std::abs(int{v.z})});
+      top_ = std::max(top_, v.y + 1);
+    }
+    full_.resize(index(reach_, top_ - 1, reach_) + 1);
+    for (const ModelVoxel& v : model) full_[index(v.x, v.y, v.z)] = true;
   }
   [[nodiscard]] bool at(int x, int y, int z) const {
-    return std::abs(x) <= kObjectReach && std::abs(z) <= kObjectReach && y >= -kObjectRoot &&
-           y < kObjectTop && full_[index(x, y, z)];
+    return std::abs(x) <= reach_ && std::abs(z) <= reach_ && y >= -kObjectRoot && y < top_ &&
+           full_[index(x, y, z)];
   }
 
  private:
-  static constexpr std::size_t kWidth = 2 * kObjectReach + 1;
-  static std::size_t index(int x, int y, int z) {
-    const auto row =
-        static_cast<std::size_t>(y + kObjectRoot) * kWidth + static_cast<std::size_t>(z + kObjectReach);
-    return row * kWidth + static_cast<std::size_t>(x + kObjectReach);
+  [[nodiscard]] std::size_t index(int x, int y, int z) const {
+    const int width = 2 * reach_ + 1;
+    return static_cast<std::size_t>(((y + kObjectRoot) * width + z + reach_) * width + x + reach_);
   }
-  std::bitset<(kObjectRoot + kObjectTop) * kWidth * kWidth> full_;
+  int reach_ = 0;
+  int top_ = 0;
+  std::vector<bool> full_;
 };
 
 }  // namespace
@@ -286,15 +294,13 @@ int levels_shown(const std::vector<ObjectModel>& models) {
 }
 
 ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {
-  const auto column_of = [](const ModelVoxel& v) {
-    return static_cast<std::size_t>((v.z + kObjectReach) * kWidth + v.x + kObjectReach);
-  };
+  for (const ModelVoxel& v : voxels_) reach_ = std::max({reach_, std::abs(int{v.x}), std::abs(int{v.z})});
+  const auto column = [&](const ModelVoxel& v) { return column_of(v.x, v.z); };
   std::stable_sort(voxels_.begin(), voxels_.end(),
-                   [&](const ModelVoxel& a, const ModelVoxel& b) { return column_of(a) < column_of(b); });
-  for (const ModelVoxel& voxel : voxels_) ++starts_[column_of(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) {
-    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
-  }
+                   [&](const ModelVoxel& a, const ModelVoxel& b) { return column(a) < column(b); });
+  starts_.resize(column_of(reach_, reach_) + 2);
+  for (const ModelVoxel& voxel : voxels_) ++starts_[column(voxel) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
 }
 
 ModelRows::ModelRows(const ObjectModel& model) : voxels_{model} {
@@ -304,9 +310,7 @@ ModelRows::ModelRows(const ObjectModel& model) : voxels_{model} {
   std::stable_sort(voxels_.begin(), voxels_.end(),
                    [&](const ModelVoxel& a, const ModelVoxel& b) { return row_of(a) < row_of(b); });
   for (const ModelVoxel& voxel : voxels_) ++starts_[row_of(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) {
-    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
-  }
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
 }
 
 std::span<const ModelVoxel> ModelRows::at(bool front, std::int64_t from, std::int64_t to) const {
@@ -336,9 +340,7 @@ ModelLevels::ModelLevels(const ObjectModel& model) : voxels_{model} {
   std::stable_sort(voxels_.begin(), voxels_.end(),
                    [&](const ModelVoxel& a, const ModelVoxel& b) { return place_of(a) < place_of(b); });
   for (const ModelVoxel& voxel : voxels_) ++starts_[place_of(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) {
-    starts_[i] = static_cast<std::uint16_t>(starts_[i] + starts_[i - 1]);
-  }
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
 }
 
 std::span<const ModelVoxel> ModelLevels::at(bool front, int level, std::int64_t x, std::int64_t y,

@@ -2,9 +2,11 @@
 // core/terrain.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -27,10 +29,10 @@ using ObjectModel = std::vector<ModelVoxel>;
 
 /// Maximum distance of a voxel from the foot along x or z; maximum height; maximum depth, for ground that
 /// falls away.
-inline constexpr int kObjectReach = 10;
-inline constexpr int kObjectTop = 32;
+inline constexpr int kObjectReach = 64;
+inline constexpr int kObjectTop = 128;
 inline constexpr int kObjectRoot = 4;
-static_assert(kMaxModelWidth == 2 * kObjectReach + 1 && kMaxModelHeight == kObjectTop);
+static_assert(kMaxModelWidth == 2 * kObjectReach && kMaxModelHeight == kObjectTop);
 
 enum class ModelKind : std::uint8_t {
   conifer,
@@ -74,16 +76,19 @@ void tidy(ObjectModel& model);
 class ModelColumns {
  public:
   explicit ModelColumns(const ObjectModel& model);
-  /// REQUIRES that both are within kObjectReach of 0.
   [[nodiscard]] std::span<const ModelVoxel> at(int x, int z) const {
-    const auto column = static_cast<std::size_t>((z + kObjectReach) * kWidth + x + kObjectReach);
+    if (std::max(std::abs(x), std::abs(z)) > reach_) return {};
+    const std::size_t column = column_of(x, z);
     return std::span{voxels_}.subspan(starts_[column], starts_[column + 1] - starts_[column]);
   }
 
  private:
-  static constexpr int kWidth = 2 * kObjectReach + 1;
+  [[nodiscard]] std::size_t column_of(int x, int z) const {
+    return static_cast<std::size_t>((z + reach_) * (2 * reach_ + 1) + x + reach_);
+  }
   std::vector<ModelVoxel> voxels_;
-  std::array<std::uint16_t, kWidth * kWidth + 1> starts_{};
+  int reach_ = 0;
+  std::vector<std::uint32_t> starts_;
 };
 
 /// A model's voxels in front (part 0) and behind, row by row.
@@ -96,7 +101,7 @@ class ModelRows {
  private:
   static constexpr std::size_t kRows = kObjectRoot + kObjectTop;
   std::vector<ModelVoxel> voxels_;
-  std::array<std::uint16_t, 2 * kRows + 1> starts_{};
+  std::array<std::uint32_t, 2 * kRows + 1> starts_{};
 };
 
 /// A model's voxels for levels 1 and 2, grouped by the voxels that a level shows.
@@ -112,7 +117,7 @@ class ModelLevels {
  private:
   static constexpr std::size_t kGroups = 64;  // by x, y and z modulo 4, ordered by their lowest bits first
   std::vector<ModelVoxel> voxels_;
-  std::array<std::uint16_t, 2 * kGroups + 1> starts_{};
+  std::array<std::uint32_t, 2 * kGroups + 1> starts_{};
 };
 
 }  // namespace talus::terrain

@@ -453,7 +453,13 @@ class ObjectReader {
     density_ = 0;
   }
 
-  static bool is_file(const ObjectKind& kind) { return kind.model.ends_with(".vox"); }
+  static bool is_file(const ObjectKind& kind) {
+    constexpr std::string_view kSuffix = ".vox";
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return kind.model.size() >= kSuffix.size() &&
+           std::equal(kSuffix.rbegin(), kSuffix.rend(), kind.model.rbegin(),
+                      [&](char wanted, char c) { return wanted == lower(c); });
+  }
 
   void read_models(TableReader& table, ObjectKind& kind) {
     kind.model = table.text("model", kMaxModelNameBytes);

@@ -22,8 +22,8 @@ struct VoxelModel {
 };
 
 /// Maximum size of an object's model, and maximum number of models in a file, which are variants of one kind.
-inline constexpr int kMaxModelWidth = 21;  // and depth
-inline constexpr int kMaxModelHeight = 32;
-inline constexpr int kMaxModels = 32;
+inline constexpr int kMaxModelWidth = 128;  // and depth
+inline constexpr int kMaxModelHeight = 128;
+inline constexpr int kMaxModels = 256;
 
 }  // namespace talus::terrain

@@ -1,5 +1,5 @@
-// Reads files named in a spec: height maps (16-bit greyscale PNG, and two-axis NumPy arrays of uint16, int32
-// or float32) and models (.vox, as written by MagicaVoxel).
+// Reads files named in a spec: height maps (greyscale PNG, and two-axis NumPy arrays of numbers) and models
+// (.vox, as written by MagicaVoxel).
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,9 @@ struct ModelBounds {
   int height = terrain::kMaxModelHeight;
   int models = terrain::kMaxModels;
 };
-/// Returns all models of a .vox file, in its order, ignoring positions in its scene graph. An error is one
-/// line. Sizes are checked before memory is allocated.
+/// Returns the models of a .vox file in its order, as MagicaVoxel shows them: turned by the scene graph, and
+/// with colours by their numbers in the editor's palette; positions are ignored. Empty and hidden models are
+/// passed over, unless there are no others. An error is one line.
 [[nodiscard]] tl::expected<std::vector<terrain::VoxelModel>, std::string> decode_vox(
     std::span<const std::byte> bytes, const ModelBounds& bounds = {});
 
