@@ -70,7 +70,8 @@ run() {
   say "$walk"
   say "flying over its world for $seconds seconds"
   # Beside the shell, so that a signal to it alone is not kept waiting.
-  build/release/client_sample/cli/talus-client --connect "$address" fly --seconds "$seconds" --speed 15 -o out/map.png --view out/view.png &
+  aloud "flying" build/release/client_sample/cli/talus-client --connect "$address" fly --seconds "$seconds" --speed 15 \
+    -o out/map.png --view out/view.png 9>&- &
   wait $!
   printf 'first picture after %d s: packages %d s, compiling %d s (%d s of processor time), flight %d s\n' \
     $((($(now_ms) - began + 500) / 1000)) $(((packages - began + 500) / 1000)) $(((compiled - packages + 500) / 1000)) \

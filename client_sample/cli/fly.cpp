@@ -159,6 +159,7 @@ void print_summary(const FlightData& gathered, const client::Stats& stats, doubl
   for (std::size_t i = 0; i < std::min(kErrorsShown, gathered.errors.size()); ++i) {
     std::cout << "  " << gathered.errors[i] << '\n';
   }
+  std::cout.flush();  // drawing the view takes seconds
 }
 
 CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo& world,
@@ -168,7 +169,7 @@ CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo&
     auto written = write_png(draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path),
                              options.output);
     if (!written) return written;
-    std::cout << "map " << options.output.string() << '\n';
+    std::cout << "map " << options.output.string() << std::endl;
   }
   if (!options.view.empty()) {
     const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;

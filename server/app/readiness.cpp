@@ -4,7 +4,7 @@
 
 namespace talus::server {
 
-Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log, const MemoryBudget& memory) {
+Readiness readiness_of(bool draining, const cluster::ClusterLog::State* log, const MemoryBudget& memory) {
   if (draining) return {false, "draining"};
   if (log != nullptr && !log->ready) return {false, log->not_ready};
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.

@@ -8,7 +8,7 @@
 namespace talus::server {
 
 /// `log` is the status of a shared log; null without one.
-[[nodiscard]] Readiness readiness_of(bool draining, const cluster::ClusterLog::Status* log,
+[[nodiscard]] Readiness readiness_of(bool draining, const cluster::ClusterLog::State* log,
                                      const MemoryBudget& memory);
 
 }  // namespace talus::server

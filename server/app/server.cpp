@@ -155,7 +155,7 @@ web::WebContextPtr Server::make_web_context(const Config& config, const RunnerCo
 }
 
 std::string Server::metrics_text() {
-  const Chunks::Status status = chunks_.status();
+  const Chunks::State status = chunks_.status();
   RuntimeGauges gauges{
       status.jobs, status.clients, status.chunk_cache_bytes, status.patch_cache_bytes, status.map_cache_bytes,
       draining_};
@@ -171,13 +171,13 @@ std::string Server::metrics_text() {
   gauges.certificate_expires = certificate_expires_;
   if (edits_ != nullptr) {
     if (const cluster::ClusterLog* const shared = edits_->shared()) {
-      const cluster::ClusterLog::Status at = shared->status();
+      const cluster::ClusterLog::State at = shared->status();
       gauges.cluster = {at.connected,    at.quorum,        at.differs, at.lag,
                         at.sequence,     at.republished,   at.gaps,    &shared->publish_latency(),
                         edits_->joins(), at.skipped,       at.bounded, at.stuck,
                         at.late.empty(), at.false_messages};
     }
-    const LocalLog::Status log = edits_->status();
+    const LocalLog::State log = edits_->status();
     const EditState& state = edits_->state();
     const store::HistorySpan history = edits_->history();
     gauges.edits = {
@@ -198,7 +198,7 @@ std::string Server::metrics_text() {
 
 Readiness Server::readiness() const {
   if (edits_ == nullptr || edits_->shared() == nullptr) return readiness_of(draining_, nullptr, memory_);
-  const cluster::ClusterLog::Status log = edits_->shared()->status();
+  const cluster::ClusterLog::State log = edits_->shared()->status();
   return readiness_of(draining_, &log, memory_);
 }
 

@@ -80,7 +80,7 @@ store::EditDatabase::Status WorldEdits::name_placeables(const terrain::World& wo
     // Waits while the server would not be ready anyway, and some time for a new leader.
     std::optional<std::chrono::steady_clock::time_point> away;
     const auto waits = [&] {
-      const cluster::ClusterLog::Status status = shared_->status();
+      const cluster::ClusterLog::State status = shared_->status();
       const auto now = std::chrono::steady_clock::now();
       if (!status.ready || status.quorum) {
         away.reset();
@@ -123,9 +123,9 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
   shared_->start();
 }
 
-LocalLog::Status WorldEdits::status() const {
+LocalLog::State WorldEdits::status() const {
   if (local_ != nullptr) return local_->status();
-  cluster::ClusterLog::Status status = shared_->status();
+  cluster::ClusterLog::State status = shared_->status();
   return {status.head, status.waiting, std::move(status.read_only)};
 }
 

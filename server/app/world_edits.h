@@ -72,7 +72,7 @@ class WorldEdits final : public EditedLand {
   void start(RunPregen pregen = {});
   /// Stops accepting edits, and answers the accepted ones.
   void stop();
-  [[nodiscard]] LocalLog::Status status() const;
+  [[nodiscard]] LocalLog::State status() const;
   /// The shared log; null if the log is this server's own.
   [[nodiscard]] const cluster::ClusterLog* shared() const { return shared_.get(); }
   /// As passed to open().

@@ -163,8 +163,8 @@ void Chunks::keep_on_disk() {
   columns_->flush();
 }
 
-Chunks::Status Chunks::status() {
-  const GenerationPool::Status pool = pool_.status();
+Chunks::State Chunks::status() {
+  const GenerationPool::State pool = pool_.status();
   return {pool.jobs,        pool.clients,  chunks_.bytes(),
           patches_.bytes(), maps_.bytes(), columns_ ? std::optional{columns_->status()} : std::nullopt};
 }

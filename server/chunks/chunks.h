@@ -106,15 +106,15 @@ class Chunks final : public ChunkSource {
   /// When it returns, all that was generated and is worth keeping is on the disk.
   void keep_on_disk();
 
-  struct Status {
+  struct State {
     std::size_t jobs = 0;
     std::size_t clients = 0;  // that wait for an answer
     std::size_t chunk_cache_bytes = 0;
     std::size_t patch_cache_bytes = 0;
     std::size_t map_cache_bytes = 0;
-    std::optional<ColumnCache::Status> columns{};  // nullopt: nothing is kept on disk
+    std::optional<ColumnCache::State> columns{};  // nullopt: nothing is kept on disk
   };
-  [[nodiscard]] Status status();
+  [[nodiscard]] State status();
 
  private:
   const std::unique_ptr<const Generator> generator_;

@@ -101,7 +101,7 @@ tl::expected<void, EditError> ClusterLog::room_for_editor() const {
 
 EditError ClusterLog::unless_behind(EditError error) const {
   if (error.code != EditErrorCode::editors_full) return error;
-  const Status now = status();
+  const State now = status();
   if (now.ready && !now.read_only && now.lag == 0) return error;
   return {EditErrorCode::cut_off,
           fmt::format("this server is not at the end of the log that this world's servers share ({} messages "
@@ -109,9 +109,9 @@ EditError ClusterLog::unless_behind(EditError error) const {
                       now.lag)};
 }
 
-ClusterLog::Status ClusterLog::status() const {
-  Status status;
-  StoreWriter::Status store = writer_.status();
+ClusterLog::State ClusterLog::status() const {
+  State status;
+  StoreWriter::State store = writer_.status();
   StreamFigures figures = parts_.stream.figures();
   const std::string publishing = publisher_.trouble();
   const bool takes = publisher_.takes();

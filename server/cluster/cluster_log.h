@@ -85,7 +85,7 @@ class ClusterLog final : public EditLog {
   /// temporary. Callable from any thread.
   [[nodiscard]] tl::expected<void, EditError> room_for_editor() const;
 
-  struct Status {
+  struct State {
     edits::Head head;
     std::size_t waiting = 0;
     std::optional<std::string> read_only;  // why entries are rejected, in one line
@@ -105,7 +105,7 @@ class ClusterLog final : public EditLog {
     bool stuck = false;                // the next message is for a newer talusd
   };
   /// Callable from any thread.
-  [[nodiscard]] Status status() const;
+  [[nodiscard]] State status() const;
   [[nodiscard]] const LatencyHistogram& publish_latency() const { return publisher_.latency(); }
 
  private:

@@ -52,8 +52,8 @@ tl::expected<void, EditError> LocalLog::append(LogEntry entry, Callback done) {
   return queue_.put({std::move(entry), std::move(done), bytes});
 }
 
-LocalLog::Status LocalLog::status() const {
-  StoreWriter::Status status = writer_.status();
+LocalLog::State LocalLog::status() const {
+  StoreWriter::State status = writer_.status();
   return {status.head, queue_.size(), std::move(status.read_only)};
 }
 

@@ -36,13 +36,13 @@ class LocalLog final : public EditLog {
 
   [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, Callback done) override;
 
-  struct Status {
+  struct State {
     edits::Head head;
     std::size_t waiting = 0;
     std::optional<std::string> read_only;  // why no entries are accepted, in one line
   };
   /// Any thread.
-  [[nodiscard]] Status status() const;
+  [[nodiscard]] State status() const;
 
   /// Does what the destructor does, before it. Refuses further entries at once. Not on the log's thread.
   void stop();

@@ -22,7 +22,7 @@ StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const 
   publish();
 }
 
-StoreWriter::Status StoreWriter::status() const {
+StoreWriter::State StoreWriter::status() const {
   const std::lock_guard lock{mutex_};
   return status_;
 }

@@ -41,13 +41,13 @@ class StoreWriter {
   StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
               OnChanged on_changed, std::function<void()> wake = {});
 
-  struct Status {
+  struct State {
     edits::Head head;
     store::StreamPlace stream;
     std::optional<std::string> read_only;  // why writes fail, in one line
   };
   /// Any thread.
-  [[nodiscard]] Status status() const;
+  [[nodiscard]] State status() const;
   /// Any thread: true if status() has read_only; takes no lock.
   [[nodiscard]] bool is_read_only() const { return is_read_only_.load(std::memory_order_acquire); }
   [[nodiscard]] const std::optional<std::string>& read_only() const { return status_.read_only; }
@@ -118,7 +118,7 @@ class StoreWriter {
   TimePoint next_check_;
 
   mutable std::mutex mutex_;
-  Status status_;
+  State status_;
   std::atomic<bool> is_read_only_{false};  // changes with status_
 };
 

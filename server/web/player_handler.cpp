@@ -13,8 +13,8 @@
 #include "net/websocket/handshake.h"
 #include "runtime/log/escape.h"
 #include "web/chunk_answers.h"
+#include "web/columns_body.h"
 #include "web/documents.h"
-#include "web/edits_answers.h"
 #include "web/heights_answers.h"
 #include "web/map_answers.h"
 #include "web/site_answer.h"
@@ -49,6 +49,17 @@ Answer answer_now(Exchange& exchange, const WorldRoute&) {
   response.kept = text->body;
   response.cache_control = fresh_for(exchange.audience);
   tag(exchange.request(), response, text->tag);
+  return response;
+}
+
+/// Returns the edited columns of a region. Source: PROTOCOL.md, "Edited land".
+Answer answer_now(Exchange& exchange, const EditsRoute& route) {
+  if (auto wrong = check_world(exchange.context(), route.fingerprint)) return wrong;
+  if (auto wrong = check_store(exchange.context(), route.store)) return wrong;
+  http::Response response{200, kBytes};
+  append_edited_columns(response.body, exchange.context().edits->edited_columns(route.region));
+  response.cache_control = revalidated_for(exchange.audience);
+  tag(exchange.request(), response);
   return response;
 }
 

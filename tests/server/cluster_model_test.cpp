@@ -299,7 +299,7 @@ class ClusterModel {
       }
     }
     for (auto& node : nodes_) {
-      const cluster::ClusterLog::Status status = node->log().status();
+      const cluster::ClusterLog::State status = node->log().status();
       if (status.head.position != position) return "a server is at another position";
       if (status.head.revision != revision) return "a server is at another revision";
       std::map<VoxelPos, MaterialId> voxels;

@@ -354,7 +354,7 @@ TEST_CASE("a server that refuses new connections for want of memory is not ready
   memory.set(MemoryUse::sessions, kBudget / 4);
   CHECK(readiness_of(false, nullptr, memory).ready);
   // The log's reasons come first, and one that takes no edits is none.
-  cluster::ClusterLog::Status log;
+  cluster::ClusterLog::State log;
   log.ready = true;
   log.read_only = "no quorum";
   CHECK(readiness_of(false, &log, memory).ready);
@@ -368,7 +368,7 @@ TEST_CASE("a server that refuses new connections for want of memory is not ready
 
 TEST_CASE("a server to which the log's messages do not come by themselves is ready, and says why") {
   const MemoryBudget memory{std::uint64_t{800} << 20U};
-  cluster::ClusterLog::Status log;
+  cluster::ClusterLog::State log;
   log.ready = true;
   CHECK(readiness_of(false, &log, memory).text == "ready");
   log.late = "not allowed";

@@ -185,8 +185,8 @@ bool ColumnCache::has_room() {
   return has_room_;
 }
 
-ColumnCache::Status ColumnCache::status() const {
-  Status status{found_.total(), missing_.total(), kept_.total(), lost_.total()};
+ColumnCache::State ColumnCache::status() const {
+  State status{found_.total(), missing_.total(), kept_.total(), lost_.total()};
   (void)db_->GetIntProperty(rocksdb::DB::Properties::kTotalSstFilesSize, &status.bytes);
   status.memory_bytes = store::rocks_memory(*db_);
   return status;

@@ -65,7 +65,7 @@ class ColumnCache {
   /// Writes all columns that were put to disk, except for failures of the disk.
   void flush();
 
-  struct Status {
+  struct State {
     std::uint64_t found = 0;  // by find()
     std::uint64_t missing = 0;
     std::uint64_t kept = 0;        // by put()
@@ -73,7 +73,7 @@ class ColumnCache {
     std::uint64_t bytes = 0;       // on disk
     std::size_t memory_bytes = 0;  // RocksDB's
   };
-  [[nodiscard]] Status status() const;
+  [[nodiscard]] State status() const;
 
  private:
   ColumnCache(const ColumnCacheSettings& settings, Logger log, const Clock& clock);

@@ -143,7 +143,7 @@ void GenerationPool::jobs_resume() {
   tell_of_room(with_room);
 }
 
-GenerationPool::Status GenerationPool::status() {
+GenerationPool::State GenerationPool::status() {
   const std::lock_guard lock{mutex_};
   return {queue_.jobs(), queue_.clients()};
 }

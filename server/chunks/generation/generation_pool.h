@@ -79,11 +79,11 @@ class GenerationPool {
   /// and then.
   void jobs_resume();
 
-  struct Status {
+  struct State {
     std::size_t jobs = 0;
     std::size_t clients = 0;  // clients with something waiting
   };
-  [[nodiscard]] Status status();
+  [[nodiscard]] State status();
 
  private:
   void work();

@@ -11,7 +11,7 @@
 
 namespace talus::server {
 
-enum class LogLevel : std::uint8_t { trace, debug, info, warn, error, off };
+enum class LogLevel : std::uint8_t { debug, info, warn, error };
 
 /// A JSON object that follows a line's text as the member `name` if the format is JSON. Text lines omit it.
 struct LogField {

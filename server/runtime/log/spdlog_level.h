@@ -9,8 +9,6 @@ namespace talus::server {
 
 [[nodiscard]] constexpr spdlog::level::level_enum spdlog_level(LogLevel level) {
   switch (level) {
-    case LogLevel::trace:
-      return spdlog::level::trace;
     case LogLevel::debug:
       return spdlog::level::debug;
     case LogLevel::info:
@@ -18,11 +16,9 @@ namespace talus::server {
     case LogLevel::warn:
       return spdlog::level::warn;
     case LogLevel::error:
-      return spdlog::level::err;
-    case LogLevel::off:
       break;
   }
-  return spdlog::level::off;
+  return spdlog::level::err;
 }
 
 }  // namespace talus::server

@@ -1,6 +1,7 @@
 #include "spec/material_sections.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,10 @@ constexpr double kMaxWallReach = 32;         // voxels
 constexpr int kMaxApronHalo = 128;           // columns
 constexpr double kMaxRoughness = 16;
 constexpr double kMaxWeight = 1e9;
-constexpr Range kAngles{1, 89};  // degrees
+constexpr Range kAngles{1, 89};               // degrees
+constexpr std::size_t kMaxPlaceables = 1024;  // materials, each state counted
+constexpr std::size_t kMaxStates = 16;
+constexpr std::array kPhases{MaterialKind::stratified, MaterialKind::water, MaterialKind::air};
 
 std::int32_t tangent_fx(double degrees) {
   return static_cast<std::int32_t>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
@@ -105,6 +109,33 @@ TalusSpec read_talus(TableReader& table, const WorldSpec& spec) {
                                     " columns; at most ", kMaxApronHalo, ", so make it smaller"));
   }
   return talus;
+}
+
+std::vector<Placeable> read_placeables(std::vector<TableReader>& tables, std::set<std::string>& names) {
+  std::vector<Placeable> placeables;
+  for (TableReader& table : tables) {
+    table.only({"name", "colour", "phase", "states"});
+    const Colour colour = table.colour();
+    const MaterialKind kind =
+        table.has("phase") ? kPhases[table.choice("phase", {"solid", "liquid", "gas"})] : kPhases[0];
+    const std::string name = table.text("name", kMaxNameBytes);
+    if (!table.has("states")) {
+      table.take_name("name", name, names);
+      placeables.push_back({name, colour, kind});
+    } else {
+      for (const std::string& state : table.texts("states", kMaxNameBytes, kMaxStates)) {
+        const std::string whole = name + ": " + state;
+        table.take_name("states", whole, names);
+        placeables.push_back({whole, colour, kind});
+      }
+    }
+    if (placeables.size() > kMaxPlaceables) {
+      table.fail("name", text_of("is one placeable material too many; at most ", kMaxPlaceables,
+                                 ", each state counted"));
+      break;
+    }
+  }
+  return placeables;
 }
 
 LooseSpec loose_of(const ErodedSpec& eroded, int resolution) {

@@ -1,4 +1,4 @@
-// [[stratified]] and [[eroded]] of a world.toml. Private to core/terrain.
+// [[stratified]], [[eroded]], [talus] and [[placeable]] of a world.toml. Private to core/terrain.
 #pragma once
 
 #include <set>
@@ -22,6 +22,10 @@ namespace talus::terrain {
 
 /// Reads [talus]. REQUIRES that spec.eroded is read.
 [[nodiscard]] TalusSpec read_talus(TableReader& table, const WorldSpec& spec);
+
+/// Reads [[placeable]] in order, one material for each state, and adds each material's name to `names`.
+[[nodiscard]] std::vector<Placeable> read_placeables(std::vector<TableReader>& tables,
+                                                     std::set<std::string>& names);
 
 /// Converts an eroded material to integers. `material` stays 0.
 [[nodiscard]] LooseSpec loose_of(const ErodedSpec& eroded, int resolution);

@@ -21,7 +21,6 @@
 #include "spec/canonical_form.h"
 #include "spec/looks_section.h"
 #include "spec/material_sections.h"
-#include "spec/placeable_section.h"
 #include "spec/places_section.h"
 #include "spec/regions_section.h"
 #include "spec/surface_section.h"
