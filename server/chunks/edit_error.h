@@ -21,7 +21,7 @@ enum class EditErrorCode : std::uint8_t {
   index_full,    // the index of edited chunks has no room for a chunk that was never edited
   unreadable,    // the store cannot read the overrides of a chunk
   conflict,      // a guard does not hold
-  not_applied,   // the sequence is too low, and its result is not kept
+  not_applied,   // the sequence is too low, and no edit had it
   expired,       // not attached: another connection attached as the editor, or the editor was removed
   invalid,
   behind,        // Attach: the client has seen a later revision than this server's

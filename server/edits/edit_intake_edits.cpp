@@ -26,10 +26,16 @@ tl::expected<edits::EditResult, EditError> answer_of(
       return edit_error(Code::conflict,
                         fmt::format("guard {} does not hold; nothing was changed", *applied.result.conflict));
     case Kind::not_applied:
+      if (applied.is_unknown) {
+        return edit_error(
+            Code::out_of_range,
+            fmt::format("the sequence is below those of the editor's last {} results, so whether its edit "
+                        "happened is not known any more; sequences must increase",
+                        edits::kKeptResults));
+      }
       return edit_error(
           Code::not_applied,
-          "the sequence is not above the editor's last, and no result is kept for it; sequences must "
-          "increase");
+          "the sequence is not above the editor's last, and no edit had it; sequences must increase");
     case Kind::expired:
       return edit_error(
           Code::expired,

@@ -92,14 +92,31 @@ TEST_CASE("a batch that is dropped leaves nothing, and its entries may come agai
   CHECK(applied.front().revision == 1);
 }
 
-TEST_CASE("results of the newest edits are kept, and older edits are reported as decided") {
-  Store store;
-  store.apply({AttachEntry{{1, 1}, 1, ""}}, 5);
-  for (std::uint64_t sequence = 1; sequence <= kKeptResults + 1; ++sequence) {
-    store.apply({EditEntry{{1, 1}, 1, sequence, {}, {}}}, 5);
+TEST_CASE("results of the newest edits are kept, and edits before them may have been applied") {
+  constexpr std::uint64_t kLast = 2 * kKeptResults;
+  for (const std::uint64_t in_batch : {std::uint64_t{0}, std::uint64_t{10}, std::uint64_t{kKeptResults}}) {
+    CAPTURE(in_batch);  // results that the batch makes, the others are the state's
+    Store store;
+    store.apply({AttachEntry{{1, 1}, 1, ""}}, 5);
+    for (std::uint64_t sequence = 2; sequence <= kLast - 2 * in_batch; sequence += 2) {
+      store.apply({EditEntry{{1, 1}, 1, sequence, {}, {}}}, 5);
+    }
+    Batch batch{store.state, store.editors, store.head, 5};
+    for (std::uint64_t sequence = kLast - 2 * in_batch + 2; sequence <= kLast; sequence += 2) {
+      batch.apply(EditEntry{{1, 1}, 1, sequence, {}, {}});
+    }
+    const auto apply = [&](std::uint64_t sequence) {
+      const EntryResult& result = batch.apply(EditEntry{{1, 1}, 1, sequence, {}, {}});
+      return std::pair{result.kind, result.is_unknown};
+    };
+    CHECK(apply(1) == std::pair{Kind::not_applied, true});
+    CHECK(apply(2) == std::pair{Kind::repeat, false});
+    CHECK(apply(3) == std::pair{Kind::not_applied, false});
+    CHECK(apply(kLast + 2) == std::pair{Kind::done, false});
+    CHECK(apply(2) == std::pair{Kind::not_applied, true});
+    CHECK(apply(4) == std::pair{Kind::repeat, false});
+    CHECK(apply(5) == std::pair{Kind::not_applied, false});
   }
-  CHECK(store.apply({EditEntry{{1, 1}, 1, 1, {}, {}}}, 5).front().kind == Kind::not_applied);
-  CHECK(store.apply({EditEntry{{1, 1}, 1, 2, {}, {}}}, 5).front().kind == Kind::repeat);
 }
 
 TEST_CASE("the set of kept results does not depend on how a log is cut into batches") {

@@ -27,7 +27,8 @@ std::vector<EntryResult> Store::apply(const std::vector<Entry>& entries, std::in
 
 bool same(const EntryResult& a, const EntryResult& b) {
   return a.kind == b.kind && a.editor == b.editor && a.position == b.position && a.revision == b.revision &&
-         a.result == b.result && a.changes == b.changes && a.writes == b.writes;
+         a.result == b.result && a.is_unknown == b.is_unknown && a.changes == b.changes &&
+         a.writes == b.writes;
 }
 
 const LogModel::Editor& LogModel::editor(EditorId id) const {
@@ -65,7 +66,12 @@ Kind LogModel::apply(const EditEntry& edit, const EntryResult& applied, std::str
   if (editor.epoch == 0 || editor.epoch != edit.epoch) return Kind::expired;
   if (edit.sequence <= editor.last) {
     const auto kept = editor.results.find(edit.sequence);
-    if (kept == editor.results.end()) return Kind::not_applied;
+    if (kept == editor.results.end()) {
+      const bool is_unknown =
+          editor.results.size() == kKeptResults && edit.sequence < editor.results.begin()->first;
+      if (applied.is_unknown != is_unknown) fault = "an edit's result is known, or not";
+      return Kind::not_applied;
+    }
     if (applied.result != kept->second) fault = "a repeat has another result";
     return Kind::repeat;
   }

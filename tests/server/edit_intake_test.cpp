@@ -307,6 +307,8 @@ TEST_CASE("a session receives the log's answer to its edit") {
   CHECK(told(applied).error().code == EditErrorCode::expired);
   applied.kind = Kind::not_applied;
   CHECK(told(applied).error().code == EditErrorCode::not_applied);
+  applied.is_unknown = true;
+  CHECK(told(applied).error().code == EditErrorCode::out_of_range);
   bench.edit(1, {{0, 0, 0}});
   bench.log.entries.back().done(tl::unexpected{EditError{EditErrorCode::unwritable, "the disk is full"}});
   CHECK(bench.only_mail<EditAnswer>().answer.error().code == EditErrorCode::unwritable);

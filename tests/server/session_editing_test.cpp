@@ -295,10 +295,23 @@ TEST_CASE("fills are counted before anything is made of them") {
   constexpr auto kHigh = std::numeric_limits<std::int64_t>::max();
   CHECK(refusal({{{kLow, kLow, kLow}, {kHigh, kHigh, kHigh}, 1, 0, 1}}).code == EditErrorCode::too_large);
   CHECK(refusal({{{0, 0, 0}, {65'536, 0, 0}, 1, 0, 1}}).code == EditErrorCode::too_large);
-  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).code == EditErrorCode::malformed);
-  CHECK(refusal({}).code == EditErrorCode::out_of_range);
+  CHECK(refusal({{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}}).message == "fill 0: unknown flags 4; 1 and 2 are known");
+  CHECK(refusal({}).message == "the edit names no voxels; give writes, fills or a paste");
+  CHECK(refusal({{{5, 0, 0}, {4, 0, 0}, 1, 0, 1}}).message ==
+        "fill 0: its first x is 5, its last 4; the first must not be greater");
   CHECK(refusal(std::vector<wire::Fill>(3, {{0, 0, 0}, {31, 31, 31}, 1, 0, 1})).code ==
         EditErrorCode::too_large);
+}
+
+TEST_CASE("an edit with flags of a later version is refused, and the connection stays") {
+  EditingBench shared;
+  shared.attached();
+  shared.bench.receive([](auto& builder) {
+    const std::vector<wire::Fill> fills{{{0, 0, 0}, {0, 0, 0}, 1, 0, 4}};
+    return wire::CreateEdit(builder, 5, 0, 1, 0, builder.CreateVectorOfStructs(fills));
+  });
+  CHECK(shared.bench.output().at(0).code == ErrorCode::out_of_range);
+  CHECK(shared.bench.session.state() == State::joined);
 }
 
 TEST_CASE("a paste is a chunk, or the connection ends") {

@@ -41,6 +41,19 @@ const EditResult* Batch::result_of(EditorId id, std::uint64_t sequence) const {
   return behind + newer <= kKeptResults ? kept : nullptr;
 }
 
+bool Batch::has_forgotten(EditorId id, std::uint64_t sequence) const {
+  const auto later = [&](const std::vector<EditResult>& results) {
+    return results.end() - std::ranges::upper_bound(results, sequence, {}, &EditResult::sequence);
+  };
+  std::ptrdiff_t count = 0;
+  const auto touched = touched_.find(id);
+  if (touched != touched_.end() && touched->second) count = later(touched->second->editor.results);
+  if (touched == touched_.end() || (touched->second && !touched->second->is_new)) {
+    if (const Editor* const before = editors_.find(id)) count += later(before->results);
+  }
+  return count >= static_cast<std::ptrdiff_t>(kKeptResults);
+}
+
 void Batch::forget_idle() {
   // A batch has a single time.
   if (std::exchange(forgot_idle_, true)) return;
@@ -129,7 +142,11 @@ const EntryResult& Batch::apply(const EditEntry& entry) {
   if (entry.sequence <= editor->last_sequence) {
     const EditResult* const kept = result_of(entry.editor, entry.sequence);
     EntryResult& repeated = begin(entry.editor, kept == nullptr ? Kind::not_applied : Kind::repeat);
-    if (kept != nullptr) repeated.result = *kept;
+    if (kept != nullptr) {
+      repeated.result = *kept;
+    } else {
+      repeated.is_unknown = has_forgotten(entry.editor, entry.sequence);
+    }
     return repeated;
   }
   if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);

@@ -68,8 +68,9 @@ tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool set
     edit.fills.reserve(wire.fills()->size());
     for (const wire::Fill* each : *wire.fills()) {
       if ((each->flags() & ~(kFillOfAny | kFillAsGenerated)) != 0) {
-        return edit_error(EditErrorCode::malformed,
-                          fmt::format("Edit.fills: unknown flags {}; 1 and 2 are known", each->flags()));
+        return edit_error(
+            EditErrorCode::out_of_range,
+            fmt::format("fill {}: unknown flags {}; 1 and 2 are known", edit.fills.size(), each->flags()));
       }
       edits::Fill fill{voxel_of(each->first()), voxel_of(each->last()), std::nullopt, std::nullopt};
       if ((each->flags() & kFillAsGenerated) == 0) fill.material = MaterialId{each->material()};
@@ -97,6 +98,10 @@ tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool set
                                   std::min(voxels, edits::kMaxVoxels + 1), edits::kMaxVoxels));
   }
   if (voxels == 0) {
+    // Boxes without voxels have reversed corners.
+    if (const auto touched = edits::touched_voxels(edit); !touched) {
+      return edit_error(EditErrorCode::out_of_range, touched.error().message);
+    }
     return edit_error(EditErrorCode::out_of_range, "the edit names no voxels; give writes, fills or a paste");
   }
   checked.bytes = bytes_as_it_came(edit, checked.extent);

@@ -65,7 +65,7 @@ struct EntryResult {
     done,          // the edit was applied; `result` has the number of changes
     conflict,      // a guard does not hold; nothing was applied
     repeat,        // the edit was applied before; `result` is the earlier result
-    not_applied,   // its sequence is not new, and no result is kept: not applied, or long ago
+    not_applied,   // its sequence is not new, and no result is kept
     expired,       // another connection attached as its editor, or the editor was forgotten
     invalid,       // it exceeds a bound or lacks base voxels; correct nodes never log such an entry
     bound,         // names of materials have ids
@@ -75,6 +75,7 @@ struct EntryResult {
   std::uint64_t position = 0;
   std::uint64_t revision = 0;         // of the state after the entry
   EditResult result;                  // for done, conflict and repeat
+  bool is_unknown = false;            // for not_applied: it may have been applied, its result is forgotten
   std::uint64_t epoch = 0;            // for attached
   std::string subject;                // attached: the editor's; done: the edit's
   std::optional<EditorId> forgotten;  // for attached: the editor evicted for it
@@ -120,6 +121,8 @@ class Batch {
   [[nodiscard]] const Editor* find(EditorId id) const;
   /// Null if the result is not kept.
   [[nodiscard]] const EditResult* result_of(EditorId id, std::uint64_t sequence) const;
+  /// True if kKeptResults later results displaced the result of this sequence, had there been one.
+  [[nodiscard]] bool has_forgotten(EditorId id, std::uint64_t sequence) const;
   /// Forgets editors that were idle for too long.
   void forget_idle();
   /// Forgets the editor that attached first among the editors that never edited; nullopt if there is none.
