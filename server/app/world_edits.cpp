@@ -51,6 +51,7 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
   settings.on_lost_end = shared.on_lost_end;
   auto database = store::EditDatabase::open(settings);
   if (!database) return tl::unexpected{std::move(database.error())};
+  if (!(*database)->dropped().empty()) log->warn("data {}: {}", directory.string(), (*database)->dropped());
   if (shared.stream == nullptr && (*database)->meta().stream.sequence != 0) {
     return tl::unexpected{fmt::format(
         "data {}: the store belongs to a cluster, whose log has the next edits; give cluster.nats its NATS "

@@ -29,6 +29,9 @@ constexpr std::chrono::seconds kBetweenWarnings{1};
 void ClusterLog::apply_all() {
   while (!stopping()) {
     writer_.poll();
+    if (const std::string& damage = parts_.database.damage(); !damage.empty()) {
+      lose(StoreLoss::wrong_state, damage);
+    }
     bool faulty = false;
     {
       const std::lock_guard lock{mutex_};

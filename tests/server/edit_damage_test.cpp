@@ -1,10 +1,13 @@
 // What a disk can do to the store's files: each is refused in one line, or costs nothing.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/read_only_store.h>
 #include <talus/store/store_identity.h>
 
 #include "edits_of_tests.h"
@@ -85,6 +88,11 @@ void flip(const fs::path& path, std::uint64_t offset) {
   overwrite(path, offset, std::string(1, static_cast<char>(whole.at(offset) ^ 0x10)));
 }
 
+/// Reads all records of the log that the store keeps.
+bool reads_history(const store::ReadOnlyStore& store) {
+  return store.reader().for_each_record(store.meta(), 1, [](const auto&) { return true; }).has_value();
+}
+
 }  // namespace
 
 TEST_CASE("a killed process loses nothing") {
@@ -151,6 +159,150 @@ TEST_CASE("a store that became another stays that") {
   const auto interrupted = store::EditDatabase::open(settings);
   REQUIRE(interrupted.has_value());
   CHECK(store::read_store_identity(store.path() / "store.toml")->store_id == (*interrupted)->meta().store_id);
+}
+
+TEST_CASE("a torn record at the log's end, which was not acknowledged, is dropped") {
+  KilledStore store;
+  const fs::path log = store.file(".log");
+  const std::uint64_t whole = fs::file_size(log);
+  // A full fragment of 496 bytes.
+  const std::string header{"\x12\x34\x56\x78\xf0\x01\x01", 7};
+  std::string torn;
+  SECTION("its end is zeros") {
+    torn = header + std::string(100, 'x') + std::string(396, '\0');
+  }
+  SECTION("its beginning is zeros, and RocksDB passes over the rest of the block") {
+    torn = std::string(107, '\0') + std::string(396, 'x');
+  }
+  SECTION("its file got its new length, and no page") {
+    torn = std::string(100'000, '\0');
+  }
+  std::ofstream{log, std::ios::binary | std::ios::app} << torn;
+  const auto dropped = [&] {
+    const auto read = store::ReadOnlyStore::open(store.path());
+    INFO((read ? "" : read.error()));
+    REQUIRE(read.has_value());
+    CHECK((*read)->meta().head.position == 802);
+    return (*read)->dropped();
+  };
+  const std::string named = log.string() + " from byte " + std::to_string(whole) + " on was torn";
+  CHECK((torn.front() == 0 || dropped().find(named) != std::string::npos));
+  CHECK(store.open() == "");
+  CHECK(dropped().empty());
+}
+
+TEST_CASE("a torn record at the manifest's end is dropped") {
+  KilledStore store;
+  const fs::path manifest = store.file("MANIFEST-");
+  std::ofstream{manifest, std::ios::binary | std::ios::app}
+      << std::string{"\x12\x34\x56\x78\x20\x00\x01", 7} + "x" + std::string(31, '\0');
+  {
+    const auto read = store::ReadOnlyStore::open(store.path());
+    REQUIRE(read.has_value());
+    CHECK((*read)->dropped().find(manifest.string()) != std::string::npos);
+  }
+  CHECK(store.open() == "");
+}
+
+TEST_CASE("damage in the middle of the log is named and refused, even if nothing is acknowledged") {
+  KilledStore store;
+  fs::remove(store.path() / "acknowledged");
+  const fs::path log = store.file(".log");
+  SECTION("a flipped bit") {
+    flip(log, fs::file_size(log) / 2);
+  }
+  SECTION("a page of zeros") {
+    overwrite(log, 8192, std::string(4096, '\0'));
+  }
+  SECTION("zeros from the beginning of a block on") {
+    overwrite(log, 32'768, std::string(4096, '\0'));
+  }
+  for (int tries = 0; tries < 2; ++tries) {
+    const std::string error = store.open();
+    INFO(error);
+    CHECK(error.find(log.string() + " from byte ") != std::string::npos);
+    CHECK(error.find("restore a backup") != std::string::npos);
+  }
+}
+
+TEST_CASE("a flipped bit in any file of a store is named at once, or everything is answered right") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
+  KilledStore store;
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  const char* const text = std::getenv("TALUS_FLIPS");
+  for (int left = text == nullptr ? 20 : std::atoi(text); left > 0; --left) {
+    const fs::path whole = scratch / "whole";
+    fs::remove_all(whole);
+    fs::copy(store.path(), whole, fs::copy_options::recursive);
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator{store.path()}) {
+      if (entry.is_regular_file() && entry.file_size() > 0) files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    const fs::path& file = files[random() % files.size()];
+    flip(file, random() % fs::file_size(file));
+    CAPTURE(file);
+    const auto names_file = [&](const std::string& error) {
+      INFO(error);
+      CHECK((error.find(file.filename()) != std::string::npos ||
+             error.find("were acknowledged and are lost") != std::string::npos));
+    };
+    std::string damage;
+    if (const auto read = store::ReadOnlyStore::open(store.path()); !read) {
+      damage = read.error();
+    } else if (const auto sound = (*read)->verify_files(); !sound) {
+      damage = sound.error();
+    }
+    if (!damage.empty()) names_file(damage);
+    if (const std::string error = store.open(); !error.empty()) {
+      names_file(error);
+    } else if (damage.empty()) {
+      CHECK(reads_history(**store::ReadOnlyStore::open(store.path())));
+    }
+    fs::remove_all(store.path());
+    fs::rename(whole, store.path());
+  }
+}
+
+TEST_CASE("damage that the start does not read ends edits once it is met, with one reason, and reads go on") {
+  KilledStore store;
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  const fs::path table = store.file(".sst");
+  const fs::path whole = scratch / "whole";
+  fs::copy(store.path(), whole, fs::copy_options::recursive);
+  bool is_hidden = false;
+  for (std::uint64_t at = fs::file_size(table) - 512; !is_hidden && at >= 512; at -= 512) {
+    fs::remove_all(store.path());
+    fs::copy(whole, store.path(), fs::copy_options::recursive);
+    flip(table, at);
+    const auto read = store::ReadOnlyStore::open(store.path());
+    is_hidden =
+        read && !reads_history(**read) && (*read)->for_each_chunk([](auto, const auto&) { return true; });
+  }
+  REQUIRE(is_hidden);
+  EditStore running{store.path()};
+  running.database_settings.memory.write_buffer_bytes = 64 << 10;
+  running.log_settings.flush_interval = std::chrono::milliseconds{2};
+  running.log_settings.retry_interval = std::chrono::milliseconds{1};
+  REQUIRE(running.open() == "");
+  TestEditor editor;
+  editor.attach(running);
+  std::mt19937_64 random{7};
+  const auto reason = [&] { return running.log().status().read_only; };
+  for (int edits = 0; edits < 100'000 && !reason(); ++edits) (void)editor.edit(running, random_edit(random));
+  REQUIRE(reason());
+  const std::string why = *reason();
+  INFO(why);
+  CHECK(why.find(table.string()) != std::string::npos);
+  CHECK(why.find("all chunks and editors can be read, and records of the log's history are lost") !=
+        std::string::npos);
+  CHECK(why.find("restore a backup") != std::string::npos);
+  CHECK_FALSE(editor.edit(running, random_edit(random)).has_value());
+  CHECK_FALSE(running.database().recover());
+  CHECK(reason() == why);
+  CHECK_FALSE(overrides_of(running.state()).empty());
 }
 
 TEST_CASE("damage in the log is refused") {

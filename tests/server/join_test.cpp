@@ -293,6 +293,32 @@ TEST_CASE("a store that was away for too long is replaced, and one that is wrong
   CHECK(joiner.meta()->stream.sequence == 60);
 }
 
+TEST_CASE("a damaged store is kept aside, and a peer's replaces it") {
+  Peer peer;
+  peer.store.enter(place_at(60));
+  Joiner joiner;
+  joiner.script.state = {1, 90, kMade};
+  copy_store(peer.store, joiner.path);
+  fs::path file;
+  for (const auto& entry : fs::directory_iterator{joiner.path / "db"}) {
+    const std::string name = entry.path().filename();
+    if (name.ends_with(".log")) file = entry.path();
+  }
+  SECTION("the log lost its end") {
+    fs::resize_file(file, fs::file_size(file) / 2);
+  }
+  SECTION("the manifest is not one") {
+    const std::string current = read_whole(joiner.path / "db" / "CURRENT");
+    std::fstream{joiner.path / "db" / current.substr(0, current.size() - 1)} << "damage";
+  }
+  CHECK(joiner.start().starts_with("edits "));  // no peer could give another
+  CHECK(fs::exists(joiner.path / "db"));
+  joiner.peers = {{peer.url}, peer.admin()};
+  CHECK(joiner.start() == "");
+  CHECK(joiner.kept_the_old_one());
+  CHECK(joiner.meta()->head == peer.store.head());
+}
+
 TEST_CASE("a store whose last message is not in the stream is not replaced, however far it is behind") {
   Peer peer;
   peer.store.enter(place_at(60));

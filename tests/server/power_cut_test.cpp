@@ -259,6 +259,7 @@ class PowerCuts {
   std::set<ChunkCoord> touched_;
 };
 
+/// ./dev test --full gives 2,000.
 int cuts_from_environment(int normal) {
   const char* const text = std::getenv("TALUS_POWER_CUTS");
   return text == nullptr ? normal : std::atoi(text);
@@ -269,7 +270,7 @@ int cuts_from_environment(int normal) {
 TEST_CASE("after power cuts every acknowledged edit is present, never twice, never torn") {
   const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
-  const int cuts = cuts_from_environment(80);
+  const int cuts = cuts_from_environment(20);
   std::uint64_t acknowledged = 0;
   const auto began = std::chrono::steady_clock::now();
   // A store lives through 20 cuts.
@@ -290,7 +291,7 @@ TEST_CASE("after power cuts slid material lies where it came to rest") {
   PowerCuts store{seed, true,
                   std::make_shared<const edits::SettleRules>(
                       edits::SettleRules{{MaterialId{3}, 160}, {MaterialId{4}, 215}})};
-  REQUIRE(store.run(std::min(5, cuts_from_environment(80))) == "");
+  REQUIRE(store.run(std::min(5, cuts_from_environment(20))) == "");
   CHECK(store.slid() > 0);
 }
 

@@ -12,6 +12,7 @@
 #include <talus/store/whole_store.h>
 
 #include "commands/store/backup.h"
+#include "commands/store/copied_file.h"
 #include "commands/store/store_figures.h"
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
@@ -210,6 +211,33 @@ TEST_CASE("a backup that was not finished, or is damaged anywhere, is refused an
     fs::create_directory_symlink(data.scratch / "kept", backup / "db");
     CHECK(restore_error(backup, target).find("db is a link") != std::string::npos);
   }
+}
+
+TEST_CASE("a damaged table is neither copied nor restored") {
+  Data data;
+  const fs::path target = data.scratch / "backup";
+  store::BackupManifest manifest = data.back_up(target);
+  const auto table = std::ranges::find_if(
+      manifest.files, [](const store::BackupManifest::File& file) { return file.name.ends_with(".sst"); });
+  REQUIRE(table != manifest.files.end());
+  for (const fs::path& each : {data.path, target}) {
+    std::fstream file{each / table->name, std::ios::in | std::ios::out | std::ios::binary};
+    file.seekp(100);
+    file << "damage";
+  }
+  const auto written = write_backup(data.path, data.scratch / "other");
+  REQUIRE_FALSE(written.has_value());
+  CHECK(written.error().find((data.path / table->name).string()) != std::string::npos);
+  CHECK_FALSE(fs::exists(data.scratch / "other"));
+  // As an older talusd made one of a damaged store.
+  ProgressBar progress{"", ""};
+  table->hash = hash_file(target / table->name, progress)->hash;
+  std::ofstream{target / store::kManifestName} << encode(manifest);
+  const auto directory = store::DataDirectory::open_any(data.scratch / "restored");
+  REQUIRE(directory.has_value());
+  const auto restored = restore_backup(target, *directory, false);
+  REQUIRE_FALSE(restored.has_value());
+  CHECK(restored.error().find((target / table->name).string()) != std::string::npos);
 }
 
 TEST_CASE("files whose sizes no number holds are not begun with, nor is one file twice") {

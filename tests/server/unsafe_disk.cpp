@@ -62,18 +62,29 @@ class AppendedFile final : public rocksdb::FSWritableFileOwnerWrapper {
 
 class FileInPlace final : public rocksdb::FSRandomRWFileOwnerWrapper {
  public:
-  FileInPlace(std::unique_ptr<rocksdb::FSRandomRWFile> file, UnsafeDisk& disk)
-      : FSRandomRWFileOwnerWrapper{std::move(file)}, disk_{disk} {}
+  FileInPlace(std::unique_ptr<rocksdb::FSRandomRWFile> file, std::string path, UnsafeDisk& disk)
+      : FSRandomRWFileOwnerWrapper{std::move(file)},
+        path_{std::move(path)},
+        disk_{disk},
+        synced_{read_whole(path_)} {}
 
   IOStatus Write(std::uint64_t offset, const Slice& data, const IOOptions& options,
                  IODebugContext* debug) override {
     if (disk_.is_off()) return IOStatus::IOError("the power is off");
+    disk_.wrote_in_place(path_, synced_);
     return FSRandomRWFileOwnerWrapper::Write(offset, data, options, debug);
   }
-  IOStatus Sync(const IOOptions&, IODebugContext*) override { return IOStatus::OK(); }
+  IOStatus Sync(const IOOptions&, IODebugContext*) override {
+    if (disk_.is_off()) return IOStatus::IOError("the power is off");
+    disk_.synced_in_place(path_);
+    synced_ = read_whole(path_);
+    return IOStatus::OK();
+  }
 
  private:
+  std::string path_;
   UnsafeDisk& disk_;
+  std::string synced_;
 };
 
 class SyncedDirectory final : public rocksdb::FSDirectory {
@@ -152,6 +163,16 @@ void UnsafeDisk::synced(const std::string& path, std::uint64_t bytes) {
   synced = std::max(synced, bytes);
 }
 
+void UnsafeDisk::wrote_in_place(const std::string& path, const std::string& synced) {
+  const std::lock_guard lock{mutex_};
+  in_place_.try_emplace(path, synced);
+}
+
+void UnsafeDisk::synced_in_place(const std::string& path) {
+  const std::lock_guard lock{mutex_};
+  in_place_.erase(path);
+}
+
 void UnsafeDisk::hold_syncs(bool held) {
   {
     const std::lock_guard lock{mutex_};
@@ -199,7 +220,7 @@ IOStatus UnsafeDisk::NewRandomRWFile(const std::string& path, const rocksdb::Fil
   if (auto on = call(); !on.ok()) return on;
   std::unique_ptr<rocksdb::FSRandomRWFile> file;
   if (auto made = FileSystemWrapper::NewRandomRWFile(path, options, &file, debug); !made.ok()) return made;
-  *result = std::make_unique<FileInPlace>(std::move(file), *this);
+  *result = std::make_unique<FileInPlace>(std::move(file), normal(path), *this);
   return IOStatus::OK();
 }
 
@@ -221,6 +242,7 @@ IOStatus UnsafeDisk::RenameFile(const std::string& from, const std::string& to, 
     files_[rename.to].named = true;  // as the rename is, or is undone
     files_.erase(file);
   }
+  in_place_.erase(rename.to);
   rename.made = ++names_;
   renames_.push_back(std::move(rename));
   return IOStatus::OK();
@@ -231,6 +253,7 @@ IOStatus UnsafeDisk::DeleteFile(const std::string& path, const IOOptions& option
   {
     const std::lock_guard lock{mutex_};
     files_.erase(normal(path));
+    in_place_.erase(normal(path));
     std::erase_if(renames_, [&](const Rename& each) { return each.to == normal(path); });
   }
   return FileSystemWrapper::DeleteFile(path, options, debug);
@@ -243,8 +266,26 @@ IOStatus UnsafeDisk::GetFreeSpace(const std::string& path, const IOOptions& opti
   return IOStatus::OK();
 }
 
+void UnsafeDisk::lose_pages(const std::string& path, const File& file, std::uint64_t page_bytes) {
+  const std::uint64_t unsynced = file.written - file.synced;
+  if (unsynced == 0) return;
+  // The end is lost, or pages are, or both.
+  const std::uint64_t how = below(3);
+  const std::uint64_t bytes = file.synced + (how == 0 ? unsynced : below(unsynced + 1));
+  fs::resize_file(path, bytes);
+  if (how == 2) return;
+  std::fstream out{path, std::ios::in | std::ios::out | std::ios::binary};
+  const std::uint64_t rarity = 2 + below(3);
+  for (std::uint64_t at = file.synced; at < bytes;) {
+    const std::uint64_t end = std::min(bytes, (at / page_bytes + 1) * page_bytes);
+    if (below(rarity) == 0) out.seekp(static_cast<std::streamoff>(at)) << std::string(end - at, '\0');
+    at = end;
+  }
+}
+
 void UnsafeDisk::restart() {
   const std::lock_guard lock{mutex_};
+  const std::uint64_t page_bytes = below(2) == 0 ? 512 : 4096;
   // Half of the time all names are there; else a tail of those that were not synced is lost.
   std::vector<std::uint64_t> unsynced_names;
   for (const Rename& each : renames_) unsynced_names.push_back(each.made);
@@ -267,10 +308,13 @@ void UnsafeDisk::restart() {
       fs::remove(path);
       continue;
     }
-    const std::uint64_t unsynced = file.written - file.synced;
-    fs::resize_file(path, file.synced + (unsynced == 0 ? 0 : below(unsynced + 1)));
+    lose_pages(path, file, page_bytes);
+  }
+  for (const auto& [path, synced] : in_place_) {
+    if (fs::exists(path) && below(2) == 0) std::ofstream{path, std::ios::binary} << synced;
   }
   files_.clear();
+  in_place_.clear();
   calls_left_ = kMany;
   off_ = false;
 }

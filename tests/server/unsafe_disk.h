@@ -1,7 +1,10 @@
-// A disk for RocksDB that loses power, fills up and fails. What was not synced when the power went may be
-// lost: ends of files, new files, renames. What is lost is drawn by a seed. Of new names and renames the last
-// are lost, as file systems with a journal keep their order; RocksDB needs that, as it syncs the directory
-// after the rename that makes a new manifest the current one, and not before.
+// A disk for RocksDB that loses power, fills up and fails. A power cut loses unsynced data, drawn by a seed:
+// - a file keeps any length from its synced length to its written length. At each cut, the disk writes pages
+//   of 512 bytes or 4 KiB. Each unsynced page within the length is on the disk or is zeros, in any order;
+// - a file written in place has its synced content or its last;
+// - new files and renames: the last are lost, even if the data of those before is lost too, as file systems
+//   with a journal keep the order of names. RocksDB needs that order: it syncs the directory only after the
+//   rename that makes a new manifest the current one.
 #pragma once
 
 #include <atomic>
@@ -73,6 +76,8 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   /// Up to so many bytes, which were written when the sync began.
   void synced(const std::string& path, std::uint64_t bytes);
   [[nodiscard]] std::uint64_t written(const std::string& path);
+  void wrote_in_place(const std::string& path, const std::string& synced);
+  void synced_in_place(const std::string& path);
   /// Syncs wait until they are let go.
   void hold_syncs(bool held);
   /// Waits until one does.
@@ -96,6 +101,8 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   };
 
   [[nodiscard]] std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
+  /// Cuts the file's end, and fills unsynced pages with zeros.
+  void lose_pages(const std::string& path, const File& file, std::uint64_t page_bytes);
 
   std::atomic<std::int64_t> calls_left_{kMany};
   std::atomic<std::int64_t> bytes_left_{kMany};
@@ -108,6 +115,7 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   int waiting_ = 0;  // for being let go
   std::mt19937_64 random_;
   std::map<std::string, File> files_;
+  std::map<std::string, std::string> in_place_;  // synced contents of files written in place since
   std::vector<Rename> renames_;
   std::uint64_t names_ = 0;  // changes of names so far
 };

@@ -13,6 +13,7 @@
 #include <rocksdb/write_batch.h>
 #include <talus/files/atomic_file.h>
 #include <talus/store/id_check.h>
+#include <talus/store/open_rocks.h>
 #include <talus/store/regular_files.h>
 #include <talus/store/rename_check.h>
 #include <talus/store/rocks.h>
@@ -88,17 +89,18 @@ EditDatabase::Status EditDatabase::open_database() {
   // RocksDB would create an empty database if the file CURRENT was lost.
   const bool used = was_in_use(env(), database_path()) || has_acknowledged();
   was_there_ = used;
-  rocksdb::DB* db = nullptr;
-  const auto status =
-      rocksdb::DB::Open(rocks_options({settings_.env, settings_.memory.write_buffer_bytes,
-                                       settings_.memory.block_cache_bytes, settings_.log_elsewhere},
-                                      !used),
-                        database_path(), &db);
-  db_.reset(db);
-  if (status.ok()) return {};
-  if (status.IsCorruption() || used) {
-    return failure(fmt::format("the database does not open: {}; {}", status.ToString(), remedy_for(status)));
+  auto opened = open_rocks(settings_.path,
+                           {settings_.env, settings_.memory.write_buffer_bytes,
+                            settings_.memory.block_cache_bytes, settings_.log_elsewhere},
+                           RocksUse::write, !used);
+  if (opened) {
+    db_ = std::move(opened->db);
+    rocks_parts_ = std::move(opened->parts);
+    dropped_ = std::move(opened->dropped);
+    return {};
   }
+  const rocksdb::Status& status = opened.error().status;
+  if (status.IsCorruption() || used) return tl::unexpected{std::move(opened.error().line)};
   return failure(
       fmt::format("{}; {}", status.ToString(),
                   status.IsNoSpace() ? remedy_for(status) : "give --data a directory that talusd may write"));
@@ -400,6 +402,7 @@ EditDatabase::Status EditDatabase::settle() {
 }
 
 EditDatabase::Status EditDatabase::recover() {
+  if (!damage_.empty()) return tl::unexpected{damage_};
   if (const std::uint64_t free = free_bytes(); free < settings_.free_bytes_to_open) {
     return failure(
         fmt::format("the disk has {} bytes free; writing needs {}", free, settings_.free_bytes_to_open));
@@ -511,8 +514,23 @@ EditDatabase::Status EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) 
   rocksdb::WriteOptions options;
   options.sync = sync;
   const auto status = db_->Write(options, &batch);
+  if (status.IsCorruption()) find_damage(status);
+  if (!damage_.empty()) return tl::unexpected{damage_};
   if (!status.ok()) return failure(status.ToString());
   return {};
+}
+
+void EditDatabase::find_damage(const rocksdb::Status& status) {
+  const StoreReader reader = this->reader();
+  const auto chunks = reader.for_each_chunk([](auto, auto) {});
+  const auto editors = reader.for_each_editor([](auto, auto&&) {});
+  const char* const lost = chunks && editors
+                               ? "all chunks and editors can be read, and records of the log's history are "
+                                 "lost; restore a backup, "
+                                 "or stop talusd and carry all voxels over by talusd store export and import"
+                               : "chunks or editors are lost; restore a backup";
+  damage_ = failure(fmt::format("damage was met while tables were merged: {}; {}", status.ToString(), lost))
+                .value();
 }
 
 EditDatabase::Slice::Slice() : batch_{std::make_unique<rocksdb::WriteBatch>()} {}

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/store/open_rocks.h>
 #include <talus/store/regular_files.h>
 #include <talus/store/replayed_chunks.h>
 #include <talus/store/replayed_editors.h>
@@ -25,13 +26,11 @@ tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
     return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
   }
   std::unique_ptr<ReadOnlyStore> store{new ReadOnlyStore{path}};
-  rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::OpenForReadOnly(rocks_options({}, false), (path / "db").string(), &db);
-  store->db_.reset(db);
-  if (!status.ok()) {
-    return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
-                                      status.ToString(), remedy_for(status))};
-  }
+  auto opened = open_rocks(path, {}, RocksUse::read);
+  if (!opened) return tl::unexpected{std::move(opened.error().line)};
+  store->rocks_parts_ = std::move(opened->parts);
+  store->db_ = std::move(opened->db);
+  store->dropped_ = std::move(opened->dropped);
   const StoreReader reader = store->reader();
   const auto meta = reader.meta();
   if (!meta) return tl::unexpected{meta.error()};

@@ -6,6 +6,7 @@
 #include <rocksdb/utilities/checkpoint.h>
 
 #include <talus/store/id_check.h>
+#include <talus/store/open_rocks.h>
 #include <talus/store/regular_files.h>
 #include <talus/store/rocks.h>
 #include <talus/store/store_builder.h>
@@ -16,18 +17,14 @@ namespace talus::store {
 namespace {
 
 /// Requires `bytes` of free space: on a full disk RocksDB may abort the process.
-tl::expected<std::unique_ptr<rocksdb::DB>, std::string> open_to_write(const std::filesystem::path& path,
-                                                                      std::uint64_t bytes) {
+tl::expected<OpenedRocks, std::string> open_to_write(const std::filesystem::path& path, std::uint64_t bytes) {
   if (const auto regular = check_regular_files(path / "db"); !regular) {
     return tl::unexpected{fmt::format("edits {}: {}", path.string(), regular.error())};
   }
   if (const auto enough = check_space(path, bytes); !enough) return tl::unexpected{enough.error()};
-  rocksdb::DB* db = nullptr;
-  const auto status = rocksdb::DB::Open(rocks_options({}, false), (path / "db").string(), &db);
-  std::unique_ptr<rocksdb::DB> opened{db};
-  if (status.ok()) return opened;
-  return tl::unexpected{fmt::format("edits {}: the database does not open: {}; {}", path.string(),
-                                    status.ToString(), remedy_for(status))};
+  auto opened = open_rocks(path, {}, RocksUse::write);
+  if (!opened) return tl::unexpected{std::move(opened.error().line)};
+  return *std::move(opened);
 }
 
 tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, const rocksdb::Status& status) {
@@ -39,7 +36,7 @@ template <typename Change>
 tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
   const auto db = open_to_write(path, 0);
   if (!db) return tl::unexpected{db.error()};
-  const StoreReader reader{**db, path};
+  const StoreReader reader{*db->db, path};
   const auto read = reader.meta();
   if (!read) return tl::unexpected{read.error()};
   if (!*read) {
@@ -51,10 +48,10 @@ tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& pa
   encode(meta, value);
   rocksdb::WriteOptions synced;
   synced.sync = true;
-  if (const auto status = (*db)->Put(synced, meta_key(), as_slice(value)); !status.ok()) {
+  if (const auto status = db->db->Put(synced, meta_key(), as_slice(value)); !status.ok()) {
     return whole_failure(path, status);
   }
-  if (const auto status = (*db)->Close(); !status.ok()) return whole_failure(path, status);
+  if (const auto status = db->db->Close(); !status.ok()) return whole_failure(path, status);
   return meta;
 }
 
@@ -66,10 +63,10 @@ tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesyste
   auto staging = make_staging(path);
   if (!staging) return staging;
   rocksdb::Checkpoint* made = nullptr;
-  rocksdb::Status status = rocksdb::Checkpoint::Create(db->get(), &made);
+  rocksdb::Status status = rocksdb::Checkpoint::Create(db->db.get(), &made);
   const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
   if (status.ok()) status = checkpoint->CreateCheckpoint((*staging / "db").string(), UINT64_MAX);
-  if (status.ok()) status = (*db)->Close();
+  if (status.ok()) status = db->db->Close();
   if (!status.ok()) return whole_failure(path, status);
   return staging;
 }
@@ -94,7 +91,7 @@ tl::expected<void, std::string> compact(const std::filesystem::path& path) {
       open_to_write(path, bytes_of_files(path / "db"));  // old files are deleted after the new ones exist
   if (!db) return tl::unexpected{db.error()};
   // Compaction drops the end of the log with its records, which would hide a loss: check first.
-  const StoreReader reader{**db, path};
+  const StoreReader reader{*db->db, path};
   const auto meta = reader.meta();
   if (!meta) return tl::unexpected{meta.error()};
   if (!*meta)
@@ -102,8 +99,8 @@ tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   if (const auto whole = check_whole_store(path, **meta); !whole) return whole;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
-  rocksdb::Status status = (*db)->CompactRange(all, nullptr, nullptr);
-  if (status.ok()) status = (*db)->Close();
+  rocksdb::Status status = db->db->CompactRange(all, nullptr, nullptr);
+  if (status.ok()) status = db->db->Close();
   if (!status.ok()) return whole_failure(path, status);
   return {};
 }

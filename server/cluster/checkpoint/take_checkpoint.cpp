@@ -282,6 +282,7 @@ class CheckpointReceiver {
       return no_checkpoint(fmt::format("its edits have hash {}, not {}", edits::to_string(hash),
                                        edits::to_string(meta.head.hash)));
     }
+    if (auto sound = (*store)->verify_files(); !sound) return tl::unexpected{std::move(sound.error())};
     return meta;
   }
 

@@ -8,7 +8,9 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/read_file.h>
+#include <talus/store/acknowledged_file.h>
 #include <talus/store/id_check.h>
+#include <talus/store/open_rocks.h>
 #include <talus/store/read_only_store.h>
 #include <talus/store/regular_files.h>
 #include <talus/store/store_swap.h>
@@ -41,6 +43,7 @@ class Preparation {
     if (auto read = read_local(); !read) return tl::unexpected{std::move(read.error())};
     id_ = parts_.store_id;
     if (!id_ && local_) id_ = local_->store_id;
+    if (!id_ && is_damaged_) id_ = parts_.directory.store_id();
     if (!id_) {
       parts_.log->info("joining: neither the data directory nor cluster.store names a store");
       if (auto taken = take(WantedPlace{}); !taken) return tl::unexpected{std::move(taken.error())};
@@ -55,6 +58,8 @@ class Preparation {
       StartPlan plan = plan_start(**facts);
       using Kind = StartPlan::Kind;
       if (plan.kind == Kind::refused) return refused(plan.reason);
+      // A damaged store stays until another replaces it.
+      if (is_damaged_) plan = {Kind::from_peer, "this server's store is damaged"};
       if (plan.kind == Kind::as_it_is) {
         parts_.log->info("cluster: this store is {}", plan.reason);
         return PreparedStore{*std::move(stream), joins_};
@@ -106,15 +111,29 @@ class Preparation {
           "take the store from a peer");
     }
     const auto store = store::ReadOnlyStore::open(path);
-    if (!store) return tl::unexpected{store.error()};
+    if (!store) {
+      const auto rocks = store::open_rocks(path, {}, store::RocksUse::read);
+      return leave_damaged(store.error(), !rocks && rocks.error().is_damage());
+    }
     const store::StoreMeta& meta = (*store)->meta();
-    if (auto whole = store::check_whole_store(path, meta); !whole) return whole;
+    if (auto one = store::check_store_id(path, meta); !one) return one;
+    if (auto whole = store::check_acknowledged(path, meta); !whole) return leave_damaged(whole.error(), true);
     if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // it is empty
     if (parts_.store_id && meta.store_id != *parts_.store_id) {
       return refused(fmt::format("it has store {}, and cluster.store names {}; give --data another directory",
                                  to_string(meta.store_id), to_string(*parts_.store_id)));
     }
     local_ = meta;
+    return {};
+  }
+
+  /// Goes on without a damaged store if a peer's can replace it.
+  [[nodiscard]] Status leave_damaged(const std::string& reason, bool is_damage) {
+    if (!is_damage || parts_.peers.urls.empty() || !parts_.directory.identity()) {
+      return tl::unexpected{reason};
+    }
+    parts_.log->error("joining: {}; this server takes another server's store", reason);
+    is_damaged_ = true;
     return {};
   }
 
@@ -246,7 +265,9 @@ class Preparation {
 
   /// Keeps the previous store unless the new one has everything in it.
   [[nodiscard]] Status tidy(const fs::path& replaced, const store::StoreMeta& now) {
-    const bool of_value = local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty());
+    const bool of_value =
+        is_damaged_ || (local_ && (!is_ancestor(*local_, now) || !is_known_ || !rejoin_.empty()));
+    is_damaged_ = false;
     std::error_code code;
     if (!replaced.empty() && of_value) {
       const auto kept = store::keep_rejoined(parts_.directory.path(), replaced);
@@ -278,7 +299,8 @@ class Preparation {
   std::optional<ContentHash> id_;
   std::optional<store::StoreMeta> local_;
   std::string rejoin_;
-  bool give_up_ = false;  // if no peer has a store
+  bool is_damaged_ = false;  // the local store cannot be read
+  bool give_up_ = false;     // if no peer has a store
   bool gave_up_ = false;
   std::optional<AsideStore> aside_;  // the local store while it must not be used
   bool own_goes_on_ = false;         // it is used after all

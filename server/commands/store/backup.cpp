@@ -159,6 +159,11 @@ tl::expected<store::BackupManifest, std::string> write_backup(const fs::path& pa
     return no_backup(target,
                      code ? code.message() : "the directory is not empty; give one that is, or a new name");
   }
+  {
+    const auto store = store::ReadOnlyStore::open(path);
+    if (!store) return tl::unexpected{store.error()};
+    if (const auto sound = (*store)->verify_files(); !sound) return tl::unexpected{sound.error()};
+  }
   const std::vector<fs::path> made = missing_directories(target);
   fs::create_directories(target, code);
   tl::expected<store::BackupManifest, std::string> written = no_backup(target, code.message());
@@ -208,6 +213,10 @@ tl::expected<RestoreResult, std::string> restore_backup(const fs::path& backup,
           backup, fmt::format("{} is damaged: it differs from its manifest; give another one", file.name));
     }
   }
+  // The manifest of an older talusd may be of a damaged store.
+  const auto copied = store::ReadOnlyStore::open(backup);
+  if (!copied) return tl::unexpected{copied.error()};
+  if (const auto sound = (*copied)->verify_files(); !sound) return tl::unexpected{sound.error()};
   {
     const auto store = store::ReadOnlyStore::open(*staging);
     if (!store) return tl::unexpected{store.error()};

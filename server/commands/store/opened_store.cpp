@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,9 @@ tl::expected<OpenedStore, std::string> OpenedStore::open(const std::filesystem::
   auto store = store::ReadOnlyStore::open(opened.path_);
   if (!store) return tl::unexpected{std::move(store.error())};
   opened.store_ = *std::move(store);
+  if (const std::string& dropped = opened.store_->dropped(); !dropped.empty()) {
+    fmt::print(stderr, "data {}: {}\n", data.string(), dropped);
+  }
   if (!opened.server_) {
     const auto whole = store::check_whole_store(data, opened.store_->meta());
     if (!whole) return tl::unexpected{whole.error()};

@@ -19,7 +19,8 @@ namespace talus::server {
 
 class OpenedStore {
  public:
-  /// Rejects a store that lost acknowledged edits or whose store.toml belongs to another store.
+  /// Rejects a store that lost acknowledged edits or whose store.toml belongs to another store. Reports a
+  /// torn end of its log, which is left out, on standard error.
   [[nodiscard]] static tl::expected<OpenedStore, std::string> open(const std::filesystem::path& data);
 
   [[nodiscard]] const store::ReadOnlyStore& store() const { return *store_; }

@@ -28,6 +28,7 @@
 namespace rocksdb {
 class DB;
 class Env;
+class Status;
 class WriteBatch;
 }  // namespace rocksdb
 
@@ -82,6 +83,8 @@ class EditDatabase {
   ~EditDatabase();
 
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
+  /// One line about the log's torn end that open() dropped; empty if the log was whole.
+  [[nodiscard]] const std::string& dropped() const { return dropped_; }
   [[nodiscard]] const std::filesystem::path& path() const { return settings_.path; }
 
   /// Call after open(), in this order, before writing. Verifies every checksum.
@@ -150,8 +153,12 @@ class EditDatabase {
   [[nodiscard]] Status settle();
 
   /// Reopens the database after a write error, so that writing can be retried. Never waits: fails while a
-  /// checkpoint or sync_log() runs.
+  /// checkpoint or sync_log() runs. After damage() fails always.
   [[nodiscard]] Status recover();
+
+  /// One line that names a damaged table, what is lost and what helps; empty if none was met in writing.
+  /// Then nothing more is written, and what can be read is read.
+  [[nodiscard]] const std::string& damage() const { return damage_; }
 
   [[nodiscard]] std::uint64_t free_bytes() const;
 
@@ -198,6 +205,7 @@ class EditDatabase {
   [[nodiscard]] Status read_history();
   [[nodiscard]] Status drop_records_beyond();
   [[nodiscard]] Status write(rocksdb::WriteBatch& batch, bool sync);
+  void find_damage(const rocksdb::Status& status);
   void put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch);
   void extend_history(const UnflushedBatch& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
   void publish_history();
@@ -206,7 +214,10 @@ class EditDatabase {
   // Locked exclusively to reopen the database: `handle_` by readers of a chunk, `copying_` by copies of all.
   mutable std::shared_mutex handle_;
   mutable std::shared_mutex copying_;
+  std::shared_ptr<const void> rocks_parts_;  // db_ refers to them
   std::unique_ptr<rocksdb::DB> db_;
+  std::string dropped_;
+  std::string damage_;
   bool was_there_ = false;  // the database existed when it was opened
   bool unsynced_ = false;   // for log_elsewhere: something was appended since the last sync()
   std::optional<AcknowledgedFile> acknowledged_;

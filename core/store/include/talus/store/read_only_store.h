@@ -28,6 +28,8 @@ class ReadOnlyStore {
   ~ReadOnlyStore();
 
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
+  /// One line about the log's torn end, which is left out; empty if the log is whole.
+  [[nodiscard]] const std::string& dropped() const { return dropped_; }
   [[nodiscard]] const std::map<std::string, MaterialId>& materials() const { return materials_; }
   [[nodiscard]] const std::deque<HistorySegment>& history() const { return history_; }
   [[nodiscard]] StoreReader reader() const;
@@ -58,7 +60,9 @@ class ReadOnlyStore {
   [[nodiscard]] Status read_unflushed();
 
   std::filesystem::path path_;
+  std::shared_ptr<const void> rocks_parts_;  // db_ refers to them
   std::unique_ptr<rocksdb::DB> db_;
+  std::string dropped_;
   StoreMeta meta_;
   std::map<std::string, MaterialId> materials_;
   std::deque<HistorySegment> history_;
