@@ -419,6 +419,7 @@ void Server::housekeeping() {
   const bool caches_fit = chunks_.fit_caches() && edits_fit;
   handshaker_.refusal_log().flush();
   web_handshaker_.refusal_log().flush();
+  memory_.end_still_sessions(clock_.now());
   collect_flows();
   watch_edits();
   if (end_wanted_ && !draining_ && end_wanted_()) drain();

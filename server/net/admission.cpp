@@ -17,6 +17,11 @@ asio::ip::address counted_as(const asio::ip::address& address) {
   return asio::ip::address_v6{bytes};
 }
 
+FlowId flow_id_of(const asio::ip::address& counted, const FlowIds& ids) {
+  return counted.is_v4() ? ids.of_address(counted.to_v4().to_bytes())
+                         : ids.of_address(counted.to_v6().to_bytes());
+}
+
 FlowUsePtr flow_of(const asio::ip::address& counted, FlowUses& flows) {
   const std::string text = counted.to_string();
   return counted.is_v4() ? flows.of_address(counted.to_v4().to_bytes(), text)
@@ -34,34 +39,50 @@ void Admission::change(const Limits& limits) {
   }
 }
 
+Admission::Slot::Slot(Admission& admission, const asio::ip::address& address)
+    : address_{address},
+      counted_{counted_as(address)},
+      part_{std::make_unique<FlowShares::Part>(admission.places_, admission.flow_of(counted_), 1,
+                                               admission.clock_.now())} {}
+
 Admission::Slot::Slot(Slot&& other) noexcept
     : admission_{std::exchange(other.admission_, nullptr)},
       address_{other.address_},
-      counted_{other.counted_} {}
+      counted_{other.counted_},
+      part_{std::move(other.part_)} {}
 
 Admission::Slot::~Slot() {
-  if (admission_ != nullptr) admission_->leave(counted_);
+  if (admission_ == nullptr) return;
+  part_.reset();
+  admission_->leave(counted_);
 }
 
 tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address, bool of_proxy) {
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
-  if (connections_ >= limits_.connections) {
-    return tl::make_unexpected(fmt::format("this server has {} connections, its limit", limits_.connections));
-  }
   forget();
   auto known = by_address_.find(counted);
+  if (!of_proxy && known != by_address_.end() && known->second.connections >= limits_.per_address) {
+    return tl::make_unexpected(fmt::format(
+        "your address has {} connections, this server's limit for one address", known->second.connections));
+  }
+  if (!has_place_for(counted)) {
+    return tl::make_unexpected(fmt::format("this server has {} connections, its limit", limits_.connections));
+  }
+  Slot slot{*this, address};
   if (known == by_address_.end()) {
     known = by_address_.emplace(counted, Address{std::make_shared<AddressBuckets>(limits_.rates)}).first;
   }
-  Address& here = known->second;
-  if (!of_proxy && here.connections >= limits_.per_address) {
-    return tl::make_unexpected(fmt::format(
-        "your address has {} connections, this server's limit for one address", here.connections));
-  }
-  ++here.connections;
+  ++known->second.connections;
   ++connections_;
-  return Slot{*this, address};
+  slot.admission_ = this;
+  return slot;
+}
+
+bool Admission::has_place_for(const asio::ip::address& counted) {
+  if (connections_ >= limits_.connections + kMaxClosing) return false;
+  return places_.size() < limits_.connections ||
+         places_.make_room(flow_of(counted), 1, limits_.connections / kFlows, clock_.now());
 }
 
 std::size_t Admission::connections() const {

@@ -5,23 +5,32 @@
 #include <cstddef>
 #include <deque>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <asio/ip/address.hpp>
 #include <tl/expected.hpp>
 
+#include "limits/flows/flow_ids.h"
+#include "limits/flows/flow_shares.h"
 #include "limits/flows/flow_uses.h"
 #include "limits/rates/rates.h"
 #include "runtime/clock.h"
 
 namespace talus::server {
 
+/// Text of an error when a connection gives way to another address's.
+inline constexpr std::string_view kNoPlace = "this server has all the connections that it may have";
+
 /// The address that limits and rates apply to: an IPv4 address (also one mapped into IPv6) itself; for an
 /// IPv6 address its /64 network, which is commonly one customer's.
 [[nodiscard]] asio::ip::address counted_as(const asio::ip::address& address);
 
 /// The flow of a counted address.
+[[nodiscard]] FlowId flow_id_of(const asio::ip::address& counted, const FlowIds& ids);
 [[nodiscard]] FlowUsePtr flow_of(const asio::ip::address& counted, FlowUses& flows);
 
 class Admission {
@@ -29,6 +38,13 @@ class Admission {
   /// Maximum number of addresses without a connection whose rates are kept, so that reconnecting does not
   /// refill them.
   static constexpr std::size_t kMaxRemembered = 4096;
+
+  /// Maximum number of connections above the limit: those that have given way, and still close.
+  static constexpr std::size_t kMaxClosing = 64;
+  /// An address that makes progress may always have this part of the places.
+  static constexpr std::size_t kFlows = 64;
+  /// A handshake without an end for longer than this gives way.
+  static constexpr std::chrono::seconds kHandshakePatience{3};
 
   struct Limits {
     std::size_t connections = 0;  // in total
@@ -47,8 +63,6 @@ class Admission {
   /// Counts as one connection until it is destroyed. Must not outlive its Admission.
   class Slot {
    public:
-    Slot(Admission& admission, const asio::ip::address& address)
-        : admission_{&admission}, address_{address}, counted_{counted_as(address)} {}
     Slot(Slot&& other) noexcept;
     Slot& operator=(Slot&&) = delete;
     ~Slot();
@@ -59,11 +73,27 @@ class Admission {
     /// Shared with the address's other connections.
     [[nodiscard]] AddressBucketsPtr rates() const { return admission_->rates_of(counted_); }
 
+    /// From here on the connection may give way to other flows' by `give_way`.
+    void set_give_way(FlowShares::GiveWay give_way) { part_->set_give_way(std::move(give_way)); }
+    /// Its flow is the subject's.
+    void move_to(std::string_view subject) { part_->move_to(admission_->ids_.of_subject(subject)); }
+    /// The client sent something.
+    void progress(Clock::time_point now) { part_->progress(now); }
+
    private:
-    Admission* admission_;
+    friend class Admission;
+    Slot(Admission& admission, const asio::ip::address& address);
+
+    Admission* admission_ = nullptr;  // once it is counted
     asio::ip::address address_;
     asio::ip::address counted_;
+    std::unique_ptr<FlowShares::Part> part_;
   };
+
+  /// The flow of a counted address, for places and handshakes: FlowUses has other ids.
+  [[nodiscard]] FlowId flow_of(const asio::ip::address& counted) const { return flow_id_of(counted, ids_); }
+  /// Places of handshakes in flight.
+  [[nodiscard]] FlowShares& handshakes() { return handshakes_; }
 
   /// Returns a slot, or a line that names the limit reached.
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address) {
@@ -87,11 +117,16 @@ class Admission {
   };
 
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, bool of_proxy);
+  /// If all places are taken, a connection of another flow gives way.
+  [[nodiscard]] bool has_place_for(const asio::ip::address& counted);
   [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
   void leave(const asio::ip::address& counted) noexcept;
   void forget();
 
   const Clock& clock_;
+  const FlowIds ids_;
+  FlowShares places_{Clock::duration::max()};  // the watchdog ends idle connections
+  FlowShares handshakes_{kHandshakePatience};
   mutable std::mutex mutex_;
   Limits limits_;
   std::size_t connections_ = 0;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <asio/co_spawn.hpp>
+#include <asio/post.hpp>
 #include <asio/read.hpp>
 #include <asio/redirect_error.hpp>
 #include <asio/steady_timer.hpp>
@@ -55,6 +56,14 @@ struct Handshaker::PendingConnection {
         accepted{now},
         memory{budget, MemoryUse::sessions} {}
 
+  /// The waiting coroutine counts it and closes.
+  void end(bool gives_way) {
+    if (done) return;  // an expired timer cannot be cancelled
+    late = true;
+    gave_way = gives_way;
+    std::error_code ignored;
+    socket().cancel(ignored);
+  }
   [[nodiscard]] tcp::socket& socket() { return secured ? secured->transport().socket() : stream->socket(); }
 
   ConnectionId id;
@@ -68,8 +77,10 @@ struct Handshaker::PendingConnection {
   std::optional<Admission::Slot> slot;
   bool through_proxy = false;               // its peer, a proxy, sent no PROXY header
   std::optional<std::uint16_t> proxy_port;  // the proxy's port
+  std::optional<FlowShares::Part> place;    // among the handshakes in flight
   bool late = false;
-  bool done = false;  // accepted or failed
+  bool gave_way = false;  // to another flow's handshake; also late
+  bool done = false;      // accepted or failed
 };
 
 std::vector<std::byte> refusal_frame(wire::ErrorCode code, const std::string& text,
@@ -115,19 +126,14 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
            retry_after::kServerFull);
     return;
   }
-  if (tls == nullptr && !proxies_.contain(peer.address())) {
-    if (admit(*pending)) accept(*pending);
-    return;
-  }
+  const bool by_proxy = proxies_.contain(peer.address());
+  if (!by_proxy && !admit(*pending)) return;
   // Without PROXY header and TLS there is nothing to wait for. Otherwise a coroutine waits, and the number of
   // coroutines is bounded.
-  if (metrics_.handshakes.now() >= static_cast<std::int64_t>(max_in_flight_)) {
+  if (!by_proxy && tls == nullptr) return accept(*pending);
+  if (!take_place(pending)) {
     refuse(*pending, Refusal::handshakes, "this server has reached its limit of handshakes in flight",
            retry_after::kServerFull);
-    return;
-  }
-  if (!memory_.takes_connections()) {
-    refuse(*pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return;
   }
   pending->memory.hold(tls == nullptr ? kProxyBytes : kTlsBytes);
@@ -138,6 +144,20 @@ void Handshaker::begin(tcp::socket socket, ConnectionId id, const tls::Context& 
     metrics_.handshakes.fall();
     throw;
   }
+}
+
+bool Handshaker::take_place(const PendingPtr& pending) {
+  FlowShares& places = admission_.handshakes();
+  const FlowId flow = admission_.flow_of(counted_as(pending->peer.address()));
+  if (places.size() >= max_in_flight_ && !places.make_room(flow, 1, 0, pending->accepted)) return false;
+  pending->place.emplace(places, flow, 1, pending->accepted);
+  const std::weak_ptr<PendingConnection> weak = pending;
+  pending->place->set_give_way([weak, executor = pending->socket().get_executor()] {
+    asio::post(executor, [weak] {
+      if (const auto alive = weak.lock()) alive->end(true);
+    });
+  });
+  return true;
 }
 
 void Handshaker::spawn(const PendingPtr& pending, ConnectionId id) {
@@ -162,10 +182,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
   asio::steady_timer deadline{pending->socket().get_executor()};
   deadline.expires_after(pending->accepted + timeout_.load() - clock_.now());
   deadline.async_wait([pending](std::error_code cancelled) {
-    if (cancelled || pending->done) return;  // an expired timer cannot be cancelled
-    pending->late = true;
-    std::error_code ignored;
-    pending->socket().cancel(ignored);  // the waiting coroutine counts it and closes
+    if (!cancelled) pending->end(false);
   });
   bool accepted = true;
   {
@@ -175,7 +192,10 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
       pending->through_proxy = header_optional_ && !co_await sends_proxy_header(*pending);
       accepted = pending->through_proxy ? !pending->late : co_await read_proxy_header(*pending);
     }
-    if (accepted) accepted = admit(*pending);
+    if (accepted && !pending->slot) {
+      pending->place->move_to(admission_.flow_of(counted_as(pending->client.address())));
+      accepted = admit(*pending);
+    }
     if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
   }
   deadline.cancel();
@@ -210,7 +230,8 @@ asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) 
     if (failed || pending.late) prefix = incomplete;
   }
   if (!prefix) {
-    refuse(pending, Refusal::proxy, fmt::format("it is one of `proxies` and {}", prefix.error()), {});
+    refuse(pending, pending.gave_way ? Refusal::handshakes : Refusal::proxy,
+           fmt::format("it is one of `proxies` and {}", prefix.error()), {});
     co_return false;
   }
   pending.client = proxied_client(*prefix, body).value_or(pending.peer);
@@ -226,9 +247,15 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
     metrics_.tls_handshakes.add();
     co_return true;
   }
-  (pending.late ? metrics_.tls_late : metrics_.tls_failed).add();
+  if (pending.gave_way) {
+    count(pending, Refusal::handshakes);
+  } else {
+    (pending.late ? metrics_.tls_late : metrics_.tls_failed).add();
+  }
   log_->info("conn {} {}: TLS handshake failed: {}", pending.id, to_text(pending.client),
-             pending.late ? "not done in time" : failed.message());
+             pending.gave_way ? "it gave way to another address's"
+             : pending.late   ? "not done in time"
+                              : failed.message());
   pending.slot.reset();  // before the socket closes, so that the client finds the slot free
   pending.secured->shutdown();
   drop_input(pending.socket());
@@ -238,10 +265,6 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
 bool Handshaker::admit(PendingConnection& pending) {
   if (const auto blocked = access_.meet(pending.client.address())) {
     refuse_blocked(pending, *blocked);
-    return false;
-  }
-  if (!memory_.takes_connections()) {
-    refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
   }
   auto slot = pending.through_proxy ? admission_.enter_proxy(pending.client.address())
@@ -259,11 +282,17 @@ bool Handshaker::admit(PendingConnection& pending) {
            std::chrono::ceil<milliseconds>(wait));
     return false;
   }
+  const FlowId flow = flow_id_of(slot->counted(), flows_.ids());
+  if (!memory_.takes_connection_of(flow, clock_.now())) {
+    refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
+    return false;
+  }
   pending.slot.emplace(*std::move(slot));
   return true;
 }
 
 void Handshaker::accept(PendingConnection& pending) {
+  pending.place.reset();
   pending.memory.hold(0);  // charged to the session from here on
   ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy,
                       pending.proxy_port};
@@ -291,11 +320,15 @@ void Handshaker::refuse_blocked(PendingConnection& pending, const BlockedAddress
                   std::string{describe(AuthFailure::blocked)}, retry_after::kNever);
 }
 
-void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code,
-                                 const std::string& text, milliseconds retry_after) {
+void Handshaker::count(const PendingConnection& pending, Refusal why) {
   metrics_.refused_for(why).add();
   const asio::ip::address client = pending.client.address();
   if (!proxies_.contain(client)) flow_of(counted_as(client), flows_)->add(FlowMeasure::refusals, 1);
+}
+
+void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code,
+                                 const std::string& text, milliseconds retry_after) {
+  count(pending, why);
   // A message over TLS would need the refused handshake; a proxy that breaks the rules gets none.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
   metrics_.error(code).add();

@@ -79,6 +79,9 @@ class Handshaker {
   struct PendingConnection;
   using PendingPtr = std::shared_ptr<PendingConnection>;
 
+  /// Takes a place among the handshakes in flight. If there is none, the handshake of a flow that holds more
+  /// gives way; false if there is none of these either.
+  [[nodiscard]] bool take_place(const PendingPtr& pending);
   void spawn(const PendingPtr& pending, ConnectionId id);
   [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);
   [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
@@ -92,6 +95,7 @@ class Handshaker {
               std::chrono::milliseconds retry_after);
   /// Logs only the first connection that each line of the list blocks.
   void refuse_blocked(PendingConnection& pending, const BlockedAddress& blocked);
+  void count(const PendingConnection& pending, Refusal why);
   void count_and_close(PendingConnection& pending, Refusal why, wire::ErrorCode code, const std::string& text,
                        std::chrono::milliseconds retry_after);
 

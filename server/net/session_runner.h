@@ -104,6 +104,8 @@ class SessionRunner final : public Peer, public std::enable_shared_from_this<Ses
   void input_ended();
   void output_ended();
   void note_greeting();
+  /// Lets the session give way to other flows that need its place or its memory.
+  void share();
   void update_access();
   void update_rates();
   [[nodiscard]] std::string silence() const;

@@ -88,6 +88,7 @@ void SessionRunner<S>::start() {
     self->started_ = true;
     self->context_.session.metrics.accepted.add();
     self->context_.session.metrics.open.rise();
+    self->share();
     self->dispatch([&](Session&) {
       self->spawn(&SessionRunner::read);
       self->spawn(&SessionRunner::write);
@@ -104,6 +105,20 @@ void SessionRunner<S>::go_away(const std::string& reason, std::chrono::milliseco
   asio::post(stream_.get_executor(), [self = this->shared_from_this(), reason, retry_after] {
     self->dispatch([&](Session& session) { session.go_away(reason, retry_after); });
   });
+}
+
+template <Stream S>
+void SessionRunner<S>::share() {
+  const auto gives_way = [this](std::string_view text) {
+    return [weak = this->weak_from_this(), executor = stream_.get_executor(), text] {
+      asio::post(executor, [weak, text] {
+        if (const auto alive = weak.lock())
+          alive->dispatch([&](Session& session) { session.give_way(text); });
+      });
+    };
+  };
+  slot_->set_give_way(gives_way(kNoPlace));
+  session_.share_memory(gives_way(kNoMemory));
 }
 
 template <Stream S>
@@ -203,7 +218,9 @@ asio::awaitable<void> SessionRunner<S>::on_bytes(std::span<const std::byte> byte
     bytes = bytes.subspan(*taken);
     session_.holds_input(frames_.held_bytes());
     if (!frames_.has_frame()) continue;
-    watchdog_.frame_came(now());
+    const Clock::time_point came = now();
+    watchdog_.frame_came(came);
+    slot_->progress(came);
     session_.receive(frames_.frame());
     frames_.pop();
     session_.holds_input(frames_.held_bytes());
@@ -405,6 +422,7 @@ template <Stream S>
 void SessionRunner<S>::note_greeting() {
   if (greeted_ || !session_.greeting()) return;
   greeted_ = true;
+  if (!session_.greeting()->grant.subject.empty()) slot_->move_to(session_.greeting()->grant.subject);
   context_.session.metrics.greeted.rise();
   watchdog_.greeted();
   frames_.set_limit(context_.limits.frame_bytes);

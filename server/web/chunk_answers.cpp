@@ -101,7 +101,7 @@ Answer answer_now(Exchange& exchange, const ColumnsRoute& route) {
 }
 
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const ColumnsRoute& route) {
-  if (!exchange.shared().memory.takes_work()) co_return no_memory();
+  if (!exchange.takes_work(0)) co_return no_memory();
   Requester& requester = exchange.requester();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
   const std::uint64_t before = route.edition ? newest_of(exchange, route) : kBaseRevision;

@@ -54,6 +54,17 @@ class Exchange {
 
   /// Reserves memory until the answer is sent, in addition to an idle connection's.
   void hold(std::size_t bytes) { memory_.hold(kIdleBytes + bytes); }
+  /// The answer of `bytes` is being written from now on, until drained().
+  void drains(Clock::time_point now, std::size_t bytes) { memory_.drain_begins(now, bytes); }
+  void drained() { memory_.drained(); }
+  /// The connection's memory is shared with other flows'.
+  void share_memory(const FlowShares::GiveWay& give_way) {
+    if (requester_.is_here()) memory_.share(requester_.flow()->id(), give_way);
+  }
+  /// Returns true if the client's flow may have `bytes` more for work.
+  [[nodiscard]] bool takes_work(std::size_t bytes) const {
+    return shared_.memory.takes_work_of(requester_.flow()->id(), bytes, shared_.clock.now());
+  }
   /// Keeps the owner of the answer's bytes alive.
   void keep(std::shared_ptr<const void> kept) { kept_ = std::move(kept); }
   /// Starts a fetch, in turn with the client's flow. Call once per request.

@@ -62,9 +62,10 @@ Answer answer_now(Exchange& exchange, const HeightsRoute& route) {
 asio::awaitable<http::Response> answer_later(Exchange& exchange, const HeightsRoute& route) {
   constexpr std::size_t kColumnBytes = 64;
   const SessionContext& shared = exchange.shared();
-  if (!shared.memory.takes_work()) co_return no_memory();
   auto query = query_of(route, shared.world);
-  exchange.hold(route.columns.size() * (kColumnBytes + 2 * sizeof(float) * query->fields.size()));
+  const std::size_t bytes = route.columns.size() * (kColumnBytes + 2 * sizeof(float) * query->fields.size());
+  if (!exchange.takes_work(bytes)) co_return no_memory();
+  exchange.hold(bytes);
   query->body = body_of(route, shared.world);
   auto found = co_await exchange.start_fetch().heights(*std::move(query), exchange.deadline());
   if (!found) co_return fetch_failed(found.error(), shared.memory);

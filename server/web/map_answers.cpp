@@ -34,7 +34,7 @@ asio::awaitable<http::Response> answer_later(Exchange& exchange, const MapRoute&
   const SessionContext& shared = exchange.shared();
   Requester& requester = exchange.requester();
   PicturePtr picture = exchange.chunks().find_map(route.tile);
-  if (picture == nullptr && !shared.memory.takes_work()) co_return no_memory();
+  if (picture == nullptr && !exchange.takes_work(0)) co_return no_memory();
   if (auto wrong = co_await requester.wait_for_rates(exchange.executor())) co_return *std::move(wrong);
   requester.charge(picture == nullptr ? kColumnsShown : 1, 0);
   if (picture == nullptr) {

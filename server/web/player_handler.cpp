@@ -89,6 +89,7 @@ PlayerHandler::PlayerHandler(WebContextPtr context, const ConnectionInfo& connec
 
 void PlayerHandler::sent() {
   exchange_.hold(0);
+  exchange_.drained();
 }
 
 http::Response PlayerHandler::refuse(const http::RequestError& error) {
@@ -108,6 +109,7 @@ void PlayerHandler::closed() {
 std::optional<http::Response> PlayerHandler::respond_now(const http::Request& request,
                                                          Clock::time_point came) {
   exchange_.begin(request, came);
+  requester_.progress(came);
   route_.reset();
   Answer answer = decide(request);
   if (answer) finish(request, *answer);
@@ -157,7 +159,9 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   }
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
-  const auto took = shared_.clock.now() - exchange_.began();
+  const auto now = shared_.clock.now();
+  exchange_.drains(now, response.content().size());
+  const auto took = now - exchange_.began();
   shared_.metrics.http_responses_of(response.status).add();
   if (response.status != 101) shared_.metrics.web_latency_of(kind()).add(took);
   if (exchange_.hot()) shared_.metrics.hot_latency.add(took);

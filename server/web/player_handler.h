@@ -37,6 +37,12 @@ class PlayerHandler final : public http::Handler {
   /// Sets the function called once if the connection ends without becoming a session.
   void on_closed(std::function<void()> told) { told_ = std::move(told); }
 
+  /// Call once, before the first request. `give_way` closes the connection.
+  void share(const FlowShares::GiveWay& give_way) {
+    requester_.set_give_way(give_way);
+    exchange_.share_memory(give_way);
+  }
+
   [[nodiscard]] Requester& requester() { return requester_; }
 
  private:

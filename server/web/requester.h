@@ -51,6 +51,15 @@ class Requester {
   /// Adds to the flow.
   void sent(std::size_t bytes);
 
+  /// The client of the connection's own slot sent something.
+  void progress(Clock::time_point now) {
+    if (!connection_.through_proxy) caller_->slot.progress(now);
+  }
+  /// The connection may give way to other flows'; a proxy's, which serves many clients, never does.
+  void set_give_way(const FlowShares::GiveWay& give_way) {
+    if (!connection_.through_proxy) caller_->slot.set_give_way(give_way);
+  }
+
   // ---- between requests
   void answered(int status);
   /// Ends the last request.

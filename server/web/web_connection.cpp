@@ -97,6 +97,11 @@ void start(S stream, const ConnectionInfo& info, Admission::Slot slot, const Web
   const auto connection =
       std::make_shared<http::Connection<S>>(std::move(stream), context->service, handler, take_over);
   peer->set_connection(connection);
+  handler->share([weak = std::weak_ptr{connection}, executor] {
+    asio::post(executor, [weak] {
+      if (const auto alive = weak.lock()) alive->close();
+    });
+  });
   metrics.web_open.rise();
   try {
     registry.add(info.id, peer);

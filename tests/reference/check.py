@@ -1,4 +1,5 @@
-"""Compares server/talusd.toml and the tables of docs/REFERENCE.md with what the code has; --write writes them.
+"""Compares server/talusd.toml and the tables of docs/REFERENCE.md and docs/OPERATIONS.md with what the code has;
+--write writes them.
 
     python3 -B tests/reference/check.py [--write] [TALUS-REFERENCE TALUSD]
 
@@ -14,6 +15,7 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOML = ROOT / "server/talusd.toml"
+OPERATIONS = ROOT / "docs/OPERATIONS.md"
 REFERENCE = ROOT / "docs/REFERENCE.md"
 STORE = ("stat verify backup restore compact export import rebase rename join-cluster leave-cluster fork history"
          " rollback").split()
@@ -142,6 +144,7 @@ def main(arguments):
             "metrics": metrics(output(reference, "metrics")),
             "alerts": alerts(),
         }),
+        OPERATIONS: with_tables(OPERATIONS.read_text(), {"pools": output(reference, "pools")}),
     }
     stale = [file for file, text in made.items() if file.read_text() != text]
     for file in stale:

@@ -1,5 +1,5 @@
 // Prints what the tables of settings and metrics have: server/talusd.toml, and the tables of
-// docs/REFERENCE.md. tests/reference/check.py compares and writes the files.
+// docs/REFERENCE.md and docs/OPERATIONS.md. tests/reference/check.py compares and writes the files.
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "config/fields.h"
+#include "limits/pools.h"
 #include "runtime/metrics/metrics_page.h"
 
 namespace talus::server {
@@ -196,6 +197,15 @@ void print_metrics() {
   }
 }
 
+void print_pools() {
+  fmt::print(
+      "| pool | in all | one flow, while others want some | gives way to a flow that holds less |\n"
+      "| --- | --- | --- | --- |\n");
+  for (const Pool& pool : kPools) {
+    fmt::print("| {} | {} | {} | {} |\n", pool.name, pool.size, pool.share, pool.gives_way);
+  }
+}
+
 int run(std::string_view wanted) {
   if (wanted == "toml") {
     print_toml();
@@ -203,8 +213,10 @@ int run(std::string_view wanted) {
     print_settings();
   } else if (wanted == "metrics") {
     print_metrics();
+  } else if (wanted == "pools") {
+    print_pools();
   } else {
-    fmt::print(stderr, "usage: talus-reference toml | settings | metrics\n");
+    fmt::print(stderr, "usage: talus-reference toml | settings | metrics | pools\n");
     return 2;
   }
   return std::fflush(stdout) == 0 ? 0 : 1;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <new>
@@ -33,7 +32,6 @@ class PlainQueue {
   void enter(const FairEntry& entry, int flow, int client) {
     Entrant& leaf = below_[flow].entrants[client];
     leaf.offset = entry.offset;
-    leaf.since = entry.since;
     arrive(below_[flow], leaf, rules_[1]);
     refresh(flow);
     arrive(top_, top_.entrants[flow], rules_[0]);
@@ -74,18 +72,6 @@ class PlainQueue {
     if (goes) lose_turn(top_, asked, rules_[0]);
     return goes;
   }
-  std::set<Leaf> drop_older_than(Clock::time_point time) {
-    std::set<Leaf> dropped;
-    for (auto& [flow, level] : below_) {
-      for (auto& [client, leaf] : level.entrants) {
-        if (!leaf.waits || leaf.since >= time) continue;
-        leaf.waits = false;
-        dropped.insert({flow, client});
-      }
-      refresh(flow);
-    }
-    return dropped;
-  }
 
  private:
   struct Entrant {
@@ -94,7 +80,6 @@ class PlainQueue {
     double ahead_until = 0;
     double share = 1;
     double offset = 0;
-    Clock::time_point since{};
     bool waits = false;
     [[nodiscard]] double ahead() const { return clock < ahead_until ? lead : 0; }
     [[nodiscard]] double order() const { return clock - ahead() + offset / share; }
@@ -234,8 +219,7 @@ TEST_CASE("the queue does what its rule says") {
         case 0:
         case 1:
         case 2: {
-          const FairEntry entry{*rc::gen::element(0.0, cost, -50.0),
-                                Clock::time_point{} + Clock::duration{step}};
+          const FairEntry entry{*rc::gen::element(0.0, cost, -50.0)};
           queue.enter(entry, flow, client);
           plain.enter(entry, flow, client);
           break;
@@ -244,13 +228,6 @@ TEST_CASE("the queue does what its rule says") {
           queue.leave(flow, client);
           plain.leave(flow, client);
           break;
-        case 4: {
-          const auto time = Clock::time_point{} + Clock::duration{*rc::gen::inRange(step - 60, step)};
-          std::set<Leaf> dropped;
-          queue.drop_older_than(time, [&](int of, int which) { dropped.emplace(of, which); });
-          RC_ASSERT(dropped == plain.drop_older_than(time));
-          break;
-        }
         default: {
           const auto blocked =
               *rc::gen::container<std::set<Leaf>>(*rc::gen::inRange<std::size_t>(0, 4), leaf);
@@ -423,26 +400,6 @@ TEST_CASE("entering and taking again and again allocates nothing") {
     queue.enter({}, flow, client);
   }
   CHECK_FALSE(failing.has_failed());
-}
-
-TEST_CASE("entries before a time are dropped, once, and the rest keep their order") {
-  Flows queue;
-  const auto at = [](int second) { return Clock::time_point{} + std::chrono::seconds{second}; };
-  for (int id = 0; id < 9; ++id) queue.enter({.since = at(id)}, id % 3, id);
-  queue.enter({}, 0, 100);  // of no age
-  std::set<int> dropped;
-  const auto drop = [&](int /*flow*/, int client) { dropped.insert(client); };
-  queue.drop_older_than(at(5), drop);
-  CHECK(dropped == std::set{0, 1, 2, 3, 4});
-  queue.drop_older_than(at(5), drop);
-  CHECK(dropped.size() == 5);
-  std::vector<int> order;
-  while (const auto next = queue.next()) {
-    order.push_back(std::get<1>(*next));
-    std::apply([&](auto... ids) { queue.leave(ids...); }, *next);
-  }
-  CHECK(order == std::vector{6, 100, 7, 5, 8});
-  CHECK(queue.empty());
 }
 
 TEST_CASE("entrants share by cost, whether it is known before or charged afterwards") {

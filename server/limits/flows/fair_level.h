@@ -11,8 +11,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "runtime/clock.h"
-
 namespace talus::server {
 
 /// A level of the enumerators 0 to Count - 1. They live in the queue itself, so entering one allocates
@@ -24,8 +22,6 @@ struct FairEntry {
   /// Is added to the clock for the order alone, divided by the share. The cost of the piece, if it is known:
   /// small pieces then go before large ones. Negative: the cost by which this work may be ahead of its share.
   double offset = 0;
-  /// When it began to wait, for drop_older_than(), which never drops it by default.
-  Clock::time_point since = Clock::time_point::max();
 };
 
 /// What an entrant of a level gets when it comes, or comes back, and owes nothing. Both are cost / share.
@@ -99,12 +95,6 @@ class FairLevel<> {
     if (readiness == FairState::ready) return std::tuple{};
     if (readiness == FairState::idle) waits_ = false;
     return std::nullopt;
-  }
-  template <typename Dropped, typename... Ids>
-  void drop_older_than(Clock::time_point time, Dropped& dropped, Ids... ids) {
-    if (!waits_ || entry_.since >= time) return;
-    waits_ = false;
-    dropped(ids...);
   }
   void clear() { waits_ = false; }
 
@@ -200,17 +190,6 @@ class FairLevel<Level, Below...> {
     overtaking_ += done / (entrant->waits() ? shares_ : shares_ + entrant->share);
     dearest_ = std::max(dearest_, done / entrant->share);
     if (entrant->waits()) settle(*entrant);
-  }
-
-  template <typename Dropped, typename... Above>
-  void drop_older_than(Clock::time_point time, Dropped& dropped, Above... above) {
-    for (std::size_t place = order_.size(); place-- > 0;) {
-      Entrant& entrant = *order_[place];
-      entrant.below.drop_older_than(time, dropped, above..., entrant.id);
-      entrant.order = order_of(entrant);
-      if (entrant.below.empty()) remove(entrant);
-    }
-    for (std::size_t place = order_.size() / 2; place-- > 0;) sink(place, order_.size());
   }
 
   [[nodiscard]] bool empty() const { return order_.size() == 0; }

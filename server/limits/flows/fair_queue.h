@@ -18,8 +18,6 @@
 // So however many come, what waits goes after work of others of at most the sum of all shares times 5 pieces
 // and 3 times FairRule.
 //
-// Age. drop_older_than() removes what has waited too long.
-//
 // tests/server/fair_queue_test.cpp tests each.
 #pragma once
 
@@ -30,7 +28,6 @@
 #include <utility>
 
 #include "limits/flows/fair_level.h"
-#include "runtime/clock.h"
 
 namespace talus::server {
 
@@ -80,13 +77,6 @@ class FairQueue {
   void charge(double cost, FairId<Levels>... ids) noexcept { top_.charge(0, cost, ids...); }
   /// Charges an estimate in advance. Before charge(), give it back by the same call with -cost.
   void reserve(double cost, FairId<Levels>... ids) noexcept { top_.charge(cost, 0, ids...); }
-
-  /// Removes what entered before `time`, and calls `dropped(ids...)` for each, which must not call the queue,
-  /// nor throw. Takes time by the number of entrants.
-  template <typename Dropped>
-  void drop_older_than(Clock::time_point time, Dropped&& dropped) {
-    top_.drop_older_than(time, dropped);
-  }
 
   /// True if nothing has entered.
   [[nodiscard]] bool empty() const { return top_.empty(); }

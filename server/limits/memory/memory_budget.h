@@ -3,18 +3,23 @@
 //
 // Caches give way first: they may have what everything else leaves. When everything else comes near the
 // limit, new connections are refused, and after them new work, each until use is well below the limit again:
-// what is in flight can end, and nothing flaps. flight can end, and nothing flaps.
+// what is in flight can end, and nothing flaps. Before a client is refused, sessions of others give way
+// (flow_shares.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <string_view>
 
+#include "limits/flows/flow_shares.h"
 #include "limits/memory/hysteresis_gate.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 
@@ -45,6 +50,13 @@ class MemoryBudget {
   /// Memory that each thread beyond kFewThreads keeps for its next work, at most: four outputs of 32 KiB if
   /// it serves sockets; the layers and the code of a chunk, 63 and 65 KiB, if it generates.
   static constexpr std::uint64_t kThreadBytes = std::uint64_t{128} << 10;
+  /// Memory of a new connection.
+  static constexpr std::uint64_t kConnectionBytes = std::uint64_t{32} << 10;
+  /// A flow that drains what it holds may always have this part of the limit.
+  static constexpr std::uint64_t kFlows = 64;
+  /// A client drains at least this much a second, but for kPatience, or its session may give way.
+  static constexpr std::uint64_t kDrainedBytes = std::uint64_t{16} << 10;
+  static constexpr std::chrono::seconds kPatience{15};
   /// Returns the memory of the program with `threads` threads that serve and generate.
   [[nodiscard]] static constexpr std::uint64_t program_bytes(std::size_t threads) {
     return kProgramBytes + (threads > kFewThreads ? (threads - kFewThreads) * kThreadBytes : 0);
@@ -72,6 +84,20 @@ class MemoryBudget {
   /// Returns true if new connections may come. False once use reaches 5/8 of the limit; true again below 1/2,
   /// or below 5/8 if no session is left that could end. Sessions that are open need memory to work.
   [[nodiscard]] bool takes_connections() const { return connections_.open(); }
+  /// Parts are those of sessions and HTTP connections.
+  [[nodiscard]] FlowShares& shares() { return shares_; }
+  /// Returns true if `flow` may have a connection, or `bytes` for work. If memory is short, a session of
+  /// others gives way.
+  [[nodiscard]] bool takes_connection_of(FlowId flow, Clock::time_point now) {
+    return takes_connections() || shares_.make_room(flow, kConnectionBytes, limit_ / kFlows, now);
+  }
+  [[nodiscard]] bool takes_work_of(FlowId flow, std::uint64_t bytes, Clock::time_point now) {
+    return takes_work() || shares_.make_room(flow, bytes, limit_ / kFlows, now);
+  }
+  /// Ends sessions whose clients drain too little, if memory is short for new connections: call it often.
+  void end_still_sessions(Clock::time_point now) {
+    if (!takes_connections()) shares_.end_still(beside_caches() - std::min(beside_caches(), limit_ / 2), now);
+  }
   /// `resumed` is called when takes_jobs() becomes true again, on the thread that gave memory back; it must
   /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
   /// it.
@@ -94,6 +120,7 @@ class MemoryBudget {
   const std::uint64_t limit_;
   std::array<std::atomic<std::int64_t>, kMemoryUses.size()> used_{};
   HysteresisGate jobs_, work_, connections_;
+  FlowShares shares_{kPatience};
   std::mutex resumed_mutex_;
   std::function<void()> resumed_;
 };

@@ -91,7 +91,7 @@ void Session::holds_input(std::size_t bytes) {
   input_bytes_ = bytes;
   if (!grew || bytes <= kMaxFrameBytesAnyway) return;
   note_memory();
-  if (context_.memory.takes_work()) return;
+  if (takes_work(bytes)) return;
   fail(ErrorCode::overloaded, "this server has no memory for so large a frame", retry_after::kBusy);
 }
 
@@ -154,6 +154,10 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
   close_if_served();
 }
 
+void Session::give_way(std::string_view text) {
+  fail(ErrorCode::overloaded, text, retry_after::kServerFull, "it gave way to others");
+}
+
 void Session::abandon() {
   state_ = State::closed;
   delivery_.abandon();
@@ -187,6 +191,7 @@ std::size_t Session::pump() {
   if (found > 0) context_.metrics.hot_latency.add(context_.clock.now() - began, found);
   close_if_served();
   note_memory();
+  note_client();
   if (const std::uint64_t refusals = replies_.take_refusals(); refusals > 0) {
     flow().add(FlowMeasure::refusals, refusals);
   }
@@ -206,7 +211,10 @@ void Session::on(const wire::Hello& hello) {
   }
   greeting_ = *std::move(greeting);
   const std::string& subject = greeting_->grant.subject;
-  if (!subject.empty()) delivery_.join(context_.flows.of_subject(subject));
+  if (!subject.empty()) {
+    delivery_.join(context_.flows.of_subject(subject));
+    memory_.move_to(flow().id());
+  }
   delivery_.credit() = Credit{greeting_->window_bytes};
   if (greeting_->grant.rights.has(Right::gateway)) rates_.become_gateway(received_at_);
   replies_.welcome(*greeting_, context_.world, context_.limits, rates_.limits());
@@ -225,7 +233,7 @@ void Session::on(const wire::View& view) {
   // Near the memory limit a View may move but not grow. Chunks that the client holds are then resent.
   const bool takes_work = context_.memory.takes_work();
   const std::uint64_t chunks = count_chunks(*checked);
-  if (chunks > view_chunks_ && !takes_work) {
+  if (chunks > view_chunks_ && !this->takes_work(chunks * kViewBytesPerChunk)) {
     return replies_.error(about_view(view.number()), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
   view_chunks_ = chunks;
@@ -281,7 +289,7 @@ void Session::on(const wire::Cancel& cancel) {
 void Session::on(const wire::GetHeights& get) {
   if (get.id() == 0) return fail(ErrorCode::malformed, "GetHeights.id is 0; ids begin at 1");
   if (!admit_id(get.id()) || !admit_pending(get.id())) return;
-  if (!context_.memory.takes_work()) {
+  if (!takes_work(input_bytes_)) {
     return replies_.error(about_request(get.id()), ErrorCode::overloaded, kNoMemory, retry_after::kBusy);
   }
   auto query = check_heights(get, context_.limits, context_.world.fields.size());
@@ -394,12 +402,27 @@ Output Session::take_output(std::size_t enough_bytes, std::size_t shared_from) {
   context_.metrics.chunks_sent.add(written.chunks);
   context_.metrics.chunk_bytes_sent.add(written.chunk_bytes);
   close_if_served();
+  note_client();
   return output;
 }
 
 void Session::written() {
   writing_bytes_ = 0;
+  if (std::exchange(client_drains_, false)) memory_.drain_ends(context_.clock.now());
+  note_client();
   note_memory();
+}
+
+void Session::note_client() {
+  const bool drains =
+      writing_bytes_ > 0 || (delivery_.outbox().chunk_bytes() > 0 && !delivery_.credit().may_send());
+  if (drains == client_drains_) return;
+  client_drains_ = drains;
+  if (drains) {
+    memory_.drain_begins(context_.clock.now(), writing_bytes_);
+  } else {
+    memory_.drain_ends(context_.clock.now());
+  }
 }
 
 void Session::note_memory() {

@@ -19,12 +19,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include <talus/protocol/frame.h>
 #include <talus/protocol/message.h>
 
 #include "chunks/mailbox.h"
+#include "limits/flows/flow_shares.h"
 #include "limits/memory/memory_budget.h"
 #include "limits/memory/memory_reservation.h"
 #include "limits/rates/rates.h"
@@ -86,6 +88,11 @@ class Session {
   void input_ended();
   /// Sends GoAway and ends the View; accepts no more requests. Before Welcome it sends an Error instead.
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
+  /// Another flow needs what this session holds: ends it. `text`: the common pool.
+  void give_way(std::string_view text);
+  /// From here on the session's memory is shared with other flows': `give_way` makes the caller call
+  /// give_way().
+  void share_memory(FlowShares::GiveWay give_way) { memory_.share(flow().id(), std::move(give_way)); }
   /// The connection is gone: leaves every queue.
   void abandon();
 
@@ -180,6 +187,12 @@ class Session {
   /// A leaving session closes after its last answer, a finishing one when everything is served.
   void close_if_served();
   void note_memory();
+  /// Notes if it is the client's turn to drain what is queued for it.
+  void note_client();
+  /// Returns true if the flow may have `bytes` more for work.
+  [[nodiscard]] bool takes_work(std::uint64_t bytes) {
+    return context_.memory.takes_work_of(flow().id(), bytes, context_.clock.now());
+  }
   /// Memory that the pending View needs in addition to the current one's.
   [[nodiscard]] std::size_t view_bytes_to_come() const;
 
@@ -196,6 +209,7 @@ class Session {
   std::uint64_t view_chunks_ = 0;    // in the last valid View
   std::size_t writing_bytes_ = 0;    // memory of the last output
   std::size_t input_bytes_ = 0;
+  bool client_drains_ = false;  // it is the client's turn
   std::string failure_;
   bool failure_is_known_ = false;
 };
