@@ -1,11 +1,14 @@
 // Heights, and what is dear: patches and heights that give way to others midway.
 #include "chunks/chunks.h"
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <memory>
 #include <new>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "chunks_bench.h"
@@ -234,6 +237,46 @@ TEST_CASE("a patch is made as long as one client still wants it") {
   fake.work->open_gate();
   other.await(1);
   CHECK(fake.work->patches == 1);
+}
+
+TEST_CASE("tiles of the map give way to a player at once, however many clients of a flow ask for them") {
+  FakeService fake;
+  constexpr int kStepsATile = 100;
+  fake.work->heights_steps = kStepsATile;
+  fake.work->close_gate();
+  const auto tiles_flow = std::make_shared<FlowUse>(FlowId{1'000'000}, FlowName{});
+  WaitingClient holder;
+  WaitingClient player;
+  std::vector<std::unique_ptr<WaitingClient>> clients;
+  int steps = 0;
+  int asked_at = 0;
+  int longest = 0;
+  std::int32_t asked = 0;
+  // While tiles are drawn the player asks now and then for a chunk that costs a step.
+  fake.work->in_heights = [&] {
+    fake.clock.advance(std::chrono::milliseconds{2});
+    fake.clock.spend_cpu(std::chrono::milliseconds{2});
+    if (++steps % 130 != 0) return;
+    asked_at = steps;
+    if (queued(fake.service, player, at((asked + 1) * 1000))) ++asked;
+  };
+  fake.work->in_patch = [&] {
+    fake.clock.spend_cpu(std::chrono::milliseconds{2});
+    if (asked_at > 0) longest = std::max(longest, steps - std::exchange(asked_at, 0));
+  };
+  REQUIRE(queued(fake.service, holder, at(-1000)));
+  fake.work->await_somebody_at_gate();
+  for (std::int64_t x = 0; x < 30; ++x) {
+    clients.push_back(std::make_unique<WaitingClient>());
+    clients.back()->mailbox()->join(tiles_flow);
+    fake.service.submit_heights(clients.back()->mailbox(), 1, HeightsQuery{.tile = map::Tile{12, x, 0}});
+  }
+  fake.work->open_gate();
+  for (const auto& client : clients) client->await(1);
+  player.await(static_cast<std::size_t>(asked));
+  CHECK(steps == 30 * kStepsATile);
+  CHECK(asked >= 20);
+  CHECK(longest <= 2);
 }
 
 }  // namespace talus::server::chunks_test

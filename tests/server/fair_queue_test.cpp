@@ -55,7 +55,7 @@ class PlainQueue {
       for (const int client : in_order(level)) {
         if (!idle.contains({flow, client}) && !blocked.contains({flow, client})) {
           goes = {flow, client};
-          level.went(level.entrants[client].clock - level.entrants[client].ahead());
+          level.went(level.entrants[client]);
           break;
         }
         passed.push_back(client);
@@ -64,7 +64,7 @@ class PlainQueue {
       if (goes) lose_turn(level, passed, rules_[1]);
       refresh(flow);
       if (goes) {
-        top_.went(top_.entrants[flow].clock - top_.entrants[flow].ahead());
+        top_.went(top_.entrants[flow]);
       } else {
         asked.push_back(flow);
       }
@@ -89,7 +89,8 @@ class PlainQueue {
     double now = 0;
     double overtaking = 0;
     double dearest = 0;
-    void went(double clock) {
+    void went(const Entrant& entrant) {
+      const double clock = entrant.clock - entrant.ahead() + std::min(0.0, entrant.offset / entrant.share);
       if (clock <= now) return;
       overtaking = std::max(0.0, overtaking - 2 * (clock - now));
       now = clock;
@@ -132,14 +133,17 @@ class PlainQueue {
     });
     return ids;
   }
-  /// A flow waits while a client does, for the piece of the client that goes next.
+  /// A flow waits while a client does; its clients are classes, and it goes as far ahead as one of them may.
   void refresh(int flow) {
     const auto clients = in_order(below_[flow]);
     Entrant& entrant = top_.entrants[flow];
     if (clients.empty()) {
       entrant.waits = false;
-    } else {
-      entrant.offset = below_[flow].entrants[clients.front()].offset;
+      return;
+    }
+    entrant.offset = below_[flow].entrants[clients.front()].offset;
+    for (const int client : clients) {
+      entrant.offset = std::min(entrant.offset, below_[flow].entrants[client].offset);
     }
   }
 
@@ -499,6 +503,28 @@ TEST_CASE(
   order.clear();
   for (int i = 0; i < 4; ++i) order.push_back(step());
   CHECK(order == std::vector{1, 1, 0, 1});
+}
+
+TEST_CASE("an entrant below with an offset puts all that is above it as far ahead, and no farther") {
+  FairQueue<int, int, Classes<int, 2, 3>> queue;
+  queue.enter({}, 1, 11, 1);
+  queue.enter({}, 2, 21, 1);
+  queue.enter({}, 2, 22, 1);
+  queue.enter({.offset = -50}, 2, 22, 0);
+  std::vector<int> flows;
+  std::map<int, double> spent;
+  for (int piece = 0; piece < 400; ++piece) {
+    const auto [flow, client, number] = *queue.next();
+    if (piece < 8) flows.push_back(flow);
+    queue.charge(10, flow, client, number);
+    spent[flow] += 10;
+    spent[client] += 10;
+    spent[number - 100] += client == 22 ? 10 : 0;
+  }
+  CHECK(std::vector(flows.begin(), flows.begin() + 5) == std::vector{2, 2, 2, 2, 2});
+  CHECK(spent[2] - spent[1] == Approx(0).margin(60));
+  CHECK(spent[22] - spent[21] == Approx(0).margin(60));
+  CHECK(spent[0 - 100] - 3 * spent[1 - 100] == Approx(0).margin(160));
 }
 
 TEST_CASE("classes share by their shares, and of two that could go the first goes") {

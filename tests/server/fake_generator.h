@@ -104,7 +104,8 @@ class FakePatch final : public PatchBuild {
 
 class FakeHeights final : public HeightsBuild {
  public:
-  FakeHeights(FakeWork& work, std::size_t columns) : work_{work}, columns_{columns} {}
+  FakeHeights(FakeWork& work, const HeightsQuery& query)
+      : work_{work}, columns_{query.columns.size()}, is_tile_{query.tile.has_value()} {}
   [[nodiscard]] bool step() override {
     if (done_ == work_.heights_steps) return false;
     ++done_;
@@ -113,12 +114,14 @@ class FakeHeights final : public HeightsBuild {
   }
   [[nodiscard]] HeightsResult take() override {
     if (work_.out_of_memory) throw std::bad_alloc{};
+    if (is_tile_) return {.picture = std::make_shared<const Picture>(Picture{"a map"})};
     return {.heights_fx = std::vector<std::int32_t>(columns_)};
   }
 
  private:
   FakeWork& work_;
   const std::size_t columns_;
+  const bool is_tile_;
   int done_ = 0;
 };
 
@@ -151,7 +154,7 @@ class FakeGenerator final : public Generator {
                                                 std::vector<std::byte>(work_->payload_bytes));
   }
   [[nodiscard]] std::unique_ptr<HeightsBuild> start_heights(HeightsQuery query) const override {
-    return std::make_unique<FakeHeights>(*work_, query.columns.size());
+    return std::make_unique<FakeHeights>(*work_, query);
   }
 
  private:

@@ -1,6 +1,7 @@
 // The work queue with what was begun and gave way.
 #include <array>
 #include <catch2/catch.hpp>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -228,4 +229,111 @@ TEST_CASE("heights that were begun count until they are gone on with or cancelle
   CHECK(queue.begun() == 0);
   CHECK_FALSE(queue.take(kCosts).has_value());
   CHECK(queue.clients() == 0);
+}
+
+namespace {
+
+/// A flow may have two expensive pieces open, and all together three.
+const WorkCosts kFewOpen{.patch = 100,
+                         .longest_piece = 25,
+                         .max_begun = 3,
+                         .max_begun_of_flow = 2,
+                         .max_open = 3,
+                         .max_open_of_flow = 2};
+
+MailboxPtr add_tile(WorkQueue& queue, FlowId flow) {
+  static std::int64_t last = 0;
+  MailboxPtr client = client_box(flow);
+  queue.add(HeightsTask{client, 1, HeightsQuery{.tile = map::Tile{12, ++last, 0}}});
+  return client;
+}
+
+/// As a thread that draws a tile and gives way.
+void pause_tile(WorkQueue& queue, WorkQueue::Work& work) {
+  auto& task = std::get<HeightsTask>(work.what);
+  if (!task.is_begun()) task.build() = std::make_unique<Nothing>();
+  queue.put_back(std::move(task));
+  queue.reconcile(work, 25);
+}
+
+void finish_tile(WorkQueue& queue, WorkQueue::Work& work) {
+  std::get<HeightsTask>(work.what).give_up();
+  queue.reconcile(work, 25);
+}
+
+bool is_begun(const WorkQueue::Work& work) {
+  return std::get<HeightsTask>(work.what).is_begun();
+}
+
+}  // namespace
+
+TEST_CASE("where no more of a flow may be put back it begins no other tile, and goes on with those begun") {
+  WorkQueue queue{kPatch, 100};
+  for (int client = 0; client < 40; ++client) (void)add_tile(queue, kFlow);
+  std::vector<WorkQueue::Work> drawn;
+  for (int thread = 0; thread < 2; ++thread) drawn.push_back(*queue.take(kFewOpen));
+  CHECK_FALSE(queue.take(kFewOpen).has_value());  // both may be put back, a third might not
+  const auto player = client_box();
+  REQUIRE(add(queue, player, at(0)));
+  for (auto& work : drawn) {
+    CHECK(queue.should_give_way(work.turn, 200, kFewOpen));
+    pause_tile(queue, work);
+  }
+  auto patch = *queue.take(kFewOpen);
+  CHECK(patch.turn.client == player->owner());
+  finish(queue, patch);
+  int begun = 2;
+  for (int piece = 0; begun < 40; ++piece) {
+    const bool all_open = queue.begun() == 2;
+    auto work = *queue.take(kFewOpen);
+    if (all_open) CHECK(is_begun(work));
+    if (!is_begun(work)) ++begun;
+    piece % 4 == 3 ? finish_tile(queue, work) : pause_tile(queue, work);
+    CHECK(queue.begun() <= 2);
+  }
+  while (auto work = queue.take(kFewOpen)) finish_tile(queue, *work);
+  CHECK(queue.begun() == 0);
+  CHECK(queue.clients() == 0);
+}
+
+TEST_CASE("flows whose tiles may not be begun yet come in turns, and none is forgotten") {
+  WorkQueue queue{kPatch, 100};
+  std::map<FlowId, int> drawn;
+  for (int client = 0; client < 30; ++client) (void)add_tile(queue, kFlow);
+  std::vector<WorkQueue::Work> open;
+  open.push_back(*queue.take(kFewOpen));
+  for (int client = 0; client < 10; ++client) (void)add_tile(queue, kOtherFlow);
+  for (std::uint64_t flow = 0; flow < 10; ++flow) (void)add_tile(queue, FlowId{100 + flow});
+  const auto gone = add_tile(queue, FlowId{200});
+  while (auto work = queue.take(kFewOpen)) open.push_back(*std::move(work));
+  CHECK(open.size() == 3);
+  queue.cancel_heights(gone->owner(), 1);
+  std::size_t alone = 0;
+  for (int tile = 0; !open.empty(); ++tile) {
+    ++drawn[open.front().turn.flow];
+    finish_tile(queue, open.front());
+    open.erase(open.begin());
+    while (auto work = queue.take(kFewOpen)) open.push_back(*std::move(work));
+    CHECK(open.size() <= 3);
+    if (tile == 15) alone = drawn.size();
+  }
+  CHECK(alone >= 10);  // flows, of 12
+  CHECK(drawn[kFlow] == 30);
+  CHECK(drawn[kOtherFlow] == 10);
+  CHECK(drawn.size() == 12);
+  CHECK(queue.clients() == 0);
+}
+
+TEST_CASE("far chunks whose patches are expensive begin like tiles, near ones and those in memory at once") {
+  WorkQueue queue{kPatch, 100};
+  const auto client = client_box(kFlow);
+  for (int patch = 0; patch < 5; ++patch) REQUIRE(add(queue, client, at(100 * patch)));
+  WorkCosts costs = kFewOpen;
+  costs.in_memory = [](const PatchKey& patch) { return patch == patch_of(at(400), kPatch); };
+  std::vector<PatchKey> taken;
+  while (auto work = queue.take(costs)) taken.push_back(batch_of(*work).patch);
+  CHECK(taken == std::vector{patch_of(at(0), kPatch), patch_of(at(100), kPatch), patch_of(at(400), kPatch)});
+  REQUIRE(queue.add({client}, std::array{at(-100)}, Urgency::soon) == 1);
+  auto near = take(queue);
+  CHECK(batch_of(near).keys == std::vector{at(-100)});
 }

@@ -1,6 +1,7 @@
 // The work queue where some is wanted soon.
 #include <array>
 #include <catch2/catch.hpp>
+#include <map>
 #include <vector>
 
 #include "failing_allocations.h"
@@ -32,8 +33,51 @@ TEST_CASE("work wanted soon goes before work that others wanted earlier") {
   REQUIRE(queue.add({near}, std::array{at(-100), at(-200), at(-300)}, Urgency::soon) == 3);
   const auto turns = turns_of(queue);
   REQUIRE(turns.size() == 11);
-  for (const std::size_t i : {0U, 2U, 3U}) CHECK(turns[i].first == near->owner());
-  CHECK(turns[1].first == far->owner());  // whose share it is
+  for (const std::size_t i : {0U, 1U, 2U}) CHECK(turns[i].first == near->owner());
+}
+
+TEST_CASE(
+    "a flow that always wants some soon goes first for a while, and has no more in all than the others") {
+  WorkQueue queue{kPatch, 100'000};
+  // All of one flow, or each of its own.
+  const bool one_flow = GENERATE(false, true);
+  const auto box = [&] { return one_flow ? client_box(kFlow) : client_box(); };
+  std::map<ClientId, int> pieces;
+  std::int32_t asked = 0;
+  const auto ask = [&](const MailboxPtr& client, Urgency urgency) {
+    REQUIRE(queue.add({client}, std::array{at(kPatch * ++asked)}, urgency) == 1);
+  };
+  std::vector<MailboxPtr> far;
+  for (int i = 0; i < 10; ++i) {
+    far.push_back(box());
+    for (int patch = 0; patch < 200; ++patch) ask(far.back(), Urgency::later);
+  }
+  const auto piece = [&] {
+    const auto work = queue.take({.patch = 100});
+    const auto& batch = std::get<WorkQueue::Batch>(work->what);
+    queue.release(batch.patch);
+    queue.reconcile(*work, 100);
+    ++pieces[work->turn.client];
+    return work->turn.client;
+  };
+  for (int i = 0; i < 100; ++i) (void)piece();
+  const auto jumper = box();
+  int first = 0;
+  for (bool goes_first = true; goes_first;) {
+    ask(jumper, Urgency::soon);
+    goes_first = piece() == jumper->owner();
+    first += goes_first ? 1 : 0;
+  }
+  CHECK(first == Approx(WorkQueue::kPatchesAhead).margin(2));
+  for (int i = 0; i < 1000; ++i) {
+    ask(jumper, Urgency::soon);
+    (void)piece();
+  }
+  for (const auto& client : far) CHECK(pieces[client->owner()] == Approx(pieces[jumper->owner()]).margin(20));
+  // A player who joins has the nearest chunks before all that.
+  const auto joins = box();
+  for (int patch = 0; patch < 4; ++patch) ask(joins, Urgency::soon);
+  for (int patch = 0; patch < 4; ++patch) CHECK(piece() == joins->owner());
 }
 
 TEST_CASE("within one client, too, work wanted soon goes first") {

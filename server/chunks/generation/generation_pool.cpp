@@ -19,8 +19,9 @@ constexpr std::int64_t kJobBytes = 384;
 // Maximum time that a thread works on one thing before it yields to others.
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
-// While something expensive is made, time between checks whether it is still wanted.
+// While something expensive is made, time between checks whether it is still wanted; less if work came.
 constexpr std::chrono::milliseconds kCheckInterval{5};
+constexpr std::chrono::milliseconds kMinCheckInterval{1};
 
 // Maximum number of jobs begun and ended under one lock: for that many a lock costs little, and few wait for
 // long.
@@ -79,7 +80,7 @@ std::size_t GenerationPool::add(const Waiter& waiter, std::span<const ChunkKey> 
       parts_.metrics.jobs_refused.add(keys.size() - accepted);
       if (accepted == 0 && !queue_.waits(mailbox->owner())) refused_.remember(mailbox);
     }
-    if (accepted > 0) recent_flows_.asked(mailbox->flow(), parts_.clock.now());
+    if (accepted > 0) note_arrival(mailbox->flow());
     job_bytes = job_bytes_change();
   }
   parts_.memory.add(MemoryUse::jobs, job_bytes);
@@ -118,7 +119,7 @@ void GenerationPool::cancel(ClientId client, std::span<const ChunkKey> keys) {
 void GenerationPool::add(HeightsTask task) {
   {
     const std::lock_guard lock{mutex_};
-    recent_flows_.asked(task.mailbox()->flow(), parts_.clock.now());
+    note_arrival(task.mailbox()->flow());
     queue_.add(std::move(task));
   }
   work_waits_.notify_one();
@@ -337,7 +338,10 @@ ChunkAnswer GenerationPool::with_edits(ChunkKey key, const ChunkAnswer& base) co
 void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
-  const AskAfterStep after_step = after_step_of(work, {}, [&] { return queue_.is_wanted(task); });
+  // What is expensive gives way to whatever is cheap, also when it was just taken again.
+  const std::chrono::nanoseconds spent =
+      task.tile() || task.is_begun() ? kLongestPiece : std::chrono::milliseconds{};
+  const AskAfterStep after_step = after_step_of(work, spent, [&] { return queue_.is_wanted(task); });
   std::optional<GenerationError> failure;
   const std::size_t left = task.left();
   do {
@@ -362,18 +366,20 @@ void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, Measure
 AskAfterStep GenerationPool::after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
                                            std::function<bool()> is_wanted) {
   return [this, &work, spent, is_wanted = std::move(is_wanted), began = parts_.clock.thread_cpu(),
-          next = parts_.clock.now() + kCheckInterval,
+          checked = parts_.clock.now(), arrivals = arrivals_.load(),
           piece = std::chrono::nanoseconds{kLongestPiece}]() mutable {
     if (stopping_) return AfterStep::give_up;
     const auto now = parts_.clock.now();
-    if (now < next) return AfterStep::go_on;
-    next = now + kCheckInterval;
+    const bool came = arrivals_.load(std::memory_order_relaxed) != arrivals;
+    if (now < checked + (came ? kMinCheckInterval : kCheckInterval)) return AfterStep::go_on;
+    checked = now;
     const std::chrono::nanoseconds took = parts_.clock.thread_cpu() - began;
     const bool long_enough = took >= piece;
     const std::lock_guard lock{mutex_};
     if (!is_wanted()) return AfterStep::give_up;
-    if (!long_enough) return AfterStep::go_on;
-    piece += kLongestPiece;  // checking all waiting clients costs time
+    if (!came && !long_enough) return AfterStep::go_on;
+    arrivals = arrivals_;
+    if (long_enough) piece += kLongestPiece;  // checking all waiting clients costs time
     const auto all = static_cast<std::uint64_t>((spent + took).count());
     return queue_.should_give_way(work.turn, all, costs()) ? AfterStep::pause : AfterStep::go_on;
   };
@@ -395,7 +401,15 @@ WorkCosts GenerationPool::costs() const {
   // A flow gets all threads only while no other asks: the next flow that asks should find one.
   const bool keep_one = recent_flows_.several(parts_.clock.now()) && settings_.threads > 1;
   costs.max_in_flight = keep_one ? settings_.threads - 1 : settings_.threads;
+  // Each piece in flight can be put back, unless memory is so short that a thread would have nothing to do.
+  costs.max_open = std::max(costs.max_begun, settings_.threads);
+  costs.max_open_of_flow = std::max(costs.max_begun_of_flow, costs.max_in_flight);
   return costs;
+}
+
+void GenerationPool::note_arrival(FlowId flow) {
+  recent_flows_.asked(flow, parts_.clock.now());
+  ++arrivals_;
 }
 
 std::ptrdiff_t GenerationPool::begun_change() {

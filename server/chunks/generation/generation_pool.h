@@ -105,11 +105,12 @@ class GenerationPool {
 
   /// Returns what a piece of work asks after each step: the piece is given up if the pool stops or
   /// is_wanted(), which is called under the mutex, returns false; it yields to other clients' cheaper work
-  /// after kLongestPiece. `spent`: time before this piece.
+  /// when that comes, or after kLongestPiece. `spent`: time before this piece.
   [[nodiscard]] AskAfterStep after_step_of(const WorkQueue::Work& work, std::chrono::nanoseconds spent,
                                            std::function<bool()> is_wanted);
 
   // Called under the mutex.
+  void note_arrival(FlowId flow);
   /// Puts back what is not done, or ends it.
   void put_back(WorkQueue::Work& work);
   /// Waiters for chunks of the batch that are not finished get no answer: their mailboxes record it.
@@ -136,10 +137,11 @@ class GenerationPool {
   CostModel measured_costs_;
   RecentFlows recent_flows_;
   RefusedClients refused_;
-  std::size_t jobs_told_ = 0;          // as the budget knows it
-  std::atomic<std::size_t> jobs_{0};   // as the budget knows it
-  std::size_t begun_told_ = 0;         // as the budget knows it
-  std::atomic<bool> stopping_{false};  // changes under the mutex
+  std::size_t jobs_told_ = 0;               // as the budget knows it
+  std::atomic<std::size_t> jobs_{0};        // as the budget knows it
+  std::size_t begun_told_ = 0;              // as the budget knows it
+  std::atomic<bool> stopping_{false};       // changes under the mutex
+  std::atomic<std::uint64_t> arrivals_{0};  // submissions so far; changes under the mutex
 
   std::vector<std::thread> threads_;
 };

@@ -19,6 +19,8 @@ struct WorkCosts {
   std::size_t max_in_flight = SIZE_MAX;              // maximum number of pieces of one flow
   std::size_t max_begun = SIZE_MAX;                  // maximum number of pieces that yielded, of all flows
   std::size_t max_begun_of_flow = SIZE_MAX;          // the same for one flow
+  std::size_t max_open = SIZE_MAX;  // maximum number of expensive pieces that yielded or are in flight
+  std::size_t max_open_of_flow = SIZE_MAX;  // the same for one flow
 };
 
 }  // namespace talus::server

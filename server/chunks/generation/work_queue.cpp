@@ -13,10 +13,13 @@ struct Overloaded : Calls... {
 template <typename... Calls>
 Overloaded(Calls...) -> Overloaded<Calls...>;
 
-/// Work wanted soon has this share of the generators, work wanted later has 1.
-constexpr double kShareOfSoon = 3;
-/// In quanta, divided by the share: the most that work wanted soon, or later, saves up while there is none.
-constexpr double kUrgencySaved = 64 / kShareOfSoon;
+/// How work of that urgency enters the turns.
+FairEntry entry_of(Urgency urgency) {
+  return {.offset = urgency == Urgency::soon ? -double{WorkQueue::kPatchesAhead} : 0};
+}
+
+/// Maximum number of clients that one take() crowds out: it asks the others again at the next.
+constexpr std::size_t kCrowdedOutAtOnce = 16;
 
 auto waiter_of(std::vector<Waiter>& waiters, ClientId client) {
   return std::find_if(waiters.begin(), waiters.end(),
@@ -27,7 +30,7 @@ auto waiter_of(std::vector<Waiter>& waiters, ClientId client) {
 
 WorkQueue::WorkQueue(int patch_tiles, std::size_t max_jobs, std::size_t own_jobs)
     : patch_tiles_{patch_tiles}, max_jobs_{max_jobs}, own_jobs_{own_jobs} {
-  turns_.set_share(kShareOfSoon, Urgency::soon);
+  to_crowd_out_.reserve(kCrowdedOutAtOnce);
 }
 
 bool WorkQueue::may_add(const Mailbox& mailbox) const {
@@ -155,7 +158,7 @@ void WorkQueue::hasten(ClientId client, ChunkKey key) {
 void WorkQueue::hasten(Client& client, ClientId id, const PatchKey& patch) {
   const auto jobs = client.jobs.find(patch);
   if (jobs == client.jobs.end() || jobs->second.urgency == Urgency::soon) return;
-  turns_.enter({}, Urgency::soon, client.flow, id);
+  turns_.enter(entry_of(Urgency::soon), client.flow, id, Urgency::soon);
   client.order[Urgency::soon].push_back(patch);
   std::deque<PatchKey>& later = client.order[Urgency::later];
   later.erase(std::find(later.begin(), later.end(), patch));
@@ -294,28 +297,60 @@ void WorkQueue::count_begun(FlowId flow, bool more) {
 }
 
 std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
-  const auto quantum = static_cast<double>(std::min(costs.patch, costs.longest_piece));
-  turns_.set_rules({FairRule{.saved = kUrgencySaved * quantum}, FairRule{.lead = quantum}, FairRule{}});
-  const auto next = turns_.next(
-      Overloaded{[&](Urgency /*urgency*/, FlowId flow) {
-                   return of(flow).in_flight < costs.max_in_flight ? FairState::ready : FairState::blocked;
-                 },
-                 [&](Urgency urgency, FlowId /*flow*/, ClientId id) { return readiness(id, urgency); }});
+  patch_cost_ = static_cast<double>(std::min(costs.patch, costs.longest_piece));
+  to_crowd_out_.clear();
+  let_one_in(costs);
+  const auto next = turns_.next(Overloaded{
+      [&](FlowId flow) {
+        return of(flow).in_flight < costs.max_in_flight ? FairState::ready : FairState::blocked;
+      },
+      [&](FlowId flow, ClientId id, Urgency urgency) { return readiness(flow, id, urgency, costs); }});
+  crowd_out();
   if (!next) {
-    if (turns_.empty()) turns_.clear();  // no client waits, so none is owed anything
+    if (turns_.empty() && crowded_out_.empty()) turns_.clear();  // no client waits, so none is owed anything
     return std::nullopt;
   }
-  const auto [urgency, flow, client] = *next;
+  const auto [flow, client, urgency] = *next;
   Work work = take_of({flow, client, urgency}, costs);
-  turns_.reserve(static_cast<double>(work.price), urgency, flow, client);
+  turns_.reserve(work.price, flow, client, urgency);
   return work;
+}
+
+void WorkQueue::let_one_in(const WorkCosts& costs) {
+  if (crowded_out_.empty()) return;
+  const auto next = crowded_out_.next(
+      Overloaded{[&](FlowId flow) {
+                   const bool opens = of(flow).in_flight < costs.max_in_flight && may_open(flow, costs);
+                   return opens ? FairState::ready : FairState::blocked;
+                 },
+                 [&](FlowId /*flow*/, ClientId id) {
+                   const auto client = clients_.find(id);
+                   const bool wants = client != clients_.end() && client->second.wants(Urgency::later);
+                   return wants ? FairState::ready : FairState::idle;
+                 }});
+  if (!next) return;
+  const auto [flow, client] = *next;
+  turns_.enter(entry_of(Urgency::later), flow, client, Urgency::later);
+  crowded_out_.charge(1, flow, client);
+  crowded_out_.leave(flow, client);
+}
+
+void WorkQueue::crowd_out() {
+  for (const auto& [flow, client] : to_crowd_out_) {
+    crowded_out_.enter({}, flow, client);
+    turns_.leave(flow, client, Urgency::later);
+  }
 }
 
 void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
   const auto [flow, id, urgency] = work.turn;
-  turns_.reserve(-static_cast<double>(work.price), urgency, flow, id);
-  turns_.charge(static_cast<double>(cost), urgency, flow, id);
+  turns_.reserve(-work.price, flow, id, urgency);
+  turns_.charge(static_cast<double>(cost) / patch_cost_, flow, id, urgency);
   --flows_.at(flow).in_flight;
+  if (work.is_expensive) {
+    --flows_.at(flow).expensive_in_flight;
+    --expensive_in_flight_;
+  }
   drop_if_unused(flow);
   const auto client = clients_.find(id);
   --client->second.in_flight;
@@ -327,13 +362,20 @@ void WorkQueue::reconcile(const Work& work, std::uint64_t cost) {
 
 WorkQueue::Work WorkQueue::take_of(const Turn& turn, const WorkCosts& costs) {
   Client& client = clients_.at(turn.client);
-  const auto patch = free_patch(client, turn.urgency);
-  const bool heights =
-      turn.urgency == Urgency::later && !client.heights.empty() && (client.heights_next || !patch);
+  const bool opens = turn.urgency == Urgency::soon || may_open(turn.flow, costs);
+  const auto patch = free_patch(client, turn.urgency, opens, costs);
+  const bool heights = turn.urgency == Urgency::later && heights_may_begin(client, opens, costs) &&
+                       (client.heights_next || !patch);
+  const bool expensive = heights ? is_expensive(client.heights.front(), costs) : is_expensive(*patch, costs);
   // This keeps the client and its flow, also if it takes their last work.
   Flow& flow = flows_[turn.flow];
   ++flow.in_flight;
   ++client.in_flight;
+  const auto count = [&] {  // nothing throws any more
+    if (!expensive) return;
+    ++flow.expensive_in_flight;
+    ++expensive_in_flight_;
+  };
   try {
     if (heights) {
       client.taken_heights.push_back(client.heights.front().ticket());
@@ -342,14 +384,16 @@ WorkQueue::Work WorkQueue::take_of(const Turn& turn, const WorkCosts& costs) {
       client.heights_next = false;
       if (task.is_begun()) count_begun(turn.flow, false);
       const std::uint64_t price = std::min(costs.height * task.left(), costs.longest_piece);
-      return {std::move(task), turn, price, client.flow_use};
+      count();
+      return {std::move(task), turn, static_cast<double>(price) / patch_cost_, expensive, client.flow_use};
     }
     Batch batch = take_patch(*patch, turn.client);
     client.heights_next = true;
     const bool in_memory = costs.in_memory && costs.in_memory(batch.patch);
     const std::uint64_t price =
         (in_memory ? 0 : std::min(costs.patch, costs.longest_piece)) + costs.chunk * batch.keys.size();
-    return {std::move(batch), turn, price, client.flow_use};
+    count();
+    return {std::move(batch), turn, static_cast<double>(price) / patch_cost_, expensive, client.flow_use};
   } catch (...) {
     --client.in_flight;
     --flow.in_flight;
@@ -358,30 +402,63 @@ WorkQueue::Work WorkQueue::take_of(const Turn& turn, const WorkCosts& costs) {
   }
 }
 
-std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency) const {
+bool WorkQueue::may_open(FlowId flow, const WorkCosts& costs) const {
+  const Flow& its = of(flow);
+  return begun_ + expensive_in_flight_ < costs.max_open &&
+         its.begun + its.expensive_in_flight < costs.max_open_of_flow;
+}
+
+bool WorkQueue::is_expensive(const HeightsTask& task, const WorkCosts& costs) {
+  return task.is_begun() || task.tile() || costs.height * task.left() > costs.longest_piece;
+}
+
+bool WorkQueue::is_expensive(const PatchKey& patch, const WorkCosts& costs) const {
+  if (patches_.at(patch).begun != nullptr) return true;
+  return costs.patch > costs.longest_piece && !(costs.in_memory && costs.in_memory(patch));
+}
+
+bool WorkQueue::heights_may_begin(const Client& client, bool opens, const WorkCosts& costs) {
+  if (client.heights.empty()) return false;
+  const HeightsTask& task = client.heights.front();
+  return opens || task.is_begun() || !is_expensive(task, costs);
+}
+
+std::optional<PatchKey> WorkQueue::free_patch(const Client& client, Urgency urgency, bool opens,
+                                              const WorkCosts& costs) const {
   for (const PatchKey& patch : client.order[urgency]) {
-    if (!patches_.at(patch).is_taken) return patch;
+    const PatchWork& work = patches_.at(patch);
+    if (work.is_taken) continue;
+    if (opens || work.begun != nullptr || !is_expensive(patch, costs)) return patch;
   }
   return std::nullopt;
 }
 
-FairState WorkQueue::readiness(ClientId id, Urgency urgency) const {
+FairState WorkQueue::readiness(FlowId flow, ClientId id, Urgency urgency, const WorkCosts& costs) {
   const auto found = clients_.find(id);
   if (found == clients_.end()) return FairState::idle;
   const Client& client = found->second;
-  if (can_begin(client, urgency)) return FairState::ready;
+  const bool opens = urgency == Urgency::soon || may_open(flow, costs);
+  if (can_begin(client, urgency, opens, costs)) return FairState::ready;
+  if (!opens && to_crowd_out_.size() < kCrowdedOutAtOnce && can_begin(client, urgency, true, costs)) {
+    to_crowd_out_.emplace_back(flow, id);
+  }
   return client.wants(urgency) || client.in_flight > 0 ? FairState::blocked : FairState::idle;
 }
 
-bool WorkQueue::can_begin(const Client& client, Urgency urgency) const {
-  return (urgency == Urgency::later && !client.heights.empty()) || free_patch(client, urgency);
+bool WorkQueue::can_begin(const Client& client, Urgency urgency, bool opens, const WorkCosts& costs) const {
+  return (urgency == Urgency::later && heights_may_begin(client, opens, costs)) ||
+         free_patch(client, urgency, opens, costs);
 }
 
 bool WorkQueue::can_begin_for_less(const Client& client, std::uint64_t max_cost,
                                    const WorkCosts& costs) const {
-  if (!client.heights.empty() && costs.height * client.heights.front().left() < max_cost) return true;
+  if (of(client.flow).in_flight >= costs.max_in_flight) return false;
+  if (!client.heights.empty()) {
+    const HeightsTask& task = client.heights.front();
+    if (!task.tile() && costs.height * task.left() < max_cost) return true;
+  }
   for (const Urgency urgency : {Urgency::soon, Urgency::later}) {
-    const auto patch = free_patch(client, urgency);
+    const auto patch = free_patch(client, urgency, true, costs);
     if (!patch) continue;
     if (costs.patch < max_cost || (costs.in_memory && costs.in_memory(*patch))) return true;
   }
@@ -461,7 +538,7 @@ void WorkQueue::release(const PatchKey& patch) {
 }
 
 WorkQueue::Client& WorkQueue::enter(const Mailbox& mailbox, Urgency urgency) {
-  turns_.enter({}, urgency, mailbox.flow(), mailbox.owner());
+  turns_.enter(entry_of(urgency), mailbox.flow(), mailbox.owner(), urgency);
   Client& client = clients_[mailbox.owner()];
   client.flow = mailbox.flow();
   client.flow_use = mailbox.flow_use();
@@ -492,7 +569,9 @@ void WorkQueue::leave(ClientId client, const PatchKey& patch) {
 }
 
 void WorkQueue::drop_if_done(Clients::iterator client) {
-  if (client->second.idle() && client->second.in_flight == 0) clients_.erase(client);
+  if (!client->second.idle() || client->second.in_flight > 0) return;
+  crowded_out_.leave(client->second.flow, client->first);
+  clients_.erase(client);
 }
 
 WorkQueue::Batch WorkQueue::take_patch(const PatchKey& patch, ClientId client) {

@@ -3,13 +3,18 @@
 // A job is one chunk, however many clients wait for it; it is dropped with its last waiter. Jobs lie with
 // their patch, which is worked on by one thread at a time: most are asked for, taken and ended together.
 //
-// Work wanted soon and work wanted later, flows, and within a flow its clients share by a FairQueue. A flow
-// that had no work goes first for the cost of a new patch. A client's pieces are its patches, in the order in
-// which it asked, alternating with its heights. Other clients that wait for chunks of the patch get them with
-// it at no cost: a job is done in the turn of the waiter whose turn comes first.
+// Flows share by a FairQueue, and so do the clients within a flow, and for each client its work wanted soon
+// and later. Two kinds of work go before other work until their flow is ahead of its share by kPatchesAhead
+// new patches: work of a flow that had none, and work wanted soon. So a player who takes a step, joins or
+// jumps does not wait for the far land of others, and a flow that jumps without end has no more in all than
+// the others. A client's pieces are its patches, in the order in which it asked, alternating with its
+// heights. Other clients that wait for chunks of the patch get them with it at no cost: a job is done in the
+// turn of the waiter whose turn comes first.
 //
 // An expensive piece yields midway: it comes back as it is, and any turn of a client that waits for it
-// continues it.
+// continues it. What is put back holds memory, so it has a limit, of each flow and in all. Expensive work
+// wanted later is not begun while it could not be put back: its client waits in a queue of its own until
+// another piece is done.
 //
 // The queue is shared by dynamic thresholds (Choudhury and Hahne, 1998): a flow may have as many jobs as
 // there is room left, and a client as many as its flow has room then. So two flows take a third of the queue
@@ -23,6 +28,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,10 +59,14 @@ class WorkQueue {
   };
   struct Work {
     std::variant<Batch, HeightsTask> what;
-    Turn turn;                // in which it was taken
-    std::uint64_t price = 0;  // reserved for it in that turn
-    FlowUsePtr flow_use{};    // gets the cost
+    Turn turn;                  // in which it was taken
+    double price = 0;           // reserved for it in that turn, in new patches
+    bool is_expensive = false;  // may be put back
+    FlowUsePtr flow_use{};      // gets the cost
   };
+
+  /// The 27 chunks around a player lie over at most four patches, all chunks of a small View over nine.
+  static constexpr int kPatchesAhead = 16;
 
   /// Holds at most `max_jobs` jobs, except that a client that waits for fewer than `own_jobs` of an urgency
   /// may ask for any number of that at once: so a client that waits for nothing is not refused.
@@ -186,6 +196,7 @@ class WorkQueue {
     std::size_t jobs = 0;
     std::size_t in_flight = 0;  // pieces
     std::size_t begun = 0;
+    std::size_t expensive_in_flight = 0;  // pieces
   };
 
   /// `waiting`: the chunk's job, if there is one and no thread has taken it.
@@ -197,13 +208,26 @@ class WorkQueue {
   /// The client waits for one job less of the patch.
   void leave(ClientId client, const PatchKey& patch);
   void drop_if_done(Clients::iterator client);
-  [[nodiscard]] FairState readiness(ClientId id, Urgency urgency) const;
-  [[nodiscard]] bool can_begin(const Client& client, Urgency urgency) const;
+  /// If the client waits because no expensive piece may be begun, adds it to to_crowd_out_ if there is room.
+  [[nodiscard]] FairState readiness(FlowId flow, ClientId id, Urgency urgency, const WorkCosts& costs);
+  /// Returns true if an expensive piece of the flow that is wanted later may be begun.
+  [[nodiscard]] bool may_open(FlowId flow, const WorkCosts& costs) const;
+  [[nodiscard]] static bool is_expensive(const HeightsTask& task, const WorkCosts& costs);
+  [[nodiscard]] bool is_expensive(const PatchKey& patch, const WorkCosts& costs) const;
+  /// `opens`: an expensive piece may be begun.
+  [[nodiscard]] bool can_begin(const Client& client, Urgency urgency, bool opens,
+                               const WorkCosts& costs) const;
   /// Returns true if the client could begin something that is likely to cost less than `max_cost`.
   [[nodiscard]] bool can_begin_for_less(const Client& client, std::uint64_t max_cost,
                                         const WorkCosts& costs) const;
+  /// Returns true if the client's first heights may be taken.
+  [[nodiscard]] static bool heights_may_begin(const Client& client, bool opens, const WorkCosts& costs);
   /// Returns the first patch of that urgency on which a thread may work for the client.
-  [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency) const;
+  [[nodiscard]] std::optional<PatchKey> free_patch(const Client& client, Urgency urgency, bool opens,
+                                                   const WorkCosts& costs) const;
+  /// Lets a client that was crowded out come back if an expensive piece of its flow may be begun.
+  void let_one_in(const WorkCosts& costs);
+  void crowd_out();
   void count_begun(FlowId flow, bool more);
   /// Lets all waiters for jobs of `work` that were taken wait for the patch again, without counting them.
   void enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency);
@@ -230,9 +254,15 @@ class WorkQueue {
   std::size_t begun_ = 0;
   BegunPatchPtr dropped_{};
   Patches patches_;
-  Clients clients_;                         // with something waiting or in flight
-  std::unordered_map<FlowId, Flow> flows_;  // with jobs, pieces in flight, or something begun
-  FairQueue<Classes<Urgency, 2>, FlowId, ClientId> turns_;
+  Clients clients_;                            // with something waiting or in flight
+  std::unordered_map<FlowId, Flow> flows_;     // with jobs, pieces in flight, or something begun
+  static constexpr unsigned kShareOfSoon = 3;  // for each client; work wanted later has 1
+  FairQueue<FlowId, ClientId, Classes<Urgency, 2, kShareOfSoon>> turns_{
+      {FairRule{.lead = kPatchesAhead}, FairRule{}, FairRule{}}};
+  double patch_cost_ = 1;  // unit of the turns' costs: of a new patch, or of the longest piece
+  std::size_t expensive_in_flight_ = 0;
+  FairQueue<FlowId, ClientId> crowded_out_;  // clients whose work wanted later may not be begun yet
+  std::vector<std::pair<FlowId, ClientId>> to_crowd_out_;  // while take() looks for a piece
 };
 
 }  // namespace talus::server

@@ -13,14 +13,15 @@
 
 namespace talus::server {
 
-/// A level of the enumerators 0 to Count - 1. They live in the queue itself, so entering one allocates
-/// nothing. Of two that could go next, the lower goes.
-template <typename Enum, std::size_t Count>
+/// A level of the enumerators 0 to Count - 1. They live in the level itself, so entering one allocates
+/// nothing. Of two that could go next, the lower goes. The first has `FirstShare`, the others 1.
+template <typename Enum, std::size_t Count, unsigned FirstShare = 1>
 struct Classes {};
 
 struct FairEntry {
   /// Is added to the clock for the order alone, divided by the share. The cost of the piece, if it is known:
-  /// small pieces then go before large ones. Negative: the cost by which this work may be ahead of its share.
+  /// small pieces then go before large ones. Negative: the cost by which this work may be ahead of its share;
+  /// while it waits, the levels above it may be ahead by the same cost.
   double offset = 0;
 };
 
@@ -61,10 +62,11 @@ struct FairIds {
   template <typename Entrant>
   using Order = std::vector<Entrant*>;
 };
-template <typename Enum, std::size_t Count>
-struct FairIds<Classes<Enum, Count>> {
+template <typename Enum, std::size_t Count, unsigned FirstShare>
+struct FairIds<Classes<Enum, Count, FirstShare>> {
   using Id = Enum;
   static constexpr bool kClasses = true;
+  static constexpr unsigned kFirstShare = FirstShare;
   template <typename Entrant>
   using Entrants = std::array<Entrant, Count>;
   template <typename Entrant>
@@ -110,7 +112,9 @@ class FairLevel<Level, Below...> {
   using Id = FairId<Level>;
   using Path = std::tuple<Id, FairId<Below>...>;
 
-  FairLevel() = default;
+  FairLevel() {
+    if constexpr (FairIds<Level>::kClasses) known_[0].share = FairIds<Level>::kFirstShare;
+  }
   FairLevel(const FairLevel&) = delete;  // order_ points into known_
   FairLevel& operator=(const FairLevel&) = delete;
   ~FairLevel() = default;
@@ -160,7 +164,7 @@ class FairLevel<Level, Below...> {
       if (may_ask_below(ready, above..., first.id)) {
         if (const auto below = first.below.next(rules + 1, ready, above..., first.id)) {
           path = std::tuple_cat(std::tuple{first.id}, *below);
-          advance(first.clock - first.ahead());
+          advance(first.clock - first.ahead() + std::min(0.0, first.offset()));
           break;
         }
       }
@@ -193,8 +197,18 @@ class FairLevel<Level, Below...> {
   }
 
   [[nodiscard]] bool empty() const { return order_.size() == 0; }
-  /// Returns the offset of the entry that goes next.
-  [[nodiscard]] double offset() const { return empty() ? 0 : order_[0]->below.offset(); }
+  /// Returns the offset of the entry that goes next; of classes the least, so that one that is ahead of its
+  /// class does not hold the level back.
+  [[nodiscard]] double offset() const {
+    if (empty()) return 0;
+    double least = order_[0]->below.offset();
+    if constexpr (FairIds<Level>::kClasses) {
+      for (std::size_t place = 1; place < order_.size(); ++place) {
+        least = std::min(least, order_[place]->below.offset());
+      }
+    }
+    return least;
+  }
 
   void clear() noexcept {
     if constexpr (FairIds<Level>::kClasses) {
@@ -223,6 +237,7 @@ class FairLevel<Level, Below...> {
     Id id{};
     /// Returns by how much it goes before its clock.
     [[nodiscard]] double ahead() const { return clock < ahead_until ? lead : 0; }
+    [[nodiscard]] double offset() const { return below.offset() / share; }
     double order = 0;  // the least goes first; of equal ones the one with the least `entry`
     double clock = 0;
     double share = 1;
@@ -290,7 +305,7 @@ class FairLevel<Level, Below...> {
   }
 
   [[nodiscard]] static double order_of(const Entrant& entrant) {
-    return entrant.clock - entrant.ahead() + entrant.below.offset() / entrant.share;
+    return entrant.clock - entrant.ahead() + entrant.offset();
   }
   void set_order(Entrant& entrant) {
     entrant.order = order_of(entrant);
