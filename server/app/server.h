@@ -37,7 +37,7 @@
 #include "net/handshaker.h"
 #include "net/io_pool.h"
 #include "net/registry.h"
-#include "net/session_runner.h"
+#include "net/runner_context.h"
 #include "net/tls_context.h"
 #include "player/session/world_info.h"
 #include "runtime/clock.h"

@@ -21,7 +21,7 @@
 #include "net/admission.h"
 #include "net/departures.h"
 #include "net/handshaker.h"
-#include "net/session_runner.h"
+#include "net/runner_context.h"
 #include "player/session/session_limits.h"
 #include "runtime/clock.h"
 #include "web/web_context.h"

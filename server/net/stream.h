@@ -21,7 +21,7 @@ concept Stream = std::movable<S> &&
              void (*done)(std::error_code, std::size_t)) {
   typename S::executor_type;
   { stream.get_executor() } -> std::same_as<typename S::executor_type>;
-  // Ends with asio::error::eof if the peer has ended cleanly.
+  // Ends with asio::error::eof if the peer sends no more and may still read.
   stream.async_read_some(in, done);
   stream.async_write_some(out, done);
   // Sends the protocol's end of stream, if it has one. Call shutdown() after it.
@@ -30,6 +30,8 @@ concept Stream = std::movable<S> &&
   stream.shutdown();
   // Operations in flight end with an error.
   stream.close();
+  // True if the peer has reset the connection, even if unread bytes remain.
+  { stream.peer_reset() } -> std::same_as<bool>;
   // Number of times a write had to wait for the transport since the stream began. For streams whose
   // async_write_some takes only a part of the bytes although the transport would take all.
   { seen.write_waits() } -> std::same_as<std::size_t>;

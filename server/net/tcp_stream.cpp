@@ -2,7 +2,6 @@
 
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <poll.h>
 #include <sys/socket.h>
 
 #include "net/stream.h"
@@ -24,9 +23,9 @@ std::size_t TcpStream::write_now(asio::const_buffer from) {
   return sent < 0 ? 0 : static_cast<std::size_t>(sent);
 }
 
-bool TcpStream::peer_hung_up() {
-  pollfd peer{socket_.native_handle(), POLLRDHUP, 0};
-  return ::poll(&peer, 1, 0) > 0 && (peer.revents & (POLLRDHUP | POLLHUP | POLLERR | POLLNVAL)) != 0;
+bool TcpStream::peer_has(short events) {
+  pollfd peer{socket_.native_handle(), events, 0};
+  return ::poll(&peer, 1, 0) > 0;
 }
 
 }  // namespace talus::server

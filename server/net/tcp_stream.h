@@ -1,6 +1,8 @@
 // A Stream over TCP: bytes without framing.
 #pragma once
 
+#include <poll.h>
+
 #include <cstddef>
 #include <utility>
 
@@ -41,7 +43,8 @@ class TcpStream {
   [[nodiscard]] std::size_t write_now(asio::const_buffer from);
 
   /// Returns true if the peer will send nothing more, even if unread bytes remain before its end.
-  [[nodiscard]] bool peer_hung_up();
+  [[nodiscard]] bool peer_hung_up() { return peer_has(POLLRDHUP); }
+  [[nodiscard]] bool peer_reset() { return peer_has(0); }
 
   [[nodiscard]] asio::awaitable<void> say_end() { co_return; }
   void shutdown() {
@@ -55,6 +58,9 @@ class TcpStream {
   [[nodiscard]] std::size_t write_waits() const { return 0; }
 
  private:
+  /// Returns true after `events` of poll(2) or an error.
+  [[nodiscard]] bool peer_has(short events);
+
   asio::ip::tcp::socket socket_;
 };
 

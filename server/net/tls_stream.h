@@ -61,6 +61,7 @@ class TlsStream {
   }
 
   [[nodiscard]] bool peer_hung_up() { return stream_.peer_hung_up(); }
+  [[nodiscard]] bool peer_reset() { return stream_.peer_reset(); }
 
   [[nodiscard]] asio::awaitable<void> say_end();
   void shutdown() { stream_.shutdown(); }

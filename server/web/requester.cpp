@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "net/timed_event.h"
 #include "player/session/retry_after.h"
 #include "web/documents.h"
 #include "web/forwarded_for.h"
@@ -86,7 +85,7 @@ Clock::time_point Requester::next_chunk(Clock::time_point now) {
 }
 
 asio::awaitable<Answer> Requester::wait_for_rates(asio::any_io_executor executor) {
-  TimedEvent event{executor, shared_.clock};
+  throttle_.emplace(executor, shared_.clock);
   const auto until = shared_.clock.now() + kMaxThrottle;
   for (;;) {
     if (!caller_) co_return fetch_failed(FetchError::gone, shared_.memory);
@@ -94,7 +93,7 @@ asio::awaitable<Answer> Requester::wait_for_rates(asio::any_io_executor executor
     const Clock::time_point due = next_chunk(now);
     if (due <= now) break;
     if (due > until) co_return over_rate(due - now);
-    co_await event.wait_until(due);
+    co_await throttle_->wait_until(due);
   }
   co_return std::nullopt;
 }
@@ -127,6 +126,7 @@ void Requester::end() {
 void Requester::leave() {
   if (caller_) caller_->rates.give_back();
   caller_.reset();
+  if (throttle_) throttle_->notify();
 }
 
 bool Requester::blocked() const {

@@ -16,6 +16,7 @@
 #include "net/admission.h"
 #include "net/http/request.h"
 #include "net/http/response.h"
+#include "net/timed_event.h"
 #include "runtime/clock.h"
 #include "web/cache_fields.h"
 #include "web/error_answers.h"
@@ -89,6 +90,7 @@ class Requester {
   const SessionContext& shared_;
   const ConnectionInfo connection_;
   std::optional<Caller> caller_;
+  std::optional<TimedEvent> throttle_;         // of the last wait_for_rates()
   std::optional<Admission::Slot> proxy_slot_;  // for a connection whose requests name their clients
 };
 

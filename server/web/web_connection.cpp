@@ -9,16 +9,12 @@
 #include <asio/post.hpp>
 
 #include "net/http/connection.h"
-#include "net/session_runner_impl.h"
+#include "net/runner_context.h"
+#include "net/session_stream.h"
 #include "net/websocket/stream.h"
 #include "web/player_handler.h"
 
-namespace talus::server {
-
-template class SessionRunner<websocket::WebSocketStream<TcpStream>>;
-template class SessionRunner<websocket::WebSocketStream<TlsStream>>;
-
-namespace web {
+namespace talus::server::web {
 namespace {
 
 /// The registry's peer for an HTTP connection.
@@ -67,16 +63,8 @@ void become_session(S stream, std::span<const std::byte> unread, PlayerHandler& 
   runner_context->session.metrics.web_open.fall();
   ConnectionInfo info = handler.requester().session_info();
   info.accepted = runner_context->session.clock.now();  // the time-out for Hello begins here
-  const ConnectionId id = info.id;
-  const auto runner = SessionRunner<WebSocket>::make(WebSocket{std::move(stream), unread}, std::move(info),
-                                                     handler.requester().take_slot(), runner_context);
-  try {
-    runner_context->registry.add(id, runner);
-    runner->start();
-  } catch (...) {
-    runner_context->registry.remove(id);
-    throw;
-  }
+  start_session(std::make_unique<SessionStreamOf<WebSocket>>(WebSocket{std::move(stream), unread}),
+                std::move(info), handler.requester().take_slot(), runner_context);
 }
 
 template <Stream S>
@@ -126,5 +114,4 @@ void start_connection(AcceptedConnection accepted, const WebContextPtr& context)
       accepted.stream);
 }
 
-}  // namespace web
-}  // namespace talus::server
+}  // namespace talus::server::web

@@ -11,7 +11,7 @@
 #include "config/networks.h"
 #include "net/admission.h"
 #include "net/http/service.h"
-#include "net/session_runner.h"
+#include "net/runner_context.h"
 #include "web/recent_revisions.h"
 #include "web/site.h"
 #include "web/world_document.h"

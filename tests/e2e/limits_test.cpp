@@ -11,6 +11,7 @@
 #include "messages.h"
 #include "raw_client.h"
 #include "server_process.h"
+#include "worked_for.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -111,6 +112,21 @@ TEST_CASE("requests over the limit are refused by their ids, the others answered
     }
   }
   CHECK(chunks == 3);
+}
+
+TEST_CASE("a client that is gone while its reading is paused is worked for no longer") {
+  ServerProcess server{kDearColumns, {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  std::vector<RawClient> clients;
+  for (std::uint32_t client = 0; client < kDearClients; ++client) {
+    clients.push_back(greeted(server.port()));
+    for (std::uint32_t id = 1; id <= kDearRequests; ++id) {
+      REQUIRE(clients.back().send(get_heights(id, far_columns(client * kDearRequests + id))));
+    }
+  }
+  await_pauses(admin);
+  for (RawClient& each : clients) each.reset();
+  check_given_up(admin);
 }
 
 TEST_CASE("heights over the limit are refused") {

@@ -101,6 +101,12 @@ void RawClient::close() {
   if (socket_ >= 0) ::close(std::exchange(socket_, -1));
 }
 
+void RawClient::reset() {
+  const linger at_once{1, 0};
+  ::setsockopt(socket_, SOL_SOCKET, SO_LINGER, &at_once, sizeof(at_once));
+  close();
+}
+
 bool RawClient::send(std::span<const std::byte> bytes) {
   if (!websocket_) return send_raw(bytes);
   return send_raw(std::exchange(unsent_, {})) && send_raw(wrapped(bytes));

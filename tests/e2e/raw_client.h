@@ -82,6 +82,8 @@ class RawClient {
   /// Sends no more, and still reads.
   void end_sending();
   void close();
+  /// Closes with a RST.
+  void reset();
 
  private:
   void open_websocket();

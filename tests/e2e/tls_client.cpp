@@ -41,6 +41,11 @@ std::optional<ReceivedFrame> TlsClient::receive() {
   return received;
 }
 
+void TlsClient::reset() {
+  socket_.set_option(asio::socket_base::linger{true, 0});
+  socket_.close();
+}
+
 void TlsClient::await_close() {
   std::array<char, 4096> buffer{};
   std::error_code closed;

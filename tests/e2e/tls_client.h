@@ -37,6 +37,8 @@ class TlsClient {
   }
   /// How the server ended TLS: asio::error::eof where it said so.
   [[nodiscard]] const std::error_code& ended() const { return ended_; }
+  /// Closes with a RST.
+  void reset();
   /// Waits until the server has closed the socket, answering nothing.
   void await_close();
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <list>
 
 #include <talus/protocol/limits.h>
 #include <talus/tls/context.h>
@@ -16,6 +17,7 @@
 #include "raw_client.h"
 #include "scratch_directory.h"
 #include "server_process.h"
+#include "worked_for.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -64,6 +66,22 @@ TEST_CASE("by TLS a client is welcomed and gets chunks") {
   TlsClient client{server.port()};
   greet(client);
   ask_for_chunk(client);
+}
+
+TEST_CASE("by TLS a client that is gone while its reading is paused is worked for no longer") {
+  const Secure secure;
+  ServerProcess server{secure.settings(kDearColumns), {"--admin", "127.0.0.1:0"}};
+  const std::uint16_t admin = server.admin_port();
+  std::list<TlsClient> clients;
+  for (std::uint32_t client = 0; client < kDearClients; ++client) {
+    greet(clients.emplace_back(server.port()));
+    for (std::uint32_t id = 1; id <= kDearRequests; ++id) {
+      clients.back().send(get_heights(id, far_columns(client * kDearRequests + id)));
+    }
+  }
+  await_pauses(admin);
+  for (TlsClient& each : clients) each.reset();
+  check_given_up(admin);
 }
 
 TEST_CASE("by TLS a View comes whole, through many records") {

@@ -4,6 +4,7 @@
 #include <asio/buffer.hpp>
 #include <asio/write.hpp>
 #include <catch2/catch.hpp>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,7 @@
 #include "raw_client.h"
 #include "scratch_directory.h"
 #include "server_process.h"
+#include "worked_for.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -132,6 +134,27 @@ TEST_CASE("heights by HTTP equal heights by TCP") {
   CHECK(found == std::vector<std::int32_t>(expected->begin(), expected->end()));
   CHECK(client.get("/v1/heights?columns=10,-20;74,-20;10,44;74,44&format=npy").body.size() == 128 + 4 * 4);
   CHECK(client.get("/v1/heights?columns=10,-20&fields=warmth").status == 400);
+}
+
+TEST_CASE("a client that is gone while its answer is made is worked for no longer") {
+  ServerProcess server{kDearColumns, {"--http", "127.0.0.1:0", "--admin", "127.0.0.1:0"}};
+  const std::uint16_t http = server.http_port();
+  const std::uint16_t admin = server.admin_port();
+  for (const bool reset : {false, true}) {
+    const double before = metric(admin, "talus_heights_generated_total");
+    std::list<HttpClient> clients;
+    for (std::uint32_t client = 1; client <= kDearClients; ++client) {
+      clients.emplace_back(http).send(
+          HttpClient::request("/v1/heights?x=" + std::to_string(client * 100'000'000) +
+                              "&z=" + std::to_string(reset) + "&w=64&h=32&step=100000"));
+    }
+    await_work(admin, before);
+    for (HttpClient& each : clients) {
+      if (reset) each.socket().set_option(asio::socket_base::linger{true, 0});
+      each.socket().close();
+    }
+    check_given_up(admin, before);
+  }
 }
 
 TEST_CASE("a server that ends answers what was asked and closes kept connections") {

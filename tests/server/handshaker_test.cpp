@@ -244,6 +244,25 @@ TEST_CASE("a client that does not finish TLS in time is closed, and its place is
   CHECK(bench.admission.connections() == 0);
 }
 
+TEST_CASE("a client that is gone during its handshake leaves no handshake, place or memory") {
+  HandshakeSettings patient = settings("127.0.0.1");
+  patient.timeout = std::chrono::hours{1};
+  Bench bench{patient, true};
+  for (const std::string& said : {std::string{}, kProxyTcp4.substr(0, 20), kProxyTcp4 + "\x16\x03\x01"}) {
+    for (const bool reset : {false, true}) {
+      {
+        Client client{bench};
+        client.say(said);
+        while (bench.metrics.handshakes.now() == 0) std::this_thread::yield();
+        if (reset) client.socket.set_option(asio::socket_base::linger{true, 0});
+      }
+      while (bench.metrics.handshakes.now() != 0) std::this_thread::yield();
+      CHECK(bench.admission.connections() == 0);
+      while (bench.memory.used(MemoryUse::sessions) != 0) std::this_thread::yield();
+    }
+  }
+}
+
 TEST_CASE("a client that connects faster than its rate is refused with a time to retry") {
   Bench bench{one_a_second()};
   Client first{bench};

@@ -60,6 +60,7 @@ class Loopback {
   bool shut = false;
   bool closed = false;
   bool hung_up = false;  // says the system, whatever waits to be read
+  bool reset = false;    // by the client, says the system
 
   [[nodiscard]] std::string_view text() const {
     return {reinterpret_cast<const char*>(received.data()), received.size()};
@@ -102,6 +103,7 @@ class LoopbackStream {
   }
 
   [[nodiscard]] bool peer_hung_up() const { return loopback_->hung_up; }
+  [[nodiscard]] bool peer_reset() const { return loopback_->reset; }
   [[nodiscard]] asio::awaitable<void> say_end() {
     loopback_->said_end = true;
     co_return;

@@ -367,4 +367,11 @@ TEST_CASE("a client that leaves has no map drawn, and a map counts with its cost
   greedy->send("GET " + path + " HTTP/1.1\r\nHost: a\r\n\r\n");
   site.io.poll();
   CHECK(site.source.waiting_maps.empty());
+  const std::weak_ptr connection = site.connections.back();
+  site.connections.pop_back();
+  CHECK_FALSE(connection.expired());
+  greedy->hung_up = true;
+  connection.lock()->clock_moved();
+  site.io.poll();
+  CHECK(connection.expired());  // it waits for its rate no longer
 }

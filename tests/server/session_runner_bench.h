@@ -15,7 +15,7 @@
 #include "runtime/manual_clock.h"
 
 #include <asio/executor_work_guard.hpp>
-#include "net/session_runner_impl.h"
+#include "net/session_runner.h"
 #include "scripted_source.h"
 #include "session_limits_of_tests.h"
 
@@ -23,7 +23,12 @@ namespace talus::server::session_runner_test {
 
 using namespace std::chrono_literals;
 
-using Runner = SessionRunner<LoopbackStream>;
+using Runner = SessionRunner;
+
+template <Stream S>
+std::unique_ptr<SessionStream> session_stream(S stream) {
+  return std::make_unique<SessionStreamOf<S>>(std::move(stream));
+}
 
 inline protocol::Frame hello() {
   return protocol::make_frame([&](auto& builder) {
@@ -87,13 +92,13 @@ struct Bench {
   /// The client's end of a new session.
   std::shared_ptr<Loopback> connect() {
     auto client = std::make_shared<Loopback>(io);
-    runners.push_back(begin<Runner>(LoopbackStream{client}, runners.size() + 1));
+    runners.push_back(begin(LoopbackStream{client}, runners.size() + 1));
     return client;
   }
-  template <typename R, typename S>
-  std::shared_ptr<R> begin(S stream, ConnectionId id) {
-    auto runner = R::make(std::move(stream), {id, "test", clock.now()},
-                          *admission.enter(asio::ip::address_v4::loopback()), kept(context));
+  template <Stream S>
+  std::shared_ptr<Runner> begin(S stream, ConnectionId id) {
+    auto runner = Runner::make(session_stream(std::move(stream)), {id, "test", clock.now()},
+                               *admission.enter(asio::ip::address_v4::loopback()), kept(context));
     registry.add(id, runner);
     runner->start();
     io.poll();

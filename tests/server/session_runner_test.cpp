@@ -5,6 +5,7 @@
 
 #include "scratch_directory.h"
 #include "session_runner_bench.h"
+#include "waiting_taker.h"
 
 namespace talus::server::session_runner_test {
 
@@ -96,7 +97,7 @@ TEST_CASE("answers that come together are taken by one wake-up") {
 TEST_CASE("a chunk that an update needs is requested at once, even if the stream takes bytes at once") {
   Bench bench;
   const auto client = std::make_shared<Loopback>(bench.io);
-  const auto runner = bench.begin<SessionRunner<EagerLoopbackStream>>(EagerLoopbackStream{client}, 1);
+  const auto runner = bench.begin(EagerLoopbackStream{client}, 1);
   bench.send(*client, hello());
   bench.send(*client, view_at(0));
   bench.answer_all();
@@ -153,7 +154,7 @@ TEST_CASE("an exception of a session's work ends only that session") {
                               bench.context.log};
   const auto other = bench.greeted();
   const auto client = std::make_shared<Loopback>(bench.io);
-  const auto runner = Runner::make(LoopbackStream{client}, {9, "test", bench.clock.now()},
+  const auto runner = Runner::make(session_stream(LoopbackStream{client}), {9, "test", bench.clock.now()},
                                    *bench.admission.enter(asio::ip::address_v4::loopback()), kept(context));
   bench.registry.add(9, runner);
   runner->start();
@@ -263,33 +264,6 @@ TEST_CASE("a Pong waits for two batches of another client at most") {
   CHECK(greedy->received.size() > 100'000);
   CHECK(longest <= 2 * (WriteBatchSize::kMax + 20'000 + 1000));
 }
-
-namespace {
-
-/// Keeps what it is asked, and answers when the test says so.
-struct WaitingTaker final : EditTaker {
-  MailboxPtr mailbox;
-  std::vector<EditRequest> edits;
-
-  void attach(const MailboxPtr& of, AttachRequest) override { mailbox = of; }
-  void edit(const MailboxPtr&, EditRequest request) override { edits.push_back(std::move(request)); }
-  void input_ended(ClientId) override {}
-  void forget(ClientId) override {}
-  [[nodiscard]] bool settles() const override { return false; }
-  [[nodiscard]] bool knows(edits::EditorId, const std::string&) const override { return false; }
-};
-
-/// One voxel, under so many guards.
-protocol::Frame guarded_edit(std::uint32_t id, std::size_t guards) {
-  return protocol::make_frame([&](auto& builder) {
-    const std::vector<wire::VoxelWrite> guarded(guards, wire::VoxelWrite{{1, 2, 3}, 1});
-    const std::vector<wire::VoxelWrite> writes{{{1, 2, 3}, 1}};
-    const auto list = builder.CreateVectorOfStructs(writes);
-    return wire::CreateEdit(builder, id, list, id, builder.CreateVectorOfStructs(guarded));
-  });
-}
-
-}  // namespace
 
 TEST_CASE("a client's waiting edits are read until they take a quarter of the queue's bytes") {
   WaitingTaker taker;

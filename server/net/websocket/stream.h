@@ -50,8 +50,8 @@ class WebSocketStream {
 
   [[nodiscard]] executor_type get_executor() { return state_->inner.get_executor(); }
 
-  /// Fails with an End if the client closes or breaks the protocol, after sending it a Close behind the frame
-  /// being written.
+  /// Fails with an End if the client closes or breaks the protocol. It is sent a Close behind the frame being
+  /// written: call say_end().
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
@@ -77,6 +77,10 @@ class WebSocketStream {
     }
     co_await state->inner.say_end();
   }
+  [[nodiscard]] static bool answers(std::error_code failed) {
+    return failed.category() == make_error_code(End::closed).category();
+  }
+  [[nodiscard]] bool peer_reset() { return state_->inner.peer_reset(); }
   void shutdown() { state_->inner.shutdown(); }
   void close() {
     state_->broken = true;
@@ -119,8 +123,6 @@ class WebSocketStream {
                           }
                         });
     }
-    /// Returns true if no Close is pending or in flight.
-    [[nodiscard]] bool has_told_end() const { return broken || !(close_waits || (close_sent && writing)); }
     [[nodiscard]] std::error_code end_of_writing() const {
       if (reader.end() != End::none) return reader.end();
       return asio::error::broken_pipe;
@@ -155,13 +157,12 @@ class WebSocketStream {
   struct Read {
     StatePtr state;
     asio::mutable_buffer into;
-    enum class Step : std::uint8_t { begin, read, end } step = Step::begin;
+    bool began = false;
 
     template <typename Self>
     void operator()(Self& self, std::error_code failed = {}, std::size_t bytes = 0) {
-      if (step == Step::end) return end(self);
       if (failed) return self.complete(failed, 0);
-      if (std::exchange(step, Step::read) == Step::begin) {
+      if (!std::exchange(began, true)) {
         if (state->reader.end() == End::none && state->unread.empty()) {
           return state->inner.async_read_some(into, std::move(self));
         }
@@ -177,17 +178,9 @@ class WebSocketStream {
       if (why != End::none && !state->close_sent) state->close_waits = close_code(why);
       State::write_control(state);
       if (payload > 0) return self.complete({}, payload);
-      if (why != End::none) return end(self);
+      if (why != End::none) return self.complete(why, 0);
       if (!state->unread.empty()) return asio::post(state->inner.get_executor(), std::move(self));
       state->inner.async_read_some(into, std::move(self));
-    }
-
-    /// The reader closes the stream after an end.
-    template <typename Self>
-    void end(Self& self) {
-      step = Step::end;
-      if (state->has_told_end()) return self.complete(state->reader.end(), 0);
-      state->turn.async_wait(std::move(self));
     }
   };
 
