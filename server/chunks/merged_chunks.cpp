@@ -20,7 +20,7 @@ ChunkAnswer MergedChunks::merged(ChunkKey key, const EncodedChunkPtr& base) noex
     auto made = merge(key, *base);
     if (!made) {
       log_->error("chunk {} with its edits failed: {}", to_string(key), made.error());
-      return tl::make_unexpected(GenerationError{std::move(made.error())});
+      return tl::make_unexpected(GenerationError{"its edits cannot be read"});
     }
     if (kept == nullptr || kept->revision() < (*made)->revision()) cache_.put(key, *made);
     return *std::move(made);

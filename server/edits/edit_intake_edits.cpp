@@ -177,6 +177,7 @@ void EditIntake::refuse_first(Lane& lane, EditError error) {
 
 void EditIntake::refuse(const MailboxPtr& session, std::uint32_t id, EditError error) {
   parts_.metrics.edits_refused[error.code].add();
+  if (error.code == Code::unreadable) log_->error("an edit is refused: {}", error.message);
   send(session, EditAnswer{id, tl::unexpected{std::move(error)}});
 }
 

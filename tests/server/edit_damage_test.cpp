@@ -1,13 +1,16 @@
 // What a disk can do to the store's files: each is refused in one line, or costs nothing.
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <system_error>
 
 #include <catch2/catch.hpp>
 
 #include <talus/store/read_only_store.h>
+#include <talus/store/rocks.h>
 #include <talus/store/store_identity.h>
 
 #include "edits_of_tests.h"
@@ -366,6 +369,24 @@ TEST_CASE("the file of what was acknowledged may be gone, but not damaged") {
     flip(file, 3);
     CHECK(store.open().find("acknowledged: it is damaged") != std::string::npos);
   }
+}
+
+TEST_CASE("what a kill while RocksDB wrote its options left is deleted by the next start") {
+  KilledStore store;
+  const fs::path left = store.path() / "db" / "OPTIONS-000099.dbtmp";
+  std::ofstream{left} << "[Version]";
+  CHECK(store.open() == "");
+  CHECK_FALSE(fs::exists(left));
+}
+
+TEST_CASE("for files that talusd may not read the advice is no backup") {
+  const auto advice = [](int error) {
+    return std::string{store::remedy_for(rocksdb::Status::IOError("While open a file: /data/db/000008.sst",
+                                                                  std::generic_category().message(error)))};
+  };
+  for (const int error : {EACCES, EPERM, EROFS}) CHECK_THAT(advice(error), Catch::Contains("read and write"));
+  CHECK_THAT(advice(EMFILE), Catch::Contains("open files"));
+  CHECK_THAT(advice(EIO), Catch::Contains("restore a backup"));
 }
 
 TEST_CASE("a directory that cannot be written is refused") {

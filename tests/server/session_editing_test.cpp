@@ -92,6 +92,20 @@ TEST_CASE("an edit that does not happen is an Error about its request") {
   CHECK(said.about == wire::ErrorAbout::request);
 }
 
+TEST_CASE("players get no paths, addresses or advice of the server's own, which its log has") {
+  for (const EditErrorCode code :
+       {EditErrorCode::unwritable, EditErrorCode::unreadable, EditErrorCode::cut_off}) {
+    EditingBench shared;
+    shared.attached();
+    shared.bench.write_voxel(4, 1);
+    const SessionFrame said = shared.answered(
+        {4, tl::unexpected{EditError{code, "edits /var/lib/talus: IO error; restore a backup"}}});
+    CHECK(said.kind == Body::Error);
+    CHECK_THAT(said.text, !Catch::Contains("/var") && !Catch::Contains("backup"));
+    CHECK_FALSE(said.text.empty());
+  }
+}
+
 TEST_CASE("an edit's id is taken until it is answered") {
   EditingBench shared;
   shared.attached();

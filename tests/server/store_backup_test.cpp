@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <talus/store/id_check.h>
 #include <talus/store/store_swap.h>
 #include <talus/store/whole_store.h>
 
@@ -334,6 +335,18 @@ TEST_CASE("verify finds a chunk that differs from the hash, and coarse levels th
   CHECK(verify(**store, *figures).error().find("level 1 does not match level 0") != std::string::npos);
   figures->levels[0].hash.add({1, 1, 1}, Override{3, MaterialId{2}});
   CHECK(verify(**store, *figures).error().find("its overrides hash to") != std::string::npos);
+}
+
+TEST_CASE("verify finds a store.toml of another world, and levels of another rule, as talusd's start does") {
+  const Data data;
+  store::StoreMeta meta = (*store::ReadOnlyStore::open(data.path))->meta();
+  CHECK(store::check_opens(data.path, meta).has_value());
+  meta.level_rule += 1;
+  CHECK_THAT(store::check_opens(data.path, meta).error(), Catch::Contains("coarse levels were made by rule"));
+  meta.level_rule -= 1;
+  meta.fingerprint = {8, 9};
+  CHECK_THAT(store::check_opens(data.path, meta).error(),
+             Catch::Contains("the world with fingerprint 00000000000000090000000000000008"));
 }
 
 TEST_CASE("a compacted store is the same store") {

@@ -1,5 +1,6 @@
 // The command line of `talusd store`, and its times.
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include <talus/store/data_directory.h>
 #include <talus/store/edit_database.h>
+#include <talus/store/store_identity.h>
 
 #include "commands/store/local_writer.h"
 #include "commands/store/moments.h"
@@ -15,6 +17,7 @@
 #include "commands/store/store_command.h"
 #include "config/parse_flags.h"
 #include "scratch_directory.h"
+#include "whole_stores.h"
 
 namespace talus::server {
 namespace {
@@ -68,6 +71,16 @@ TEST_CASE("wrong flags and failures have statuses of their own") {
   CHECK(run({"rename", "--data", data.c_str(), "planks"}) == kWrongUse);
   CHECK(run({"rename", "--data", data.c_str(), "planks", "boards"}) == kFailed);
   CHECK_FALSE(std::filesystem::exists(data));
+}
+
+TEST_CASE("a store of another world's store.toml is not sound") {
+  const ScratchDirectory scratch;
+  const std::filesystem::path data = scratch / "data";
+  make_store(data, {{{{0, 0, 0}, 5}, MaterialId{256}}});
+  const std::string path = data.string();
+  CHECK(run({"verify", "--data", path.c_str()}) == 0);
+  std::ofstream{data / "store.toml"} << store::store_text({{3, 4}, {8, 9}});
+  CHECK(run({"verify", "--data", path.c_str()}) == kFailed);
 }
 
 TEST_CASE("a store of a cluster is replaced or changed by no command, and each says what to do instead") {

@@ -139,12 +139,7 @@ EditDatabase::Status EditDatabase::check_meta() const {
   if (meta_.store_id != settings_.store_id && has_acknowledged()) {
     return failure(ids_differ(meta_.store_id, settings_.store_id));
   }
-  if (meta_.level_rule != edits::kLevelRule) {
-    return failure(
-        fmt::format("its coarse levels were made by rule {}; this talusd has rule {}; run a talusd "
-                    "with that rule, or give --data another directory",
-                    meta_.level_rule, edits::kLevelRule));
-  }
+  if (const auto other = level_rule_differs(meta_)) return failure(*other);
   return {};
 }
 
@@ -190,7 +185,7 @@ EditDatabase::Status EditDatabase::drop_records_beyond() {
     any = true;
     return false;
   });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   if (!any) return {};
   rocksdb::WriteBatch batch;
   batch.DeleteRange(log_key(meta_.head.position + 1), log_key(UINT64_MAX));

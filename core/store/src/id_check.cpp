@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <talus/edits/levels.h>
 #include <talus/store/acknowledged_file.h>
 #include <talus/store/store_identity.h>
 
@@ -24,6 +25,29 @@ tl::expected<void, std::string> check_whole_store(const std::filesystem::path& d
                                                   const StoreMeta& meta) {
   auto one = check_store_id(directory, meta);
   return one ? check_acknowledged(directory, meta) : one;
+}
+
+tl::expected<void, std::string> check_opens(const std::filesystem::path& directory, const StoreMeta& meta) {
+  const auto identity = read_store_identity(directory / "store.toml");
+  if (!identity) return tl::unexpected{identity.error()};
+  if (identity->fingerprint != meta.fingerprint) {
+    return tl::unexpected{fmt::format(
+        "edits {}: they belong to the world with fingerprint {}; store.toml has {}; put back the directory's "
+        "own store.toml",
+        directory.string(), to_string(meta.fingerprint), to_string(identity->fingerprint))};
+  }
+  if (const auto other = level_rule_differs(meta)) {
+    return tl::unexpected{fmt::format("edits {}: {}", directory.string(), *other)};
+  }
+  return {};
+}
+
+std::optional<std::string> level_rule_differs(const StoreMeta& meta) {
+  if (meta.level_rule == edits::kLevelRule) return std::nullopt;
+  return fmt::format(
+      "its coarse levels were made by rule {}; this talusd has rule {}; run a talusd with that rule, or give "
+      "--data another directory",
+      meta.level_rule, edits::kLevelRule);
 }
 
 std::string ids_differ(ContentHash of_database, ContentHash of_store_toml) {

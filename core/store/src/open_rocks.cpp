@@ -98,6 +98,7 @@ class Opener {
         env_{settings.env == nullptr ? *rocksdb::Env::Default() : *settings.env} {}
 
   [[nodiscard]] tl::expected<OpenedRocks, RocksFailure> open(RocksUse use, bool create) {
+    if (use == RocksUse::write) remove_unfinished_options(env_, path_);
     if (auto status = attempt(use, create); status.ok()) {
       return take();
     } else if (!status.IsCorruption()) {

@@ -129,7 +129,7 @@ StoreReader::Result<std::size_t> ReadOnlyStore::count_editors() const {
 
 ReadOnlyStore::Status ReadOnlyStore::verify_files() const {
   if (const auto status = db_->VerifyChecksum(); !status.ok()) {
-    return reader().failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+    return reader().failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   }
   return {};
 }

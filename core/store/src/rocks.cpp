@@ -1,5 +1,12 @@
 #include <talus/store/rocks.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <initializer_list>
+#include <string>
+#include <system_error>
+#include <vector>
+
 #include <rocksdb/cache.h>
 #include <rocksdb/env.h>
 #include <rocksdb/filter_policy.h>
@@ -66,7 +73,29 @@ std::size_t rocks_memory(rocksdb::DB& db) {
 }
 
 std::string_view remedy_for(const rocksdb::Status& status) {
-  return status.IsNoSpace() ? "its disk is full: nothing is damaged; free space" : kStoreLost;
+  if (status.IsNoSpace()) return "its disk is full: nothing is damaged; free space";
+  // RocksDB keeps only the text of an error number.
+  const std::string text = status.ToString();
+  const auto is = [&](std::initializer_list<int> errors) {
+    return status.IsIOError() && std::ranges::any_of(errors, [&](int error) {
+             return text.ends_with(std::generic_category().message(error));
+           });
+  };
+  if (is({EACCES, EPERM, EROFS})) {
+    return "nothing is damaged; let talusd's user read and write all files of the data directory";
+  }
+  if (is({EMFILE, ENFILE})) return "nothing is damaged; raise the limit of open files";
+  return kStoreLost;
+}
+
+void remove_unfinished_options(rocksdb::Env& env, const std::string& database) {
+  std::vector<std::string> names;
+  if (!env.GetChildren(database, &names).ok()) return;
+  for (const std::string& name : names) {
+    if (name.starts_with("OPTIONS-") && name.ends_with(".dbtmp")) {
+      env.DeleteFile(database + '/' + name).PermitUncheckedError();
+    }
+  }
 }
 
 rocksdb::ReadOptions for_scans() {

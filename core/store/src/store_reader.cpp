@@ -17,7 +17,7 @@ StoreReader::Result<std::optional<StoreMeta>> StoreReader::meta() const {
   std::string value;
   const auto status = db_.Get({}, meta_key(), &value);
   if (status.IsNotFound()) return std::nullopt;
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   if (!value.empty() && static_cast<std::uint8_t>(value.front()) > kStoreFormat) {
     return failure(
         fmt::format("the store has format {}; this talusd reads format {}; run a newer talusd, or give "
@@ -50,7 +50,8 @@ StoreReader::Result<std::map<std::string, MaterialId>> StoreReader::materials() 
     return sound;
   });
   if (status.ok() && sound) return materials;
-  return failure(fmt::format("its table of materials is damaged: {}; {}", status.ToString(), kStoreLost));
+  return failure(
+      fmt::format("its table of materials is damaged: {}; {}", status.ToString(), remedy_for(status)));
 }
 
 StoreReader::Result<std::deque<HistorySegment>> StoreReader::history(std::uint64_t flushed) const {
@@ -64,7 +65,8 @@ StoreReader::Result<std::deque<HistorySegment>> StoreReader::history(std::uint64
     return sound;
   });
   if (status.ok() && sound) return history;
-  return failure(fmt::format("its table of history is damaged: {}; {}", status.ToString(), kStoreLost));
+  return failure(
+      fmt::format("its table of history is damaged: {}; {}", status.ToString(), remedy_for(status)));
 }
 
 StoreReader::Status StoreReader::for_each_chunk(
@@ -81,7 +83,7 @@ StoreReader::Status StoreReader::for_each_chunk(
     return true;
   });
   if (!damaged.empty()) return failure(fmt::format("{} is damaged; {}", damaged, kStoreLost));
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   return {};
 }
 
@@ -98,7 +100,7 @@ StoreReader::Status StoreReader::for_each_chunk_value(
     return visit(*chunk, *std::move(stored));
   });
   if (!damaged.empty()) return failure(fmt::format("{} is damaged; {}", damaged, kStoreLost));
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   return {};
 }
 
@@ -113,7 +115,7 @@ StoreReader::Status StoreReader::for_each_editor(
     return sound;
   });
   if (!sound) return failure(fmt::format("the record of an editor is damaged; {}", kStoreLost));
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   return {};
 }
 
@@ -122,7 +124,8 @@ StoreReader::Result<std::optional<StoredChunk>> StoreReader::chunk(ChunkKey key)
   rocksdb::PinnableSlice value;
   const auto status = db_.Get({}, db_.DefaultColumnFamily(), name, &value);
   if (status.IsNotFound()) return std::nullopt;
-  if (!status.ok()) return failure(fmt::format("chunk {}: {}", to_string(key), status.ToString()));
+  if (!status.ok())
+    return failure(fmt::format("chunk {}: {}; {}", to_string(key), status.ToString(), remedy_for(status)));
   auto chunk = decode_chunk_value(name, bytes_of(value));
   if (!chunk) return failure(fmt::format("chunk {} is damaged; {}", to_string(key), kStoreLost));
   return chunk;
@@ -148,7 +151,7 @@ StoreReader::Result<std::uint64_t> StoreReader::replay(const StoreMeta& meta,
     }
     return true;
   });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   if (!sound || position != meta.head.position || link != meta.link) {
     return failure(fmt::format("entry {} of its log is damaged or lost, of {} that were acknowledged; {}",
                                std::min(position + 1, meta.head.position), meta.head.position, kStoreLost));
@@ -187,7 +190,7 @@ StoreReader::Status StoreReader::for_each_record(const StoreMeta& meta, std::uin
     }
     return true;
   });
-  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
   if (!sound || (any && goes_on && position != meta.head.position)) {
     return failure(fmt::format("entry {} of its log is damaged or lost; {}", position + 1, kStoreLost));
   }

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 #include <talus/progress/progress_bar.h>
+#include <talus/store/id_check.h>
 #include <talus/store/store_swap.h>
 #include <talus/store/whole_store.h>
 
@@ -76,6 +77,9 @@ Answer verify_all(const Flags& flags, const Outside&) {
   const auto figures = read_figures(opened->store(), progress);
   if (!figures) return tl::unexpected{figures.error()};
   if (const auto sound = verify(opened->store(), *figures); !sound) return tl::unexpected{sound.error()};
+  if (const auto opens = store::check_opens(flags.data, opened->store().meta()); !opens) {
+    return tl::unexpected{opens.error()};
+  }
   const store::StoreMeta& meta = opened->store().meta();
   const std::uint64_t first = opened->store().first_record();
   const std::string entries = first > meta.head.position

@@ -40,7 +40,7 @@ tl::expected<void, EditError> EditAdmission::admit(const EditingSession& session
   if (auto why = edits_forbidden(session.grant, parts_.rules))
     return edit_error(Code::forbidden, *std::move(why));
   if (parts_.taker == nullptr) {
-    return edit_error(Code::unsupported, "this server stores no edits: its data directory is not set");
+    return edit_error(Code::unsupported, "this server stores no edits");
   }
   return {};
 }

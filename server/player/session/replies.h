@@ -33,7 +33,7 @@ class Replies {
   }
   void error(const Subject& subject, const EditError& error) {
     const WireError on_wire = wire_error(error.code);
-    this->error(subject, on_wire.code, error.message, on_wire.retry_after);
+    this->error(subject, on_wire.code, client_text(error), on_wire.retry_after);
   }
   /// Sends a Chunk as a control frame, for chunks smaller than an Error. The caller charges its credit.
   void small_chunk(std::uint32_t request_id, ChunkKey key, const EncodedChunk& chunk) {

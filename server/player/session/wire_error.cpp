@@ -43,4 +43,18 @@ WireError wire_error(EditErrorCode code) {
   }
 }
 
+std::string_view client_text(const EditError& error) {
+  using Code = EditErrorCode;
+  switch (error.code) {
+    case Code::unwritable:
+      return "the server's store cannot be written now; send the edit again later";
+    case Code::unreadable:
+      return "the server's store cannot read a chunk of the edit";
+    case Code::cut_off:
+      return "the log that this world's servers share cannot be reached now; send the edit again later";
+    default:
+      return error.message;
+  }
+}
+
 }  // namespace talus::server

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string_view>
 
 #include <talus/protocol/message.h>
 
@@ -15,5 +16,8 @@ struct WireError {
 };
 
 [[nodiscard]] WireError wire_error(EditErrorCode code);
+
+/// The error's message, unless it may have the server's paths and addresses, which only its log has.
+[[nodiscard]] std::string_view client_text(const EditError& error);
 
 }  // namespace talus::server

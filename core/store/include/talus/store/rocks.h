@@ -32,6 +32,10 @@ struct RocksSettings {
 /// Advice to the operator for a database that cannot be opened or read.
 [[nodiscard]] std::string_view remedy_for(const rocksdb::Status& status);
 
+/// Deletes what kills while RocksDB wrote its options have left, which RocksDB keeps for ever. REQUIRES: the
+/// database is not open.
+void remove_unfinished_options(rocksdb::Env& env, const std::string& database);
+
 /// Options for sequential reads, which bypass the cache.
 [[nodiscard]] rocksdb::ReadOptions for_scans();
 
