@@ -181,9 +181,9 @@ std::string Server::metrics_text() {
     const EditState& state = edits_->state();
     const store::HistorySpan history = edits_->history();
     gauges.edits = {
-        log.head.revision,         edits_->preparing(),    log.waiting,         state.editor_count(),
-        log.read_only.has_value(), state.index().bytes(),  state.index_limit(), history.bytes,
-        history_limit_bytes_,      history.since_ms / 1000};
+        log.head.revision,         edits_->preparing(),     log.waiting,          state.editor_count(),
+        log.read_only.has_value(), state.index().bytes(),   state.index_limit(),  history.bytes,
+        history_limit_bytes_,      history.since_ms / 1000, log.clock_jumps.count};
   }
   std::vector<std::string_view> error_codes{""};  // code 0, "none", is not an error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
@@ -455,7 +455,9 @@ void Server::watch_edits() {
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
   chunks_.count_columns();
-  auto read_only = edits_->status().read_only;
+  LocalLog::Status status = edits_->status();
+  watch_clock(status.clock_jumps);
+  auto& read_only = status.read_only;
   if (read_only == edits_read_only_) return;
   if (read_only) {
     log_->error("no edits are taken: {}", *read_only);
@@ -463,6 +465,21 @@ void Server::watch_edits() {
     log_->info("edits are taken again");
   }
   edits_read_only_ = std::move(read_only);
+}
+
+void Server::watch_clock(const BatchDates::Jumps& jumps) {
+  if (jumps.count == std::exchange(clock_jumps_, jumps.count)) return;
+  if (jumps.last.count() > 0) {
+    log_->error(
+        "this machine's clock jumped {} s ahead; for {} minutes edits are dated as if it had not; "
+        "synchronize it by NTP",
+        jumps.last.count(), BatchDates::kPatience.count());
+  } else {
+    log_->error(
+        "the last edit was dated {} s ahead of this machine's clock; edits are dated by the clock again; "
+        "synchronize it by NTP",
+        -jumps.last.count());
+  }
 }
 
 void Server::collect_flows() {

@@ -102,6 +102,7 @@ class Server {
   void collect_flows();
   /// Logs when the store becomes unwritable or writable again, and accounts for its memory.
   void watch_edits();
+  void watch_clock(const BatchDates::Jumps& jumps);
   /// True if the edit cache fits what the budget leaves for it.
   [[nodiscard]] bool fit_edit_cache();
   /// Reports not ready, and accepts connections for shutdown.lead.
@@ -163,6 +164,7 @@ class Server {
   Clock::time_point edits_checked_at_{};
   std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: not changed yet
   std::optional<std::string> edits_read_only_;  // as last logged
+  std::uint64_t clock_jumps_ = 0;               // as last logged
   std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;
   std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store

@@ -111,7 +111,7 @@ void ClusterLog::apply(const StreamMessage& message) {
   }
   const auto time = time_of(decoded->head, message);
   if (!time) return;
-  edits::Batch& batch = writer_.begin(time->ms);
+  edits::Batch& batch = writer_.begin(std::max(time->ms, parts_.state.head().time_ms));
   for (std::size_t i = 0; i < decoded->entries.size(); ++i) {
     const auto entry = decode_entry(decoded->entries[i], decoded->settles);
     if (!entry) {

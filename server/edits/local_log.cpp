@@ -1,6 +1,5 @@
 #include "edits/local_log.h"
 
-#include <chrono>
 #include <utility>
 
 #include "edits/admission/log_admission.h"
@@ -27,6 +26,7 @@ LocalLog::LocalLog(store::EditDatabase& database, EditState& state, const Clock&
     : database_{database},
       state_{state},
       clock_{clock},
+      dates_{clock},
       queue_{settings.queue},
       writer_{database, state, settings, std::move(on_changed)} {
   thread_ = std::thread{[this] { run(); }};
@@ -54,7 +54,8 @@ tl::expected<void, EditError> LocalLog::append(LogEntry entry, Callback done) {
 
 LocalLog::State LocalLog::status() const {
   StoreWriter::State status = writer_.status();
-  return {status.head, queue_.size(), std::move(status.read_only)};
+  const std::lock_guard lock{mutex_};
+  return {status.head, queue_.size(), std::move(status.read_only), clock_jumps_};
 }
 
 void LocalLog::run() {
@@ -64,8 +65,15 @@ void LocalLog::run() {
     if (!entries.empty()) apply(entries);
     entries.clear();
     writer_.poll();
+    watch_clock();
   }
   writer_.flush_all();
+}
+
+void LocalLog::watch_clock() {
+  (void)dates_.now_ms();
+  const std::lock_guard lock{mutex_};
+  clock_jumps_ = dates_.jumps();
 }
 
 void LocalLog::apply(std::vector<Queue::Item>& entries) {
@@ -86,8 +94,7 @@ void LocalLog::apply(std::vector<Queue::Item>& entries) {
 }
 
 bool LocalLog::stage(std::vector<Queue::Item>& entries, bool careful, std::vector<Callback>& done) {
-  const auto now = std::chrono::duration_cast<std::chrono::milliseconds>(clock_.wall().time_since_epoch());
-  edits::Batch& batch = writer_.begin(now.count());
+  edits::Batch& batch = writer_.begin(dates_.after(state_.head().time_ms));
   batch.expect(entries.size());
   const EditState::Reader& reading = writer_.reading();
   for (Queue::Item& each : entries) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "edits/batch_dates.h"
 #include "edits/edit_log.h"
 #include "edits/entry_queue.h"
 #include "edits/store_writer.h"
@@ -40,6 +42,7 @@ class LocalLog final : public EditLog {
     edits::Head head;
     std::size_t waiting = 0;
     std::optional<std::string> read_only;  // why no entries are accepted, in one line
+    BatchDates::Jumps clock_jumps;
   };
   /// Any thread.
   [[nodiscard]] State status() const;
@@ -51,6 +54,7 @@ class LocalLog final : public EditLog {
   using Queue = EntryQueue<LogEntry>;
 
   void run();
+  void watch_clock();
   /// Moves from `entries`.
   void apply(std::vector<Queue::Item>& entries);
   /// Stages the entries as a batch and moves their callbacks to `done`. Returns false if overrides that they
@@ -60,6 +64,9 @@ class LocalLog final : public EditLog {
   store::EditDatabase& database_;
   EditState& state_;
   const Clock& clock_;
+  BatchDates dates_;  // used by the thread only
+  mutable std::mutex mutex_;
+  BatchDates::Jumps clock_jumps_;  // guarded by mutex_
   Queue queue_;
   StoreWriter writer_;  // used by the thread only
   std::thread thread_;

@@ -27,8 +27,10 @@ StoreWriter::State StoreWriter::status() const {
   return status_;
 }
 
-edits::Batch& StoreWriter::begin(std::int64_t now_ms) {
-  return pending_.emplace(state_, now_ms, database_.materials()).batch;
+edits::Batch& StoreWriter::begin(std::int64_t date_ms) {
+  edits::Head head = state_.head();
+  head.time_ms = date_ms;
+  return pending_.emplace(state_, head, database_.materials()).batch;
 }
 
 bool StoreWriter::store(std::vector<EditLog::Callback> done, const store::StreamPlace& place) {

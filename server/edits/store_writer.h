@@ -52,8 +52,8 @@ class StoreWriter {
   [[nodiscard]] bool is_read_only() const { return is_read_only_.load(std::memory_order_acquire); }
   [[nodiscard]] const std::optional<std::string>& read_only() const { return status_.read_only; }
 
-  /// Begins a batch on the current state. REQUIRES: !has_batch().
-  [[nodiscard]] edits::Batch& begin(std::int64_t now_ms);
+  /// Begins a batch of that date on the current state. REQUIRES: !has_batch().
+  [[nodiscard]] edits::Batch& begin(std::int64_t date_ms);
   [[nodiscard]] const EditState::Reader& reading() const { return pending_->reading; }
   [[nodiscard]] bool has_batch() const { return pending_.has_value(); }
   void drop() { pending_.reset(); }
@@ -80,8 +80,8 @@ class StoreWriter {
 
  private:
   struct PendingBatch {
-    PendingBatch(const EditState& state, std::int64_t now_ms, const edits::MaterialIds& materials)
-        : reading{state}, batch{reading, state.editors(), state.head(), now_ms, &materials} {}
+    PendingBatch(const EditState& state, const edits::Head& head, const edits::MaterialIds& materials)
+        : reading{state}, batch{reading, state.editors(), head, head.time_ms, &materials} {}
     EditState::Reader reading;
     edits::Batch batch;
     std::vector<EditLog::Callback> done;

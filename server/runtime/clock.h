@@ -15,7 +15,7 @@ class Clock {
 
   /// Monotonic: for deadlines, rates and latencies.
   [[nodiscard]] virtual time_point now() const = 0;
-  /// Calendar time in UTC, used only for tokens and certificates.
+  /// Calendar time in UTC, used only for tokens, certificates and the dates of edits.
   [[nodiscard]] virtual std::chrono::sys_seconds wall() const = 0;
   /// Processor time used by the calling thread, for measuring the cost of work.
   [[nodiscard]] virtual std::chrono::nanoseconds thread_cpu() const = 0;

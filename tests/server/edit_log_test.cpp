@@ -2,6 +2,7 @@
 #include <atomic>
 #include <filesystem>
 #include <future>
+#include <optional>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -108,6 +109,83 @@ TEST_CASE("the log names an edit's subject: its editor's, or the one that a game
     return true;
   }));
   CHECK(subjects == std::vector<std::string>{own, "bob"});
+}
+
+namespace {
+
+/// A wall clock that jumps.
+struct JumpingClock final : Clock {
+  std::atomic<std::int64_t> jumped_s{0};
+  std::atomic<std::int64_t> elapsed_s{0};
+  [[nodiscard]] time_point now() const override {
+    return time_point{} + std::chrono::seconds{elapsed_s.load()};
+  }
+  [[nodiscard]] std::chrono::sys_seconds wall() const override {
+    return std::chrono::sys_seconds{std::chrono::seconds{1'700'000'000 + elapsed_s.load() + jumped_s.load()}};
+  }
+  [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return {}; }
+};
+
+}  // namespace
+
+TEST_CASE("a clock that is ahead for a while dates no edits; one that stays there does") {
+  constexpr std::int64_t kDay = 86'400;
+  JumpingClock clock;
+  BatchDates dates{clock};
+  const auto date_s = [&] { return dates.now_ms() / 1'000 - 1'700'000'000; };
+  clock.elapsed_s = 30;
+  CHECK(date_s() == 30);
+  clock.jumped_s = 60;  // as NTP may set it
+  CHECK(date_s() == 90);
+  CHECK(dates.jumps().count == 0);
+  clock.jumped_s = kDay;
+  CHECK(date_s() == 90);
+  clock.elapsed_s += 500;
+  CHECK(date_s() == 590);
+  CHECK(dates.jumps().count == 1);
+  CHECK(dates.jumps().last == std::chrono::seconds{kDay - 60});
+  clock.jumped_s = 60;  // set right in time
+  CHECK(date_s() == 590);
+  clock.jumped_s = kDay;
+  CHECK(date_s() == 590);
+  clock.elapsed_s += 600;
+  CHECK(date_s() == kDay + 1'130);
+  CHECK(dates.jumps().count == 2);
+}
+
+TEST_CASE("edits of a clock that was ahead once date no later ones, over restarts") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  EditStore store{scratch / "edits"};
+  JumpingClock clock;
+  std::optional<LocalLog> log;
+  std::uint64_t editors = 0;
+  const auto date_s = [&] {  // of an entry
+    std::promise<void> done;
+    REQUIRE(log->append(edits::AttachEntry{{++editors, 1}, 1, ""}, [&](const auto&) { done.set_value(); })
+                .has_value());
+    done.get_future().get();
+    return log->status().head.time_ms / 1'000 - 1'700'000'000;
+  };
+  const auto restart = [&] {
+    log.reset();
+    store.close();
+    REQUIRE(store.open_without_log() == "");
+    log.emplace(store.database(), store.state(), clock, store.log_settings, nullptr);
+  };
+  restart();
+  CHECK(date_s() == 0);
+  clock.jumped_s = 31'536'000;
+  CHECK(date_s() == 0);
+  restart();
+  CHECK(date_s() == 31'536'000);
+  clock.jumped_s = 31'536'000 - 60;
+  CHECK(date_s() == 31'536'000);  // a small step back is waited for
+  restart();
+  clock.jumped_s = 100;
+  CHECK(date_s() == 100);
+  restart();
+  CHECK(date_s() == 100);
+  log.reset();
 }
 
 TEST_CASE("each chunk that a batch changed is reported once, after the index has its revision") {

@@ -260,7 +260,7 @@ TEST_CASE("edits have metrics if they are stored: waiting edits, editors and lat
   metrics.edit_latency.add(3ms);
   metrics.edits_refused[Reason::broken].add(4);
   const std::string text =
-      text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true, 9, 10, 11, 12, 13}});
+      text_of(metrics, {.edits = RuntimeGauges::Edits{5, 6, 7, 8, true, 9, 10, 11, 12, 13, 14}});
   CHECK(value_of(text, "talus_edits_revision") == "5");
   CHECK(value_of(text, "talus_edits_waiting{where=\"intake\"}") == "6");
   CHECK(value_of(text, "talus_edits_waiting{where=\"log\"}") == "7");
@@ -271,6 +271,7 @@ TEST_CASE("edits have metrics if they are stored: waiting edits, editors and lat
   CHECK(value_of(text, "talus_edits_history_bytes") == "11");
   CHECK(value_of(text, "talus_edits_history_limit_bytes") == "12");
   CHECK(value_of(text, "talus_edits_history_start_timestamp_seconds") == "13");
+  CHECK(value_of(text, "talus_edits_clock_jumps_total") == "14");
   CHECK(value_of(text, "talus_edits_refused_total{reason=\"broken\"}") == "4");
   CHECK(value_of(text, "talus_edit_latency_seconds_count") == "1");
   const std::string none = text_of(metrics, {});

@@ -399,6 +399,23 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
   CHECK(kept->first == (*opened)->first_record());
 }
 
+TEST_CASE("what was done while a clock was ahead, and before the time, stays") {
+  Rollback rollback{{"a", 1'000, {0, 0, 0}, {1'000, 31, 31}}};
+  store::LogRecord record;
+  record.kind = edits::EntryResult::Kind::done;
+  record.subject = "a";
+  std::int32_t x = 0;
+  for (const std::int64_t time_ms : {9'000, 900, 1'100}) {
+    record.time_ms = time_ms;
+    record.changes = {{{x++, 0, 0}, {{0, MaterialId{1}, MaterialId{2}, MaterialId{1}}}}};
+    REQUIRE(rollback.add(record));
+  }
+  const auto slices = rollback.slices();
+  REQUIRE(slices.size() == 1);
+  REQUIRE(slices[0].size() == 1);
+  CHECK(slices[0][0].chunk == ChunkCoord{2, 0, 0});
+}
+
 TEST_CASE("slices are within the bounds of an edit") {
   Rollback rollback{{"a", 0, {-1'000, -1'000, -1'000}, {100'000, 1'000, 1'000}}};
   store::LogRecord record;

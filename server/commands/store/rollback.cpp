@@ -41,8 +41,17 @@ void Rollback::count_other(const std::string& subject, const edits::ChunkChanges
   }
 }
 
+void Rollback::start_anew() {
+  chunks_.clear();
+  held_ = already_back_ = taken_over_ = 0;
+  met_subject_ = false;
+  others_.clear();
+}
+
 bool Rollback::add(const store::LogRecord& record) {
   const bool is_since = record.time_ms >= request_.since_ms;
+  // Records of a clock that was ahead come before this one, and were made before it.
+  if (!is_since) start_anew();
   const bool is_subjects = record.subject == request_.subject && is_since;
   const VoxelPos& first = request_.first;
   const VoxelPos& last = request_.last;

@@ -68,6 +68,8 @@ class Rollback {
   using Chunk = std::unordered_map<std::uint16_t, TouchedVoxel>;  // by voxel index
 
   [[nodiscard]] bool has(VoxelPos at) const;
+  /// Forgets all records.
+  void start_anew();
   void count_other(const std::string& subject, const edits::ChunkChanges& changes);
 
   const RollbackRequest request_;

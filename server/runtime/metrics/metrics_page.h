@@ -38,6 +38,7 @@ struct RuntimeGauges {
     std::uint64_t history_bytes = 0;
     std::uint64_t history_limit_bytes = 0;
     std::int64_t history_start = 0;  // seconds since 1970; history is complete from then on; 0: empty
+    std::uint64_t clock_jumps = 0;
   };
   std::optional<Edits> edits{};  // nullopt: edits are not stored
   struct Cluster {

@@ -24,7 +24,7 @@ namespace talus::edits {
 struct Head {
   std::uint64_t position = 0;  // last log entry; every entry has a position
   std::uint64_t revision = 0;  // incremented by each edit that changes something
-  std::int64_t time_ms = 0;    // time of the last batch since 1970; never decreases
+  std::int64_t time_ms = 0;    // date of the last batch since 1970; decreases only if a clock was ahead
   StateHash hash;
   bool operator==(const Head&) const = default;
 };

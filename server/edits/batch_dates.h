@@ -1,0 +1,42 @@
+// Dates the batches of a log that only one server writes.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "runtime/clock.h"
+
+namespace talus::server {
+
+/// The wall clock, except that a jump of over kMaxJump ahead counts only after kPatience. Dates never
+/// decrease, unless the last one is over kMaxJump ahead of the clock, which was ahead then. For one thread.
+class BatchDates {
+ public:
+  static constexpr std::chrono::minutes kMaxJump{1};
+  static constexpr std::chrono::minutes kPatience{10};
+
+  /// `clock` outlives this. Its wall clock is believed now.
+  explicit BatchDates(const Clock& clock) : clock_{clock}, believed_{clock.wall()}, at_{clock.now()} {}
+
+  /// Reads the clock, in milliseconds since 1970. Call it at least every few seconds, so that a slow change
+  /// is not a jump.
+  std::int64_t now_ms();
+  /// The date of a batch that follows one of `last_ms`.
+  [[nodiscard]] std::int64_t after(std::int64_t last_ms);
+
+  struct Jumps {
+    std::uint64_t count = 0;
+    std::chrono::seconds last{};  // negative: the clock was that far behind the last date
+  };
+  [[nodiscard]] const Jumps& jumps() const { return jumps_; }
+
+ private:
+  const Clock& clock_;
+  std::chrono::sys_seconds believed_;  // the wall clock at `at_`
+  Clock::time_point at_;
+  std::optional<Clock::time_point> jumped_at_;
+  Jumps jumps_;
+};
+
+}  // namespace talus::server
