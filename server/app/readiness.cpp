@@ -1,12 +1,21 @@
 #include "app/readiness.h"
 
+#include <optional>
+#include <string>
+
 #include <fmt/format.h>
 
 namespace talus::server {
 
-Readiness readiness_of(bool draining, const cluster::ClusterLog::State* log, const MemoryBudget& memory) {
+Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, const LocalLog::State* own,
+                       const MemoryBudget& memory) {
   if (draining) return {false, "draining"};
-  if (log != nullptr && !log->ready) return {false, log->not_ready};
+  if (shared != nullptr && !shared->ready) return {false, shared->not_ready};
+  const auto read_only = shared != nullptr ? shared->read_only
+                         : own != nullptr  ? own->read_only
+                                           : std::optional<std::string>{};
+  // The next start would not have what the store has now.
+  if (own != nullptr && own->gone) return {false, read_only.value_or("")};
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
     return {false, fmt::format("new connections are refused: this server's memory is all in use, {} bytes "
@@ -14,11 +23,9 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::State* log, con
                                memory.used(), memory.limit_bytes())};
   }
   // Still ready: chunks are served without the log, and otherwise a balancer would drop all servers at once.
-  if (log != nullptr && log->read_only) {
-    return {true, fmt::format("ready; no edits are taken: {}", *log->read_only)};
-  }
-  if (log != nullptr && !log->late.empty()) {
-    return {true, fmt::format("ready; other servers' edits arrive up to a second late: {}", log->late)};
+  if (read_only) return {true, fmt::format("ready; no edits are taken: {}", *read_only)};
+  if (shared != nullptr && !shared->late.empty()) {
+    return {true, fmt::format("ready; other servers' edits arrive up to a second late: {}", shared->late)};
   }
   return {};
 }

@@ -3,12 +3,13 @@
 
 #include "admin/operators_page.h"
 #include "cluster/cluster_log.h"
+#include "edits/local_log.h"
 #include "limits/memory/memory_budget.h"
 
 namespace talus::server {
 
-/// `log` is the status of a shared log; null without one.
-[[nodiscard]] Readiness readiness_of(bool draining, const cluster::ClusterLog::State* log,
-                                     const MemoryBudget& memory);
+/// `shared` and `own` are the status of the log; null if it is the other kind, both if edits are not stored.
+[[nodiscard]] Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared,
+                                     const LocalLog::State* own, const MemoryBudget& memory);
 
 }  // namespace talus::server

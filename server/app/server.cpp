@@ -197,9 +197,13 @@ std::string Server::metrics_text() {
 }
 
 Readiness Server::readiness() const {
-  if (edits_ == nullptr || edits_->shared() == nullptr) return readiness_of(draining_, nullptr, memory_);
-  const cluster::ClusterLog::State log = edits_->shared()->status();
-  return readiness_of(draining_, &log, memory_);
+  if (edits_ == nullptr) return readiness_of(draining_, nullptr, nullptr, memory_);
+  if (edits_->shared() == nullptr) {
+    const LocalLog::State own = edits_->status();
+    return readiness_of(draining_, nullptr, &own, memory_);
+  }
+  const cluster::ClusterLog::State shared = edits_->shared()->status();
+  return readiness_of(draining_, &shared, nullptr, memory_);
 }
 
 FlowsReport Server::flows_report() {

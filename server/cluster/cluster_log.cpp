@@ -120,6 +120,7 @@ ClusterLog::State ClusterLog::status() const {
   status.republished = publisher_.republished();
   status.gaps = figures.gaps;
   status.false_messages = figures.false_messages;
+  const auto gone = store.gone ? store.read_only : std::nullopt;
   const std::lock_guard lock{mutex_};
   // In that case edits are rejected.
   const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
@@ -152,7 +153,9 @@ ClusterLog::State ClusterLog::status() const {
         fmt::format("the log that this world's servers share cannot be reached or read, or has no quorum{}{}",
                     why.empty() ? "" : ": ", why);
   }
-  if (!fault_.empty()) {
+  if (gone) {
+    status.not_ready = *gone;
+  } else if (!fault_.empty()) {
     if (!all_are_stuck()) status.not_ready = fault_;
   } else if (shorter_) {
     status.not_ready = kShorter;

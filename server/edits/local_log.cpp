@@ -55,7 +55,7 @@ tl::expected<void, EditError> LocalLog::append(LogEntry entry, Callback done) {
 LocalLog::State LocalLog::status() const {
   StoreWriter::State status = writer_.status();
   const std::lock_guard lock{mutex_};
-  return {status.head, queue_.size(), std::move(status.read_only), clock_jumps_};
+  return {status.head, queue_.size(), std::move(status.read_only), status.gone, clock_jumps_};
 }
 
 void LocalLog::run() {

@@ -42,6 +42,7 @@ class LocalLog final : public EditLog {
     edits::Head head;
     std::size_t waiting = 0;
     std::optional<std::string> read_only;  // why no entries are accepted, in one line
+    bool gone = false;                     // the store's files were deleted or replaced
     BatchDates::Jumps clock_jumps;
   };
   /// Any thread.

@@ -13,7 +13,8 @@ StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const 
       state_{state},
       settings_{settings},
       on_changed_{std::move(on_changed)},
-      flusher_{state, database, [this] { return is_put_synced(); }} {
+      flusher_{state, database, [this] { return is_put_synced(); }},
+      watch_{database.path()} {
   if (database_.has_log_elsewhere()) syncer_.emplace(database_, std::move(wake));
   const TimePoint now = std::chrono::steady_clock::now();
   next_flush_ = now + settings_.flush_interval;
@@ -44,6 +45,7 @@ std::vector<EditLog::Callback> StoreWriter::take_done() {
 }
 
 bool StoreWriter::write() {
+  if (gone_) return false;
   if (auto written = database_.append(pending_->batch, pending_->place); !written) {
     refuse(std::move(written.error()));
     return false;
@@ -69,8 +71,9 @@ void StoreWriter::poll() {
   const TimePoint now = std::chrono::steady_clock::now();
   if (now >= next_check_) {
     next_check_ = now + settings_.retry_interval;
+    check_place();
     if (broken_) {
-      retry();
+      if (!gone_) retry();
     } else if (database_.has_unsynced()) {
       sync();
     }
@@ -147,6 +150,12 @@ void StoreWriter::flush_all() {
   (void)database_.settle();
 }
 
+void StoreWriter::check_place() {
+  auto gone = watch_.gone();
+  gone_ = gone.has_value();
+  if (gone_) refuse(*std::move(gone));
+}
+
 void StoreWriter::check_disk() {
   const std::uint64_t free = database_.free_bytes();
   disk_full_ = free < settings_.free_bytes;
@@ -183,6 +192,7 @@ void StoreWriter::publish() {
   const std::lock_guard lock{mutex_};
   status_.head = state_.head();
   status_.stream = database_.meta().stream;
+  status_.gone = gone_;
   if (!broken_ && !disk_full_) {
     status_.read_only.reset();
     is_read_only_ = false;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <talus/store/edit_database.h>
+#include <talus/store/store_watch.h>
 
 #include "edits/edit_log.h"
 #include "edits/edit_state.h"
@@ -45,6 +46,7 @@ class StoreWriter {
     edits::Head head;
     store::StreamPlace stream;
     std::optional<std::string> read_only;  // why writes fail, in one line
+    bool gone = false;                     // the store's files were deleted or replaced
   };
   /// Any thread.
   [[nodiscard]] State status() const;
@@ -98,6 +100,8 @@ class StoreWriter {
   [[nodiscard]] tl::expected<bool, std::string> is_put_synced();
   /// Blocks while the flusher waits for a sync.
   void wait_for_sync();
+  /// Refuses writes while the store's files are gone from their place.
+  void check_place();
   void check_disk();
   void refuse(std::string reason);
   void retry();
@@ -112,7 +116,9 @@ class StoreWriter {
   std::uint64_t flush_sync_ = 0;     // the sync that the flusher waits for; 0 if it does not wait
   Flusher flusher_;
   std::optional<PendingBatch> pending_;
-  bool broken_ = false;  // a write failed
+  const store::StoreWatch watch_;
+  bool broken_ = false;  // a write failed, or would be lost
+  bool gone_ = false;    // broken_, because the store's files were deleted or replaced
   bool disk_full_ = false;
   TimePoint next_flush_;
   TimePoint next_check_;

@@ -86,6 +86,26 @@ TEST_CASE("without a quorum edits in doubt stay open, further ones are refused, 
   CHECK(answers.apply(cluster.log(0), write_at(3, 7))->kind == Kind::done);
 }
 
+TEST_CASE("a server whose store was moved away applies nothing and is not ready until it is back") {
+  ClusterInMemory cluster{2};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.until_applied();
+  const std::filesystem::path database = cluster.scratch / "1/db";
+  std::filesystem::rename(database, cluster.scratch / "away");
+  until([&] { return !cluster.log(1).status().ready; });
+  CHECK_THAT(cluster.log(1).status().not_ready, Catch::Contains("db was deleted or replaced"));
+  const std::uint64_t before = cluster.log(1).status().head.position;
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  until([&] { return cluster.log(1).status().lag > 0; });
+  CHECK(cluster.log(1).status().head.position == before);
+  CHECK_FALSE(cluster.log(1).takes_entries());
+  std::filesystem::rename(cluster.scratch / "away", database);
+  cluster.until_applied();
+  until([&] { return cluster.log(1).status().ready; });
+}
+
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
   ClusterInMemory cluster{2};
   cluster.nodes[0]->settings.poll_interval = 1ms;

@@ -1,6 +1,8 @@
 // Disks that are full, or fail for a while: edits wait, nothing is lost, nothing happens twice.
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -242,6 +244,46 @@ TEST_CASE("reopening the database does not wait for a checkpoint, and chunks are
   copier.join();
   CHECK(made.has_value());
   CHECK(database.recover().has_value());
+}
+
+TEST_CASE("a store whose files were deleted or replaced takes no edits until they are back") {
+  const ScratchDirectory scratch{ScratchDirectory::memory()};
+  const std::filesystem::path data = scratch / "data";
+  EditStore store{data};
+  store.log_settings.retry_interval = std::chrono::milliseconds{5};
+  REQUIRE(store.open_without_log() == "");
+  std::ofstream{data / "lock"};
+  store.open_log();
+  TestEditor editor;
+  editor.attach(store);
+  std::mt19937_64 random{1};
+  REQUIRE(editor.edit(store, random_edit(random)).has_value());
+  const auto read_only = [&](bool wanted) {
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds{30};
+    while (store.log().status().read_only.has_value() != wanted) {
+      REQUIRE(std::chrono::steady_clock::now() < give_up);
+      std::this_thread::yield();
+    }
+    return store.log().status().read_only.value_or("");
+  };
+  const std::string name = GENERATE("", "lock", "db", "db/CURRENT");
+  const bool replaced = GENERATE(false, true);
+  if (replaced && name == "db/CURRENT") return;  // RocksDB replaces it, too
+  const std::filesystem::path place = name.empty() ? data : data / name;
+  std::filesystem::rename(place, scratch / "away");
+  if (replaced) std::filesystem::copy(scratch / "away", place, std::filesystem::copy_options::recursive);
+  const std::string reason = read_only(true);
+  CHECK_THAT(reason, Catch::Contains(data.string()) && Catch::Contains("was deleted or replaced"));
+  CHECK(store.log().status().gone);
+  CHECK_FALSE(editor.edit(store, random_edit(random)).has_value());
+  std::filesystem::remove_all(place);
+  std::filesystem::rename(scratch / "away", place);
+  CHECK(read_only(false).empty());
+  CHECK_FALSE(store.log().status().gone);
+  CHECK(editor.edit(store, random_edit(random)).has_value());
+  store.close();
+  REQUIRE(store.open_without_log() == "");
+  CHECK(store.state().editor(editor.id)->last_sequence == editor.sequence);
 }
 
 TEST_CASE("with little free space edits are refused with the reason") {

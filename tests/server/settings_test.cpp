@@ -342,40 +342,53 @@ TEST_CASE(
 TEST_CASE("a server that refuses new connections for want of memory is not ready, and says why") {
   constexpr std::uint64_t kBudget = std::uint64_t{800} << 20U;
   MemoryBudget memory{kBudget};
-  CHECK(readiness_of(false, nullptr, memory).ready);
+  CHECK(readiness_of(false, nullptr, nullptr, memory).ready);
   memory.set(MemoryUse::sessions, kBudget / 8 * 5);
-  const Readiness full = readiness_of(false, nullptr, memory);
+  const Readiness full = readiness_of(false, nullptr, nullptr, memory);
   CHECK_FALSE(full.ready);
   CHECK_THAT(full.text,
              Catch::StartsWith("new connections are refused: this server's memory is all in use, ") &&
                  Catch::EndsWith("limits.memory_bytes is 838860800"));
   memory.set(MemoryUse::sessions, kBudget / 2);  // with the program still above the half
-  CHECK_FALSE(readiness_of(false, nullptr, memory).ready);
+  CHECK_FALSE(readiness_of(false, nullptr, nullptr, memory).ready);
   memory.set(MemoryUse::sessions, kBudget / 4);
-  CHECK(readiness_of(false, nullptr, memory).ready);
+  CHECK(readiness_of(false, nullptr, nullptr, memory).ready);
   // The log's reasons come first, and one that takes no edits is none.
   cluster::ClusterLog::State log;
   log.ready = true;
   log.read_only = "no quorum";
-  CHECK(readiness_of(false, &log, memory).ready);
+  CHECK(readiness_of(false, &log, nullptr, memory).ready);
   memory.set(MemoryUse::sessions, kBudget);
-  CHECK_FALSE(readiness_of(false, &log, memory).ready);
+  CHECK_FALSE(readiness_of(false, &log, nullptr, memory).ready);
   log.ready = false;
   log.not_ready = "behind";
-  CHECK(readiness_of(false, &log, memory).text == "behind");
-  CHECK(readiness_of(true, &log, memory).text == "draining");
+  CHECK(readiness_of(false, &log, nullptr, memory).text == "behind");
+  CHECK(readiness_of(true, &log, nullptr, memory).text == "draining");
+}
+
+TEST_CASE("a server that is alone says why it takes no edits, and is not ready once its store is gone") {
+  const MemoryBudget memory{std::uint64_t{800} << 20U};
+  LocalLog::Status log;
+  CHECK(readiness_of(false, nullptr, &log, memory).text == "ready");
+  log.read_only = "the disk is full";
+  CHECK(readiness_of(false, nullptr, &log, memory).ready);
+  CHECK(readiness_of(false, nullptr, &log, memory).text == "ready; no edits are taken: the disk is full");
+  log.read_only = "db was deleted";
+  log.gone = true;
+  CHECK_FALSE(readiness_of(false, nullptr, &log, memory).ready);
+  CHECK(readiness_of(false, nullptr, &log, memory).text == "db was deleted");
 }
 
 TEST_CASE("a server to which the log's messages do not come by themselves is ready, and says why") {
   const MemoryBudget memory{std::uint64_t{800} << 20U};
   cluster::ClusterLog::State log;
   log.ready = true;
-  CHECK(readiness_of(false, &log, memory).text == "ready");
+  CHECK(readiness_of(false, &log, nullptr, memory).text == "ready");
   log.late = "not allowed";
-  CHECK(readiness_of(false, &log, memory).ready);
-  CHECK_THAT(readiness_of(false, &log, memory).text, Catch::Contains("late: not allowed"));
+  CHECK(readiness_of(false, &log, nullptr, memory).ready);
+  CHECK_THAT(readiness_of(false, &log, nullptr, memory).text, Catch::Contains("late: not allowed"));
   log.read_only = "no quorum";
-  CHECK_THAT(readiness_of(false, &log, memory).text, Catch::Contains("no quorum"));
+  CHECK_THAT(readiness_of(false, &log, nullptr, memory).text, Catch::Contains("no quorum"));
 }
 
 TEST_CASE("the operators' port, proxies and TLS need descriptors of their own") {
