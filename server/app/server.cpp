@@ -459,7 +459,7 @@ void Server::watch_edits() {
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
   chunks_.count_columns();
-  LocalLog::Status status = edits_->status();
+  LocalLog::State status = edits_->status();
   watch_clock(status.clock_jumps);
   auto& read_only = status.read_only;
   if (read_only == edits_read_only_) return;

@@ -368,7 +368,7 @@ TEST_CASE("a server that refuses new connections for want of memory is not ready
 
 TEST_CASE("a server that is alone says why it takes no edits, and is not ready once its store is gone") {
   const MemoryBudget memory{std::uint64_t{800} << 20U};
-  LocalLog::Status log;
+  LocalLog::State log;
   CHECK(readiness_of(false, nullptr, &log, memory).text == "ready");
   log.read_only = "the disk is full";
   CHECK(readiness_of(false, nullptr, &log, memory).ready);
