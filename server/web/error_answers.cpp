@@ -18,17 +18,16 @@ namespace {
 
 constexpr std::string_view kHowToSend = "by HTTP it is sent as Authorization: Bearer TOKEN";
 
-/// `what`: the fault of the token, or the remedy; precedes the way to send it.
-http::Response ask_for_token(AuthFailure failure, std::string_view what) {
-  const std::string_view text = describe(failure);
+/// `remedy` precedes the way to send a token.
+http::Response ask_for_token(const AuthError& error, std::string_view remedy) {
   http::Response response =
-      error_response(401, ErrorCode::unauthorized, fmt::format("{}; {}{}", text, what, kHowToSend));
+      error_response(401, ErrorCode::unauthorized, fmt::format("{}; {}{}", error.text(), remedy, kHowToSend));
   // RFC 6750, 3.1: a request without a token gets no error code.
   response.fields.push_back(
-      {"WWW-Authenticate",
-       failure == AuthFailure::missing
-           ? "Bearer"
-           : fmt::format(R"(Bearer error="invalid_token", error_description="{}")", text)});
+      {"WWW-Authenticate", error.failure == AuthFailure::missing
+                               ? "Bearer"
+                               : fmt::format(R"(Bearer error="invalid_token", error_description="{}")",
+                                             describe(error.failure))});
   return response;
 }
 
@@ -40,16 +39,19 @@ http::Response blocked_response() {
       fmt::format("{}; only the operator can let you in again", describe(AuthFailure::blocked)));
 }
 
-http::Response token_refused(AuthFailure failure) {
-  switch (failure) {
+http::Response token_refused(const AuthError& error) {
+  switch (error.failure) {
     case AuthFailure::blocked:
       return blocked_response();
     case AuthFailure::missing:
-      return ask_for_token(failure, "");
+      return ask_for_token(error, "");
     case AuthFailure::not_accepted:
-      return ask_for_token(failure, "it is not one of this server's, or not whole; ");
+      if (!error.signed_by_key) {
+        return ask_for_token(error, "it is not one of this server's, or not whole; ");
+      }
+      [[fallthrough]];
     default:
-      return ask_for_token(failure, "get a new one; ");
+      return ask_for_token(error, "get a new one; ");
   }
 }
 

@@ -10,7 +10,7 @@
 
 #include <talus/protocol/message.h>
 
-#include "config/access/auth_failure.h"
+#include "config/access/access_control.h"
 #include "limits/memory/memory_budget.h"
 #include "net/http/response.h"
 #include "web/fetch.h"
@@ -29,7 +29,7 @@ using Answer = std::optional<http::Response>;
 [[nodiscard]] http::Response blocked_response();
 /// For a token that is missing or not accepted, or whose subject is blocked; explains how to send a valid
 /// one.
-[[nodiscard]] http::Response token_refused(AuthFailure failure);
+[[nodiscard]] http::Response token_refused(const AuthError& error);
 /// For a token without the right to read.
 [[nodiscard]] http::Response right_missing();
 

@@ -73,7 +73,7 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
   const auto grant = shared_.access.admit(token, shared_.clock.wall());
   if (!grant) {
     shared_.metrics.denied(grant.error().failure).add();
-    return token_refused(grant.error().failure);
+    return token_refused(grant.error());
   }
   return grant->rights.has(Right::read) ? std::nullopt : Answer{right_missing()};
 }

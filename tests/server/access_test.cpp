@@ -228,6 +228,7 @@ TEST_CASE("rights are read back from their text, and read is among them") {
     CHECK(to_string(*Rights::parse(text)) == text);
   }
   CHECK(Rights::parse("edit,read") == Rights{Right::read, Right::edit});
+  CHECK(Rights::parse(" read, edit ") == Rights{Right::read, Right::edit});
   for (const char* text : {"", ",", "read,", ",read", "edit", "Read", "read edit", "none,read", "root"}) {
     CAPTURE(text);
     CHECK_FALSE(Rights::parse(text).has_value());

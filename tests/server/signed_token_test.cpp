@@ -20,19 +20,6 @@ using std::chrono::sys_seconds;
 
 namespace {
 
-/// A token of this header and these claims, signed by the server's key and `digest`.
-std::string raw_token(const std::string& header, const std::string& claims,
-                      const EVP_MD* digest = EVP_sha256()) {
-  const std::string text = base64url_encode(header) + "." + base64url_encode(claims);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> signature{};
-  unsigned int size = 0;
-  REQUIRE(HMAC(digest, kKeyText.data(), static_cast<int>(kKeyText.size()),
-               reinterpret_cast<const unsigned char*>(text.data()), text.size(), signature.data(),
-               &size) != nullptr);
-  return text + "." + base64url_encode({reinterpret_cast<const char*>(signature.data()), size});
-}
-
-const std::string kHs256 = R"({"alg":"HS256","typ":"JWT"})";
 const std::string kGoodClaims = R"({"exp": 1800009999})";
 
 }  // namespace
@@ -144,8 +131,9 @@ TEST_CASE("claims and headers of a wrong type or value are not accepted") {
                              R"(5)",
                              "",
                              R"({"exp": "1800009999"})",
-                             R"({"exp": 1800009999.0})",
-                             R"({"exp": 1.8e9})",
+                             R"({"exp": 1e19})",
+                             R"({"exp": -0.5})",
+                             R"({"exp": 1800009999, "nbf": 1e300})",
                              R"({"exp": true})",
                              R"({"exp": null})",
                              R"({"exp": -1})",
@@ -172,6 +160,42 @@ TEST_CASE("claims and headers of a wrong type or value are not accepted") {
   }
   CHECK_FALSE(read(raw_token(R"({"alg":"HS256","crit":["b64"]})", kGoodClaims)).has_value());
   CHECK(read(raw_token(kHs256, R"({"exp": 9223372036854775807})")).has_value());
+}
+
+TEST_CASE("times with a fraction of a second, and blanks between rights, are read") {
+  const auto claims = read(raw_token(
+      kHs256, R"({"exp": 1800009999.5, "nbf": 1.8e9, "iat": 1799999999.25, "rights": " read, edit "})"));
+  REQUIRE(claims.has_value());
+  CHECK(claims->expires == sys_seconds{1'800'009'999s});
+  CHECK(claims->issued == sys_seconds{1'799'999'999s});
+  CHECK(claims->rights == Rights{Right::read, Right::edit});
+  CHECK_FALSE(read(raw_token(kHs256, R"({"exp": 1800009999, "nbf": 1800000030.5})"), kNow - 1s).has_value());
+}
+
+TEST_CASE("a token that is refused for a claim names it") {
+  const auto [claims, reason] = GENERATE(table<const char*, const char*>(
+      {{R"({})", "it has no exp"},
+       {R"({"exp": "1800009999"})", "its exp is not a number of seconds since 1970, but of type string"},
+       {R"({"exp": 1e300})", "its exp is not a time in seconds since 1970"},
+       {R"({"exp": 1800009999, "nbf": 1800000100})", "it is not valid yet, for 100 s: nbf"},
+       {R"({"exp": 1800009999, "rights": ["read"]})", R"(its rights are not a string such as "read,edit")"},
+       {R"({"exp": 1800009999, "rights": "raed"})",
+        R"(its rights: "raed" is wrong; give "read", "read,edit", or that with ",admin" or ",gateway")"},
+       {R"({"exp": 1800009999, "rights": "none"})", "its rights lack read"}}));
+  const auto refused = read(raw_token(kHs256, claims));
+  REQUIRE_FALSE(refused.has_value());
+  CHECK(refused.error().signed_by_key);
+  CHECK(refused.error().reason == reason);
+}
+
+TEST_CASE("a token whose parts are padded says so to the operator") {
+  const std::string good = token({"alice", {Right::read}, kNow + 1h});
+  for (const std::string& text : {good + "=", good + "\n", good.substr(0, 10) + "==" + good.substr(10)}) {
+    const auto refused = read(text);
+    REQUIRE_FALSE(refused.has_value());
+    CHECK_FALSE(refused.error().signed_by_key);
+    CHECK_THAT(refused.error().reason, Catch::StartsWith("it has padding (=)"));
+  }
 }
 
 TEST_CASE("base64url is as in RFC 4648, without padding") {

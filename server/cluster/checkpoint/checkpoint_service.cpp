@@ -136,7 +136,7 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
   const auto grant = parts_.access.admit(request.bearer_token(), parts_.clock.wall());
   if (!grant) {
     parts_.metrics.denied(grant.error().failure).add();
-    return refuse(401, std::string{describe(grant.error().failure)}, {{"WWW-Authenticate", "Bearer"}});
+    return refuse(401, grant.error().text(), {{"WWW-Authenticate", "Bearer"}});
   }
   if (!grant->rights.has(Right::admin)) {
     return refuse(403, "the token lacks the right admin, which taking a store requires");

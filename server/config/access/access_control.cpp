@@ -131,6 +131,12 @@ std::string_view describe(AuthFailure failure) {
   return "the token is not accepted";
 }
 
+std::string AuthError::text() const {
+  std::string sentence{describe(failure)};
+  if (failure == AuthFailure::not_accepted && signed_by_key) sentence += ": " + reason;
+  return sentence;
+}
+
 AccessControl::AccessControl(const Access& settings, Keys keys)
     : settings_{settings},
       secret_rights_{rights_of(settings.secret_rights)},
@@ -168,7 +174,7 @@ tl::expected<Grant, AuthError> AccessControl::admit(std::string_view token,
                    std::move(claims->edit_not_in)};
     }
     error = {claims.error().expired ? AuthFailure::expired : AuthFailure::not_accepted,
-             std::move(claims.error().reason)};
+             std::move(claims.error().reason), false, claims.error().signed_by_key};
     if (claims.error().signed_by_key) break;  // no other key can give a better reason
   }
   return tl::make_unexpected(std::move(error));

@@ -52,6 +52,9 @@ struct AuthError {
   AuthFailure failure{};
   std::string reason;     // for the operator's log; may be empty
   bool repeated = false;  // this block was logged before
+  bool signed_by_key = false;
+  /// Sentence for the client: describe(), with the reason if the token is one of this server's.
+  [[nodiscard]] std::string text() const;
 };
 
 /// An address blocked by a line of access.blocked_file.

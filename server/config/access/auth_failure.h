@@ -7,7 +7,7 @@
 
 namespace talus::server {
 
-/// Clients learn no more than this.
+/// Clients learn no more than this, unless a token is signed by this server's key.
 enum class AuthFailure : std::uint8_t { missing, expired, not_accepted, revoked, blocked };
 inline constexpr std::array<std::string_view, 5> kAuthFailureNames{"missing", "expired", "not_accepted",
                                                                    "revoked", "blocked"};

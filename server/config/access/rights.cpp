@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "config/trimmed.h"
 #include "runtime/log/escape.h"
 
 namespace talus::server {
@@ -29,7 +30,7 @@ tl::expected<Rights, std::string> Rights::parse(std::string_view text) {
   if (text == "none") return rights;
   for (std::string_view rest = text;;) {
     const std::size_t comma = rest.find(',');
-    const Right* right = find(rest.substr(0, comma));
+    const Right* right = find(trimmed(rest.substr(0, comma)));
     if (right == nullptr) break;
     rights.bits_ |= bit(*right);
     if (comma != std::string_view::npos) {

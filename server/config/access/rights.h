@@ -25,8 +25,8 @@ class Rights {
     for (const Right right : rights) bits_ |= bit(right);
   }
 
-  /// Parses "none", or words separated by commas that include "read", such as "read,edit". The error names
-  /// what is wrong and what is expected.
+  /// Parses "none", or words separated by commas and blanks that include "read", such as "read,edit". The
+  /// error names what is wrong and what is expected.
   [[nodiscard]] static tl::expected<Rights, std::string> parse(std::string_view text);
 
   [[nodiscard]] constexpr bool has(Right right) const { return (bits_ & bit(right)) != 0; }

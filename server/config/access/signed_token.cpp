@@ -6,8 +6,8 @@
 #include <strings.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -82,13 +82,23 @@ const Value* member(const Json& object, const char* name) {
   return found == object.end() ? nullptr : found->get_ptr<const Value*>();
 }
 
-/// Returns nullopt if the claim is missing or not a 64-bit integer.
-std::optional<sys_seconds> time_of(const Json& claims, const char* name) {
+/// Parses a NumericDate (RFC 7519, section 2) and drops a fraction of a second; nullopt if the claim is
+/// missing. An error is the reason.
+tl::expected<std::optional<sys_seconds>, std::string> time_of(const Json& claims, const char* name) {
   const auto found = claims.find(name);
-  if (found == claims.end() || !found->is_number_integer()) return std::nullopt;
-  constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  if (found->is_number_unsigned() && found->get<std::uint64_t>() > kMax) return std::nullopt;
-  return sys_seconds{seconds{found->get<std::int64_t>()}};
+  if (found == claims.end()) return std::nullopt;
+  if (!found->is_number()) {
+    return tl::make_unexpected(fmt::format("its {} is not a number of seconds since 1970, but of type {}",
+                                           name, found->type_name()));
+  }
+  constexpr double kEnd = 9223372036854775808.0;  // 2^63
+  const double number = std::floor(found->get<double>());
+  const bool is_integer = found->is_number_integer();
+  if (is_integer ? found->is_number_unsigned() && found->get<std::uint64_t>() >= std::uint64_t{1} << 63
+                 : !(number >= -kEnd && number < kEnd)) {
+    return tl::make_unexpected(fmt::format("its {} is not a time in seconds since 1970", name));
+  }
+  return sys_seconds{seconds{is_integer ? found->get<std::int64_t>() : static_cast<std::int64_t>(number)}};
 }
 
 tl::unexpected<TokenError> foreign(std::string why) {
@@ -127,6 +137,9 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
                                                    sys_seconds now) {
   const auto parts = split(token);
   if (!parts) return foreign("it is not a signed token");
+  if (token.find_first_of("=+/ \t\r\n") != std::string_view::npos) {
+    return foreign("it has padding (=), a blank or other characters that base64url does not have");
+  }
   if (!same(signature_of(key, parts->signed_text), parts->signature)) {
     return foreign("its signature does not match this server's key, or it is not a signed token");
   }
@@ -134,31 +147,38 @@ tl::expected<Claims, TokenError> read_signed_token(const Secret& key, std::strin
   const auto json = parse_object(parts->claims);
   if (!json) return refused("its claims are not a JSON object");
 
-  const auto expires = time_of(*json, "exp");
+  const auto expiry = time_of(*json, "exp");
+  if (!expiry) return refused(expiry.error());
+  if (!*expiry) return refused("it has no exp");
+  const sys_seconds expires = **expiry;
   const auto not_before = time_of(*json, "nbf");
+  if (!not_before) return refused(not_before.error());
   const auto* const subject = member<std::string>(*json, "sub");
   const auto* const words = member<std::string>(*json, "rights");
-  if (!expires || *expires < sys_seconds{}) return refused("its exp is missing or not a whole number");
-  if (!not_before && json->contains("nbf")) return refused("its nbf is not a whole number");
+  if (expires < sys_seconds{}) return refused("its exp is before 1970");
   if (subject == nullptr && json->contains("sub")) return refused("its sub is not a string");
   const auto* const id = member<std::string>(*json, "jti");
   if (id == nullptr && json->contains("jti")) return refused("its jti is not a string");
-  if (words == nullptr && json->contains("rights")) return refused("its rights are not a string");
-  if (now - kClockSkew >= *expires) {
-    return tl::make_unexpected(
-        TokenError{true, true, fmt::format("it expired {} s ago", (now - *expires).count())});
+  if (words == nullptr && json->contains("rights")) {
+    return refused(R"(its rights are not a string such as "read,edit")");
   }
-  if (not_before && now + kClockSkew < *not_before) return refused("it is not valid yet: nbf");
+  if (now - kClockSkew >= expires) {
+    return tl::make_unexpected(
+        TokenError{true, true, fmt::format("it expired {} s ago", (now - expires).count())});
+  }
+  if (*not_before && now + kClockSkew < **not_before) {
+    return refused(fmt::format("it is not valid yet, for {} s: nbf", (**not_before - now).count()));
+  }
 
   Claims claims{subject == nullptr ? "" : *subject,
                 {Right::read},
-                *expires,
+                expires,
                 id == nullptr ? "" : *id,
-                time_of(*json, "iat")};
+                time_of(*json, "iat").value_or(std::nullopt)};
   if (words != nullptr) {
     const auto rights = Rights::parse(*words);
-    if (!rights || !rights->has(Right::read))
-      return refused("its rights must be read, with any of edit, admin and gateway");
+    if (!rights) return refused(fmt::format("its rights: {}", rights.error()));
+    if (!rights->has(Right::read)) return refused("its rights lack read");
     claims.rights = *rights;
   }
   auto edit_in = boxes_of(*json, "edit_in");

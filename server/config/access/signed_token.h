@@ -1,7 +1,7 @@
 // Signed tokens: JSON Web Tokens (RFC 7519) in compact form, signed with HMAC-SHA-256 (HS256), the only
 // accepted algorithm. The functions are pure: the caller passes the time.
 //
-// Claims: "exp" (required), "nbf" and "iat", whole seconds since 1970; "sub"; "jti"; "rights", parsed by
+// Claims: "exp" (required), "nbf" and "iat", seconds since 1970; "sub"; "jti"; "rights", parsed by
 // Rights::parse, default "read"; "edit_in" and "edit_not_in", parsed by Boxes::parse: the boxes to which
 // edits are restricted (default everywhere) and from which they are excluded. Other claims are ignored. A
 // header with "crit", or with a "typ" other than "JWT", is rejected.
@@ -41,7 +41,7 @@ struct Claims {
 struct TokenError {
   bool signed_by_key = false;  // the signature is right; something else is wrong
   bool expired = false;        // only the time is wrong
-  std::string reason;          // for the operator's log, not for the client
+  std::string reason;          // for the operator's log; for the client only if signed_by_key
 };
 
 /// Returns the claims of a token that `key` signed and that is valid at `now`. Checks the signature in

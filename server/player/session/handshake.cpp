@@ -60,9 +60,11 @@ tl::expected<Greeting, Rejection> greet(const wire::Hello& hello, const SessionL
   const std::string_view token = hello.token() == nullptr ? std::string_view{} : hello.token()->string_view();
   auto grant = access.admit(token, now);
   if (!grant) {
-    const AuthFailure failure = grant.error().failure;
-    return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::string{describe(failure)},
-                                         std::move(grant.error().reason), failure, grant.error().repeated});
+    AuthError& error = grant.error();
+    std::string text = error.text();
+    if (text.ends_with(error.reason)) error.reason.clear();
+    return tl::make_unexpected(Rejection{wire::ErrorCode::unauthorized, std::move(text),
+                                         std::move(error.reason), error.failure, error.repeated});
   }
   const std::uint64_t window = hello.window_bytes() == 0 ? limits.window_bytes : hello.window_bytes();
   return Greeting{chosen, kCodecVersion, std::min<std::uint64_t>(window, limits.window_bytes),
