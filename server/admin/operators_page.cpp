@@ -15,9 +15,8 @@ http::Response answer_operator(const http::Request& request, const OperatorAnswe
     return {503, http::kPlainText, "the main thread does not respond\n"};
   }
   if (path == "/-/ready") {
-    const std::string* const state = request.field(kBalancerStateField);
-    if (state != nullptr && answers.balancer_says) {
-      answers.balancer_says(*state, std::string{request.query()});
+    if (request.has(kBalancerStateField) && answers.balancer_says) {
+      answers.balancer_says(request.list(kBalancerStateField), std::string{request.query().value_or("")});
     }
     const Readiness readiness = answers.ready();
     return {readiness.ready ? 200 : 503, http::kPlainText, readiness.text + "\n"};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "net/http/query.h"
+
 namespace talus::server {
 namespace {
 
@@ -76,7 +78,8 @@ tl::expected<BalancerQuery, std::string> read_balancer_query(std::string_view qu
     const std::size_t end = std::min(query.find('&'), query.size());
     const std::string_view part = query.substr(0, end);
     query.remove_prefix(std::min(end + 1, query.size()));
-    std::string_view value = part;
+    const std::string decoded = http::form_decoded(part).value_or("");
+    std::string_view value = decoded;
     bool understood = false;
     if (!read.above_percent && take_balancer_name(value, "above_percent=")) {
       read.above_percent = read_balancer_percent(value);

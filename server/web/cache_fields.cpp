@@ -35,16 +35,14 @@ void tag(const http::Request& request, http::Response& response) {
 
 void tag(const http::Request& request, http::Response& response, const http::EntityTag& etag) {
   response.etag = etag;
-  if (!lists_tag(request.field("If-None-Match"), etag)) return;
+  if (!lists_tag(request.list("If-None-Match"), etag)) return;
   response.status = 304;
   response.body.clear();
   response.kept = {};
 }
 
 bool is_strange_page(const http::Request& request, const AllowedOrigins& origins) {
-  if (request.field("Origin") == nullptr) return false;
-  const std::string* const host = request.field("Host");
-  return !origins.allow(request.list("Origin"), host == nullptr ? std::string_view{} : *host);
+  return request.has("Origin") && !origins.allow(request.list("Origin"), request.list("Host"));
 }
 
 void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
@@ -55,7 +53,7 @@ void add_origin_fields(const http::Request& request, const Audience& audience, c
     response.any_origin = true;
     return;
   }
-  if (request.field("Origin") != nullptr) {
+  if (request.has("Origin")) {
     // All fields of this name, as a cache's key contains all of them.
     std::string origin = request.list("Origin");
     // A cache keeps one copy for each listed origin, and one for requests without an Origin. Any client can

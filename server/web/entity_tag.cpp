@@ -34,9 +34,8 @@ http::EntityTag entity_tag(std::string_view bytes) {
   return tag;
 }
 
-bool lists_tag(const std::string* if_none_match, const http::EntityTag& tag) {
-  return if_none_match != nullptr &&
-         (*if_none_match == "*" || if_none_match->find(http::text_of(tag)) != std::string::npos);
+bool lists_tag(std::string_view if_none_match, const http::EntityTag& tag) {
+  return if_none_match == "*" || if_none_match.find(http::text_of(tag)) != std::string_view::npos;
 }
 
 }  // namespace talus::server::web

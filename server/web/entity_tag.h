@@ -10,7 +10,7 @@ namespace talus::server::web {
 
 [[nodiscard]] http::EntityTag entity_tag(std::string_view bytes);
 
-/// Returns true if an If-None-Match field lists the tag. A missing field is null.
-[[nodiscard]] bool lists_tag(const std::string* if_none_match, const http::EntityTag& tag);
+/// Returns true if an If-None-Match list has the tag.
+[[nodiscard]] bool lists_tag(std::string_view if_none_match, const http::EntityTag& tag);
 
 }  // namespace talus::server::web

@@ -68,7 +68,7 @@ Answer Requester::check_token(const http::Request& request, bool for_caches, Aud
   }
   audience.anybody = shared_.access.lets_anybody_read();
   audience.caches = for_caches && audience.anybody;
-  const std::string_view token = request.bearer_token();
+  const std::string token = request.bearer_token();
   if (audience.caches && token.empty()) return std::nullopt;
   const auto grant = shared_.access.admit(token, shared_.clock.wall());
   if (!grant) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "chunks/edited_land.h"
+#include "net/http/query.h"
 
 namespace talus::server::web {
 namespace {
@@ -18,18 +19,6 @@ constexpr std::size_t kMaxSegments = 8;
 
 tl::unexpected<RouteError> wrong(int status, std::string text) {
   return tl::make_unexpected(RouteError{status, std::move(text)});
-}
-
-std::vector<std::string_view> split(std::string_view text, char by, std::size_t max_parts) {
-  std::vector<std::string_view> parts;
-  while (parts.size() + 1 < max_parts) {
-    const std::size_t at = text.find(by);
-    if (at == std::string_view::npos) break;
-    parts.push_back(text.substr(0, at));
-    text.remove_prefix(at + 1);
-  }
-  parts.push_back(text);
-  return parts;
 }
 
 /// Parses a number as std::to_chars writes it; rejects 007, +7 and -0.
@@ -172,53 +161,14 @@ tl::expected<Route, RouteError> map_tile(std::span<const std::string_view> parts
   return MapRoute{parts[0], *tile};
 }
 
-/// Keys and values of a query.
-class Query {
- public:
-  explicit Query(std::string_view text) {
-    for (const std::string_view part : split(text, '&', 32)) {
-      const std::size_t equals = part.find('=');
-      if (!part.empty()) {
-        values_.emplace_back(part.substr(0, equals),
-                             equals == std::string_view::npos ? std::string_view{} : part.substr(equals + 1));
-      }
-    }
-  }
-
-  /// Returns nullopt if the key is missing. A second value of a key is left for left().
-  [[nodiscard]] std::optional<std::string_view> take(std::string_view key) {
-    for (auto value = values_.begin(); value != values_.end(); ++value) {
-      if (value->first != key) continue;
-      const std::string_view text = value->second;
-      values_.erase(value);
-      return text;
-    }
-    return std::nullopt;
-  }
-  /// Returns a key that is not in kHeightsKeys.
-  [[nodiscard]] std::optional<std::string_view> unknown() const {
-    const auto found = std::find_if(values_.begin(), values_.end(), [](const auto& value) {
-      return std::find(kHeightsKeys.begin(), kHeightsKeys.end(), value.first) == kHeightsKeys.end();
-    });
-    return found == values_.end() ? std::nullopt : std::optional{found->first};
-  }
-  /// Returns a key that was not taken.
-  [[nodiscard]] std::optional<std::string_view> left() const {
-    return values_.empty() ? std::nullopt : std::optional{values_.front().first};
-  }
-
- private:
-  std::vector<std::pair<std::string_view, std::string_view>> values_;
-};
-
 constexpr std::string_view kHeightForms =
     "/v1/heights?columns=X,Z;X,Z or ?x=X&z=Z&w=COLUMNS&h=ROWS[&step=S], with &looks=1, &fields=NAME,NAME and "
     "&format=npy if wanted";
 
 tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t max_columns,
                                             HeightsRoute& route) {
-  for (const std::string_view each : split(text, ';', max_columns + 2)) {
-    const auto pair = split(each, ',', 3);
+  for (const std::string_view each : http::split(text, ';', max_columns + 2)) {
+    const auto pair = http::split(each, ',', 3);
     const auto x = number_of(pair[0]);
     const auto z = pair.size() == 2 ? number_of(pair[1]) : std::nullopt;
     if (!x || !z) return wrong(400, fmt::format("columns: '{}' is not X,Z", each.substr(0, 40)));
@@ -227,13 +177,14 @@ tl::expected<void, RouteError> list_columns(std::string_view text, std::size_t m
   return {};
 }
 
-tl::expected<void, RouteError> grid_columns(Query& query, std::size_t max_columns, HeightsRoute& route) {
+tl::expected<void, RouteError> grid_columns(http::Query& query, std::size_t max_columns,
+                                            HeightsRoute& route) {
   // Beyond any world; check_heights() enforces the world's bounds.
   constexpr std::int64_t kFar = std::int64_t{1} << 40;
   const auto read = [&](std::string_view key, std::optional<std::int64_t> otherwise, std::int64_t min,
                         std::int64_t max) -> tl::expected<std::int64_t, RouteError> {
-    const auto text = query.take(key);
-    const auto number = text ? number_of(*text) : otherwise;
+    const auto pair = query.take(key);
+    const auto number = pair ? number_of(pair->value) : otherwise;
     if (number && *number >= min && *number <= max) return *number;
     return wrong(400, fmt::format("{}: {} is needed; {}", key,
                                   fmt::format("an integer from {} to {}", min, max), kHeightForms));
@@ -258,33 +209,44 @@ tl::expected<void, RouteError> grid_columns(Query& query, std::size_t max_column
   return {};
 }
 
+/// A comma that is sent as such separates names. An encoded one may be part of a name.
+std::vector<std::string> field_names(std::string_view raw) {
+  std::vector<std::string> names;
+  for (const std::string_view each : http::split(raw, ',', 64))
+    names.push_back(http::form_decoded(each).value_or(""));
+  return names;
+}
+
 tl::expected<Route, RouteError> heights(std::string_view text, std::size_t max_columns) {
-  Query query{text};
-  if (const auto unknown = query.unknown()) {
+  auto query = http::Query::parse(text);
+  if (!query) return wrong(400, query.error());
+  for (const http::Query::Pair& pair : query->left()) {
+    if (std::find(kHeightsKeys.begin(), kHeightsKeys.end(), pair.key) != kHeightsKeys.end()) continue;
     return wrong(400,
-                 fmt::format("'{}' is not a key of this query; {}", unknown->substr(0, 40), kHeightForms));
+                 fmt::format("'{}' is not a key of this query; {}", pair.key.substr(0, 40), kHeightForms));
   }
   HeightsRoute route;
-  const auto list = query.take("columns");
+  const auto list = query->take("columns");
   if (const auto done =
-          list ? list_columns(*list, max_columns, route) : grid_columns(query, max_columns, route);
+          list ? list_columns(list->value, max_columns, route) : grid_columns(*query, max_columns, route);
       !done) {
     return tl::make_unexpected(done.error());
   }
-  if (const auto looks = query.take("looks")) {
-    if (*looks != "0" && *looks != "1") return wrong(400, "looks: give 0 or 1");
-    route.looks = *looks == "1";
+  if (const auto looks = query->take("looks")) {
+    if (looks->value != "0" && looks->value != "1") return wrong(400, "looks: give 0 or 1");
+    route.looks = looks->value == "1";
   }
-  if (const auto fields = query.take("fields")) route.fields = split(*fields, ',', 64);
-  if (const auto format = query.take("format")) {
-    if (*format != "json" && *format != "npy") return wrong(400, "format: give json or npy");
-    route.npy = *format == "npy";
+  if (const auto fields = query->take("fields")) route.fields = field_names(fields->raw);
+  if (const auto format = query->take("format")) {
+    if (format->value != "json" && format->value != "npy") return wrong(400, "format: give json or npy");
+    route.npy = format->value == "npy";
   }
   if (route.npy && (route.looks || !route.fields.empty())) {
     return wrong(400, "format: .npy holds heights alone; ask for looks and fields in JSON");
   }
-  if (const auto left = query.left()) {
-    return wrong(400, fmt::format("'{}' is given twice, or with columns; {}", *left, kHeightForms));
+  if (!query->left().empty()) {
+    return wrong(400, fmt::format("'{}' is given twice, or with columns; {}", query->left().front().key,
+                                  kHeightForms));
   }
   return route;
 }
@@ -304,7 +266,7 @@ bool is_for_players(std::string_view path) {
   return path.starts_with(kRoot);
 }
 
-tl::expected<Route, RouteError> find_route(std::string_view path, std::string_view query,
+tl::expected<Route, RouteError> find_route(std::string_view path, std::optional<std::string_view> query,
                                            std::size_t max_columns) {
   std::array<std::string_view, kMaxSegments> segments;
   std::string_view rest = path.substr(std::min(kRoot.size(), path.size()));
@@ -315,10 +277,13 @@ tl::expected<Route, RouteError> find_route(std::string_view path, std::string_vi
     rest.remove_prefix(std::min(rest.size(), segments[count].size() + 1));
   }
   const std::span<const std::string_view> parts = std::span{segments}.first(count);
-  if (parts.size() == 1 && parts[0] == "heights") return heights(query, max_columns);
-  if (!query.empty()) return wrong(400, "this path takes no query: caches would hold an answer many times");
+  if (parts.size() == 1 && parts[0] == "heights") return heights(query.value_or(""), max_columns);
+  if (query && !query->empty()) {
+    return wrong(400, "this path takes no query: caches would hold an answer many times");
+  }
   if (parts.size() == 1 && parts[0] == "world") return WorldRoute{};
   if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
+  if (query) return wrong(404, "this path has no '?' at its end: caches would hold an answer twice");
   if (parts.size() > 1 && parts[1] == "map") return map_tile(parts);
   if (parts.size() > 2 && parts[2] == "edits") return edited_region(parts);
   return chunks(parts);

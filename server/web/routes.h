@@ -58,7 +58,7 @@ struct HeightsRoute {
   std::vector<terrain::BaseColumn> columns;
   std::int64_t width = 0;  // a grid's; its columns go row by row southward; 0: a list
   bool looks = false;
-  std::vector<std::string_view> fields;
+  std::vector<std::string> fields;  // one whose comma was encoded may be several names
   bool npy = false;
 };
 struct MapRoute {
@@ -81,8 +81,10 @@ struct RouteError {
 [[nodiscard]] std::string last_part_of(const ColumnsRoute& route, std::uint64_t revision);
 
 /// Every chunk has a single path, so that caches store it once: numbers as std::to_chars writes them, and no
-/// query. At most `max_columns` columns of heights. The result has views into `path` and `query`.
-[[nodiscard]] tl::expected<Route, RouteError> find_route(std::string_view path, std::string_view query,
+/// query, not even an empty one. `query`: nullopt if the target has no '?'. At most `max_columns` columns of
+/// heights. The result has views into `path`.
+[[nodiscard]] tl::expected<Route, RouteError> find_route(std::string_view path,
+                                                         std::optional<std::string_view> query,
                                                          std::size_t max_columns);
 
 }  // namespace talus::server::web

@@ -181,9 +181,9 @@ const Site::File* Site::find(std::string_view path) const {
   return found == files_.end() ? nullptr : &found->second;
 }
 
-const Site::Form& Site::File::form_for(const std::string* accept_encoding) const {
+const Site::Form& Site::File::form_for(std::string_view accept_encoding) const {
   const auto taken = std::find_if(forms.begin(), forms.end() - 1, [&](const Form& form) {
-    return accept_encoding != nullptr && accepts_encoding(*accept_encoding, form.encoding);
+    return accepts_encoding(accept_encoding, form.encoding);
   });
   return *taken;
 }

@@ -37,9 +37,8 @@ class Site {
     bool hashed = false;      // its name changes with its content
     std::vector<Form> forms;  // br, gzip, plain: the ones that exist
 
-    /// Returns the first form that Accept-Encoding allows, or the last, which every client accepts. A missing
-    /// field is null.
-    [[nodiscard]] const Form& form_for(const std::string* accept_encoding) const;
+    /// Returns the first form that Accept-Encoding allows, or the last, which every client accepts.
+    [[nodiscard]] const Form& form_for(std::string_view accept_encoding) const;
   };
 
   /// Reads the whole directory except names that begin with a dot. FILE.br and FILE.gz are the compressed

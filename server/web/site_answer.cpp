@@ -58,12 +58,12 @@ http::Response site_answer(const Site* site, const http::Request& request) {
   }
   const Site::File* const file = site->find(path);
   if (file == nullptr) return nothing_there(path, *site);
-  const Site::Form& form = file->form_for(request.field("Accept-Encoding"));
+  const Site::Form& form = file->form_for(request.list("Accept-Encoding"));
   http::Response response{200, file->content_type};
   response.cache_control = file->hashed ? kForever : http::kNoCache;
   response.etag = form.etag;
   if (file->forms.size() > 1) response.fields.push_back({"Vary", "Accept-Encoding"});
-  if (lists_tag(request.field("If-None-Match"), form.etag)) {
+  if (lists_tag(request.list("If-None-Match"), form.etag)) {
     response.status = 304;
     return response;
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -17,8 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view target{reinterpret_cast<const char*>(data), size};
   const std::size_t mark = target.find('?');
   const std::string_view path = target.substr(0, mark);
-  const auto route = find_route(
-      path, mark == std::string_view::npos ? std::string_view{} : target.substr(mark + 1), kMaxColumns);
+  const auto query = mark == std::string_view::npos ? std::nullopt : std::optional{target.substr(mark + 1)};
+  const auto route = find_route(path, query, kMaxColumns);
   if (!route) {
     if (route.error().status < 400 || route.error().text.empty()) std::abort();
     return 0;
@@ -27,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (heights->columns.size() > kMaxColumns + 2) std::abort();
   }
   if (const auto* const chunk = std::get_if<ChunkRoute>(&*route)) {
+    if (query) std::abort();  // it would be a second path
     const auto& [coord, lod] = chunk->key;
     const auto& edition = chunk->edition;
     const std::string again =

@@ -74,6 +74,13 @@ class Scripted(unittest.TestCase):
 
     PATH = f"/v1/{WORLD['fingerprint']}/4"
 
+    def test_names_of_fields_are_asked_for_whole(self):
+        names = ["red rock", "a,b", "H\u00f6he", "+&="]
+        path = "/v1/heights?columns=1,-2;3,4&fields=red%20rock,a%2Cb,H%C3%B6he,%2B%26%3D"
+        found = {"subvoxels_per_voxel": 256, "heights": [256, 0], "fields": {name: [1, 2] for name in names}}
+        with talus.connect(self.serve({path: [(200, json.dumps(found).encode())]})) as world:
+            self.assertEqual(set(world.get_places([(1, -2), (3, 4)], False, names).fields), set(names))
+
     def test_chunks_are_asked_for_by_their_path_with_the_token(self):
         address = self.serve({f"{self.PATH}/2/-1/0/7": [(200, UNIFORM)]})
         with talus.connect(address, token="open sesame") as world:

@@ -46,11 +46,12 @@ TEST_CASE("a check may ask for another tolerance, and be about the sessions of s
   CHECK(read_balancer_query("above_percent=25&ports=4800-4863") == BalancerQuery{25, PortRange{4800, 4863}});
   CHECK(read_balancer_query("ports=4800-65535&above_percent=25") ==
         BalancerQuery{25, PortRange{4800, 65535}});
+  CHECK(read_balancer_query("ports=4800%2D4863") == BalancerQuery{std::nullopt, PortRange{4800, 4863}});
 }
 
 TEST_CASE("a check that asks for anything else is not understood, in which part is said") {
   for (const char* wrong :
-       {"above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%",
+       {"above_percent=", "above_percent=1001", "above_percent=-1", "above_percent=5%", "above_percent=%zz",
         "above_percent=25&x=1", "above=25", "x&above_percent=25", "ports=", "ports=-", "ports=4800-",
         "ports=-4800", "ports=4801-4800", "ports=4800-65536", "ports=4800-4863-4900", "ports=1&ports=2",
         "port=4780", "ports=4780,4781", "ports=80&&above_percent=1"}) {

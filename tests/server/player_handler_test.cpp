@@ -375,3 +375,51 @@ TEST_CASE("a client that leaves has no map drawn, and a map counts with its cost
   site.io.poll();
   CHECK(connection.expired());  // it waits for its rate no longer
 }
+
+TEST_CASE("a list in several lines counts whole") {
+  PlayerSite site;
+  site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
+  const std::string tag = site.ask(kChunks + "/0/0/0/0").field("ETag");
+  CHECK(site.ask(kChunks + "/0/0/0/0", "If-None-Match: \"x\"\r\nIf-None-Match: " + tag + "\r\n").status ==
+        304);
+  const std::string upgrade =
+      "Connection: keep-alive\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+  CHECK(site.ask("/v1/stream", upgrade + "Upgrade: h2c\r\nUpgrade: websocket\r\n").status == 101);
+  // Fields that are not lists may not come twice.
+  CHECK(site.ask("/v1/stream", upgrade + "Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n").status ==
+        426);
+  CHECK(site.ask("/v1/stream",
+                 upgrade + "Upgrade: websocket\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n")
+            .status == 400);
+}
+
+TEST_CASE("of two tokens in one request none counts") {
+  const ScratchDirectory scratch;
+  PlayerSite site{with_secret(scratch)};
+  CHECK(site.ask("/v1/world", kToken).status == 200);
+  CHECK(site.ask("/v1/world", kToken + "Authorization: Bearer other\r\n").status == 401);
+}
+
+TEST_CASE("a field is asked for by its whole name, even if that has a blank or a comma") {
+  PlayerSite site;
+  const auto ask = [&](const std::string& fields) {
+    return site.ask("/v1/heights?columns=1%2C2&fields=" + fields).text();
+  };
+  const auto client = site.connect();
+  for (const char* const fields :
+       {"red%20rock", "red+rock", "a%2Cb,temperature", "temperature%2Cred%20rock"}) {
+    CAPTURE(fields);
+    client->send(std::string{"GET /v1/heights?columns=1%2C2&fields="} + fields +
+                 " HTTP/1.1\r\nHost: a\r\n\r\n");
+    site.io.poll();
+    REQUIRE(site.source.waiting_heights.size() == 1);
+    const auto [ticket, mailbox] = *site.source.waiting_heights.begin();
+    site.source.answer_heights(ticket);
+    mailbox->wake();
+    site.io.poll();
+    CHECK(answers_in(client->text()).back().status == 200);
+  }
+  CHECK_THAT(ask("a,b"), Catch::Contains("no 'a'"));
+  CHECK_THAT(ask("%zz"), Catch::Contains("%25 is a percent sign"));
+}

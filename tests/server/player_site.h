@@ -124,8 +124,14 @@ struct PlayerSite {
   MemoryBudget memory{0};
   Metrics metrics;
   SessionLimits limits = test_limits(1U << 30);
-  WorldInfo world{ContentHash{1, 2}, ContentHash{3, 4}, {}, {0, 256}, {}, "test",
-                  {"meadow"},        {"temperature"}};
+  WorldInfo world{ContentHash{1, 2},
+                  ContentHash{3, 4},
+                  {},
+                  {0, 256},
+                  {},
+                  "test",
+                  {"meadow"},
+                  {"temperature", "red rock", "a,b"}};
   FakeLand land;
   bool has_store = true;
   CurrentRates rates;

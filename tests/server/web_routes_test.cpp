@@ -9,7 +9,7 @@ using namespace talus::server::web;
 
 namespace {
 
-tl::expected<Route, RouteError> route_of(std::string_view path, std::string_view query = {}) {
+tl::expected<Route, RouteError> route_of(std::string_view path, std::optional<std::string_view> query = {}) {
   return find_route(path, query, 100);
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("heights of a list and of a grid") {
   const auto list = std::get<HeightsRoute>(*route_of("/v1/heights", "columns=1,-2;3,4&looks=1&fields=a,b"));
   CHECK(places(list) == Places{{1, -2}, {3, 4}});
   CHECK(list.looks);
-  CHECK(list.fields == std::vector<std::string_view>{"a", "b"});
+  CHECK(list.fields == std::vector<std::string>{"a", "b"});
   const auto grid = std::get<HeightsRoute>(*route_of("/v1/heights", "x=-4&z=8&w=2&h=2&step=16"));
   CHECK(places(grid) == Places{{-4, 8}, {12, 8}, {-4, 24}, {12, 24}});
   CHECK(grid.width == 2);
@@ -132,6 +132,43 @@ TEST_CASE("heights of a list and of a grid") {
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().status == 400);
   }
+}
+
+TEST_CASE("keys and values of a query are percent-decoded") {
+  const auto fields_of = [](std::string_view query) {
+    const auto route = route_of("/v1/heights", query);
+    REQUIRE(route);
+    return std::get<HeightsRoute>(*route).fields;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(places(std::get<HeightsRoute>(*route_of("/v1/heights", "columns=0%2C0%3B1%2C-2"))) ==
+        Places{{0, 0}, {1, -2}});
+  CHECK(std::get<HeightsRoute>(*route_of("/v1/heights", "%78=1&z=2&w=%31&h=1")).width == 1);
+  CHECK(fields_of("columns=1,2&fields=red%20rock,H%C3%B6he") == Names{"red rock", "H\xc3\xb6he"});
+  CHECK(fields_of("columns=1,2&fields=red+rock") == Names{"red rock"});
+  CHECK(fields_of("columns=1,2&fields=a%2Bb,a%26b%3D") == Names{"a+b", "a&b="});
+  CHECK(fields_of("columns=1,2&fields=a%2Cb,c") == Names{"a,b", "c"});  // one name or two: the world decides
+  for (const auto* query : {"columns=1,2&fields=%", "columns=1,2&fields=a%2", "columns=1,2&fields=%zz",
+                            "columns=1,2&fields=%-1", "columns=1,2&%=", "columns=1,2%26looks=1"}) {
+    INFO(query);
+    CHECK(route_of("/v1/heights", query).error().status == 400);
+  }
+  // Paths are not decoded: each chunk has a single one.
+  for (const auto* path : {"/v1/abc/4/0/%30/0/0", "/v1/abc/4/0/0/0/%2D1", "/v1/heights%3F"}) {
+    INFO(path);
+    CHECK(route_of(path).error().status == 404);
+  }
+}
+
+TEST_CASE("an empty query is not a second path of a chunk") {
+  for (const auto* path : {"/v1/abc/4/0/0/0/0", "/v1/abc/4/0/0/0", "/v1/abc/4/0/0/0/2x2",
+                           "/v1/abc/def/4/0/0/0/0@1", "/v1/abc/def/edits/0/0/0", "/v1/abc/map/8/0/0.png"}) {
+    INFO(path);
+    CHECK(route_of(path));
+    CHECK(route_of(path, "").error().status == 404);
+  }
+  CHECK(route_of("/v1/world", ""));
+  CHECK(route_of("/v1/stream", ""));
 }
 
 TEST_CASE("the client behind proxies is the rightmost address that is not a proxy") {

@@ -79,6 +79,13 @@ TEST_CASE("Payloads follow the answer, however they are cut") {
   }));
 }
 
+TEST_CASE("A list in several lines of the answer counts whole") {
+  ClientSide side = new_side();
+  (void)take(side, bytes_of(kSwitching + kAccept + "Upgrade: h2c\r\nConnection: keep-alive\r\n" + kUpgrade +
+                            "\r\n"));
+  CHECK(side.is_open());
+}
+
 TEST_CASE("A server reads a client's frames, which are masked") {
   Bytes sent;
   const std::string text(70'000, 'x');

@@ -130,9 +130,10 @@ class WebWorld(Queries):
         raise NotImplementedError(f"edits need a connection, and {self._root} is HTTP; connect to HOST:PORT of talusd's --listen")
 
     def get_places(self, columns, looks, fields):
-        query = {"columns": ";".join(f"{x},{z}" for x, z in columns)}
-        query.update({"looks": "1"} if looks else {}, **({"fields": ",".join(fields)} if fields else {}))
-        found = self._get_json("/v1/heights?" + urllib.parse.urlencode(query, safe=",;"))
+        query = ["columns=" + ";".join(f"{x},{z}" for x, z in columns)]
+        query += ["looks=1"] if looks else []
+        query += ["fields=" + ",".join(urllib.parse.quote(name, safe="") for name in fields)] if fields else []
+        found = self._get_json("/v1/heights?" + "&".join(query))
         try:
             places = Places(
                 np.array(found["heights"], float) / found["subvoxels_per_voxel"],

@@ -88,18 +88,18 @@ void ClientSide::check_answer() {
     fail(Failure::Kind::refused,
          "the server answered " + printable(status_line.substr(kVersion.size())) + " instead of a WebSocket");
     failure_->status = status;
-    const std::string_view wait = fields.value("Retry-After").value_or("");
+    const std::string wait = fields.list("Retry-After").value_or("");
     std::from_chars(wait.data(), wait.data() + wait.size(), failure_->retry_after_seconds);
     return;
   }
-  if (!protocol::has_word(fields.value("Upgrade").value_or(""), "websocket") ||
-      !protocol::has_word(fields.value("Connection").value_or(""), "upgrade")) {
+  if (!protocol::has_word(fields.list("Upgrade").value_or(""), "websocket") ||
+      !protocol::has_word(fields.list("Connection").value_or(""), "upgrade")) {
     return fail(Failure::Kind::violation, "the server's 101 is not for a WebSocket");
   }
-  if (fields.value("Sec-WebSocket-Accept") != accept_) {
+  if (fields.list("Sec-WebSocket-Accept") != accept_) {
     return fail(Failure::Kind::violation, "the server's Sec-WebSocket-Accept does not match the key");
   }
-  if (fields.value("Sec-WebSocket-Extensions") || fields.value("Sec-WebSocket-Protocol")) {
+  if (fields.list("Sec-WebSocket-Extensions") || fields.list("Sec-WebSocket-Protocol")) {
     return fail(Failure::Kind::violation,
                 "the server chose a WebSocket extension or subprotocol that was not offered");
   }

@@ -20,15 +20,16 @@ std::string printable(std::string_view text) {
   return line;
 }
 
-std::optional<std::string_view> Fields::value(std::string_view name) const {
+std::optional<std::string> Fields::list(std::string_view name) const {
+  std::optional<std::string> values;
   for (std::string_view rest = text_; !rest.empty();) {
     const std::string_view line = next_line(rest);
     const std::size_t colon = line.find(':');
-    if (colon != std::string_view::npos && protocol::same_name(line.substr(0, colon), name)) {
-      return protocol::trimmed(line.substr(colon + 1));
-    }
+    if (colon == std::string_view::npos || !protocol::same_name(line.substr(0, colon), name)) continue;
+    values = values ? *values + ", " : std::string{};
+    values->append(protocol::trimmed(line.substr(colon + 1)));
   }
-  return std::nullopt;
+  return values;
 }
 
 }  // namespace talus::websocket

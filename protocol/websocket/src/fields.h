@@ -17,8 +17,8 @@ class Fields {
  public:
   /// `text`: everything after the status line; must outlive this object.
   explicit Fields(std::string_view text) : text_{text} {}
-  /// Value of the first field with this name, ignoring case.
-  [[nodiscard]] std::optional<std::string_view> value(std::string_view name) const;
+  /// Values of all fields with this name, ignoring case, as one list. Source: RFC 9110, 5.2.
+  [[nodiscard]] std::optional<std::string> list(std::string_view name) const;
 
  private:
   std::string_view text_;

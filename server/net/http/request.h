@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,15 @@ struct Request {
 
   /// The target's path, without host and query. Source: RFC 9112, 3.2.1 and 3.2.2.
   [[nodiscard]] std::string_view path() const;
-  /// The part after the target's first '?'; may be empty.
-  [[nodiscard]] std::string_view query() const;
-  /// The value of the first field with this name, in any case; null if there is no such field.
-  [[nodiscard]] const std::string* field(std::string_view name) const;
+  /// The part after the target's first '?'; nullopt without one.
+  [[nodiscard]] std::optional<std::string_view> query() const;
+  /// True if there is a field with this name, in any case.
+  [[nodiscard]] bool has(std::string_view name) const;
   /// The values of all fields with this name as one list, in order; empty if there is no such field. Source:
   /// RFC 9110, 5.2.
   [[nodiscard]] std::string list(std::string_view name) const;
   /// Token of `Authorization: Bearer`, in any case; empty if missing. Source: RFC 6750, 2.1; RFC 9110, 11.1.
-  [[nodiscard]] std::string_view bearer_token() const;
+  [[nodiscard]] std::string bearer_token() const;
 };
 
 /// Reason for rejecting a request. The connection closes, as the beginning of the next request is unknown.

@@ -28,6 +28,7 @@ constexpr RequestError kVersion{400, "this server supports only HTTP/1.0 and HTT
 constexpr RequestError kNoHost{400, "an HTTP/1.1 request has exactly one Host field"};
 constexpr RequestError kBareLineFeed{400, "a line ends with LF alone instead of CR LF"};
 constexpr RequestError kFolded{400, "a header line begins with white space"};
+constexpr RequestError kHost{400, "the Host field is not HOST or HOST:PORT"};
 constexpr RequestError kFieldName{400, "a header field's name is not a token"};
 constexpr RequestError kFieldValue{400, "a header field's value has a control character"};
 
@@ -47,6 +48,15 @@ bool is_value(std::string_view value) {
   return std::none_of(value.begin(), value.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t') || byte == 0x7F;
+  });
+}
+
+/// RFC 9112, 3.2: a host and an optional port, or nothing. Only the characters are checked.
+bool is_host(std::string_view value) {
+  constexpr std::string_view kMarks{"-._~!$&'()*+,;=%:[]"};
+  return std::all_of(value.begin(), value.end(), [&](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           kMarks.find(c) != std::string_view::npos;
   });
 }
 
@@ -94,16 +104,15 @@ std::string_view Request::path() const {
   return absolute && path.empty() ? "/" : path;
 }
 
-std::string_view Request::query() const {
+std::optional<std::string_view> Request::query() const {
   const std::string_view whole{target};
   const std::size_t mark = whole.find('?');
-  return mark == std::string_view::npos ? std::string_view{} : whole.substr(mark + 1);
+  return mark == std::string_view::npos ? std::nullopt : std::optional{whole.substr(mark + 1)};
 }
 
-const std::string* Request::field(std::string_view name) const {
-  const auto found = std::find_if(fields.begin(), fields.end(),
-                                  [&](const Field& field) { return same_name(field.name, name); });
-  return found == fields.end() ? nullptr : &found->value;
+bool Request::has(std::string_view name) const {
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const Field& field) { return same_name(field.name, name); });
 }
 
 std::string Request::list(std::string_view name) const {
@@ -116,13 +125,11 @@ std::string Request::list(std::string_view name) const {
   return values;
 }
 
-std::string_view Request::bearer_token() const {
+std::string Request::bearer_token() const {
   constexpr std::string_view kScheme = "Bearer ";
-  const std::string* const credentials = field("Authorization");
-  if (credentials == nullptr) return {};
-  const std::string_view text{*credentials};
-  return same_name(text.substr(0, kScheme.size()), kScheme) ? text.substr(kScheme.size())
-                                                            : std::string_view{};
+  std::string credentials = list("Authorization");
+  if (!same_name(std::string_view{credentials}.substr(0, kScheme.size()), kScheme)) return {};
+  return credentials.erase(0, credentials.find_first_not_of(' ', kScheme.size()));
 }
 
 struct RequestParser::State {
@@ -225,7 +232,10 @@ struct RequestParser::State {
       if (!is_value(field.value)) return fail(kFieldValue);
       // http_parser drops only the white space before the value.
       field.value.resize(protocol::trimmed(field.value).size());
-      if (same_name(field.name, "Host")) ++hosts;
+      if (same_name(field.name, "Host")) {
+        if (!is_host(field.value)) return fail(kHost);
+        ++hosts;
+      }
       if (same_name(field.name, "Expect")) return fail(kExpectation);
     }
     if (hosts > 1 || (hosts == 0 && parser.http_minor > 0)) return fail(kNoHost);

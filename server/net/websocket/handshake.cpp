@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kKeyCharacters = 24;  // 16 bytes in base64
 
-bool is_key(const std::string* key) {
-  if (key == nullptr || key->size() != kKeyCharacters || !key->ends_with("==")) return false;
-  return std::all_of(key->begin(), key->end() - 2, [](char c) {
+bool is_key(std::string_view key) {
+  if (key.size() != kKeyCharacters || !key.ends_with("==")) return false;
+  return std::all_of(key.begin(), key.end() - 2, [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/';
   });
 }
@@ -22,27 +22,25 @@ bool is_key(const std::string* key) {
 }  // namespace
 
 http::Response answer_handshake(const http::Request& request) {
-  const std::string* const upgrade = request.field("Upgrade");
-  if (!request.upgrade || upgrade == nullptr || !protocol::has_word(*upgrade, "websocket")) {
+  if (!request.upgrade || !protocol::has_word(request.list("Upgrade"), "websocket")) {
     return {426,
             http::kPlainText,
             "this is a WebSocket; ask with Connection: Upgrade and Upgrade: websocket\n",
             {{"Upgrade", "websocket"}}};
   }
-  if (const std::string* const version = request.field("Sec-WebSocket-Version");
-      version == nullptr || *version != "13") {
+  if (request.list("Sec-WebSocket-Version") != "13") {
     return {426,
             http::kPlainText,
             "this server supports only version 13 of the WebSocket protocol\n",
             {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}}};
   }
-  const std::string* const key = request.field("Sec-WebSocket-Key");
+  const std::string key = request.list("Sec-WebSocket-Key");
   if (request.method != http::Method::get || !is_key(key)) {
     return {400, http::kPlainText,
             "a WebSocket begins with GET and a Sec-WebSocket-Key of 16 bytes in base64\n"};
   }
   return {
-      101, "", "", {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", talus::websocket::accept_key(*key)}}};
+      101, "", "", {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", talus::websocket::accept_key(key)}}};
 }
 
 }  // namespace talus::server::websocket

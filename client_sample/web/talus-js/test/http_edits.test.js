@@ -224,3 +224,18 @@ test('edited columns that are none are refused, and the View comes as generated'
   assert.equal((await taken(3))[0].revision, 0n);
   assert.deepEqual(errors, ['broken_protocol']);
 });
+
+test('names of fields are asked for whole', async (t) => {
+  const asked = [];
+  const names = ['red rock', 'a,b', 'H\u00f6he', '+&='];
+  const fetch = async (url) => {
+    asked.push(new URL(url).search);
+    const places = { subvoxels_per_voxel: 256, heights: [1], fields: Object.fromEntries(names.map((name, i) => [name, [i]])) };
+    return new Response(JSON.stringify(url.endsWith('/v1/world') ? { ...world(STORE), fields: names } : places));
+  };
+  const client = connect({ url: 'http://server', fetch });
+  t.after(() => client.close());
+  const { values } = await client.getPlaces([{ x: 1, z: 2 }], { fields: names });
+  assert.deepEqual([...values], [0, 1, 2, 3]);
+  assert.equal(asked.at(-1), '?columns=1,2&fields=red%20rock,a%2Cb,H%C3%B6he,%2B%26%3D');
+});
