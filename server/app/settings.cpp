@@ -137,7 +137,11 @@ BalanceSettings balance_settings(const Config& config) {
 }
 
 web::WebSettings web_settings(const Config& config) {
-  return {config.http.public_chunks, config.http.origins, config.proxies, config.http.log_every};
+  AllowedOrigins origins = config.http.origins;
+  // Behind a proxy such an address does not mean that the pages are a developer's.
+  const bool alone = config.http.listen && config.proxies.empty();
+  if (alone && is_loopback(config.http.listen->host)) origins.allow_loopback();
+  return {config.http.public_chunks, std::move(origins), config.proxies, config.http.log_every};
 }
 
 http::Service web_service(const Config& config, const Clock& clock, Logger log) {

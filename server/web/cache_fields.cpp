@@ -45,25 +45,29 @@ bool is_strange_page(const http::Request& request, const AllowedOrigins& origins
   return request.has("Origin") && !origins.allow(request.list("Origin"), request.list("Host"));
 }
 
-void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
+bool add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response) {
-  if (response.status == 101) return;
+  if (response.status == 101) return true;
   // A publicly cached answer is a single copy, which any page may read unless the operator restricts origins.
   if (origins.all() || (audience.caches && origins.unset())) {
     response.any_origin = true;
-    return;
+    return true;
   }
+  bool strange = false;
   if (request.has("Origin")) {
     // All fields of this name, as a cache's key contains all of them.
     std::string origin = request.list("Origin");
     // A cache keeps one copy for each listed origin, and one for requests without an Origin. Any client can
     // invent other origins, together with a matching Host.
     if (!origins.lists(origin)) response.cache_control = passing_for(audience);
-    if (!is_strange_page(request, origins)) {
+    strange = is_strange_page(request, origins);
+    if (!strange) {
       response.fields.push_back({"Access-Control-Allow-Origin", std::move(origin)});
     }
   }
   response.fields.push_back({"Vary", "Origin"});  // a cache must not serve one origin's answer to another
+  return !strange;
+  return !strange;
 }
 
 }  // namespace talus::server::web

@@ -31,8 +31,9 @@ void tag(const http::Request& request, http::Response& response, const http::Ent
 
 /// Returns true if the request comes from a page of an origin that is not allowed.
 [[nodiscard]] bool is_strange_page(const http::Request& request, const AllowedOrigins& origins);
-/// Sets the CORS fields. A response to an origin that is not listed must not be cached.
-void add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
+/// Sets the CORS fields, and returns false if the request's page may not read the response. A response to an
+/// origin that is not listed must not be cached.
+bool add_origin_fields(const http::Request& request, const Audience& audience, const AllowedOrigins& origins,
                        http::Response& response);
 
 }  // namespace talus::server::web

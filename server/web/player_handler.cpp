@@ -154,8 +154,9 @@ Answer PlayerHandler::decide(const http::Request& request) {
 void PlayerHandler::finish(const http::Request& request, http::Response& response) {
   exchange_.end();
   exchange_.hold(response.content().size());  // until it is sent
-  if (exchange_.is_for_players()) {
-    add_origin_fields(request, exchange_.audience, context_->settings.origins, response);
+  if (exchange_.is_for_players() &&
+      !add_origin_fields(request, exchange_.audience, context_->settings.origins, response)) {
+    log_refused_page(request.list("Origin"));
   }
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
@@ -181,6 +182,15 @@ AnswerKind PlayerHandler::kind() const {
   if (std::holds_alternative<EditsRoute>(*route_)) return AnswerKind::edits;
   if (std::holds_alternative<HeightsRoute>(*route_)) return AnswerKind::heights;
   return std::holds_alternative<MapRoute>(*route_) ? AnswerKind::map : AnswerKind::other;
+}
+
+void PlayerHandler::log_refused_page(const std::string& origin) const {
+  if (!context_->refused_origins->add(origin)) return;
+  context_->runner->log->warn(
+      "conn {} {}: pages of origin \"{}\" may not read or stream; http.origins lists the origins that may "
+      "(each "
+      "origin is logged once, at most {} of them)",
+      id_, requester_.address(), escaped(origin, RefusedOrigins::kMaxLength), RefusedOrigins::kMax);
 }
 
 void PlayerHandler::log_answer(const http::Request& request, int status, std::size_t bytes) const {

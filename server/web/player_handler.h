@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include <asio/any_io_executor.hpp>
 #include <asio/awaitable.hpp>
@@ -49,6 +50,7 @@ class PlayerHandler final : public http::Handler {
   [[nodiscard]] Answer decide(const http::Request& request);
   void finish(const http::Request& request, http::Response& response);
   [[nodiscard]] AnswerKind kind() const;
+  void log_refused_page(const std::string& origin) const;
   void log_answer(const http::Request& request, int status, std::size_t bytes) const;
 
   const WebContextPtr context_;

@@ -13,6 +13,7 @@
 #include "net/http/service.h"
 #include "net/runner_context.h"
 #include "web/recent_revisions.h"
+#include "web/refused_origins.h"
 #include "web/site.h"
 #include "web/world_document.h"
 
@@ -39,6 +40,7 @@ struct WebContext {
   RecentRevisions& recent_revisions;    // of `edits`
   std::shared_ptr<const Site> site;     // null: not served
   std::shared_ptr<WorldDocument> world;
+  std::shared_ptr<RefusedOrigins> refused_origins = std::make_shared<RefusedOrigins>();
 };
 using WebContextPtr = std::shared_ptr<const WebContext>;
 

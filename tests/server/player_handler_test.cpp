@@ -1,8 +1,10 @@
 // Players' HTTP: the world, who may read, rates, proxies, heights and maps.
 #include <catch2/catch.hpp>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "logged_lines.h"
 #include "player_site.h"
 #include "scratch_directory.h"
 #include "signed_tokens.h"
@@ -422,4 +424,41 @@ TEST_CASE("a field is asked for by its whole name, even if that has a blank or a
   }
   CHECK_THAT(ask("a,b"), Catch::Contains("no 'a'"));
   CHECK_THAT(ask("%zz"), Catch::Contains("%25 is a percent sign"));
+}
+
+TEST_CASE("each refused origin is logged once, up to a limit") {
+  const auto lines = std::make_shared<LoggedLines>();
+  PlayerSite site;
+  site.runner.log = lines;
+  const auto ask = [&](const std::string& origin, const std::string& target = "/v1/world") {
+    (void)site.ask(target, "Origin: " + origin + "\r\n");
+  };
+  ask("https://a.example");  // the server's own host
+  const std::size_t before = lines->count();
+  ask("https://b.example");
+  CHECK(lines->count() == before + 1);
+  CHECK_THAT(lines->text(),
+             Catch::Contains("pages of origin \"https://b.example\" may not read or stream; http.origins"));
+  ask("https://b.example");
+  ask("https://b.example", "/v1/stream");
+  CHECK(lines->count() == before + 1);
+  for (int i = 0; i < 200; ++i) ask("https://c" + std::to_string(i) + ".example");
+  CHECK(lines->count() == before + web::RefusedOrigins::kMax);
+}
+
+TEST_CASE("a token of this server that is refused for a claim says which") {
+  const ScratchDirectory scratch;
+  Access settings;
+  settings.signing_key_file = scratch.write("key", kKeyText);
+  PlayerSite site{settings};
+  const auto bearer = [](const std::string& claims) {
+    return "Authorization: Bearer " + raw_token(kHs256, claims) + "\r\n";
+  };
+  CHECK(site.ask("/v1/world", bearer(R"({"exp": 1800009999.5})")).status == 200);
+  const Answer refused = site.ask("/v1/world", bearer(R"({"exp": 1800009999, "rights": "raed"})"));
+  CHECK(refused.status == 401);
+  CHECK_THAT(refused.text(),
+             Catch::StartsWith("the token is not accepted: its rights: \"raed\" is wrong; give"));
+  CHECK(refused.field("WWW-Authenticate") ==
+        R"(Bearer error="invalid_token", error_description="the token is not accepted")");
 }

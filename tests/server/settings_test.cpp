@@ -35,6 +35,18 @@ terrain::World eroded(int steps) {
 
 }  // namespace
 
+TEST_CASE("pages of the same machine may read from a server that only this machine reaches") {
+  Config config;
+  const auto allows = [&](const std::string& host) {
+    config.http.listen = protocol::Endpoint{host, 4782};
+    return web_settings(config).origins.allow("http://localhost:5173", host);
+  };
+  for (const char* const host : {"127.0.0.1", "localhost", "::1"}) CHECK(allows(host));
+  for (const char* const host : {"0.0.0.0", "::", "192.168.0.2", "play.example"}) CHECK_FALSE(allows(host));
+  config.proxies = *Networks::parse("127.0.0.1");
+  CHECK_FALSE(allows("127.0.0.1"));
+}
+
 TEST_CASE("every edge of a patch that can be configured is one that patches may have") {
   const Field& field = *find_field("generation.patch_tiles");
   std::vector<int> edges;

@@ -38,3 +38,10 @@ export function checking<T>(what: string, check: () => T): T {
     throw new TalusError('out_of_range', `${what}: ${(error as Error).message}`);
   }
 }
+
+/** In a page of another host than `url`: the reason that browsers keep from scripts. Otherwise empty. */
+export function originHint(url: string): string {
+  const page = (globalThis as { location?: { origin?: string; host?: string } }).location;
+  if (page?.origin === undefined || page.host === new URL(url).host) return '';
+  return `, or the server refuses pages of ${page.origin}: its setting http.origins lists the origins that may connect`;
+}

@@ -239,3 +239,27 @@ test('names of fields are asked for whole', async (t) => {
   assert.deepEqual([...values], [0, 1, 2, 3]);
   assert.equal(asked.at(-1), '?columns=1,2&fields=red%20rock,a%2Cb,H%C3%B6he,%2B%26%3D');
 });
+
+test('a page of another origin learns which setting may refuse it', async (t) => {
+  class Refused {
+    constructor() {
+      queueMicrotask(() => this.onclose({ code: 1006, reason: '' }));
+    }
+    close() {}
+  }
+  const fetch = () => Promise.reject(new TypeError('Failed to fetch'));
+  const reason = (options) =>
+    new Promise((resolve) => {
+      const client = connect({ fetch, WebSocket: Refused, reconnect: { maxAttempts: 0 }, ...options });
+      t.after(() => client.close());
+      client.ready().catch(({ kind, message }) => resolve(`${kind}: ${message}`));
+    });
+  const urls = ['ws://game.example:4782', 'http://game.example:4782'];
+  for (const url of urls) assert.doesNotMatch(await reason({ url }), /origin/);
+  globalThis.location = { origin: 'http://localhost:5173', host: 'localhost:5173', href: 'http://localhost:5173/' };
+  t.after(() => delete globalThis.location);
+  for (const url of urls) {
+    assert.match(await reason({ url }), /^unreachable: .*, or the server refuses pages of http:\/\/localhost:5173: .* http\.origins /);
+  }
+  assert.doesNotMatch(await reason({ url: 'http://localhost:5173' }), /http\.origins/);
+});

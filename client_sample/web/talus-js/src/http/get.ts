@@ -1,5 +1,5 @@
 // One GET request: the answer's size is bounded, and every failure is a TalusError.
-import { TalusError, type TalusErrorKind } from '../errors.js';
+import { originHint, TalusError, type TalusErrorKind } from '../errors.js';
 
 export class HttpError extends TalusError {
   constructor(
@@ -57,7 +57,7 @@ export async function get(
     if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);
     if (timeout.aborted) throw new TalusError('timed_out', `${url} did not answer within ${TIMEOUT_MS / 1_000} s`);
     const cause = (error as { cause?: { message?: string } }).cause?.message ?? (error as Error).message;
-    throw new TalusError('unreachable', `${url} cannot be reached: ${cause}`);
+    throw new TalusError('unreachable', `${url} cannot be reached: ${cause}${originHint(url)}`);
   } finally {
     signal.removeEventListener('abort', pass);
     timeout.removeEventListener('abort', pass);

@@ -1,5 +1,5 @@
 // Frames in a WebSocket: PROTOCOL.md, "WebSocket".
-import { TalusError } from '../errors.js';
+import { originHint, TalusError } from '../errors.js';
 import type { OpenTransport } from './transport.js';
 
 /** Required interface of an implementation: browsers', Node 22's, or the package ws. */
@@ -52,7 +52,7 @@ export function openWebSocket(url: string, implementation: unknown): OpenTranspo
       end(
         opened
           ? new TalusError('disconnected', `the connection to ${url} ended: ${why}`)
-          : new TalusError('unreachable', `nobody answers at ${url}`),
+          : new TalusError('unreachable', `nobody answers at ${url}${originHint(url)}`),
       );
     };
     return {
