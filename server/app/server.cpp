@@ -132,17 +132,20 @@ RunnerContextPtr Server::make_context(const Config& config) {
   struct OwnedContext {
     SessionLimits limits;
     RunnerContext context;
-    OwnedContext(const SessionLimits& of_sessions, const RunnerLimits& of_runners, Server& server)
+    OwnedContext(const SessionLimits& of_sessions, const RunnerLimits& of_runners, std::string place,
+                 Server& server)
         : limits{of_sessions},
           context{{limits, server.world_, server.chunks_, server.memory_, server.metrics_, server.access_,
                    server.rates_, server.flows_, server.clock_,
                    server.edits_ == nullptr ? nullptr : &server.edits_->taker()},
                   of_runners,
                   server.registry_,
-                  server.log_of_clients_} {}
+                  server.log_of_clients_,
+                  std::move(place)} {}
   };
   const auto kept = std::make_shared<const OwnedContext>(
-      session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config), *this);
+      session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config),
+      http_place(config), *this);
   return {kept, &kept->context};
 }
 

@@ -136,6 +136,19 @@ BalanceSettings balance_settings(const Config& config) {
   return {config.balance.per_second, config.balance.above_percent, config.balance.session};
 }
 
+std::string http_place(const Config& config) {
+  constexpr std::string_view kHere = "this port is for game clients, not for HTTP";
+  if (!config.http.listen) {
+    return fmt::format("{}; talusd serves the viewer with --http HOST:PORT --web DIR", kHere);
+  }
+  const bool tls = config.http.tls && !config.tls.certificate.empty();
+  // Port 0 lets the system choose.
+  const std::uint16_t number = config.http.listen->port;
+  const std::string port = number == 0 ? "PORT, which talusd's log names" : fmt::format("{}/", number);
+  return fmt::format("{}; {} at {}://HOST:{}", kHere, config.http.web.empty() ? "HTTP is" : "the viewer is",
+                     tls ? "https" : "http", port);
+}
+
 web::WebSettings web_settings(const Config& config) {
   AllowedOrigins origins = config.http.origins;
   // Behind a proxy such an address does not mean that the pages are a developer's.

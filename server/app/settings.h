@@ -48,6 +48,8 @@ namespace talus::server {
 /// For the HTTP port.
 [[nodiscard]] HandshakeSettings web_handshake_settings(const Config& config);
 [[nodiscard]] BalanceSettings balance_settings(const Config& config);
+/// Line for HTTP clients of the port for game clients: where the viewer is.
+[[nodiscard]] std::string http_place(const Config& config);
 [[nodiscard]] web::WebSettings web_settings(const Config& config);
 /// Timeouts of HTTP connections.
 [[nodiscard]] http::Service web_service(const Config& config, const Clock& clock, Logger log);

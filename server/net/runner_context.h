@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "net/accepted_connection.h"
 #include "net/admission.h"
@@ -28,6 +29,7 @@ struct RunnerContext {
   RunnerLimits limits;
   Registry& registry;
   Logger log;
+  std::string http_place{};  // one line that says where HTTP is served, for HTTP clients of this port
 };
 using RunnerContextPtr = std::shared_ptr<const RunnerContext>;
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <asio/post.hpp>
 
+#include "net/foreign_protocols.h"
 #include "net/rounds.h"
 #include "runtime/log/escape.h"
 
@@ -221,7 +222,7 @@ void SessionRunner::take_input() {
 void SessionRunner::take_frames() {
   while (taken_ < filled_ && open_ && !session_.closing() && paused_while_ == nullptr) {
     const auto taken = frames_.feed(std::span{input_}.subspan(taken_, filled_ - taken_));
-    if (!taken) return session_.broken_frame(taken.error());
+    if (!taken) return on_broken_frame(taken.error());
     taken_ += *taken;
     session_.holds_input(frames_.held_bytes());
     if (!frames_.has_frame()) continue;
@@ -237,6 +238,16 @@ void SessionRunner::take_frames() {
       apply_view_when_due();
       pause_while(&SessionRunner::takes_no_frame);
     }
+  }
+}
+
+void SessionRunner::on_broken_frame(const protocol::FrameError& error) {
+  if (!greeted_ && is_http_request(error)) {
+    session_.refuse_foreign(http_refusal(context_.http_place, clock_.wall()), "an HTTP request");
+  } else if (!greeted_ && is_tls_hello(error)) {
+    session_.refuse_foreign({}, "TLS, and this server has no certificate: set tls.certificate and tls.key");
+  } else {
+    session_.broken_frame(error);
   }
 }
 

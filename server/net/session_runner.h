@@ -71,6 +71,7 @@ class SessionRunner final : public Peer,
   /// Passes input to the session until it is taken or reading pauses.
   void take_input();
   void take_frames();
+  void on_broken_frame(const protocol::FrameError& error);
   /// Pauses reading while too_much() returns true.
   void pause_while(bool (SessionRunner::*too_much)() const);
   [[nodiscard]] bool stays_paused() const;

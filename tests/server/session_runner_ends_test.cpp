@@ -65,6 +65,27 @@ TEST_CASE("a client that ends inside a frame is closed at once") {
   bench.check_gone(*client);
 }
 
+TEST_CASE("an HTTP request on the port of game clients is answered by one line of HTTP") {
+  Bench bench;
+  bench.context.http_place = "the viewer is at http://HOST:4782/";
+  const auto [request, answer] = GENERATE(
+      table<const char*, const char*>({{"GET / HTTP/1.1\r\nHost: a\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
+                                       {"HEAD / HTTP/1.1\r\nHost: a\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
+                                       {"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
+                                       {"\x16\x03\x01\x02 a TLS hello", ""}}));
+  const auto client = bench.connect();
+  client->send(request);
+  bench.io.poll();
+  const std::string sent{client->text()};
+  CHECK_THAT(sent, Catch::StartsWith(answer));
+  const std::string line = *answer == 0 ? "" : "\r\n\r\nthe viewer is at http://HOST:4782/\n";
+  CHECK_THAT(sent, Catch::EndsWith(line));
+  CHECK(client->shut);
+  client->end();
+  bench.io.poll();
+  bench.check_gone(*client);
+}
+
 TEST_CASE("a client without Hello in time gets the reason and is closed") {
   Bench bench;
   const auto client = bench.connect();

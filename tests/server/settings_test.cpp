@@ -47,6 +47,18 @@ TEST_CASE("pages of the same machine may read from a server that only this machi
   CHECK_FALSE(allows("127.0.0.1"));
 }
 
+TEST_CASE("an HTTP client of the port for game clients learns where the viewer is") {
+  Config config;
+  CHECK_THAT(http_place(config), Catch::EndsWith("talusd serves the viewer with --http HOST:PORT --web DIR"));
+  config.http.listen = protocol::Endpoint{"0.0.0.0", 4782};
+  CHECK_THAT(http_place(config), Catch::EndsWith("HTTP is at http://HOST:4782/"));
+  config.http.web = "dist";
+  config.tls.certificate = "chain.pem";
+  CHECK_THAT(http_place(config), Catch::EndsWith("the viewer is at https://HOST:4782/"));
+  config.http.listen->port = 0;
+  CHECK_THAT(http_place(config), Catch::EndsWith("https://HOST:PORT, which talusd's log names"));
+}
+
 TEST_CASE("every edge of a patch that can be configured is one that patches may have") {
   const Field& field = *find_field("generation.patch_tiles");
   std::vector<int> edges;

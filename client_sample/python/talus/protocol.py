@@ -375,6 +375,8 @@ BODIES = (
 
 def frame_length(prefix):
     """Length of the complete frame whose first four bytes are `prefix`. Raises ProtocolError if it is not allowed."""
+    if prefix == b"HTTP":
+        raise ProtocolError("an HTTP server answers there; connect to http://HOST:PORT, or to talusd's --listen")
     length = int.from_bytes(prefix, "little") + 4
     if not MIN_FRAME_BYTES <= length <= MAX_FRAME_BYTES:
         raise ProtocolError(f"a frame of {length} bytes; they have {MIN_FRAME_BYTES} to {MAX_FRAME_BYTES}")

@@ -65,6 +65,9 @@ class Replies {
     outbox_.push_control(go_away_frame(reason, retry_after));
   }
 
+  /// Sends bytes of another protocol.
+  void foreign(std::vector<std::byte> bytes) { outbox_.push_control(std::move(bytes)); }
+
   /// Number of refusals of too many or too fast requests since the last call.
   [[nodiscard]] std::uint64_t take_refusals() { return std::exchange(refusals_, 0); }
 

@@ -86,6 +86,13 @@ void Session::broken_frame(const protocol::FrameError& error) {
   fail(huge ? ErrorCode::too_large : ErrorCode::malformed, error.message());
 }
 
+void Session::refuse_foreign(std::vector<std::byte> answer, std::string_view protocol) {
+  if (closing()) return;
+  if (!answer.empty()) replies_.foreign(std::move(answer));
+  failure_ = fmt::format("the client speaks another protocol: {}", protocol);
+  abandon();
+}
+
 void Session::holds_input(std::size_t bytes) {
   const bool grew = bytes > input_bytes_;
   input_bytes_ = bytes;

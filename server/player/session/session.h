@@ -69,6 +69,8 @@ class Session {
   /// A whole frame from FrameReader.
   void receive(std::span<const std::byte> frame);
   void broken_frame(const protocol::FrameError& error);
+  /// Ends a session whose client speaks another protocol; `answer` is in that protocol, or empty.
+  void refuse_foreign(std::vector<std::byte> answer, std::string_view protocol);
   /// The current or last frame holds `bytes` of memory. Ends the session if that is more than
   /// kMaxFrameBytesAnyway and the server is short of memory.
   void holds_input(std::size_t bytes);

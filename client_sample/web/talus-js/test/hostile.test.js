@@ -139,6 +139,7 @@ const frame = (kind) => fromHex(frames.find((each) => each.kind === kind).hex);
 
 for (const [name, bytes, error] of [
   ['a length of 4 GiB', Uint8Array.of(255, 255, 255, 255), /frame of 4294967299 bytes/],
+  ['HTTP', new TextEncoder().encode('HTTP/1.1 400 Bad Request'), /HTTP, not frames: connect by http:/],
   ['a length of nothing', Uint8Array.of(0, 0, 0, 0), /frame of 4 bytes/],
   ['a frame of zeros', Uint8Array.of(12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), /frame|table|message/],
   ["a client's message", frame('Hello'), /kind 1/],

@@ -48,10 +48,14 @@ export class FrameReader {
   }
 }
 
+/** The size that the beginning of an HTTP answer would announce. */
+const HTTP_BYTES = 0x50545448 + LENGTH_BYTES;
+
 /** Length of the frame that begins here; null: not enough bytes. */
 function frameBytes(bytes: Uint8Array): number | null {
   if (bytes.length < LENGTH_BYTES) return null;
   const size = (bytes[0]! | (bytes[1]! << 8) | (bytes[2]! << 16)) + bytes[3]! * 0x1000000 + LENGTH_BYTES;
+  if (size === HTTP_BYTES) throw broken('HTTP, not frames: connect by http:// or ws:// there');
   if (size < MIN_FRAME_BYTES || size > MAX_SERVER_FRAME_BYTES) {
     throw broken(`a frame of ${size} bytes; frames have ${MIN_FRAME_BYTES} to ${MAX_SERVER_FRAME_BYTES}`);
   }
