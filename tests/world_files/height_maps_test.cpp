@@ -199,6 +199,9 @@ TEST_CASE("A claim of enormous size is refused before memory is asked for") {
   file.replace(16, 8, big_endian(30000) + big_endian(30000));
   file.replace(29, 4, big_endian(crc_of(file.substr(12, 17))));
   CHECK(error_of(file).starts_with("has 30000 x 30000 samples; "));
+  file.replace(16, 8, big_endian(30000) + big_endian(2000));
+  file.replace(29, 4, big_endian(crc_of(file.substr(12, 17))));
+  CHECK_THAT(error_of(file), Catch::Contains("bytes cannot hold 30000 x 2000 samples"));
   file.replace(16, 8, big_endian(0x7FFFFFFF) + big_endian(0x7FFFFFFF));
   file.replace(29, 4, big_endian(crc_of(file.substr(12, 17))));
   CHECK(error_of(file) != "accepted");

@@ -143,6 +143,12 @@ DecodeResult decode_png(std::span<const std::byte> bytes) {
                    " bits a channel; grey alone of 8 or 16 bits is needed");
   }
   if (auto wrong = wrong_size(reader.width(), reader.depth())) return refused(*std::move(wrong));
+  constexpr std::uint64_t kMaxCompression = 1032;  // of Deflate; checked before memory is allocated
+  const std::uint64_t sample_bytes = is_byte ? 1 : 2;
+  if (reader.width() * reader.depth() * sample_bytes / kMaxCompression > bytes.size()) {
+    return refused("is not a whole PNG: " + std::to_string(bytes.size()) + " bytes cannot hold " +
+                   std::to_string(reader.width()) + " x " + std::to_string(reader.depth()) + " samples");
+  }
   return is_byte ? map_of<std::uint8_t>(reader) : map_of<std::uint16_t>(reader);
 }
 
