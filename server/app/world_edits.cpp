@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <talus/edits/materials.h>
+#include <talus/store/read_only_store.h>
 #include <talus/terrain/extraction.h>
 
 #include "app/bound_materials.h"
@@ -63,7 +64,13 @@ tl::expected<std::unique_ptr<WorldEdits>, std::string> WorldEdits::open(
               directory.string(), to_string(now));
   }
   auto state = EditState::open(**database, state_settings);
-  if (!state) return tl::unexpected{std::move(state.error())};
+  if (!state) {
+    // Another server's store replaces it at the next start.
+    if (shared.stream != nullptr && store::ReadOnlyStore::is_damaged(directory)) {
+      shared.on_lost(cluster::StoreLoss::wrong_state, state.error());
+    }
+    return tl::unexpected{std::move(state.error())};
+  }
   std::unique_ptr<WorldEdits> edits{new WorldEdits{*std::move(database), *std::move(state), clock, log}};
   edits->writer_settings_.flush_bytes = state_settings.dirty_bytes;
   if (const auto named = edits->name_placeables(world, std::move(shared)); !named) {

@@ -27,6 +27,7 @@ class LogOrder final : public rocksdb::WalFilter {
   void ColumnFamilyLogNumberMap(const std::map<std::uint32_t, std::uint64_t>& numbers,
                                 const std::map<std::string, std::uint32_t>&) override {
     if (!numbers.empty()) first_log_ = numbers.begin()->second;
+    has_begun_ = true;
   }
   WalProcessingOption LogRecordFound(unsigned long long number, const std::string&,
                                      const rocksdb::WriteBatch& batch, rocksdb::WriteBatch*, bool*) override {
@@ -38,10 +39,13 @@ class LogOrder final : public rocksdb::WalFilter {
     return WalProcessingOption::kContinueProcessing;
   }
 
+  /// True if the manifest was sound, and the log was read.
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
   /// Number of the first log that has data which no table has.
   [[nodiscard]] std::uint64_t first_log() const { return first_log_; }
 
  private:
+  bool has_begun_ = false;
   std::uint64_t first_log_ = 0;
   std::uint64_t next_ = 0;  // the sequence number that comes next; 0: unknown
 };
@@ -135,7 +139,8 @@ class Opener {
     }
     const auto status = attempt(RocksUse::read, false);
     std::optional<LogDamage> damage;
-    if (status.IsCorruption()) damage = find_log_damage(env_, path_, parts_->order.first_log());
+    if (status.IsCorruption() && parts_->order.has_begun())
+      damage = find_log_damage(env_, path_, parts_->order.first_log());
     if (!status.ok() && !damage) return failure(status);
     const auto refuse = [&] { return failure(status, fmt::format(", in {}", place_of(*damage))); };
     if (damage) {

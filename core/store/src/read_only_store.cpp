@@ -47,6 +47,12 @@ tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> ReadOnlyStore::open(
   return store;
 }
 
+bool ReadOnlyStore::is_damaged(const std::filesystem::path& path) {
+  const auto opened = open_rocks(path, {}, RocksUse::read);
+  if (!opened) return opened.error().status.IsCorruption() || opened.error().status.IsPathNotFound();
+  return opened->db->VerifyChecksum().IsCorruption();
+}
+
 ReadOnlyStore::Status ReadOnlyStore::read_unflushed() {
   const StoreReader reader = this->reader();
   ReplayedChunks chunks{[&](ChunkKey key) { return reader.chunk(key); }};

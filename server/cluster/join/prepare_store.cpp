@@ -10,7 +10,6 @@
 #include <talus/files/read_file.h>
 #include <talus/store/acknowledged_file.h>
 #include <talus/store/id_check.h>
-#include <talus/store/open_rocks.h>
 #include <talus/store/read_only_store.h>
 #include <talus/store/regular_files.h>
 #include <talus/store/store_swap.h>
@@ -111,10 +110,7 @@ class Preparation {
           "take the store from a peer");
     }
     const auto store = store::ReadOnlyStore::open(path);
-    if (!store) {
-      const auto rocks = store::open_rocks(path, {}, store::RocksUse::read);
-      return leave_damaged(store.error(), !rocks && rocks.error().is_damage());
-    }
+    if (!store) return leave_damaged(store.error(), store::ReadOnlyStore::is_damaged(path));
     const store::StoreMeta& meta = (*store)->meta();
     if (auto one = store::check_store_id(path, meta); !one) return one;
     if (auto whole = store::check_acknowledged(path, meta); !whole) return leave_damaged(whole.error(), true);

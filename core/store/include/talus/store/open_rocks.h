@@ -21,8 +21,6 @@ struct OpenedRocks {
 struct RocksFailure {
   rocksdb::Status status;
   std::string line;  // names the store and the damage, and ends with a remedy
-  /// True if files are damaged or missing.
-  [[nodiscard]] bool is_damage() const { return status.IsCorruption() || status.IsPathNotFound(); }
 };
 
 enum class RocksUse { read, write };

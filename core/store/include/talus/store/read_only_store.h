@@ -26,6 +26,8 @@ class ReadOnlyStore {
   [[nodiscard]] static tl::expected<std::unique_ptr<ReadOnlyStore>, std::string> open(
       const std::filesystem::path& path);
   ~ReadOnlyStore();
+  /// Returns true if files of the database in `path` are damaged or missing. Reads every block of every file.
+  [[nodiscard]] static bool is_damaged(const std::filesystem::path& path);
 
   [[nodiscard]] const StoreMeta& meta() const { return meta_; }
   /// One line about the log's torn end, which is left out; empty if the log is whole.
