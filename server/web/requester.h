@@ -38,7 +38,8 @@ class Requester {
   [[nodiscard]] Answer check_token(const http::Request& request, bool for_caches, Audience& audience) const;
 
   // ---- while it is answered
-  /// REQUIRES: find() has found the client; also for flow() and next_chunk().
+  [[nodiscard]] bool is_here() const { return caller_.has_value(); }
+  /// Only if is_here(); also flow() and next_chunk().
   [[nodiscard]] RateLimits limits() const { return caller_->rates.limits(); }
   [[nodiscard]] const FlowUsePtr& flow() const { return caller_->flow; }
   /// Time at which the rates allow a chunk; `now`: at once.
