@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -21,10 +25,20 @@ namespace {
 
 using Status = tl::expected<void, std::string>;
 
-std::vector<std::string_view> known_keys() {
-  std::vector<std::string_view> keys;
-  for (const Field& field : fields()) keys.push_back(field.key);
-  return keys;
+/// Keys and tables.
+std::vector<std::string_view> known_names() {
+  std::vector<std::string_view> names;
+  for (const Field& field : fields()) {
+    names.push_back(field.key);
+    if (const auto dot = field.key.find('.'); dot != std::string_view::npos)
+      names.push_back(field.key.substr(0, dot));
+  }
+  return names;
+}
+
+std::string hint(std::string_view name, std::span<const std::string_view> known) {
+  const std::string_view near = meant(name, known);
+  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
 }
 
 /// Returns true if a setting stands in the table `path`.
@@ -117,8 +131,7 @@ class TomlFile {
     }
     const Field* const field = find_field(path);
     if (field == nullptr) {
-      return fail(
-          key, fmt::format("{}: no such key; did you mean {}?", escaped(path), nearest(path, known_keys())));
+      return fail(key, fmt::format("{}: no such key{}", escaped(path), hint(path, known_names())));
     }
     if (Status done = set_from_node(*field, settings_.config, node); !done) {
       return fail(key, fmt::format("{}: {}", path, done.error()));
@@ -167,7 +180,7 @@ void warn_of_unknown(Settings& settings, const Environment& environment) {
       continue;  // read by clients such as health checks
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     settings.warnings.push_back(
-        fmt::format("{}: no such setting, ignored; did you mean {}?", escaped(name), nearest(name, known)));
+        fmt::format("{}: no such setting, ignored{}", escaped(name), hint(name, known)));
   }
 }
 

@@ -304,7 +304,9 @@ TEST_CASE("every mistake in a configuration has its message") {
        "from 1 to 1000000 (connections)",
        "file.toml:4: limits.connections: Error while parsing value: could not determine value type; give a "
        "whole number from 1 to 1000000 (connections)"},
-      {long_key + " = 3", "file.toml:1: " + cut + ": no such key; did you mean access.signing_key_file?", ""},
+      {long_key + " = 3", "file.toml:1: " + cut + ": no such key", ""},
+      {"[limit]\nconnections = 5", "file.toml:1: limit: no such key; did you mean limits?", ""},
+      {"port = 5", "file.toml:1: port: no such key", ""},
       {long_key + " = ", "file.toml:1: " + cut + ": encountered end-of-file",
        "file.toml:1: Error while parsing key-value pair: encountered end-of-file"},
       {std::string(talus::kMaxTomlBytes + 1, '#'), "file.toml:1: the file has over 1048576 bytes", ""},

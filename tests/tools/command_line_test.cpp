@@ -111,6 +111,7 @@ TEST_CASE("preview writes a sheet, and refuses in one line") {
   CHECK_THAT(read_whole(scratch / "a.png"), Catch::StartsWith("\x89PNG\r\n"));
   CHECK(scratch.file_count() == 2);
   check_refused("preview" + world, 2, "--output");
+  check_refused("preview -o " + in(scratch, "b.jpg") + world, 2, "b.jpg: pictures are PNG");
   check_refused("preview --center here -o " + in(scratch, "b.png") + world, 2, "'here' is not a pair");
   check_refused("preview --center 68719476735,0 -o " + in(scratch, "b.png") + world, 2,
                 "--center: column x = ");

@@ -1,7 +1,10 @@
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <talus/mistyped/command_line.h>
@@ -56,7 +59,13 @@ void add_lod(CLI::App& command, std::int64_t& lod) {
 }
 
 void add_output(CLI::App& command, std::string& output, const char* meaning, const char* type) {
-  command.add_option("-o,--output", output, meaning)->type_name(type)->required();
+  auto* const option = command.add_option("-o,--output", output, meaning)->type_name(type)->required();
+  if (std::string_view{type} != "F.png") return;
+  option->check([](const std::string& path) {
+    const std::string extension = std::filesystem::path{path}.extension().string();
+    const bool fits = extension.empty() || extension == ".png";
+    return fits ? std::string{} : path + ": pictures are PNG; give a name that ends in .png";
+  });
 }
 
 int run_program(const Program& program, int argc, const char* const* argv) {
@@ -82,6 +91,11 @@ int run_program(const Program& program, int argc, const char* const* argv) {
     try {
       const Expected<void> done = run();
       return done ? kExitDone : report(program, done.error(), command->get_name());
+    } catch (const std::system_error& error) {
+      return report(
+          program,
+          {kExitFailed, std::string{"cannot go on: "} + error.what() + "; fewer --threads need less"},
+          command->get_name());
     } catch (const std::bad_alloc&) {
       return report(program, {kExitFailed, "not enough memory; ask for a smaller region or fewer --threads"},
                     command->get_name());

@@ -6,12 +6,9 @@
 
 namespace talus {
 
-/// The candidate with the fewest insertions, deletions and replacements from `word`; the first one on a tie.
-/// REQUIRES: `candidates` is not empty.
-[[nodiscard]] std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
-
-/// The nearest candidate if it needs at most one change per four characters, so that it was probably meant;
-/// otherwise empty.
+/// The candidate with the fewest changes from `word`, the first one on a tie; empty if all need more than one
+/// change per four characters, and more than one at all, so that none was probably meant. A change is an
+/// insertion, a deletion, a replacement or an exchange of two neighbours.
 [[nodiscard]] std::string_view meant(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace talus
