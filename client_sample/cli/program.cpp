@@ -49,7 +49,7 @@ CommandResult finish_printing() {
 
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const std::string& version) {
+int run_program(int argc, const char* const* argv, const std::string& version) try {
   const auto line = read_command_line(argc, argv, version);
   if (!line && line.error().status != 0) return failed(line.error().text, line.error().status);
   CommandResult result;
@@ -60,6 +60,8 @@ int run_program(int argc, const char* const* argv, const std::string& version) {
   }
   if (result) result = finish_printing();
   return result ? 0 : failed(result.error());
+} catch (const std::exception& error) {  // the system refuses memory, a thread or a descriptor
+  return failed(std::string{"cannot go on: "} + error.what());
 }
 
 }  // namespace talus::cli

@@ -251,7 +251,7 @@ Picture draw_view(const client::ChunkStore& store, const std::vector<client::Mat
     for (int x = 0; x < width; ++x) picture.at(x, y) = painter.pixel(x, y, width, height);
     ++rows;
   };
-  std::thread second{[&] {
+  std::jthread second{[&] {
     for (int y = next_row++; y < height; y = next_row++) paint_row(y);
   }};
   for (int y = next_row++; y < height; y = next_row++) {

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -145,7 +146,7 @@ std::vector<std::string> tell(const Plan& plan, const RunResult& result) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   talus::files::open_closed_standard_descriptors();
   // OpenSSL writes to sockets that the server may have closed.
   std::signal(SIGPIPE, SIG_IGN);
@@ -166,4 +167,6 @@ int main(int argc, char** argv) {
     failures.push_back(line);
   for (const std::string& line : failures) failed(line);
   return failures.empty() ? 0 : 1;
+} catch (const std::exception& error) {  // the system refuses memory, a thread or a descriptor
+  return failed(std::string{"cannot go on: "} + error.what());
 }

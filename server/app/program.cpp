@@ -3,14 +3,17 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -38,6 +41,7 @@
 #include "config/access/token_command.h"
 #include "config/cluster_check.h"
 #include "config/command_line.h"
+#include "net/descriptors.h"
 #include "net/tls_context.h"
 #include "runtime/clock.h"
 #include "runtime/log/escape.h"
@@ -58,6 +62,22 @@ using namespace talus::server;
 int failed(std::string_view line, std::string_view format = "text") {
   fmt::print(stderr, "{}", program_line(format, LogLevel::error, line));
   return kFailed;
+}
+
+/// The line for an exception that ends the program. Mostly the system refused a resource.
+std::string line_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return "out of memory; let the process have more (ulimit -v, a container's limit), or lower "
+           "limits.memory_bytes";
+  }
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  const int code = system == nullptr ? 0 : system->code().value();
+  if (code == EAGAIN) {
+    return "a thread cannot start; let the process have more threads (ulimit -u, a container's limit) or "
+           "memory (ulimit -v), or lower threads.io and threads.generator";
+  }
+  if (code == EMFILE || code == ENFILE) return "too many open files; raise ulimit -n";
+  return fmt::format("unexpected: {}", error.what());
 }
 
 /// Log format known before the settings are read.
@@ -122,6 +142,10 @@ int serve(const Command& command, const ReadSettings& read_settings) {
 
   if (keys->any() || tls || (cluster && (cluster->nats->any() || cluster->peers_token))) {
     if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
+  }
+  if (const auto allowed = raise_descriptor_limit(descriptors_wanted(config)); allowed < kMinDescriptors) {
+    return fail(fmt::format("the system allows {} open files; talusd needs at least {}; raise ulimit -n",
+                            allowed, kMinDescriptors));
   }
   const std::vector<std::string> of_keys = keys->warnings;
   AccessControl access{config.access, *std::move(keys)};
@@ -315,6 +339,6 @@ int talus::server::run_program(int argc, char** argv) {
     }
     return command.error().status;
   } catch (const std::exception& error) {
-    return failed(fmt::format("unexpected: {}", error.what()), log_format);
+    return failed(line_of(error), log_format);
   }
 }

@@ -223,6 +223,22 @@ void Server::check_descriptors(std::uint64_t allowed) {
 }
 
 void Server::run() {
+  std::exception_ptr failure;
+  try {
+    start(failure);
+    io_->run();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  stop_handling_signals();
+  if (edits_ != nullptr) edits_->stop();  // while generators and mailboxes still exist
+  end_operators();
+  handshaker_.refusal_log().flush({});
+  web_handshaker_.refusal_log().flush({});
+  if (failure) std::rethrow_exception(failure);
+}
+
+void Server::start(std::exception_ptr& failure) {
   check_descriptors(set_descriptor_limit(descriptors_wanted(config_)));
   log_->log(patch_size_.expensive || patch_size_.chunks_expensive() ? LogLevel::warn : LogLevel::info, "{}",
             describe(patch_size_));
@@ -240,8 +256,7 @@ void Server::run() {
     operators_->start(std::move(answers));
   }
   // The server cannot run without any of these.
-  std::exception_ptr failure;
-  const auto end = [&](const std::exception_ptr& thrown) {
+  const auto end = [this, &failure](const std::exception_ptr& thrown) {
     if (!thrown) return;
     failure = thrown;
     io_->stop();
@@ -262,13 +277,6 @@ void Server::run() {
   asio::co_spawn(control, wait_for_shutdown(), end);
   asio::co_spawn(control, wait_for_reload(), end);
   housekeeping();
-  io_->run();
-  stop_handling_signals();
-  if (edits_ != nullptr) edits_->stop();  // while generators and mailboxes still exist
-  end_operators();
-  handshaker_.refusal_log().flush({});
-  web_handshaker_.refusal_log().flush({});
-  if (failure) std::rethrow_exception(failure);
 }
 
 void Server::end_operators() {
@@ -465,7 +473,8 @@ void Server::watch_edits() {
   LocalLog::State status = edits_->status();
   watch_clock(status.clock_jumps);
   auto& read_only = status.read_only;
-  if (read_only == edits_read_only_) return;
+  // A member of a cluster looks for its place in the log when it starts.
+  if (!std::exchange(edits_watched_, true) || read_only == edits_read_only_) return;
   if (read_only) {
     log_->error("no edits are taken: {}", *read_only);
   } else {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -70,6 +71,9 @@ class Server {
   void end_where(std::function<bool()> wanted) { end_wanted_ = std::move(wanted); }
 
  private:
+  /// Starts threads, acceptors and coroutines. The first coroutine that ends by an exception sets `failure`
+  /// and stops the contexts.
+  void start(std::exception_ptr& failure);
   /// Empty without a disk cache.
   [[nodiscard]] RunPregen pregen();
   /// Empty without a store.
@@ -162,7 +166,8 @@ class Server {
   Clock::time_point memory_checked_at_{};
   Clock::time_point flows_collected_at_{};
   Clock::time_point edits_checked_at_{};
-  std::size_t edit_cache_bytes_ = 0;            // its capacity; 0: not changed yet
+  std::size_t edit_cache_bytes_ = 0;  // its capacity; 0: not changed yet
+  bool edits_watched_ = false;
   std::optional<std::string> edits_read_only_;  // as last logged
   std::uint64_t clock_jumps_ = 0;               // as last logged
   std::function<bool()> end_wanted_;

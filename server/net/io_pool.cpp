@@ -13,8 +13,7 @@ IoPool::IoPool(std::size_t threads, Logger log) : log_{std::move(log)} {
 }
 
 IoPool::~IoPool() {
-  stop();
-  for (std::thread& thread : threads_) thread.join();
+  end();
 }
 
 asio::io_context& IoPool::next() {
@@ -23,10 +22,20 @@ asio::io_context& IoPool::next() {
 }
 
 void IoPool::run() {
-  for (std::size_t other = 1; other < contexts_.size(); ++other) {
-    threads_.emplace_back([this, other] { serve(*contexts_[other]); });
+  try {
+    for (std::size_t other = 1; other < contexts_.size(); ++other) {
+      threads_.emplace_back([this, other] { serve(*contexts_[other]); });
+    }
+  } catch (...) {
+    end();  // what their handlers use may not outlive this call
+    throw;
   }
   serve(control());
+  end();
+}
+
+void IoPool::end() {
+  stop();
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();
 }

@@ -34,6 +34,8 @@ class IoPool {
 
  private:
   void serve(asio::io_context& context) const;
+  /// Stops the contexts and joins the threads.
+  void end();
 
   Logger log_;
   std::vector<std::unique_ptr<asio::io_context>> contexts_;

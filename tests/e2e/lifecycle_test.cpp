@@ -218,6 +218,28 @@ TEST_CASE("two servers do not share a data directory") {
   CHECK_THAT(one_line(run_talusd(flags)), Catch::Contains("another talusd"));
 }
 
+TEST_CASE("a server that may not open its files or start its threads ends with one line") {
+  const ScratchDirectory scratch;
+  const auto start = [&](std::vector<std::string> limits) {
+    const std::vector<std::string> flags{TALUSD_PATH,  "--data",      (scratch / "data").string(),
+                                         "--listen",   "127.0.0.1:0", "--admin",
+                                         "127.0.0.1:0"};
+    limits.insert(limits.end(), flags.begin(), flags.end());
+    return run_program("/usr/bin/prlimit", limits, {{"TALUS_THREADS_IO", "8"}});
+  };
+  CHECK_THAT(one_line(start({"--nofile=20"})),
+             Catch::Contains("20 open files") && Catch::Contains("ulimit -n"));
+  // Each thread takes a GB of address space, so that only so many start.
+  constexpr std::uint64_t kStack = 1'000'000'000;
+  constexpr std::uint64_t kProgram = 400'000'000;
+  for (std::uint64_t threads = 0; threads < 15; ++threads) {
+    CAPTURE(threads);
+    CHECK_THAT(one_line(start({"--stack=" + std::to_string(kStack) + ":" + std::to_string(kStack),
+                               "--as=" + std::to_string(kProgram + threads * kStack)})),
+               Catch::Contains("a thread cannot start"));
+  }
+}
+
 TEST_CASE("the flag --check-config says ok, or what is wrong and where") {
   const ScratchDirectory scratch;
   const std::string right = scratch.write("right.toml", "[limits]\nconnections = 5\n");

@@ -51,6 +51,7 @@ rocksdb::Options rocks_options(const RocksSettings& settings, bool create) {
   options.memtable_insert_with_hint_prefix_extractor = std::make_shared<ChunksInOrder>();
   options.max_background_jobs = 2;
   options.max_open_files = 256;
+  options.max_file_opening_threads = 1;  // RocksDB ends the process if the system refuses it one of several
   options.info_log = std::make_shared<NoInfoLog>();
   options.stats_dump_period_sec = 0;
   options.stats_persist_period_sec = 0;

@@ -36,6 +36,7 @@ rocksdb::Options options_of(const ColumnCacheSettings& settings) {
   options.max_write_buffer_number = kWriteBuffers;
   // Files are never merged, only the oldest deleted: their number must not delay writes.
   options.level0_slowdown_writes_trigger = options.level0_stop_writes_trigger = 1 << 20;
+  options.max_file_opening_threads = 1;           // as for the store
   options.compression = rocksdb::kNoCompression;  // payloads are already compressed
   options.info_log = std::make_shared<store::NoInfoLog>();
   options.stats_dump_period_sec = 0;

@@ -104,15 +104,22 @@ CheckpointService::CheckpointService(Parts parts, std::uint64_t bytes_per_second
     : parts_{std::move(parts)},
       log_{std::move(log)},
       wanted_rate_{bytes_per_second},
-      rate_{Rate::with_burst_of(bytes_per_second, kRateBurst)},
-      disk_{static_cast<std::size_t>(kMaxAtOnce)} {}
+      rate_{Rate::with_burst_of(bytes_per_second, kRateBurst)} {
+  try {
+    for (int thread = 0; thread < kMaxAtOnce; ++thread) threads_.emplace_back([this] { disk_.run(); });
+  } catch (...) {
+    disk_.stop();
+    throw;
+  }
+}
 
 CheckpointService::~CheckpointService() {
   stop();
 }
 
 void CheckpointService::stop() {
-  disk_.join();
+  disk_work_.reset();
+  threads_.clear();
 }
 
 tl::expected<std::string, http::Response> CheckpointService::admit(const http::Request& request,

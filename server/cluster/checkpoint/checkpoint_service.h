@@ -11,9 +11,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <asio/awaitable.hpp>
-#include <asio/thread_pool.hpp>
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
 #include <tl/expected.hpp>
 
 #include "cluster/checkpoint/checkpoint_tar.h"
@@ -76,7 +79,10 @@ class CheckpointService {
   int at_once_ = 0;
   std::uint64_t next_number_ = 1;
   Clock::time_point next_complaint_{};
-  asio::thread_pool disk_;
+  // Not asio::thread_pool: if its second thread cannot start, its constructor waits for the first for ever.
+  asio::io_context disk_;
+  asio::executor_work_guard<asio::io_context::executor_type> disk_work_{disk_.get_executor()};
+  std::vector<std::jthread> threads_;
 };
 
 }  // namespace talus::server

@@ -115,7 +115,7 @@ std::string Inbox::without_answers() const {
 void Inbox::connected(bool now) {
   {
     const std::lock_guard lock{mutex_};
-    if (connected_ == now) return;
+    if (stopped_ || connected_ == now) return;
     connected_ = now;
     refused_tail_.disconnected();
     refused_answers_.disconnected();

@@ -80,7 +80,7 @@ StoreSocket::StoreSocket(fs::path directory, Parts parts, Logger log, int listen
 
 StoreSocket::~StoreSocket() {
   ::eventfd_write(wake_, 1);
-  acceptor_.join();
+  if (acceptor_.joinable()) acceptor_.join();
   ends_.request_stop();
   {
     const std::lock_guard lock{mutex_};
