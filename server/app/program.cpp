@@ -185,6 +185,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
+    note_world(config, **world, *log);
     const auto fits = check_index_memory(config, edits->state().index().bytes(), site_bytes);
     if (!fits) return fail(fits.error());
   }

@@ -2,9 +2,14 @@
 
 #include <unistd.h>
 
+#include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include <talus/files/atomic_file.h>
+#include <talus/files/read_file.h>
 
 #include "config/access/key_file.h"
 #include "runtime/log/escape.h"
@@ -34,6 +39,18 @@ tl::expected<std::optional<store::DataDirectory>, std::string> drop_privileges_a
     return tl::make_unexpected(fmt::format("{}; talusd runs as user {}", data.error(), account->name));
   }
   return std::move(data).map([](store::DataDirectory opened) { return std::optional{std::move(opened)}; });
+}
+
+void note_world(const Config& config, const terrain::World& world, LogWriter& log) {
+  constexpr std::size_t kMaxBytes = 8192;
+  const std::string text = fmt::format(
+      "{}, seed {}, fingerprint {}\n", config.world.empty() ? "the built-in world" : config.world.string(),
+      static_cast<std::int64_t>(world.spec().seed), to_string(world.fingerprint()));
+  const auto file = config.data / "world.txt";
+  if (const auto held = files::read_regular_file(file, kMaxBytes); held && *held == text) return;
+  if (const auto written = files::write_file(file, std::string_view{text}); !written) {
+    log.warn("{}", written.error().message());
+  }
 }
 
 std::vector<std::string> startup_warnings(const Command& command, const std::vector<std::string>& of_keys,

@@ -8,10 +8,12 @@
 #include <tl/expected.hpp>
 
 #include <talus/store/data_directory.h>
+#include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
 #include "config/command_line.h"
 #include "net/tls_context.h"
+#include "runtime/log/logger.h"
 #include "runtime/privileges/account.h"
 
 namespace talus::server {
@@ -23,6 +25,10 @@ namespace talus::server {
 /// configured. Call before the first thread starts.
 [[nodiscard]] tl::expected<std::optional<store::DataDirectory>, std::string> drop_privileges_and_open_data(
     const Config& config, const std::optional<Account>& account, ContentHash fingerprint);
+
+/// Writes the world's file and seed into world.txt of the data directory, for people: store.toml has the
+/// fingerprint alone. Logs a failure.
+void note_world(const Config& config, const terrain::World& world, LogWriter& log);
 
 /// Returns warnings for the log about how the server was started.
 [[nodiscard]] std::vector<std::string> startup_warnings(const Command& command,

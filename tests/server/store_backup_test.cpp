@@ -138,18 +138,27 @@ TEST_CASE("a backup goes into an empty directory alone") {
   CHECK(refused.error().find("the directory is not empty") != std::string::npos);
 }
 
+TEST_CASE("a backup makes no directory but its own") {
+  const Data data;
+  const auto refused = write_backup(data.path, data.scratch / "disk" / "today/");
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("disk is not a directory; make it, or mount its disk"));
+  CHECK_FALSE(fs::exists(data.scratch / "disk"));
+}
+
 TEST_CASE("a backup that finds no room leaves nothing behind") {
   const Data data;
-  const fs::path target = data.scratch / "disk" / "backups" / "today";
+  const fs::path target = data.scratch / "disk" / "today";
+  fs::create_directory(data.scratch / "disk");
   {
     const SmallFilesAlone full{64};
     const auto refused = write_backup(data.path, target);
     REQUIRE_FALSE(refused.has_value());
     CHECK_THAT(refused.error(), Catch::Contains("File too large") && !Catch::Contains("is left"));
-    CHECK_FALSE(fs::exists(data.scratch / "disk"));
+    CHECK_FALSE(fs::exists(target));
     CHECK_FALSE(write_backup(data.path, target.string() + "/").has_value());
-    CHECK_FALSE(fs::exists(data.scratch / "disk"));
-    fs::create_directories(target);  // one that was there stays, as it was
+    CHECK_FALSE(fs::exists(target));
+    fs::create_directory(target);  // one that was there stays, as it was
     CHECK_FALSE(write_backup(data.path, target).has_value());
     CHECK(fs::is_empty(target));
   }

@@ -36,6 +36,20 @@ TEST_CASE("a new store has an id of its own and keeps it") {
   CHECK(id_of(scratch / "second") != id);
 }
 
+TEST_CASE("a directory of other files is refused, and gets none") {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "lost+found");
+  std::ofstream{scratch / "letter"} << "dear";
+  const auto refused = DataDirectory::open(scratch.path(), kWorld);
+  REQUIRE_FALSE(refused.has_value());
+  CHECK_THAT(refused.error(), Catch::Contains("it holds \"letter\" and no store"));
+  CHECK_FALSE(fs::exists(scratch / "lock"));
+  fs::remove(scratch / "letter");
+  const ContentHash id = id_of(scratch.path());
+  std::ofstream{scratch / "letter"} << "dear";
+  CHECK(id_of(scratch.path()) == id);
+}
+
 TEST_CASE("a store refuses another world, naming both") {
   const ScratchDirectory scratch;
   (void)id_of(scratch.path());

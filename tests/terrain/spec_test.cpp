@@ -50,6 +50,11 @@ TEST_CASE("Brackets within brackets are bounded, so that parts of keys do not ad
   CHECK_THAT(error_of(flat + test::small_world_text(1)), Catch::Contains("unknown key"));
 }
 
+TEST_CASE("A picture in place of a world is refused as such") {
+  CHECK(error_of("\x89PNG\r\n\x1a\n") == "w.toml:1: the file is not text");
+  CHECK(World::parse("\xEF\xBB\xBF" + test::small_world_text(1), "w.toml"));
+}
+
 TEST_CASE("A file past a mebibyte is refused") {
   CHECK(error_of(std::string(kMaxTomlBytes + 1, '#')) == "w.toml:1: the file has over 1048576 bytes");
 }

@@ -30,6 +30,23 @@ bool has_name(const fs::path& file) {
   return fs::symlink_status(file, error).type() != fs::file_type::not_found;
 }
 
+/// Rejects a directory of other files, with which talusd would mix its own.
+tl::expected<void, std::string> check_ours(const fs::path& path) {
+  std::error_code error;
+  for (const char* const name :
+       {"lock", "store.toml", "db", "acknowledged", "talus-next", "talus-staging", "rejoin"}) {
+    if (has_name(path / name)) return {};
+  }
+  for (fs::directory_iterator at{path, error}, end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with('.') || name == "lost+found") continue;
+    return tl::make_unexpected(
+        fmt::format("data {}: it holds \"{}\" and no store; give --data a new directory, or an empty one",
+                    path.string(), name));
+  }
+  return {};
+}
+
 /// Rejects a lock file that is not a regular file; does not follow links.
 tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
   const fs::path file = path / "lock";
@@ -150,6 +167,7 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_any(const fs::path&
   std::error_code error;
   fs::create_directories(path, error);
   if (error) return system_failure(path, "cannot create the directory", error.value());
+  if (const auto ours = check_ours(path); !ours) return tl::unexpected{ours.error()};
   return lock(path);
 }
 

@@ -17,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 tl::unexpected<std::string> unreadable(const fs::path& path, int error) {
-  return tl::unexpected{
-      fmt::format("{}: cannot be read: {}", path.string(), std::generic_category().message(error))};
+  return tl::unexpected{fmt::format("{}: cannot be read: {}{}", path.string(),
+                                    std::generic_category().message(error),
+                                    error == EACCES ? "; run this as the user that owns the store" : "")};
 }
 
 std::string_view kind_of(mode_t mode) {

@@ -3,6 +3,17 @@
 #include <algorithm>
 
 namespace talus {
+namespace {
+
+/// True for what may begin a file, a byte order mark included. Files such as pictures begin by other bytes.
+bool begins_text(char first) {
+  constexpr char kDelete = 0x7F;
+  constexpr char kByteOrderMark = '\xEF';
+  return (first >= ' ' && first != kDelete) || first == '\t' || first == '\n' || first == '\r' ||
+         first == kByteOrderMark;
+}
+
+}  // namespace
 
 std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.size() > kMaxTomlBytes) {
@@ -11,6 +22,7 @@ std::optional<TomlFault> find_toml_fault(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     return TomlFault{1, "the file is in UTF-16; TOML is in UTF-8, so save it as that"};
   }
+  if (!text.empty() && !begins_text(text.front())) return TomlFault{1, "the file is not text"};
   // Counts outside strings and comments. Numbers have dots too, but never that many in a line. A parser stops
   // at the first line end inside a single-line string, so the text after it does not matter.
   int line = 1;

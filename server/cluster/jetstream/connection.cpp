@@ -24,14 +24,24 @@ constexpr int kMaxPingsOut = 2;
 
 using Clock = std::chrono::steady_clock;
 
+/// libnats' error without its place in the source, "(conn.c:2088): "; empty if there is none.
+std::string_view without_place(const char* said) {
+  std::string_view text{said == nullptr ? "" : said};
+  constexpr std::string_view kAfterPlace{"): "};
+  if (const auto end = text.find(kAfterPlace); text.starts_with('(') && end != std::string_view::npos) {
+    text.remove_prefix(end + kAfterPlace.size());
+  }
+  return text;
+}
+
 /// Keeps the first error of several calls that set options.
 class Setting {
  public:
   void operator()(natsStatus status) {
     if (status_ == NATS_OK && status != NATS_OK) {
       status_ = status;
-      const char* const said = nats_GetLastError(nullptr);
-      text_ = said == nullptr ? natsStatus_GetText(status) : said;
+      const std::string_view said = without_place(nats_GetLastError(nullptr));
+      text_ = said.empty() ? natsStatus_GetText(status) : said;
     }
   }
   [[nodiscard]] bool failed() const { return status_ != NATS_OK; }
@@ -60,8 +70,8 @@ std::string words_of(std::string_view text) {
 
 /// libnats' last error on this thread, or the meaning of the status.
 std::string last_words(natsStatus status) {
-  const char* const said = nats_GetLastError(nullptr);
-  return words_of(said == nullptr || *said == '\0' ? natsStatus_GetText(status) : said);
+  const std::string_view said = without_place(nats_GetLastError(nullptr));
+  return words_of(said.empty() ? natsStatus_GetText(status) : said);
 }
 
 }  // namespace

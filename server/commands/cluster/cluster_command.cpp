@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <talus/store/store_identity.h>
 #include <CLI/CLI.hpp>
 
 #include "commands/cluster/check.h"
@@ -117,6 +119,10 @@ int cluster_command(int argc, const char* const* argv, const Environment& enviro
         ->add_option(
             "--store", flags.store,
             "the store's id, 32 hexadecimal digits; default: cluster.store, or the id in the data directory")
+        ->check([](const std::string& text) {
+          const bool fits = text.empty() || store::parse_hash(text);
+          return fits ? std::string{} : "'" + text + "' is not an id; give 32 hexadecimal digits";
+        })
         ->type_name("ID");
     commands.push_back({command, run});
     return command;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <system_error>
 #include <utility>
 
@@ -73,26 +72,22 @@ tl::expected<std::optional<std::vector<store::BackupManifest::File>>, std::strin
   return all;
 }
 
-/// Returns the missing directories of `path`, itself included, deepest first.
-std::vector<fs::path> missing_directories(fs::path path) {
-  std::vector<fs::path> missing;
-  std::error_code code;
-  for (; !path.empty() && !fs::exists(path, code); path = path.parent_path()) {
-    if (path.has_filename()) missing.push_back(path);  // skips a trailing slash
-  }
-  return missing;
+/// Returns the directory that holds `path`.
+fs::path parent_of(const fs::path& path) {
+  const fs::path absolute = fs::absolute(path).lexically_normal();
+  return absolute.has_filename() ? absolute.parent_path() : absolute.parent_path().parent_path();
 }
 
-/// Deletes an unfinished backup from a directory that was empty, then the empty directories of `made`.
-/// Returns the end of an error line if something is left.
-std::string remove_unfinished(const fs::path& target, std::span<const fs::path> made) {
+/// Deletes an unfinished backup from a directory that was empty, and the directory if it is new. Returns the
+/// end of an error line if something is left.
+std::string remove_unfinished(const fs::path& target, bool is_new) {
   std::error_code code;
   for (const std::string_view name : {store::kManifestName, std::string_view{"store.toml"},
                                       std::string_view{"acknowledged"}, std::string_view{"db"}}) {
     fs::remove_all(target / name, code);
   }
-  for (const fs::path& directory : made) fs::remove(directory, code);
-  const bool stays = made.empty() ? !fs::is_empty(target, code) : fs::exists(made.back(), code);
+  if (is_new) fs::remove(target, code);
+  const bool stays = is_new ? fs::exists(target, code) : !fs::is_empty(target, code);
   return stays ? fmt::format("; the files left in {} are not a backup, and may be removed", target.string())
                : "";
 }
@@ -159,16 +154,20 @@ tl::expected<store::BackupManifest, std::string> write_backup(const fs::path& pa
     return no_backup(target,
                      code ? code.message() : "the directory is not empty; give one that is, or a new name");
   }
+  // Not made here: a missing one is mostly the place of a disk that is not mounted.
+  if (const fs::path parent = parent_of(target); !fs::is_directory(parent, code)) {
+    return no_backup(target,
+                     fmt::format("{} is not a directory; make it, or mount its disk", parent.string()));
+  }
   {
     const auto store = store::ReadOnlyStore::open(path);
     if (!store) return tl::unexpected{store.error()};
     if (const auto sound = (*store)->verify_files(); !sound) return tl::unexpected{sound.error()};
   }
-  const std::vector<fs::path> made = missing_directories(target);
-  fs::create_directories(target, code);
+  const bool is_new = fs::create_directory(target, code);
   tl::expected<store::BackupManifest, std::string> written = no_backup(target, code.message());
   if (!code) written = fill_backup(path, target);
-  if (!written) written.error() += remove_unfinished(target, made);
+  if (!written) written.error() += remove_unfinished(target, is_new);
   return written;
 }
 

@@ -1,15 +1,19 @@
 #include "commands/store/store_command.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "commands/store/moments.h"
 #include "commands/store/store_commands.h"
+#include "commands/store/subjects.h"
 #include "config/parse_flags.h"
 #include "runtime/log/escape.h"
 
@@ -36,6 +40,17 @@ tl::expected<void, std::string> complete(Flags& flags, const Environment& enviro
   if (flags.world.empty()) flags.world = settings.config.world.string();
   flags.cluster = settings.config.cluster;
   return {};
+}
+
+/// Makes a text that `parse` rejects wrong use.
+template <typename Parse>
+CLI::Option* check(CLI::Option* option, Parse parse) {
+  return option->check([parse](const std::string& text) {
+    const auto parsed = parse(text);
+    std::string wrong = parsed ? std::string{} : parsed.error();
+    std::ranges::replace(wrong, '"', '\'');  // parse_flags() escapes the other
+    return wrong;
+  });
 }
 
 int say(std::string_view name, const Answer& answer) {
@@ -157,15 +172,18 @@ int store_command(int argc, const char* const* argv, const Environment& environm
                                 "a subject's changes, edit by edit, the oldest first",
                                 store_commands::show_history);
   CLI::Option_group* const whose = history->add_option_group("of what");
-  CLI::Option* const at = whose->add_option("--at", flags.at, "the voxel")->type_name("X,Y,Z");
-  whose
-      ->add_option("--subject", flags.subject,
-                   "of the token, as history prints it; \"\": all editors without one")
+  CLI::Option* const at = check(whose->add_option("--at", flags.at, "the voxel"), store_commands::parse_voxel)
+                              ->type_name("X,Y,Z");
+  check(whose->add_option("--subject", flags.subject,
+                          "of the token, as history prints it; \"\": all editors without one"),
+        parse_subject)
       ->type_name("NAME");
   whose->require_option(1);
-  history
-      ->add_option("--since", flags.since,
-                   "with --subject: 90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z; default: all records")
+  const auto moment = [](const std::string& text) { return parse_moment(text, 0); };
+  check(history->add_option(
+            "--since", flags.since,
+            "with --subject: 90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z; default: all records"),
+        moment)
       ->excludes(at)
       ->type_name("TIME");
   history->add_option("--after", flags.after, "with --subject: after this entry of the log, to read on")
@@ -184,18 +202,18 @@ int store_command(int argc, const char* const* argv, const Environment& environm
           "undoes a subject's changes: each voxel that is still as the subject left it becomes what it was "
           "before. Later changes by others stay. A second run changes nothing",
           store_commands::rollback);
-  rolling
-      ->add_option("--subject", flags.subject,
-                   "of the token, as history prints it; \"\": all editors without one")
+  check(rolling->add_option("--subject", flags.subject,
+                            "of the token, as history prints it; \"\": all editors without one"),
+        parse_subject)
       ->required()
       ->type_name("NAME");
-  rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z")
+  check(rolling->add_option("--since", flags.since, "90s, 30m, 2h, 7d ago, or 2026-11-25T08:30:00Z"), moment)
       ->required()
       ->type_name("TIME");
-  rolling
-      ->add_option(
-          "--box", flags.box,
-          "two corners, both in it; or a token's box, X0,Y0,Z0:X1,Y1,Z1 or, for all heights, X0,Z0:X1,Z1")
+  check(rolling->add_option(
+            "--box", flags.box,
+            "two corners, both in it; or a token's box, X0,Y0,Z0:X1,Y1,Z1 or, for all heights, X0,Z0:X1,Z1"),
+        store_commands::parse_box)
       ->required()
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   rolling->add_flag("--dry-run", flags.dry_run, "count, and change nothing");

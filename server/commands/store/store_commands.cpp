@@ -153,36 +153,37 @@ Answer show_subjects_history(const Flags& flags) {
 
 }  // namespace
 
+tl::expected<VoxelPos, std::string> parse_voxel(const std::string& text) {
+  std::array<std::int64_t, 3> at{};
+  if (parse_numbers(text, at)) return VoxelPos{at[0], at[1], at[2]};
+  return tl::unexpected{fmt::format("\"{}\" is wrong; give X,Y,Z in voxels", escaped(text))};
+}
+
 Answer show_history(const Flags& flags, const Outside&) {
   if (!flags.at) return show_subjects_history(flags);
-  std::array<std::int64_t, 3> at{};
-  if (!parse_numbers(*flags.at, at)) {
-    return tl::unexpected{fmt::format("--at: \"{}\" is wrong; give X,Y,Z in voxels", escaped(*flags.at))};
-  }
+  const auto at = parse_voxel(*flags.at);
+  if (!at) return tl::unexpected{fmt::format("--at: {}", at.error())};
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  const auto printed = print_history(opened->store(), {at[0], at[1], at[2]}, flags.json, to_standard_output);
+  const auto printed = print_history(opened->store(), *at, flags.json, to_standard_output);
   if (!printed) return tl::unexpected{printed.error()};
   return std::string{};
 }
 
-namespace {
-
-/// Accepts six numbers, or a box as in tokens.
 tl::expected<Box, std::string> parse_box(const std::string& text) {
   if (text.find(':') != std::string::npos) {
     const auto boxes = Boxes::parse(text);
-    if (!boxes) return tl::unexpected{fmt::format("--box: {}", boxes.error())};
+    if (!boxes) return tl::unexpected{boxes.error()};
     if (boxes->size() != 1) {
-      return tl::unexpected{fmt::format("--box: \"{}\" is {} boxes; give one", escaped(text), boxes->size())};
+      return tl::unexpected{fmt::format("\"{}\" is {} boxes; give one", escaped(text), boxes->size())};
     }
     return *boxes->begin();
   }
   std::array<std::int64_t, 6> box{};
   if (!parse_numbers(text, box)) {
-    return tl::unexpected{fmt::format(
-        "--box: \"{}\" is wrong; give two corners in voxels, X0,Y0,Z0,X1,Y1,Z1 or X0,Y0,Z0:X1,Y1,Z1",
-        escaped(text))};
+    return tl::unexpected{
+        fmt::format("\"{}\" is wrong; give two corners in voxels, X0,Y0,Z0,X1,Y1,Z1 or X0,Y0,Z0:X1,Y1,Z1",
+                    escaped(text))};
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (box[axis] > box[axis + 3]) std::swap(box[axis], box[axis + 3]);
@@ -190,9 +191,11 @@ tl::expected<Box, std::string> parse_box(const std::string& text) {
   return Box{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
 }
 
+namespace {
+
 tl::expected<RollbackRequest, std::string> rollback_request(const Flags& flags) {
   const auto box = parse_box(flags.box);
-  if (!box) return tl::unexpected{box.error()};
+  if (!box) return tl::unexpected{fmt::format("--box: {}", box.error())};
   const auto since = parse_moment(flags.since, now_ms());
   if (!since) return tl::unexpected{fmt::format("--since: {}", since.error())};
   auto subject = parse_subject(flags.subject);

@@ -8,9 +8,12 @@
 
 #include <tl/expected.hpp>
 
+#include <talus/voxel/coords.h>
+
 #include "commands/store/cluster_moves.h"
 #include "commands/store/history.h"
 #include "commands/store/store_command.h"
+#include "config/boxes.h"
 #include "config/config.h"
 
 namespace talus::server::store_commands {
@@ -46,6 +49,13 @@ struct Outside {
   const LoadWorld& load_world;
   const ClusterTools& cluster;
 };
+
+// Texts of flags. An error is one line without the flag.
+
+/// Reads "X,Y,Z".
+[[nodiscard]] tl::expected<VoxelPos, std::string> parse_voxel(const std::string& text);
+/// Reads six numbers, or a box as in tokens.
+[[nodiscard]] tl::expected<Box, std::string> parse_box(const std::string& text);
 
 // Commands that read. A server that uses the directory makes a checkpoint for them, if they run as its user;
 // otherwise they lock the directory, which must be readable. They fail if there is no store, acknowledged
