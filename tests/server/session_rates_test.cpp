@@ -1,6 +1,7 @@
 // What rates do to a session.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <deque>
 #include <map>
 #include <utility>
 #include <vector>
@@ -249,4 +250,49 @@ TEST_CASE("sessions of one address share its rates") {
   CHECK(other.output().size() == 1);
   CHECK(other.session.sendable_at() > other.clock.now());
   CHECK(other.metrics.throttled(RateKind::address_chunks).total() == 1);
+}
+
+TEST_CASE("players of an address that has used up its rate wait for that alone, and not for long") {
+  // Each flies at 20 voxels/s over 73 new chunks in a second, and all have half of that.
+  constexpr std::size_t kPlayers = 4;
+  constexpr std::size_t kTicksAChunk = 32;
+  constexpr auto kTick = 50ms;
+  constexpr std::size_t kTicks = 400;
+  constexpr std::size_t kPerSecond = kPlayers * 73 / 2;
+  const auto address = std::make_shared<AddressBuckets>(RateSet{{kPerSecond, kPerSecond}, {}, {}});
+  struct Player {
+    explicit Player(const AddressBucketsPtr& buckets) : bench{{.address = buckets}} {}
+    SessionBench bench;
+    Clock::duration without{};
+    Clock::duration longest_without{};
+  };
+  std::deque<Player> players;
+  for (std::size_t i = 0; i < kPlayers; ++i) players.emplace_back(address);
+  std::size_t chunks = 0;
+  for (std::size_t tick = 0; tick < kTicks; ++tick) {
+    for (std::size_t i = 0; i < kPlayers; ++i) {
+      Player& player = players[(tick + i) % kPlayers];
+      SessionBench& bench = player.bench;
+      const std::size_t x = tick / kTicksAChunk;
+      if (tick % kTicksAChunk == 0) bench.move_view(static_cast<std::int64_t>(x), 6, 4);
+      bench.answer_all();  // the generators have nothing to do
+      player.without += kTick;
+      if (bench.session.sendable_at() <= bench.clock.now()) {
+        for (const SessionFrame& said : bench.output()) {
+          if (said.kind != Body::Chunk) continue;
+          player.without = {};
+          ++chunks;
+        }
+      }
+      player.longest_without = std::max(player.longest_without, player.without);
+      bench.clock.advance(kTick);
+    }
+  }
+  CHECK(static_cast<double>(chunks) == Approx(kPerSecond * (kTicks / 20 + 1)).epsilon(0.1));
+  std::uint64_t held = 0;
+  for (Player& player : players) {
+    CHECK(player.longest_without <= 1s);
+    held += player.bench.metrics.throttled(RateKind::address_chunks).total();
+  }
+  CHECK(held > 0);
 }
