@@ -184,11 +184,7 @@ bool EditIntake::take_in() {
   taken_in_.clear();
   for (const AttachOutcome& each : attached_now) attached(each);
   for (const std::uint64_t client : looked_up) {
-    Lane* const lane = find_lane(ClientId{client});
-    if (lane == nullptr) continue;
-    take_look_ups(*lane);
-    if (lane->look_ups->has_lost()) lane->session->lose_mail();
-    enter(*lane);
+    if (Lane* const lane = find_lane(ClientId{client})) enter(*lane);
   }
   for (const ClientId client : input_ended) {
     if (Lane* const lane = find_lane(client)) end_input(*lane);

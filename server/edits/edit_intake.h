@@ -142,13 +142,14 @@ class EditIntake final : public EditTaker {
     std::optional<PendingAttach> attaching;  // before all edits
     bool attach_waits = false;               // and is not in the log
     bool entered = false;                    // waits for its turn
+    bool may_log = false;                    // in that turn
     std::size_t cost = 0;                    // of that turn
     bool input_ended = false;
     /// Number of its edits that the log has not answered.
     std::shared_ptr<std::atomic<std::uint32_t>> in_log = std::make_shared<std::atomic<std::uint32_t>>(0);
   };
   /// Flows have equal shares by what their edits cost, and so have the sessions of a flow. Costs are known,
-  /// so that a small edit does not wait for large ones.
+  /// so that a small edit does not wait for large ones. Ground that was looked up is decoded in turns, too.
   using Turns = FairQueue<FlowId, ClientId>;
   using Arrival = std::pair<MailboxPtr, std::variant<AttachRequest, WaitingEdit>>;
   /// The log's answer to an Attach.
@@ -189,6 +190,7 @@ class EditIntake final : public EditTaker {
   void end_attach(Lane& lane);
   void refuse_attach(Lane& lane, EditError error);
 
+  /// Decodes the chunks that came.
   void take_look_ups(Lane& lane);
   /// Takes one edit as far as possible without blocking.
   void advance(Lane& lane);

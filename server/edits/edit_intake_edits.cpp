@@ -64,9 +64,13 @@ void EditIntake::take_look_ups(Lane& lane) {
                                                     ready->answer.error().reason)});
     }
   }
+  if (lane.look_ups->has_lost()) lane.session->lose_mail();
 }
 
 void EditIntake::advance(Lane& lane) {
+  const bool looks_up = lane.first.has_value();
+  take_look_ups(lane);
+  if (looks_up && !lane.first) return;  // it was refused
   if (!lane.first) {
     if (lane.waiting.empty()) return;
     WaitingEdit next = std::move(lane.waiting.front());
@@ -78,7 +82,7 @@ void EditIntake::advance(Lane& lane) {
     }
   }
   if (!look_up(lane, *lane.first)) return refuse_half_closed(lane);
-  if (!lane.first->missing.empty()) return;
+  if (!lane.first->missing.empty() || !lane.may_log) return;
   --waiting_;
   log_edit(lane, *std::exchange(lane.first, std::nullopt));
 }

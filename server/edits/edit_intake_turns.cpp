@@ -56,7 +56,8 @@ bool EditIntake::take_turn() {
   } else {
     advance(*lane);
   }
-  if (lane->first ? attaches : !lane->waiting.empty()) enter(*lane);
+  const bool goes_on = lane->first ? attaches || lane->first->missing.empty() : !lane->waiting.empty();
+  if (goes_on) enter(*lane);
   return true;
 }
 
@@ -86,17 +87,23 @@ EditIntake::Lane* EditIntake::find_lane(ClientId client) {
 
 void EditIntake::enter(Lane& lane) {
   if (lane.entered) return;
+  const bool looks_up = !lane.attach_waits && lane.first && !lane.first->missing.empty();
   std::size_t voxels = 0;
   std::size_t chunks = 0;
-  if (!lane.attach_waits && !lane.first && !lane.waiting.empty()) {
-    const EditRequest& request = lane.waiting.front().request;
+  if (!lane.attach_waits && (lane.first || !lane.waiting.empty())) {
+    const EditRequest& request = lane.first ? lane.first->edit.request : lane.waiting.front().request;
     voxels = request.extent.voxels + (settles() && request.settles ? edits::kSettleVoxels : 0);
     chunks = request.extent.chunks.size();
   }
   const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
-  lane.cost = kEditCost + voxels + kDecodeCost * chunks;
-  Turns& turns = is_small ? small_ : large_;
-  turns.enter({.offset = static_cast<double>(lane.cost)}, lane.session->flow(), lane.session->owner());
+  // Ground is decoded without room in the log, which its edit needs afterwards: it has paid then, but goes
+  // behind smaller ones.
+  lane.may_log = is_small || !looks_up;
+  std::size_t cost = kEditCost + voxels + kDecodeCost * chunks;
+  if (looks_up) cost = kEditCost + kDecodeCost * lane.first->asked.size();
+  lane.cost = lane.first && !looks_up ? kEditCost : cost;
+  Turns& turns = is_small || looks_up ? small_ : large_;
+  turns.enter({.offset = static_cast<double>(cost)}, lane.session->flow(), lane.session->owner());
   lane.entered = true;
 }
 
@@ -109,6 +116,7 @@ void EditIntake::cancel_look_ups(const Lane& lane) {
 
 void EditIntake::end_input(Lane& lane) {
   lane.input_ended = true;
+  take_look_ups(lane);
   if (!lane.first || lane.first->missing.empty()) return;
   refuse_half_closed(lane);
   enter(lane);

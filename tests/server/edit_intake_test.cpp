@@ -569,6 +569,46 @@ TEST_CASE("in the log wait few bytes, but one edit alone may have more") {
   CHECK(bench.log.entries.size() == 2);
 }
 
+TEST_CASE("large edits whose ground was looked up wait for room in the log, and small ones go before them") {
+  Bench bench;
+  std::vector<MailboxPtr> crowd;
+  for (std::uint64_t id = 100; id < 140; ++id) {
+    const auto flow = std::make_shared<FlowUse>(FlowId{id % 4}, FlowName{});
+    crowd.push_back(std::make_shared<Mailbox>(
+        ClientId{id}, [] {}, flow));
+    EditRequest request{1, {id, 1}, 1, 1, {}};
+    const auto x = static_cast<std::int64_t>(id) * 64;
+    request.edit.fills = {{{x, 0, 0}, {x + 39, 39, 39}, kGlass, {}}};
+    bench.intake.edit(crowd.back(), std::move(request));
+  }
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.empty());
+  while (!bench.source.waiting.empty()) {
+    const auto [key, look_ups] = *bench.source.waiting.begin();
+    bench.source.mail(key, of(kStone));
+    look_ups->wake();
+  }
+  bench.intake.do_what_waits();
+  CHECK(bench.log.entries.size() == 1);  // of over 256 KiB
+  bench.edit(1, {{0, 0, 0}});
+  bench.look_ups_answered(kStone);
+  REQUIRE(bench.log.entries.size() == 2);
+  CHECK(bench.log.edit(1).editor == kEditor);
+  // One that is larger needs room, too, and still goes before them.
+  EditRequest medium{1, {50, 1}, 1, 1, {}};
+  medium.edit.fills = {{{-64, 0, 0}, {-49, 15, 15}, kGlass, {}}};
+  bench.intake.edit(std::make_shared<Mailbox>(ClientId{2}, [] {}), std::move(medium));
+  while (bench.log.answered < bench.log.entries.size()) {
+    bench.log.answer_one();
+    bench.intake.do_what_waits();
+    bench.look_ups_answered(kStone);
+  }
+  std::size_t place = 0;
+  while (place < bench.log.entries.size() && bench.log.edit(place).editor.low != 50) ++place;
+  CHECK(place <= 6);
+  CHECK(bench.log.entries.size() == 42);
+}
+
 TEST_CASE("the Attach of a closed session is not retried, and so does not take over an editor") {
   Bench bench;
   bench.editors[kEditor] = {.epoch = 4, .last_sequence = 17, .used_ms = 0, .subject = "ann", .results = {}};
