@@ -123,11 +123,12 @@ const std::array kFields{
           SwitchTarget{[](Config& c) -> bool& { return c.http.tls; }}},
     Field{"http.public_chunks", "switch", "true: chunks need no token, so that every cache may keep them",
           SwitchTarget{[](Config& c) -> bool& { return c.http.public_chunks; }}},
-    Field{"http.origins", "origins",
-          "origins whose pages may read and stream, in addition to the server's own and, if http.listen is a "
-          "loopback address and proxies is empty, those of loopback addresses; *: all; empty: others may only "
-          "read what every cache may keep",
-          OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
+    Field{
+        "http.origins", "origins",
+        "origins whose pages may read and stream, in addition to the server's own and, if http.listen is a "
+        "loopback address and proxies is empty, those of loopback addresses; *: all; empty: others may only "
+        "read what every cache may keep",
+        OriginsTarget{[](Config& c) -> AllowedOrigins& { return c.http.origins; }}},
     Field{"http.log_every", "answers", "number of HTTP answers of which one is logged; 0: off",
           number<&Config::http, &Http::log_every>(0, 1'000'000'000)},
 

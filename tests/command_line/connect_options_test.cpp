@@ -70,7 +70,9 @@ TEST_CASE("several servers are separated by commas") {
 
 TEST_CASE("a token comes from a file, a word or a variable, and flags win") {
   const ScratchDirectory scratch;
-  const std::string file = scratch.write("token", "\xEF\xBB\xBF""from a file\r\n\n");
+  const std::string file = scratch.write("token",
+                                         "\xEF\xBB\xBF"
+                                         "from a file\r\n\n");
   CHECK(token({}).empty());
   CHECK(token({"--token-file", file.c_str()}) == "from a file");
   CHECK(token({"--token", "a word"}) == "a word");

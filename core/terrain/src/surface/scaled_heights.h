@@ -20,8 +20,9 @@ struct HeightsFault {
 };
 
 /// Converts samples to subvoxels: `low` becomes 0, `high` becomes highest_fx, values outside are clamped,
-/// halves are rounded up. If not set, `low` and `high` become the type's limits for uint8 and uint16, else the
-/// minimum and the maximum sample, unless that marks missing data. `high` must be at least 1e-290 above `low`.
+/// halves are rounded up. If not set, `low` and `high` become the type's limits for uint8 and uint16, else
+/// the minimum and the maximum sample, unless that marks missing data. `high` must be at least 1e-290 above
+/// `low`.
 [[nodiscard]] tl::expected<std::shared_ptr<const Field>, HeightsFault> scaled_heights(
     const HeightMap& map, std::int32_t highest_fx, std::optional<double>& low, std::optional<double>& high);
 
