@@ -267,7 +267,7 @@ bool is_begun(const WorkQueue::Work& work) {
 
 }  // namespace
 
-TEST_CASE("where no more of a flow may be put back it begins no other tile, and goes on with those begun") {
+TEST_CASE("if no more of a flow may be put back, it begins no other tile and goes on with the begun ones") {
   WorkQueue queue{kPatch, 100};
   for (int client = 0; client < 40; ++client) (void)add_tile(queue, kFlow);
   std::vector<WorkQueue::Work> drawn;
