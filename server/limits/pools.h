@@ -22,7 +22,7 @@ inline constexpr std::array kPools{
          "the oldest if over 3 s old, else the oldest of the address with most"},
     Pool{"memory of sessions, HTTP answers", "5/8 of `limits.memory_bytes`, less other uses",
          "as much as any, and a 64th of the budget",
-         "a session whose client is 15 s behind 16 KiB/s, else one of the flow with most, if it has two"},
+         "a session whose client is 5 s behind 16 KiB/s, else one of the flow with most, if it has two"},
     Pool{"chunks that wait for a generator", "`generation.queue_chunks`",
          "as many as are free; a session always 16", ""},
     Pool{"edits that wait for the log", "256, or 256 KiB; a session 64", "turns by cost", ""},

@@ -30,6 +30,9 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
+// Maximum number of sessions that give way to one connection, in addition to the first.
+constexpr int kMostGiveWay = 16;
+
 std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
@@ -286,6 +289,10 @@ bool Handshaker::admit(PendingConnection& pending) {
   if (!memory_.takes_connection_of(flow, clock_.now())) {
     refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
+  }
+  // It wants chunks next.
+  for (int more = 0; more < kMostGiveWay && !memory_.takes_work(); ++more) {
+    if (!memory_.takes_connection_of(flow, clock_.now())) break;
   }
   pending.slot.emplace(*std::move(slot));
   return true;

@@ -106,10 +106,10 @@ TEST_CASE("a client that drains less than the least rate falls behind, and gives
   budget.set(MemoryUse::store, 700 * kMebibyte);
   REQUIRE_FALSE(budget.takes_connections());
   auto now = kBegin;
-  // 32 KiB in 8 s, and in 1 s.
+  // 32 KiB in 4 s, and in 1 s.
   for (int write = 0; write < 2; ++write) {
     slow.drain_begins(now, 32 * 1024);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 4; ++i) {
       fast.drain_begins(now, 32 * 1024);
       now += 1s;
       fast.drain_ends(now);
@@ -117,14 +117,14 @@ TEST_CASE("a client that drains less than the least rate falls behind, and gives
     slow.drain_ends(now);
   }
   slow.drain_begins(now, 32 * 1024);
-  budget.end_still_sessions(now + 4s);
-  CHECK_FALSE(budget.takes_connection_of(FlowId{3}, now + 4s));
+  budget.end_still_sessions(now + 2s);
+  CHECK_FALSE(budget.takes_connection_of(FlowId{3}, now + 2s));
   CHECK(slow_ended == 0);
   SECTION("for a newcomer") {
-    CHECK(budget.takes_connection_of(FlowId{3}, now + 6s));
+    CHECK(budget.takes_connection_of(FlowId{3}, now + 4s));
   }
   SECTION("before one comes") {
-    budget.end_still_sessions(now + 6s);
+    budget.end_still_sessions(now + 4s);
   }
   CHECK(slow_ended == 1);
   CHECK(fast_ended == 0);

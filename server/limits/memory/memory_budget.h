@@ -56,7 +56,7 @@ class MemoryBudget {
   static constexpr std::uint64_t kFlows = 64;
   /// A client drains at least this much a second, but for kPatience, or its session may give way.
   static constexpr std::uint64_t kDrainedBytes = std::uint64_t{16} << 10;
-  static constexpr std::chrono::seconds kPatience{15};
+  static constexpr std::chrono::seconds kPatience{5};
   /// Returns the memory of the program with `threads` threads that serve and generate.
   [[nodiscard]] static constexpr std::uint64_t program_bytes(std::size_t threads) {
     return kProgramBytes + (threads > kFewThreads ? (threads - kFewThreads) * kThreadBytes : 0);

@@ -15,6 +15,9 @@ using wire::ErrorCode;
 
 namespace {
 
+// Maximum number of sessions that give way to one message: the room must do for its chunks, too.
+constexpr std::size_t kMostGiveWay = 16;
+
 /// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
   RateLimits limits = context.rates.get();
@@ -161,6 +164,15 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
   close_if_served();
 }
 
+bool Session::takes_work(std::uint64_t bytes) {
+  MemoryBudget& memory = context_.memory;
+  if (memory.takes_work()) return true;
+  const auto now = context_.clock.now();
+  bool made = false;
+  for (std::size_t i = 0; i < kMostGiveWay && memory.takes_work_of(flow().id(), bytes, now); ++i) made = true;
+  return made;
+}
+
 void Session::give_way(std::string_view text) {
   fail(ErrorCode::overloaded, text, retry_after::kServerFull, "it gave way to others");
 }
@@ -256,6 +268,7 @@ void Session::on(const wire::View& view) {
 
 void Session::on(const wire::GetChunks& get) {
   if (get.requests() == nullptr) return;
+  (void)takes_work(0);  // makes room for their chunks
   AnsweredIds answered;
   for (const wire::ChunkRequest* request : *get.requests()) {
     const bool pending = on(*request, answered);
