@@ -31,7 +31,7 @@ using asio::ip::tcp;
 using std::chrono::milliseconds;
 
 // Maximum number of sessions that give way to one connection, in addition to the first.
-constexpr int kMostGiveWay = 16;
+constexpr int kMaxGiveWay = 16;
 
 std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
@@ -291,7 +291,7 @@ bool Handshaker::admit(PendingConnection& pending) {
     return false;
   }
   // It wants chunks next.
-  for (int more = 0; more < kMostGiveWay && !memory_.takes_work(); ++more) {
+  for (int more = 0; more < kMaxGiveWay && !memory_.takes_work(); ++more) {
     if (!memory_.takes_connection_of(flow, clock_.now())) break;
   }
   pending.slot.emplace(*std::move(slot));

@@ -16,7 +16,7 @@ using wire::ErrorCode;
 namespace {
 
 // Maximum number of sessions that give way to one message: the room must do for its chunks, too.
-constexpr std::size_t kMostGiveWay = 16;
+constexpr std::size_t kMaxGiveWay = 16;
 
 /// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
@@ -169,7 +169,7 @@ bool Session::takes_work(std::uint64_t bytes) {
   if (memory.takes_work()) return true;
   const auto now = context_.clock.now();
   bool made = false;
-  for (std::size_t i = 0; i < kMostGiveWay && memory.takes_work_of(flow().id(), bytes, now); ++i) made = true;
+  for (std::size_t i = 0; i < kMaxGiveWay && memory.takes_work_of(flow().id(), bytes, now); ++i) made = true;
   return made;
 }
 
