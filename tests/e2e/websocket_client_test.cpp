@@ -146,7 +146,7 @@ TEST_CASE("talus-client by WebSocket says in one line what answers instead") {
   check_refused(get_chunk({"--connect", http + "/v1/elsewhere"}), "the server answered 404");
   check_refused(get_chunk({"--connect", http + "/v1/world"}), "the server answered 200");
   check_refused(get_chunk({"--websocket", "--connect", "127.0.0.1:" + std::to_string(server.port())}),
-                "HTTP");
+                "the server answered 400");
   check_refused(get_chunk({"--connect", "ws://127.0.0.1:" + std::to_string(server.http_port()) + "/a b"}),
                 "path");
 }

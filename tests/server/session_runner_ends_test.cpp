@@ -72,7 +72,7 @@ TEST_CASE("an HTTP request on the port of game clients is answered by one line o
       table<const char*, const char*>({{"GET / HTTP/1.1\r\nHost: a\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
                                        {"HEAD / HTTP/1.1\r\nHost: a\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
                                        {"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", "HTTP/1.1 400 Bad Request\r\n"},
-                                       {"\x16\x03\x01\x02 a TLS hello", ""}}));
+                                       {"\x16\x03\x01\x02 a TLS hello", ""}}));  // an Error
   const auto client = bench.connect();
   client->send(request);
   bench.io.poll();

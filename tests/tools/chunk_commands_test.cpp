@@ -120,7 +120,7 @@ TEST_CASE("A file that is not a chunk is one line that names it, and nothing is 
   refused("some text", "encode", "no chunk of voxels");
   refused(array.substr(0, array.size() - 1), "encode", "32 x 32 x 32");
   refused(array + "x", "encode", "32 x 32 x 32");
-  refused(array.substr(0, 40), "encode", "32 x 32 x 32");
+  refused(array.substr(0, 40), "encode", "ends in its header");
   std::string other = array;
   other.replace(other.find("(32, 32, 32)"), 12, "(32, 16, 64)");
   refused(other, "encode", "32 x 32 x 32");

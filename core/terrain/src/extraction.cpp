@@ -13,6 +13,7 @@
 #include <talus/terrain/generator.h>
 
 #include "feature.h"
+#include "features/object_models.h"
 #include "kernels/chunk_planes.h"
 #include "kernels/columns.h"
 #include "overlay.h"
@@ -325,7 +326,8 @@ std::int64_t highest_object_row(const World& world, const Stacks& stacks, std::i
   if (stacks.objects.empty()) return highest;
   const int level = stacks.region.lod.value();
   const int rows = above_ground(world, Lod{}, true);
-  int reach = 0;
+  // At least what formulas reach, whatever the world's kinds do: golden.txt hashes all rows of a tile.
+  int reach = kFormulaReach;
   for (const auto& feature : world.features()) {
     if (feature->stands()) reach = std::max(reach, feature->halo(Lod{}));
   }

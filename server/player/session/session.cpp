@@ -91,8 +91,11 @@ void Session::broken_frame(const protocol::FrameError& error) {
 
 void Session::refuse_foreign(std::vector<std::byte> answer, std::string_view protocol) {
   if (closing()) return;
-  if (!answer.empty()) replies_.foreign(std::move(answer));
-  failure_ = fmt::format("the client speaks another protocol: {}", protocol);
+  std::string why = fmt::format("the client speaks another protocol: {}", protocol);
+  // An Error is not TLS, so that a TLS client reports that the server does not speak it.
+  if (answer.empty()) return fail(ErrorCode::malformed, why);
+  replies_.foreign(std::move(answer));
+  failure_ = std::move(why);
   abandon();
 }
 

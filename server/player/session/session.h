@@ -69,7 +69,8 @@ class Session {
   /// A whole frame from FrameReader.
   void receive(std::span<const std::byte> frame);
   void broken_frame(const protocol::FrameError& error);
-  /// Ends a session whose client speaks another protocol; `answer` is in that protocol, or empty.
+  /// Ends a session whose client speaks another protocol; `answer` is in that protocol; if empty,
+  /// the client gets an Error.
   void refuse_foreign(std::vector<std::byte> answer, std::string_view protocol);
   /// The current or last frame holds `bytes` of memory. Ends the session if that is more than
   /// kMaxFrameBytesAnyway and the server is short of memory.

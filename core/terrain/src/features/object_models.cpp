@@ -13,10 +13,6 @@ namespace {
 constexpr std::uint8_t kTrunk = 0;
 constexpr std::uint8_t kCrown = 1;
 
-// Bounds of shapes by formulas, part of what the formulas mean.
-constexpr int kFormulaReach = 10;
-constexpr int kFormulaTop = 32;
-
 /// A sequence of random numbers. Draw each in a statement of its own, as C++ does not order operands.
 class ModelDraws {
  public:

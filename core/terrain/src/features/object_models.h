@@ -32,6 +32,9 @@ using ObjectModel = std::vector<ModelVoxel>;
 inline constexpr int kObjectReach = 64;
 inline constexpr int kObjectTop = 128;
 inline constexpr int kObjectRoot = 4;
+/// The same bounds of shapes by formulas, part of what the formulas mean.
+inline constexpr int kFormulaReach = 10;
+inline constexpr int kFormulaTop = 32;
 static_assert(kMaxModelWidth == 2 * kObjectReach && kMaxModelHeight == kObjectTop);
 
 enum class ModelKind : std::uint8_t {
