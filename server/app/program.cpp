@@ -64,7 +64,7 @@ int failed(std::string_view line, std::string_view format = "text") {
   return kFailed;
 }
 
-/// The line for an exception that ends the program. Mostly the system refused a resource.
+/// Returns the error line for an exception that ends the program: mostly the system refused a resource.
 std::string line_of(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return "out of memory; let the process have more (ulimit -v, a container's limit), or lower "

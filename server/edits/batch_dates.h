@@ -9,8 +9,9 @@
 
 namespace talus::server {
 
-/// The wall clock, except that a jump of over kMaxJump ahead counts only after kPatience. Dates never
-/// decrease, unless the last one is over kMaxJump ahead of the clock, which was ahead then. For one thread.
+/// Follows the wall clock, but a jump ahead of over kMaxJump counts only after kPatience. Dates never
+/// decrease, unless the last date is over kMaxJump ahead of the clock: then the clock was wrong at that date.
+/// For one thread.
 class BatchDates {
  public:
   static constexpr std::chrono::minutes kMaxJump{1};
@@ -22,7 +23,7 @@ class BatchDates {
   /// Reads the clock, in milliseconds since 1970. Call it at least every few seconds, so that a slow change
   /// is not a jump.
   std::int64_t now_ms();
-  /// The date of a batch that follows one of `last_ms`.
+  /// Returns the date of a batch that follows one dated `last_ms`.
   [[nodiscard]] std::int64_t after(std::int64_t last_ms);
 
   struct Jumps {

@@ -96,8 +96,8 @@ void EditIntake::enter(Lane& lane) {
     chunks = request.extent.chunks.size();
   }
   const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
-  // Ground is decoded without room in the log, which its edit needs afterwards: it has paid then, but goes
-  // behind smaller ones.
+  // Decoding ground needs no room in the log. Its edit needs room afterwards: the edit has paid by then, but
+  // goes behind smaller ones.
   lane.may_log = is_small || !looks_up;
   std::size_t cost = kEditCost + voxels + kDecodeCost * chunks;
   if (looks_up) cost = kEditCost + kDecodeCost * lane.first->asked.size();

@@ -41,9 +41,9 @@ class Admission {
 
   /// Maximum number of connections above the limit: those that have given way, and still close.
   static constexpr std::size_t kMaxClosing = 64;
-  /// An address that makes progress may always have this part of the places.
+  /// A flow may always have the places divided by this.
   static constexpr std::size_t kFlows = 64;
-  /// A handshake without an end for longer than this gives way.
+  /// A handshake that takes longer than this gives way before others.
   static constexpr std::chrono::seconds kHandshakePatience{3};
 
   struct Limits {
@@ -75,7 +75,7 @@ class Admission {
 
     /// From here on the connection may give way to other flows' by `give_way`.
     void set_give_way(FlowShares::GiveWay give_way) { part_->set_give_way(std::move(give_way)); }
-    /// Its flow is the subject's.
+    /// From here on the connection counts for the subject's flow.
     void move_to(std::string_view subject) { part_->move_to(admission_->ids_.of_subject(subject)); }
     /// The client sent something.
     void progress(Clock::time_point now) { part_->progress(now); }

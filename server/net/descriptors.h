@@ -13,7 +13,7 @@ inline constexpr std::uint64_t kSpareDescriptors = 16;
 /// number, so if clients keep no reserved numbers, 16 remain whatever they do.
 [[nodiscard]] bool is_spare(int descriptor);
 
-/// Fewer open files are not enough for a server without clients.
+/// Minimum number of open files of a server without clients.
 inline constexpr std::uint64_t kMinDescriptors = 64;
 
 /// Descriptors needed by a server with `sockets` sockets and `io_contexts` contexts, including listening

@@ -79,8 +79,8 @@ class Handshaker {
   struct PendingConnection;
   using PendingPtr = std::shared_ptr<PendingConnection>;
 
-  /// Takes a place among the handshakes in flight. If there is none, the handshake of a flow that holds more
-  /// gives way; false if there is none of these either.
+  /// Takes a place among the handshakes in flight. If all are taken, a handshake that takes too long, or one
+  /// of a flow that holds more, gives way; returns false if there is neither.
   [[nodiscard]] bool take_place(const PendingPtr& pending);
   void spawn(const PendingPtr& pending, ConnectionId id);
   [[nodiscard]] asio::awaitable<void> shake_hands(PendingPtr pending);

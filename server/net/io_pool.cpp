@@ -27,7 +27,7 @@ void IoPool::run() {
       threads_.emplace_back([this, other] { serve(*contexts_[other]); });
     }
   } catch (...) {
-    end();  // what their handlers use may not outlive this call
+    end();  // objects that their handlers use may not outlive this call
     throw;
   }
   serve(control());

@@ -272,7 +272,7 @@ void SessionRunner::resume() {
 
 void SessionRunner::input_ended() {
   input_ended_ = true;
-  watchdog_.reading_pauses();  // it has promised to be silent
+  watchdog_.reading_pauses();  // the client has promised to be silent
   if (output_ended_) return end(kClosedByClient);
   session_.input_ended();
   pump();

@@ -64,7 +64,7 @@ class SessionRunner final : public Peer,
                 RunnerContextPtr context, const std::shared_ptr<Owner>& owner);
 
  private:
-  /// Reads on if there is room for input. Frames may wait there: most ends are noticed nevertheless.
+  /// Reads on if input_ has room, even while frames wait in it, so that most ends are noticed.
   void read();
   void on_read(std::error_code failed, std::size_t bytes) override;
   void input_broke(std::error_code failed);

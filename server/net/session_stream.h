@@ -1,4 +1,4 @@
-// A session's stream whatever carries it, so that the code that drives sessions is compiled once.
+// A session's stream over any transport, so that the code that drives sessions is compiled once.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,7 @@ class SessionStream {
   /// reports.
   [[nodiscard]] virtual std::size_t write_now(asio::const_buffer from) = 0;
   [[nodiscard]] virtual bool peer_reset() = 0;
-  /// True if `failed`, an error of a read, leaves the peer an end to wait for.
+  /// Returns true if the peer waits for say_end() after `failed`, the error of a read.
   [[nodiscard]] virtual bool answers(std::error_code failed) const = 0;
   virtual void say_end(UserPtr user) = 0;
   virtual void shutdown() = 0;

@@ -209,7 +209,7 @@ tl::expected<void, RouteError> grid_columns(http::Query& query, std::size_t max_
   return {};
 }
 
-/// A comma that is sent as such separates names. An encoded one may be part of a name.
+/// A plain comma separates names. A percent-encoded comma may be part of a name.
 std::vector<std::string> field_names(std::string_view raw) {
   std::vector<std::string> names;
   for (const std::string_view each : http::split(raw, ',', 64))

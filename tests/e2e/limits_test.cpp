@@ -114,7 +114,7 @@ TEST_CASE("requests over the limit are refused by their ids, the others answered
   CHECK(chunks == 3);
 }
 
-TEST_CASE("a client that is gone while its reading is paused is worked for no longer") {
+TEST_CASE("work for a client that is gone while its reading is paused is given up") {
   ServerProcess server{kDearColumns, {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();
   std::vector<RawClient> clients;

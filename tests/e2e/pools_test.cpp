@@ -1,5 +1,4 @@
-// Every pool of server/limits/pools.h, with one greedy flow, and a client of another address that comes after
-// it.
+// Tries every pool of server/limits/pools.h with one greedy flow and then a client of another address.
 #include "../../server/limits/pools.h"
 
 #include <catch2/catch.hpp>

@@ -68,7 +68,7 @@ TEST_CASE("by TLS a client is welcomed and gets chunks") {
   ask_for_chunk(client);
 }
 
-TEST_CASE("by TLS a client that is gone while its reading is paused is worked for no longer") {
+TEST_CASE("by TLS work for a client that is gone while its reading is paused is given up") {
   const Secure secure;
   ServerProcess server{secure.settings(kDearColumns), {"--admin", "127.0.0.1:0"}};
   const std::uint16_t admin = server.admin_port();

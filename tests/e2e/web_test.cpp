@@ -136,7 +136,7 @@ TEST_CASE("heights by HTTP equal heights by TCP") {
   CHECK(client.get("/v1/heights?columns=10,-20&fields=warmth").status == 400);
 }
 
-TEST_CASE("a client that is gone while its answer is made is worked for no longer") {
+TEST_CASE("work for a client that is gone while its answer is made is given up") {
   ServerProcess server{kDearColumns, {"--http", "127.0.0.1:0", "--admin", "127.0.0.1:0"}};
   const std::uint16_t http = server.http_port();
   const std::uint16_t admin = server.admin_port();

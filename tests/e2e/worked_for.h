@@ -1,4 +1,4 @@
-// Work that a client waits for, and what the server says of it.
+// Work that a client waits for, and checks that the server gives it up.
 #pragma once
 
 #include <algorithm>
@@ -46,11 +46,11 @@ inline void await_metric(std::uint16_t admin, const std::string& series,
     std::this_thread::yield();
   }
 }
-/// Until more columns were generated than `before`.
+/// Waits until more columns were generated than `before`.
 inline void await_work(std::uint16_t admin, double before = 0) {
   await_metric(admin, "talus_heights_generated_total", [&](double heights) { return heights > before; });
 }
-/// Until each session waits for so many answers that nothing more is read from it.
+/// Waits until the server reads nothing more from any session, as too many of its answers wait.
 inline void await_pauses(std::uint16_t admin) {
   await_work(admin);
   await_metric(admin, "talus_memory_bytes{use=\"sessions\"}",

@@ -172,7 +172,7 @@ TEST_CASE("a message of any size reaches all who read, cut where no talusd would
   CHECK(read(*log, 2) == "c");
 }
 
-TEST_CASE("a NATS server that does not take every message is named, and what it cannot take fails for good") {
+TEST_CASE("a NATS server that does not take every message is named, and a message too large fails for good") {
   OneServer one("max_payload: 64KB");
   make_stream(one.servers, one.names, 1);
   const auto log = open_log(one.servers.url_list(), one.names);

@@ -371,7 +371,7 @@ TEST_CASE("the file of what was acknowledged may be gone, but not damaged") {
   }
 }
 
-TEST_CASE("what a kill while RocksDB wrote its options left is deleted by the next start") {
+TEST_CASE("files of options that a kill left unfinished are deleted by the next start") {
   KilledStore store;
   const fs::path left = store.path() / "db" / "OPTIONS-000099.dbtmp";
   std::ofstream{left} << "[Version]";
@@ -379,7 +379,7 @@ TEST_CASE("what a kill while RocksDB wrote its options left is deleted by the ne
   CHECK_FALSE(fs::exists(left));
 }
 
-TEST_CASE("for files that talusd may not read the advice is no backup") {
+TEST_CASE("files that talusd may not read are no reason to restore a backup") {
   const auto advice = [](int error) {
     return std::string{store::remedy_for(rocksdb::Status::IOError("While open a file: /data/db/000008.sst",
                                                                   std::generic_category().message(error)))};

@@ -153,7 +153,7 @@ TEST_CASE("a clock that is ahead for a while dates no edits; one that stays ther
   CHECK(dates.jumps().count == 2);
 }
 
-TEST_CASE("edits of a clock that was ahead once date no later ones, over restarts") {
+TEST_CASE("edits of a clock that was ahead do not date later edits, across restarts") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "edits"};
   JumpingClock clock;

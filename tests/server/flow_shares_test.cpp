@@ -55,7 +55,7 @@ TEST_CASE("a part that stands still for too long gives way, even the only one of
   CHECK_FALSE(pool.make_room(3));
 }
 
-TEST_CASE("what a flow is sure of, a flow with one part, and a part without a way to end stay") {
+TEST_CASE("a sure amount, the only part of a flow, and a part that cannot end do not give way") {
   Pool pool;
   pool.enter(1, 100, Clock::time_point::max());
   CHECK_FALSE(pool.make_room(2));
@@ -67,7 +67,7 @@ TEST_CASE("what a flow is sure of, a flow with one part, and a part without a wa
   CHECK_FALSE(pool.make_room(2));
 }
 
-TEST_CASE("a part counts for the flow that it moved to, and no more once it has gone") {
+TEST_CASE("a part counts for the flow that it moved to, until it has given way") {
   Pool pool;
   for (int i = 0; i < 4; ++i) pool.enter(1, 1, kBegin);
   pool.parts[0].move_to(FlowId{2});

@@ -229,7 +229,7 @@ TEST_CASE("HTTP/1.0 asks for no other protocol, and nothing that follows is a re
   CHECK(now.keep_alive);
 }
 
-TEST_CASE("a Host that is not one is a 400") {
+TEST_CASE("a malformed Host is a 400") {
   const auto error = [](const std::string& host) {
     return error_of("GET / HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
   };

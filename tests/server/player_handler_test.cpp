@@ -378,7 +378,7 @@ TEST_CASE("a client that leaves has no map drawn, and a map counts with its cost
   CHECK(connection.expired());  // it waits for its rate no longer
 }
 
-TEST_CASE("a list in several lines counts whole") {
+TEST_CASE("a list in several fields of one name is read as one") {
   PlayerSite site;
   site.source.in_memory[key_at(0, 0, 0)] = scripted_chunk(key_at(0, 0, 0));
   const std::string tag = site.ask(kChunks + "/0/0/0/0").field("ETag");
@@ -396,7 +396,7 @@ TEST_CASE("a list in several lines counts whole") {
             .status == 400);
 }
 
-TEST_CASE("of two tokens in one request none counts") {
+TEST_CASE("a request with two tokens is refused") {
   const ScratchDirectory scratch;
   PlayerSite site{with_secret(scratch)};
   CHECK(site.ask("/v1/world", kToken).status == 200);

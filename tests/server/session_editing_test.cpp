@@ -92,7 +92,7 @@ TEST_CASE("an edit that does not happen is an Error about its request") {
   CHECK(said.about == wire::ErrorAbout::request);
 }
 
-TEST_CASE("players get no paths, addresses or advice of the server's own, which its log has") {
+TEST_CASE("paths, addresses and advice for the operator go to the log, not to players") {
   for (const EditErrorCode code :
        {EditErrorCode::unwritable, EditErrorCode::unreadable, EditErrorCode::cut_off}) {
     EditingBench shared;

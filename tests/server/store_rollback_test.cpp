@@ -399,7 +399,7 @@ TEST_CASE("history that was dropped is said to be, and the rest is still whole")
   CHECK(kept->first == (*opened)->first_record());
 }
 
-TEST_CASE("what was done while a clock was ahead, and before the time, stays") {
+TEST_CASE("edits before the time stay, even if a clock that was ahead dated them later") {
   Rollback rollback{{"a", 1'000, {0, 0, 0}, {1'000, 31, 31}}};
   store::LogRecord record;
   record.kind = edits::EntryResult::Kind::done;

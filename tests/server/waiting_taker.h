@@ -24,7 +24,7 @@ struct WaitingTaker final : EditTaker {
   [[nodiscard]] bool knows(edits::EditorId, const std::string&) const override { return false; }
 };
 
-/// One voxel, under so many guards.
+/// An edit of one voxel with `guards` guards.
 inline protocol::Frame guarded_edit(std::uint32_t id, std::size_t guards) {
   return protocol::make_frame([&](auto& builder) {
     const std::vector<wire::VoxelWrite> guarded(guards, wire::VoxelWrite{{1, 2, 3}, 1});

@@ -36,7 +36,7 @@ TEST_CASE("a new store has an id of its own and keeps it") {
   CHECK(id_of(scratch / "second") != id);
 }
 
-TEST_CASE("a directory of other files is refused, and gets none") {
+TEST_CASE("a directory of other files is refused, and nothing is written into it") {
   const ScratchDirectory scratch;
   fs::create_directory(scratch / "lost+found");
   std::ofstream{scratch / "letter"} << "dear";

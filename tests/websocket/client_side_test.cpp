@@ -79,7 +79,7 @@ TEST_CASE("Payloads follow the answer, however they are cut") {
   }));
 }
 
-TEST_CASE("A list in several lines of the answer counts whole") {
+TEST_CASE("A list in several fields of one name is read as one") {
   ClientSide side = new_side();
   (void)take(side, bytes_of(kSwitching + kAccept + "Upgrade: h2c\r\nConnection: keep-alive\r\n" + kUpgrade +
                             "\r\n"));

@@ -165,7 +165,7 @@ TEST_CASE("A header is read as Python writes it") {
   }
 }
 
-TEST_CASE("An 8-bit grey PNG is read to the number") {
+TEST_CASE("An 8-bit grey PNG is read exactly") {
   const auto map = decoded(png_of(4, 2, 8, PNG_COLOR_TYPE_GRAY));
   REQUIRE(map);
   CHECK(std::get<std::vector<std::uint8_t>>(map->samples) ==

@@ -8,7 +8,7 @@ from . import protocol
 from .errors import OutcomeUnknown, ServerError, WorldChanged, again_later
 from .protocol import ErrorCode
 
-KEEP_TRYING_S = 60  # maximum time of trying again, for an edit without an answer or that the server puts off
+KEEP_TRYING_S = 60  # maximum time of retries of an edit that gets no answer or that the server puts off
 FIRST_DELAY_S, LONGEST_DELAY_S = 0.1, 5
 
 _NOBODY = protocol.Hash128(0, 0)

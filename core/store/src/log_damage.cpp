@@ -125,7 +125,7 @@ std::optional<Record> find_record(std::string_view file, std::size_t at, std::ui
   return std::nullopt;
 }
 
-/// Finds out who wrote a batch, by its keys.
+/// Classifies a batch by its keys.
 class BatchKeys final : public rocksdb::WriteBatch::Handler {
  public:
   void Put(const rocksdb::Slice& key, const rocksdb::Slice& value) override {
@@ -157,7 +157,7 @@ class BatchKeys final : public rocksdb::WriteBatch::Handler {
   }
 };
 
-/// The log's numbers, rising, of the files in `directory`.
+/// Returns the numbers of the log files in `directory`, rising.
 std::vector<std::uint64_t> log_numbers(rocksdb::Env& env, const std::string& directory) {
   std::vector<std::string> names;
   env.GetChildren(directory, &names).PermitUncheckedError();
@@ -202,8 +202,8 @@ class LogScan {
   [[nodiscard]] std::optional<LogDamage> damage() const { return damage_; }
 
  private:
-  /// Meets a whole record behind the damage. A write begins only after the sync of the one before has ended,
-  /// and all writes but slices and marks are synced.
+  /// Takes a whole record behind the damage as evidence. A write begins only after the sync of the one before
+  /// has ended, and all writes but slices and marks are synced.
   void meet(const std::string& batch) {
     BatchKeys keys;
     const bool sound = rocksdb::WriteBatch{batch}.Iterate(&keys).ok();

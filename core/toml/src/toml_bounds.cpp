@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-/// True for what may begin a file, a byte order mark included. Files such as pictures begin by other bytes.
+/// Returns true if a text may begin with this byte, also of a byte order mark. Pictures begin with others.
 bool begins_text(char first) {
   constexpr char kDelete = 0x7F;
   constexpr char kByteOrderMark = '\xEF';

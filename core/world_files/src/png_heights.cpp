@@ -93,7 +93,7 @@ class Reader {
         return "RGBA";
     }
   }
-  /// The sample of pixels that are transparent, as places without data are; nullopt: all are visible.
+  /// The sample of transparent pixels, which mark missing data; nullopt if all pixels are visible.
   [[nodiscard]] std::optional<std::uint16_t> transparent() const {
     png_color_16p value = nullptr;
     if (png_get_tRNS(png_, info_, nullptr, nullptr, &value) == 0 || value == nullptr) return std::nullopt;

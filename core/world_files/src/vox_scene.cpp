@@ -6,7 +6,7 @@
 namespace talus::world_files {
 namespace {
 
-/// Reads numbers, strings and dictionaries; after the end all are empty.
+/// Reads numbers, strings and dictionaries; beyond the end they are 0 or empty.
 class SceneContent {
  public:
   explicit SceneContent(std::span<const std::byte> rest) : rest_{rest} {}
@@ -66,7 +66,7 @@ std::optional<VoxRotation> parse_rotation(std::string_view text) {
                      {(bits & 16) != 0, (bits & 32) != 0, (bits & 64) != 0}};
 }
 
-/// `inner` happens first.
+/// Returns the rotation that applies `inner`, then `outer`.
 VoxRotation product(const VoxRotation& outer, const VoxRotation& inner) {
   VoxRotation both;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -76,7 +76,7 @@ VoxRotation product(const VoxRotation& outer, const VoxRotation& inner) {
   return both;
 }
 
-/// The first entry with this key, or the next. REQUIRES that they are sorted.
+/// Returns the first entry whose key is at least `key`. REQUIRES: `entries` is sorted.
 template <class Value>
 auto lower(const std::vector<std::pair<std::uint32_t, Value>>& entries, std::uint32_t key) {
   return std::lower_bound(entries.begin(), entries.end(), key,

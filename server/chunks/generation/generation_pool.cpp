@@ -19,7 +19,7 @@ constexpr std::int64_t kJobBytes = 384;
 // Maximum time that a thread works on one thing before it yields to others.
 constexpr std::chrono::milliseconds kLongestPiece{25};
 
-// While something expensive is made, time between checks whether it is still wanted; less if work came.
+// Time between checks if expensive work is still wanted; the shorter one once new work has come.
 constexpr std::chrono::milliseconds kCheckInterval{5};
 constexpr std::chrono::milliseconds kMinCheckInterval{1};
 
@@ -338,7 +338,7 @@ ChunkAnswer GenerationPool::with_edits(ChunkKey key, const ChunkAnswer& base) co
 void GenerationPool::run(HeightsTask& task, const WorkQueue::Work& work, MeasuredWork& measured) {
   const auto began = parts_.clock.thread_cpu();
   const auto took = [&] { return parts_.clock.thread_cpu() - began; };
-  // What is expensive gives way to whatever is cheap, also when it was just taken again.
+  // Expensive heights give way to any cheap work, even if they were just taken again.
   const std::chrono::nanoseconds spent =
       task.tile() || task.is_begun() ? kLongestPiece : std::chrono::milliseconds{};
   const AskAfterStep after_step = after_step_of(work, spent, [&] { return queue_.is_wanted(task); });

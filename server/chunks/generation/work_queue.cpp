@@ -13,12 +13,12 @@ struct Overloaded : Calls... {
 template <typename... Calls>
 Overloaded(Calls...) -> Overloaded<Calls...>;
 
-/// How work of that urgency enters the turns.
+/// Returns the entry with which work of that urgency enters the turns.
 FairEntry entry_of(Urgency urgency) {
   return {.offset = urgency == Urgency::soon ? -double{WorkQueue::kPatchesAhead} : 0};
 }
 
-/// Maximum number of clients that one take() crowds out: it asks the others again at the next.
+/// Maximum number of clients that one take() crowds out. The next take() asks the others again.
 constexpr std::size_t kCrowdedOutAtOnce = 16;
 
 auto waiter_of(std::vector<Waiter>& waiters, ClientId client) {
@@ -307,7 +307,7 @@ std::optional<WorkQueue::Work> WorkQueue::take(const WorkCosts& costs) {
       [&](FlowId flow, ClientId id, Urgency urgency) { return readiness(flow, id, urgency, costs); }});
   crowd_out();
   if (!next) {
-    if (turns_.empty() && crowded_out_.empty()) turns_.clear();  // no client waits, so none is owed anything
+    if (turns_.empty() && crowded_out_.empty()) turns_.clear();  // no client waits: shares begin anew
     return std::nullopt;
   }
   const auto [flow, client, urgency] = *next;

@@ -154,7 +154,7 @@ tl::expected<store::BackupManifest, std::string> write_backup(const fs::path& pa
     return no_backup(target,
                      code ? code.message() : "the directory is not empty; give one that is, or a new name");
   }
-  // Not made here: a missing one is mostly the place of a disk that is not mounted.
+  // Does not make it: a missing directory is mostly the mount point of a disk.
   if (const fs::path parent = parent_of(target); !fs::is_directory(parent, code)) {
     return no_backup(target,
                      fmt::format("{} is not a directory; make it, or mount its disk", parent.string()));
@@ -212,7 +212,7 @@ tl::expected<RestoreResult, std::string> restore_backup(const fs::path& backup,
           backup, fmt::format("{} is damaged: it differs from its manifest; give another one", file.name));
     }
   }
-  // The manifest of an older talusd may be of a damaged store.
+  // An older talusd may have backed up a damaged store.
   const auto copied = store::ReadOnlyStore::open(backup);
   if (!copied) return tl::unexpected{copied.error()};
   if (const auto sound = (*copied)->verify_files(); !sound) return tl::unexpected{sound.error()};

@@ -50,7 +50,7 @@ void Rollback::start_anew() {
 
 bool Rollback::add(const store::LogRecord& record) {
   const bool is_since = record.time_ms >= request_.since_ms;
-  // Records of a clock that was ahead come before this one, and were made before it.
+  // Earlier records were made before `since_ms`, even if a clock that was ahead dated them later.
   if (!is_since) start_anew();
   const bool is_subjects = record.subject == request_.subject && is_since;
   const VoxelPos& first = request_.first;

@@ -42,13 +42,13 @@ tl::expected<void, std::string> complete(Flags& flags, const Environment& enviro
   return {};
 }
 
-/// Makes a text that `parse` rejects wrong use.
+/// Adds a check to the option: a text that `parse` rejects is wrong use.
 template <typename Parse>
 CLI::Option* check(CLI::Option* option, Parse parse) {
   return option->check([parse](const std::string& text) {
     const auto parsed = parse(text);
     std::string wrong = parsed ? std::string{} : parsed.error();
-    std::ranges::replace(wrong, '"', '\'');  // parse_flags() escapes the other
+    std::ranges::replace(wrong, '"', '\'');  // parse_flags() escapes double quotes
     return wrong;
   });
 }

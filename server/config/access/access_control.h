@@ -53,7 +53,7 @@ struct AuthError {
   std::string reason;     // for the operator's log; may be empty
   bool repeated = false;  // this block was logged before
   bool signed_by_key = false;
-  /// Sentence for the client: describe(), with the reason if the token is one of this server's.
+  /// Sentence for the client: describe(), with the reason if this server's key signed the token.
   [[nodiscard]] std::string text() const;
 };
 

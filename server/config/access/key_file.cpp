@@ -20,10 +20,10 @@ std::string_view without_newline(std::string_view text) {
   return text;
 }
 
-/// Bytes that editors add, which a client would not send; nullptr if there are none.
+/// Names bytes that text editors add and clients do not send; nullptr without such bytes.
 const char* added_by_editor(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) return "begins with a byte order mark; save it as UTF-8 without one";
-  const bool is_pem = bytes.starts_with("-----BEGIN");  // whose readers ignore what follows it
+  const bool is_pem = bytes.starts_with("-----BEGIN");  // readers of PEM ignore lines that follow the key
   if (!is_pem && (bytes.ends_with('\n') || bytes.ends_with('\r'))) {
     return "has empty lines at its end; end it after the secret";
   }

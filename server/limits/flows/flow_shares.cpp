@@ -68,7 +68,7 @@ bool FlowShares::is_still(const Part& part, Clock::time_point now) const {
 FlowShares::Part* FlowShares::choose(FlowId flow, std::uint64_t amount, std::uint64_t sure,
                                      Clock::time_point now) {
   for (auto& [id, each] : flows_) each.held = each.yielding = 0;
-  // `a` gives way before `b`: it stands still for longer, or holds more.
+  // True if `a` gives way before `b`: it has made no progress for longer, or holds more.
   const auto before = [](const Part* a, const Part* b) {
     const auto of_a = a->progress_.load(std::memory_order_relaxed);
     const auto of_b = b->progress_.load(std::memory_order_relaxed);

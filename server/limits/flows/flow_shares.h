@@ -22,7 +22,7 @@ class FlowShares {
   struct Flow;
 
  public:
-  /// Ends what holds a part, soon: it is called once, on the thread of the flow that wants room, and must not
+  /// Makes the holder of a part end soon. Called once, on the thread of the flow that wants room; must not
   /// wait, throw, or call the pool.
   using GiveWay = std::function<void()>;
 

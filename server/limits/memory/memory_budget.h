@@ -52,9 +52,9 @@ class MemoryBudget {
   static constexpr std::uint64_t kThreadBytes = std::uint64_t{128} << 10;
   /// Memory of a new connection.
   static constexpr std::uint64_t kConnectionBytes = std::uint64_t{32} << 10;
-  /// A flow that drains what it holds may always have this part of the limit.
+  /// A flow whose clients drain what it holds may always have the limit divided by this.
   static constexpr std::uint64_t kFlows = 64;
-  /// A client drains at least this much a second, but for kPatience, or its session may give way.
+  /// A session may give way if its client is over kPatience behind draining this number of bytes a second.
   static constexpr std::uint64_t kDrainedBytes = std::uint64_t{16} << 10;
   static constexpr std::chrono::seconds kPatience{5};
   /// Returns the memory of the program with `threads` threads that serve and generate.
@@ -84,7 +84,7 @@ class MemoryBudget {
   /// Returns true if new connections may come. False once use reaches 5/8 of the limit; true again below 1/2,
   /// or below 5/8 if no session is left that could end. Sessions that are open need memory to work.
   [[nodiscard]] bool takes_connections() const { return connections_.open(); }
-  /// Parts are those of sessions and HTTP connections.
+  /// Its parts belong to sessions and HTTP connections.
   [[nodiscard]] FlowShares& shares() { return shares_; }
   /// Returns true if `flow` may have a connection, or `bytes` for work. If memory is short, a session of
   /// others gives way.

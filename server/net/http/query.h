@@ -13,7 +13,7 @@ namespace talus::server::http {
 /// Splits at `by` into at most `max_parts`; the last part has the rest.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char by, std::size_t max_parts);
 
-/// Replaces %XX by its byte and + by a blank; nullopt if a % has no two hexadecimal digits.
+/// Replaces %XX by its byte and + by a blank; nullopt if two hexadecimal digits do not follow a %.
 [[nodiscard]] std::optional<std::string> form_decoded(std::string_view text);
 
 /// Keys and values of a query.
@@ -28,7 +28,7 @@ class Query {
   /// The error is one line.
   [[nodiscard]] static tl::expected<Query, std::string> parse(std::string_view text);
 
-  /// Removes the first pair with the key; nullopt if there is none.
+  /// Removes the first pair with the key; nullopt if the key is missing.
   [[nodiscard]] std::optional<Pair> take(std::string_view key);
   /// The pairs that were not taken.
   [[nodiscard]] const std::vector<Pair>& left() const { return pairs_; }

@@ -50,8 +50,8 @@ class WebSocketStream {
 
   [[nodiscard]] executor_type get_executor() { return state_->inner.get_executor(); }
 
-  /// Fails with an End if the client closes or breaks the protocol. It is sent a Close behind the frame being
-  /// written: call say_end().
+  /// Fails with an End if the client closes or breaks the protocol. Then call say_end(), which sends a Close
+  /// behind the frame that is being written.
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(

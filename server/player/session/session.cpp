@@ -15,7 +15,7 @@ using wire::ErrorCode;
 
 namespace {
 
-// Maximum number of sessions that give way to one message: the room must do for its chunks, too.
+// Maximum number of sessions that give way to one message: the room must suffice for its chunks, too.
 constexpr std::size_t kMaxGiveWay = 16;
 
 /// Returns the rates that apply to a session of the address.

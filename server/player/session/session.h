@@ -91,7 +91,7 @@ class Session {
   void input_ended();
   /// Sends GoAway and ends the View; accepts no more requests. Before Welcome it sends an Error instead.
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
-  /// Another flow needs what this session holds: ends it. `text`: the common pool.
+  /// Ends the session, as another flow needs a part of what it holds. `text`: the Error's.
   void give_way(std::string_view text);
   /// From here on the session's memory is shared with other flows': `give_way` makes the caller call
   /// give_way().

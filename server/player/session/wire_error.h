@@ -17,7 +17,8 @@ struct WireError {
 
 [[nodiscard]] WireError wire_error(EditErrorCode code);
 
-/// The error's message, unless it may have the server's paths and addresses, which only its log has.
+/// Returns the error's message, or a general one if it may contain paths and addresses of the server, which
+/// only the log has.
 [[nodiscard]] std::string_view client_text(const EditError& error);
 
 }  // namespace talus::server

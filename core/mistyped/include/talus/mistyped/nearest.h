@@ -6,9 +6,9 @@
 
 namespace talus {
 
-/// The candidate with the fewest changes from `word`, the first one on a tie; empty if all need more than one
-/// change per four characters, and more than one at all, so that none was probably meant. A change is an
-/// insertion, a deletion, a replacement or an exchange of two neighbours.
+/// Returns the candidate with the fewest changes from `word`, the first one on a tie. Empty if each candidate
+/// needs more than one change, and more than one per four characters of `word`. A change is an insertion, a
+/// deletion, a replacement or an exchange of two neighbours.
 [[nodiscard]] std::string_view meant(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace talus

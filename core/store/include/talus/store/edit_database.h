@@ -153,11 +153,11 @@ class EditDatabase {
   [[nodiscard]] Status settle();
 
   /// Reopens the database after a write error, so that writing can be retried. Never waits: fails while a
-  /// checkpoint or sync_log() runs. After damage() fails always.
+  /// checkpoint or sync_log() runs. Always fails once damage() is not empty.
   [[nodiscard]] Status recover();
 
-  /// One line that names a damaged table, what is lost and what helps; empty if none was met in writing.
-  /// Then nothing more is written, and what can be read is read.
+  /// One line that names a damaged table, what is lost and what helps; empty unless a write met one. From
+  /// then on every write fails; reads of undamaged data go on.
   [[nodiscard]] const std::string& damage() const { return damage_; }
 
   [[nodiscard]] std::uint64_t free_bytes() const;

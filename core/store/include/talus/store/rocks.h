@@ -32,8 +32,8 @@ struct RocksSettings {
 /// Advice to the operator for a database that cannot be opened or read.
 [[nodiscard]] std::string_view remedy_for(const rocksdb::Status& status);
 
-/// Deletes what kills while RocksDB wrote its options have left, which RocksDB keeps for ever. REQUIRES: the
-/// database is not open.
+/// Deletes unfinished files of options, which RocksDB keeps for ever if it is killed while it writes them.
+/// REQUIRES: the database is not open.
 void remove_unfinished_options(rocksdb::Env& env, const std::string& database);
 
 /// Options for sequential reads, which bypass the cache.

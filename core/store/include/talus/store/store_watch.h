@@ -1,5 +1,5 @@
-// Notices that other programs deleted or replaced the files of an open store. Its descriptors would go on
-// working, and what is written then is lost.
+// Notices that other programs deleted or replaced the files of an open store. The store's descriptors go on
+// working, but later writes are lost.
 #pragma once
 
 #include <sys/stat.h>
