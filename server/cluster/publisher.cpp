@@ -1,6 +1,7 @@
 #include "cluster/publisher.h"
 
 #include <algorithm>
+#include <iterator>
 #include <random>
 #include <utility>
 
@@ -170,6 +171,13 @@ void Publisher::run() {
 
 void Publisher::send(const Stand& stand, std::span<const store::Bytes> entries,
                      std::vector<EditLog::Callback> done) {
+  bool gave_up = false;
+  {
+    const std::lock_guard lock{mutex_};
+    if (stopping_) return;
+    gave_up = gave_up_;
+  }
+  if (gave_up) return answer(done, cut_off());
   const BatchHead head{parts_.identity, id_, ++number_, time_ms(), stand.revision, stand.hash};
   const store::Bytes message = encode_batch(head, parts_.settles, entries);
   {
@@ -186,15 +194,18 @@ void Publisher::send(const Stand& stand, std::span<const store::Bytes> entries,
   }
   if (too_large->may_be_stored) return answer_unknown(done, too_large->reason);
   if (entries.size() > 1) {
-    for (std::size_t i = 0; i < entries.size(); ++i) send(stand, entries.subspan(i, 1), {std::move(done[i])});
-    return;
+    const std::size_t half = entries.size() / 2;
+    std::vector<EditLog::Callback> rest{std::move_iterator{done.begin() + static_cast<std::ptrdiff_t>(half)},
+                                        std::move_iterator{done.end()}};
+    done.resize(half);
+    send(stand, entries.first(half), std::move(done));
+    return send(stand, entries.subspan(half), std::move(rest));
   }
-  const tl::expected<const edits::EntryResult*, EditError> failure = edit_error(
-      EditErrorCode::out_of_range,
-      fmt::format("the edit takes {} bytes of the log that this world's servers share, more than it accepts "
-                  "({}); split it",
-                  message.size(), too_large->reason));
-  for (const EditLog::Callback& each : done) each(failure);
+  answer(done,
+         {EditErrorCode::out_of_range,
+          fmt::format("the edit takes {} bytes of the log that this world's servers share, more than it "
+                      "accepts ({}); split it",
+                      message.size(), too_large->reason)});
 }
 
 std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
@@ -281,10 +292,14 @@ void Publisher::answer_open() {
 }
 
 void Publisher::answer_unknown(const std::vector<EditLog::Callback>& done, std::string_view why) {
-  const tl::expected<const edits::EntryResult*, EditError> failure = edit_error(
-      EditErrorCode::unwritable,
-      fmt::format("the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
-                  why));
+  answer(done, {EditErrorCode::unwritable,
+                fmt::format(
+                    "the edit's outcome is unknown; it may be in the log that this world's servers share: {}",
+                    why)});
+}
+
+void Publisher::answer(const std::vector<EditLog::Callback>& done, EditError error) {
+  const tl::expected<const edits::EntryResult*, EditError> failure = tl::unexpected{std::move(error)};
   for (const EditLog::Callback& each : done) each(failure);
 }
 

@@ -112,7 +112,7 @@ class Publisher {
 
   void run();
   [[nodiscard]] std::int64_t time_ms() const;
-  /// Publishes the entries in one message, or one by one if the stream takes no message of that size. An
+  /// Publishes the entries in one message, or in halves if the stream takes no message of that size. An
   /// entry that is too large by itself is rejected as out_of_range.
   void send(const Stand& stand, std::span<const store::Bytes> entries, std::vector<EditLog::Callback> done);
   [[nodiscard]] std::optional<TooLarge> publish(std::uint64_t number, std::span<const std::byte> message);
@@ -122,6 +122,7 @@ class Publisher {
   void refuse(const std::vector<Queue::Item>& waiting) const;
   void refuse_all();
   void answer_open();
+  static void answer(const std::vector<EditLog::Callback>& done, EditError error);
   static void answer_unknown(const std::vector<EditLog::Callback>& done, std::string_view why);
   [[nodiscard]] EditError cut_off() const;
 

@@ -57,16 +57,17 @@ Admission::Slot::~Slot() {
   admission_->leave(counted_);
 }
 
-tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address, bool of_proxy) {
+tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address, Caller caller) {
   const asio::ip::address counted = counted_as(address);
   const std::lock_guard lock{mutex_};
   forget();
   auto known = by_address_.find(counted);
-  if (!of_proxy && known != by_address_.end() && known->second.connections >= limits_.per_address) {
+  if (caller != Caller::proxy && known != by_address_.end() &&
+      known->second.connections >= limits_.per_address) {
     return tl::make_unexpected(fmt::format(
         "your address has {} connections, this server's limit for one address", known->second.connections));
   }
-  if (!has_place_for(counted)) {
+  if (!has_place_for(counted, caller)) {
     return tl::make_unexpected(fmt::format("this server has {} connections, its limit", limits_.connections));
   }
   Slot slot{*this, address};
@@ -79,9 +80,10 @@ tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::addr
   return slot;
 }
 
-bool Admission::has_place_for(const asio::ip::address& counted) {
+bool Admission::has_place_for(const asio::ip::address& counted, Caller caller) {
   if (connections_ >= limits_.connections + kMaxClosing) return false;
-  return places_.size() < limits_.connections ||
+  if (places_.size() < limits_.connections) return true;
+  return caller != Caller::request &&
          places_.make_room(flow_of(counted), 1, limits_.connections / kFlows, clock_.now());
 }
 

@@ -97,11 +97,15 @@ class Admission {
 
   /// Returns a slot, or a line that names the limit reached.
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address) {
-    return enter(address, /*of_proxy=*/false);
+    return enter(address, Caller::client);
   }
   /// For a proxy's connection that carries requests of many clients: the limit per address does not apply.
   [[nodiscard]] tl::expected<Slot, std::string> enter_proxy(const asio::ip::address& address) {
-    return enter(address, /*of_proxy=*/true);
+    return enter(address, Caller::proxy);
+  }
+  /// For one request by a proxy's connection: other connections do not give way to it.
+  [[nodiscard]] tl::expected<Slot, std::string> enter_request(const asio::ip::address& address) {
+    return enter(address, Caller::request);
   }
 
   [[nodiscard]] std::size_t connections() const;
@@ -116,9 +120,10 @@ class Admission {
     bool listed = false;            // in left_
   };
 
-  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, bool of_proxy);
-  /// If all places are taken, a connection of another flow gives way.
-  [[nodiscard]] bool has_place_for(const asio::ip::address& counted);
+  enum class Caller : std::uint8_t { client, proxy, request };
+  [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, Caller caller);
+  /// If all places are taken, a connection of another flow gives way, but not to a request.
+  [[nodiscard]] bool has_place_for(const asio::ip::address& counted, Caller caller);
   [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
   void leave(const asio::ip::address& counted) noexcept;
   void forget();

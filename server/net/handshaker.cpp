@@ -30,9 +30,6 @@ namespace {
 using asio::ip::tcp;
 using std::chrono::milliseconds;
 
-// Maximum number of sessions that give way to one connection, in addition to the first.
-constexpr int kMaxGiveWay = 16;
-
 std::string to_text(const tcp::endpoint& endpoint) {
   return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
 }
@@ -270,12 +267,7 @@ bool Handshaker::admit(PendingConnection& pending) {
     refuse_blocked(pending, *blocked);
     return false;
   }
-  auto slot = pending.through_proxy ? admission_.enter_proxy(pending.client.address())
-                                    : admission_.enter(pending.client.address());
-  if (!slot) {
-    refuse(pending, Refusal::places, slot.error(), retry_after::kServerFull);
-    return false;
-  }
+  // Before another connection gives way.
   const auto wait =
       pending.through_proxy ? Clock::duration::zero() : rate_.admit(pending.client.address(), clock_.now());
   if (wait > Clock::duration::zero()) {
@@ -285,15 +277,18 @@ bool Handshaker::admit(PendingConnection& pending) {
            std::chrono::ceil<milliseconds>(wait));
     return false;
   }
+  auto slot = pending.through_proxy ? admission_.enter_proxy(pending.client.address())
+                                    : admission_.enter(pending.client.address());
+  if (!slot) {
+    refuse(pending, Refusal::places, slot.error(), retry_after::kServerFull);
+    return false;
+  }
   const FlowId flow = flow_id_of(slot->counted(), flows_.ids());
   if (!memory_.takes_connection_of(flow, clock_.now())) {
     refuse(pending, Refusal::memory, std::string{kNoMemory}, retry_after::kServerFull);
     return false;
   }
-  // It wants chunks next.
-  for (int more = 0; more < kMaxGiveWay && !memory_.takes_work(); ++more) {
-    if (!memory_.takes_connection_of(flow, clock_.now())) break;
-  }
+  (void)memory_.takes_work_of(flow, 0, clock_.now());  // it wants chunks next
   pending.slot.emplace(*std::move(slot));
   return true;
 }

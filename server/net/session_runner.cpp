@@ -109,8 +109,8 @@ void SessionRunner::start() {
     self->started_ = true;
     self->context_.session.metrics.accepted.add();
     self->context_.session.metrics.open.rise();
-    self->share();
     self->dispatch([&](Session&) {
+      self->share();
       self->read();
       self->write();
       self->watch();

@@ -67,7 +67,6 @@ bool add_origin_fields(const http::Request& request, const Audience& audience, c
   }
   response.fields.push_back({"Vary", "Origin"});  // a cache must not serve one origin's answer to another
   return !strange;
-  return !strange;
 }
 
 }  // namespace talus::server::web

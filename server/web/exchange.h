@@ -54,8 +54,9 @@ class Exchange {
 
   /// Reserves memory until the answer is sent, in addition to an idle connection's.
   void hold(std::size_t bytes) { memory_.hold(kIdleBytes + bytes); }
-  /// The answer of `bytes` is being written from now on, until drained().
-  void drains(Clock::time_point now, std::size_t bytes) { memory_.drain_begins(now, bytes); }
+  /// The answer is being written from now on, until drained(); `bytes` more of it are written.
+  void drains(Clock::time_point now) { memory_.drain_begins(now, 0); }
+  void drains_on(std::size_t bytes) { memory_.drain_goes_on(bytes); }
   void drained() { memory_.drained(); }
   /// The connection's memory is shared with other flows'.
   void share_memory(const FlowShares::GiveWay& give_way) {

@@ -87,6 +87,10 @@ PlayerHandler::PlayerHandler(WebContextPtr context, const ConnectionInfo& connec
       requester_{*context_, connection, std::move(slot)},
       exchange_{*context_, requester_, std::move(executor)} {}
 
+void PlayerHandler::wrote(std::size_t bytes) {
+  exchange_.drains_on(bytes);
+}
+
 void PlayerHandler::sent() {
   exchange_.hold(0);
   exchange_.drained();
@@ -161,7 +165,7 @@ void PlayerHandler::finish(const http::Request& request, http::Response& respons
   const bool head = request.method == http::Method::head;
   const std::size_t bytes = head ? 0 : response.content().size();
   const auto now = shared_.clock.now();
-  exchange_.drains(now, response.content().size());
+  exchange_.drains(now);
   const auto took = now - exchange_.began();
   shared_.metrics.http_responses_of(response.status).add();
   if (response.status != 101) shared_.metrics.web_latency_of(kind()).add(took);
@@ -188,8 +192,7 @@ void PlayerHandler::log_refused_page(const std::string& origin) const {
   if (!context_->refused_origins->add(origin)) return;
   context_->runner->log->warn(
       "conn {} {}: pages of origin \"{}\" may not read or stream; http.origins lists the origins that may "
-      "(each "
-      "origin is logged once, at most {} of them)",
+      "(each origin is logged once, at most {} of them)",
       id_, requester_.address(), escaped(origin, RefusedOrigins::kMaxLength), RefusedOrigins::kMax);
 }
 

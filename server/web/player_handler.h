@@ -33,6 +33,7 @@ class PlayerHandler final : public http::Handler {
   std::optional<http::Response> respond_now(const http::Request& request, Clock::time_point came) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
   http::Response refuse(const http::RequestError& error) override;
+  void wrote(std::size_t bytes) override;
   void sent() override;
   void closed() override;
   /// Sets the function called once if the connection ends without becoming a session.

@@ -47,7 +47,7 @@ Answer Requester::find(const http::Request& request) {
     blocked.last = true;
     return blocked;
   }
-  auto slot = context_.admission.enter(*address);
+  auto slot = context_.admission.enter_request(*address);
   if (!slot) return error_response(503, ErrorCode::overloaded, slot.error(), retry_after::kServerFull);
   caller_.emplace(*std::move(slot), context_);
   return std::nullopt;

@@ -579,7 +579,7 @@ TEST_CASE("large edits whose ground was looked up wait for room in the log, and 
     EditRequest request{1, {id, 1}, 1, 1, {}};
     const auto x = static_cast<std::int64_t>(id) * 64;
     request.edit.fills = {{{x, 0, 0}, {x + 39, 39, 39}, kGlass, {}}};
-    bench.intake.edit(crowd.back(), std::move(request));
+    bench.intake.edit(crowd.back(), measured(std::move(request)));
   }
   bench.intake.do_what_waits();
   CHECK(bench.log.entries.empty());
@@ -597,7 +597,7 @@ TEST_CASE("large edits whose ground was looked up wait for room in the log, and 
   // One that is larger needs room, too, and still goes before them.
   EditRequest medium{1, {50, 1}, 1, 1, {}};
   medium.edit.fills = {{{-64, 0, 0}, {-49, 15, 15}, kGlass, {}}};
-  bench.intake.edit(std::make_shared<Mailbox>(ClientId{2}, [] {}), std::move(medium));
+  bench.intake.edit(std::make_shared<Mailbox>(ClientId{2}, [] {}), measured(std::move(medium)));
   while (bench.log.answered < bench.log.entries.size()) {
     bench.log.answer_one();
     bench.intake.do_what_waits();

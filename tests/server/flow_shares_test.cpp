@@ -28,7 +28,7 @@ struct Pool {
     parts.back().set_give_way([this, number] { gone.insert(number); });
   }
   [[nodiscard]] bool make_room(std::uint64_t flow, std::uint64_t sure = 0, Clock::time_point now = kBegin) {
-    return shares.make_room(FlowId{flow}, 1, sure, now);
+    return shares.make_room(FlowId{flow}, 1, sure, now).has_value();
   }
 };
 
@@ -128,6 +128,50 @@ TEST_CASE("a client that drains less than the least rate falls behind, and gives
   }
   CHECK(slow_ended == 1);
   CHECK(fast_ended == 0);
+}
+
+TEST_CASE("sessions give way to one message until their memory suffices, and not again while they end") {
+  constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
+  MemoryBudget budget{1024 * kMebibyte};
+  budget.set(MemoryUse::store, 560 * kMebibyte);
+  budget.set(MemoryUse::jobs, 4 * kMebibyte);
+  std::deque<MemoryReservation> greedy;
+  std::size_t gone = 0;
+  for (int i = 0; i < 50; ++i) {
+    greedy.emplace_back(budget, MemoryUse::sessions).share(FlowId{1}, [&] { ++gone; });
+    greedy.back().hold(4 * kMebibyte);
+  }
+  REQUIRE_FALSE(budget.takes_work());
+  for (int message = 0; message < 10; ++message) CHECK(budget.takes_work_of(FlowId{2}, 0, kBegin));
+  // 24 of the program, 560, 4 and 200 are 148 MiB above 5/8.
+  CHECK(gone == 37);
+}
+
+TEST_CASE("a part that has given way before it can end ends when it can") {
+  Pool pool;
+  bool ended = false;
+  pool.enter(1, 1, kBegin - 4s);
+  CHECK(pool.make_room(2));
+  pool.parts[0].set_give_way([&] { ended = true; });
+  CHECK(ended);
+}
+
+TEST_CASE("a client that takes little of a large answer falls behind") {
+  MemoryBudget budget{std::uint64_t{1} << 30};
+  budget.set(MemoryUse::store, std::uint64_t{700} << 20);
+  bool ended = false;
+  MemoryReservation answer{budget, MemoryUse::sessions};
+  answer.share(FlowId{1}, [&] { ended = true; });
+  answer.hold(4 << 20);
+  answer.drain_begins(kBegin, 0);
+  for (int i = 1; i <= 5; ++i) answer.drain_goes_on(1);
+  budget.end_still_sessions(kBegin + 4s);
+  CHECK_FALSE(ended);
+  answer.drain_goes_on(32 * 1024);
+  budget.end_still_sessions(kBegin + 6s);
+  CHECK_FALSE(ended);
+  budget.end_still_sessions(kBegin + 8s);
+  CHECK(ended);
 }
 
 TEST_CASE("while memory is not short the slowest client stays") {

@@ -181,8 +181,8 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   const auto connection = this->connection();
   if (!connection) return tl::unexpected{connection.error()};
   // At every answer, because it may change with the connection and while connected.
-  if (auto small = small_payload((*connection)->max_payload()); small && (*connection)->connected()) {
-    return stream_failure(Kind::refused, *std::move(small));
+  if (const std::int64_t bytes = (*connection)->max_payload(); bytes > 0) {  // 0: not known yet
+    if (auto small = small_payload(bytes)) return stream_failure(Kind::refused, *std::move(small));
   }
   const std::uint64_t read_before = inbox_->after();
   const auto info = ask_info(**connection, settings_.names);

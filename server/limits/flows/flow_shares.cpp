@@ -21,11 +21,18 @@ FlowShares::Part::Part(FlowShares& shares, FlowId flow, std::uint64_t amount, Cl
 FlowShares::Part::~Part() {
   const std::lock_guard lock{shares_.mutex_};
   shares_.remove(*this);
+  shares_.leaving_.fetch_sub(leaving_, std::memory_order_relaxed);
 }
 
 void FlowShares::Part::set_give_way(GiveWay give_way) {
-  const std::lock_guard lock{shares_.mutex_};
-  give_way_ = std::move(give_way);
+  {
+    const std::lock_guard lock{shares_.mutex_};
+    if (place_ != kGone) {
+      give_way_ = std::move(give_way);
+      return;
+    }
+  }
+  give_way();
 }
 
 void FlowShares::Part::move_to(FlowId flow) {
@@ -96,17 +103,26 @@ FlowShares::Part* FlowShares::choose(FlowId flow, std::uint64_t amount, std::uin
   return chosen;
 }
 
-bool FlowShares::make_room(FlowId flow, std::uint64_t amount, std::uint64_t sure, Clock::time_point now) {
+FlowShares::GiveWay FlowShares::let_go(Part& part) noexcept {
+  part.leaving_ = part.amount_.load(std::memory_order_relaxed);
+  leaving_.fetch_add(part.leaving_, std::memory_order_relaxed);
+  remove(part);
+  return std::move(part.give_way_);
+}
+
+std::optional<std::uint64_t> FlowShares::make_room(FlowId flow, std::uint64_t amount, std::uint64_t sure,
+                                                   Clock::time_point now) {
   GiveWay give_way;
+  std::uint64_t held = 0;
   {
     const std::lock_guard lock{mutex_};
     Part* const chosen = choose(flow, amount, sure, now);
-    if (chosen == nullptr) return false;
-    give_way = std::move(chosen->give_way_);
-    remove(*chosen);
+    if (chosen == nullptr) return std::nullopt;
+    give_way = let_go(*chosen);
+    held = chosen->leaving_;
   }
   give_way();
-  return true;
+  return held;
 }
 
 void FlowShares::end_still(std::uint64_t amount, Clock::time_point now) {
@@ -116,9 +132,8 @@ void FlowShares::end_still(std::uint64_t amount, Clock::time_point now) {
     for (std::size_t place = parts_.size(); place-- > 0 && amount > 0;) {
       Part& part = *parts_[place];
       if (!is_still(part, now)) continue;
-      ended.push_back(std::move(part.give_way_));
-      amount -= std::min(amount, part.amount_.load(std::memory_order_relaxed));
-      remove(part);
+      ended.push_back(let_go(part));
+      amount -= std::min(amount, part.leaving_);
     }
   }
   for (const GiveWay& give_way : ended) give_way();

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -54,16 +55,20 @@ class FlowShares {
     // Under the mutex:
     Flow* flow_ = nullptr;
     GiveWay give_way_;
-    std::size_t place_ = 0;  // in parts_; kGone if it gave way
+    std::size_t place_ = 0;      // in parts_; kGone if it gave way
+    std::uint64_t leaving_ = 0;  // amount when it gave way
   };
 
   /// Number of parts that have not given way.
   [[nodiscard]] std::size_t size() const;
+  /// Amount of the parts that have given way and are not destroyed yet.
+  [[nodiscard]] std::uint64_t leaving() const { return leaving_.load(std::memory_order_relaxed); }
 
-  /// Returns true if a part gives way to `flow`, which wants `amount`. A part that makes progress gives way
-  /// only if its flow has another one, and holds more than `flow` then would, and more than `sure`. Takes
-  /// about 20 ns a part.
-  [[nodiscard]] bool make_room(FlowId flow, std::uint64_t amount, std::uint64_t sure, Clock::time_point now);
+  /// Returns what the part held that gives way to `flow`, which wants `amount`; nullopt if none does. A part
+  /// that makes progress gives way only if its flow has another one, and holds more than `flow` then would,
+  /// and more than `sure`. Takes about 20 ns a part.
+  std::optional<std::uint64_t> make_room(FlowId flow, std::uint64_t amount, std::uint64_t sure,
+                                         Clock::time_point now);
 
   /// Parts without progress for longer than `patience` give way until they held `amount` in all.
   void end_still(std::uint64_t amount, Clock::time_point now);
@@ -85,8 +90,11 @@ class FlowShares {
   [[nodiscard]] bool is_still(const Part& part, Clock::time_point now) const;
   [[nodiscard]] Part* choose(FlowId flow, std::uint64_t amount, std::uint64_t sure, Clock::time_point now);
   void remove(Part& part) noexcept;
+  /// Returns the function to call without the mutex.
+  [[nodiscard]] GiveWay let_go(Part& part) noexcept;
 
   const Clock::duration patience_;
+  std::atomic<std::uint64_t> leaving_{0};
   mutable std::mutex mutex_;
   std::vector<Part*> parts_;
   std::unordered_map<FlowId, Flow> flows_;

@@ -4,6 +4,12 @@
 #include <utility>
 
 namespace talus::server {
+namespace {
+
+// Maximum number of sessions that give way at once.
+constexpr int kMaxGiveWay = 16;
+
+}  // namespace
 
 MemoryBudget::MemoryBudget(std::uint64_t limit_bytes, std::size_t threads)
     : limit_{limit_bytes},
@@ -21,6 +27,25 @@ std::uint64_t MemoryBudget::used(MemoryUse use) const {
 std::uint64_t MemoryBudget::beside_caches() const {
   return used(MemoryUse::program) + used(MemoryUse::sessions) + used(MemoryUse::jobs) +
          used(MemoryUse::generators) + used(MemoryUse::edits) + used(MemoryUse::store);
+}
+
+std::uint64_t MemoryBudget::over(std::uint64_t bytes) const {
+  const std::uint64_t used = beside_caches();
+  return used - std::min(used, bytes + shares_.leaving());
+}
+
+bool MemoryBudget::make_room(FlowId flow, std::uint64_t bytes, std::uint64_t level, Clock::time_point now) {
+  bool made = shares_.leaving() > 0;
+  std::uint64_t wanted = over(level - std::min(level, bytes));
+  // Even if there is room: the gate is closed until use is well below the level.
+  if (!made) wanted = std::max<std::uint64_t>(wanted, 1);
+  for (int i = 0; i < kMaxGiveWay && wanted > 0; ++i) {
+    const auto held = shares_.make_room(flow, bytes, limit_ / kFlows, now);
+    if (!held) return i > 0;
+    made = true;
+    wanted -= std::min(wanted, *held);
+  }
+  return made;
 }
 
 std::uint64_t MemoryBudget::used() const {

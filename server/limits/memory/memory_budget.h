@@ -89,14 +89,14 @@ class MemoryBudget {
   /// Returns true if `flow` may have a connection, or `bytes` for work. If memory is short, a session of
   /// others gives way.
   [[nodiscard]] bool takes_connection_of(FlowId flow, Clock::time_point now) {
-    return takes_connections() || shares_.make_room(flow, kConnectionBytes, limit_ / kFlows, now);
+    return takes_connections() || make_room(flow, kConnectionBytes, limit_ / 8 * 5, now);
   }
   [[nodiscard]] bool takes_work_of(FlowId flow, std::uint64_t bytes, Clock::time_point now) {
-    return takes_work() || shares_.make_room(flow, bytes, limit_ / kFlows, now);
+    return takes_work() || make_room(flow, bytes, limit_ / 8 * 5, now);
   }
   /// Ends sessions whose clients drain too little, if memory is short for new connections: call it often.
   void end_still_sessions(Clock::time_point now) {
-    if (!takes_connections()) shares_.end_still(beside_caches() - std::min(beside_caches(), limit_ / 2), now);
+    if (!takes_connections()) shares_.end_still(over(limit_ / 2), now);
   }
   /// `resumed` is called when takes_jobs() becomes true again, on the thread that gave memory back; it must
   /// not wait, throw, or change the budget. Replaces the function before, and returns when no thread is in
@@ -113,6 +113,11 @@ class MemoryBudget {
 
  private:
   [[nodiscard]] std::uint64_t beside_caches() const;
+  /// Memory in use above `bytes`, without what sessions that gave way are giving back.
+  [[nodiscard]] std::uint64_t over(std::uint64_t bytes) const;
+  /// Sessions of others give way until `flow` could have `bytes` below `level`. Returns true if one did, or
+  /// if those that gave way before suffice.
+  [[nodiscard]] bool make_room(FlowId flow, std::uint64_t bytes, std::uint64_t level, Clock::time_point now);
   /// Returns what `bytes` leave of 7/8 of the limit.
   [[nodiscard]] std::uint64_t left_by(std::uint64_t bytes) const;
   void update_gates();

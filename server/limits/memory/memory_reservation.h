@@ -44,6 +44,12 @@ class MemoryReservation {
     due_ = now - late_ + std::chrono::nanoseconds{std::chrono::seconds{bytes}} / MemoryBudget::kDrainedBytes;
     part_->progress(due_);
   }
+  /// The client has drained everything so far, and may take the time of `bytes` more.
+  void drain_goes_on(std::uint64_t bytes) {
+    if (!part_) return;
+    due_ += std::chrono::nanoseconds{std::chrono::seconds{bytes}} / MemoryBudget::kDrainedBytes;
+    part_->progress(due_);
+  }
   void drain_ends(Clock::time_point now) {
     if (!part_) return;
     late_ = std::max(Clock::duration::zero(), now - due_);

@@ -333,6 +333,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       pieces[1] += sent - of_first;
       last_active_ = now_ = service_.clock.now();
       deadline_ = last_active_ + service_.response_timeout;
+      handler_->wrote(sent);
     }
     output_.clear();
     if (output_.capacity() > kBatchBytes) output_.shrink_to_fit();

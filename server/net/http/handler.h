@@ -1,6 +1,7 @@
 // Answers the requests of HTTP connections.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -28,6 +29,8 @@ class Handler {
   /// Returns the response to a malformed request. The connection closes after it.
   [[nodiscard]] virtual Response refuse(const RequestError& error) { return response_to(error); }
 
+  /// The system took `bytes` of a response that it did not take at once.
+  virtual void wrote(std::size_t /*bytes*/) {}
   /// All responses so far were written to the system, or lost.
   virtual void sent() {}
   /// The connection is closed; no calls follow.

@@ -15,9 +15,6 @@ using wire::ErrorCode;
 
 namespace {
 
-// Maximum number of sessions that give way to one message: the room must suffice for its chunks, too.
-constexpr std::size_t kMaxGiveWay = 16;
-
 /// Returns the rates that apply to a session of the address.
 RateLimits rates_of(const SessionContext& context, const AddressBucketsPtr& address) {
   RateLimits limits = context.rates.get();
@@ -165,15 +162,6 @@ void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_a
   state_ = State::leaving;
   delivery_.end_view();
   close_if_served();
-}
-
-bool Session::takes_work(std::uint64_t bytes) {
-  MemoryBudget& memory = context_.memory;
-  if (memory.takes_work()) return true;
-  const auto now = context_.clock.now();
-  bool made = false;
-  for (std::size_t i = 0; i < kMaxGiveWay && memory.takes_work_of(flow().id(), bytes, now); ++i) made = true;
-  return made;
 }
 
 void Session::give_way(std::string_view text) {

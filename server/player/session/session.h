@@ -193,7 +193,9 @@ class Session {
   /// Notes if it is the client's turn to drain what is queued for it.
   void note_client();
   /// Returns true if the flow may have `bytes` more for work.
-  [[nodiscard]] bool takes_work(std::uint64_t bytes);
+  [[nodiscard]] bool takes_work(std::uint64_t bytes) {
+    return context_.memory.takes_work_of(flow().id(), bytes, context_.clock.now());
+  }
   /// Memory that the pending View needs in addition to the current one's.
   [[nodiscard]] std::size_t view_bytes_to_come() const;
 
