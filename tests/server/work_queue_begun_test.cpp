@@ -337,3 +337,32 @@ TEST_CASE("far chunks whose patches are expensive begin like tiles, near ones an
   auto near = take(queue);
   CHECK(batch_of(near).keys == std::vector{at(-100)});
 }
+
+TEST_CASE("a begun patch continues although its clients' other far patches may not be begun") {
+  WorkQueue queue{kPatch, 100};
+  const WorkCosts costs{.patch = 100,
+                        .longest_piece = 25,
+                        .max_begun = 1,
+                        .max_begun_of_flow = 1,
+                        .max_open = 1,
+                        .max_open_of_flow = 1};
+  const auto first = client_box();
+  const bool is_soon = GENERATE(true, false);
+  const auto last = is_soon ? first : client_box();
+  REQUIRE(queue.add({first}, std::array{at(0)}, is_soon ? Urgency::soon : Urgency::later) == 1);
+  auto work = *queue.take(costs);
+  REQUIRE(queue.add({last}, std::array{at(1), at(100)}) == 2);
+  CHECK_FALSE(queue.take(costs).has_value());
+  if (!is_soon) queue.cancel(first->owner(), at(0));
+  const BegunPatch* const begun = pause(queue, work);
+  auto next = queue.take(costs);
+  REQUIRE(next.has_value());
+  CHECK(next->turn.client == last->owner());
+  CHECK(next->turn.urgency == (is_soon ? Urgency::soon : Urgency::later));
+  CHECK(batch_of(*next).begun.get() == begun);
+  CHECK(batch_of(*next).keys.size() == (is_soon ? 2 : 1));
+  finish(queue, *next);
+  next = queue.take(costs);
+  REQUIRE(next.has_value());
+  CHECK(batch_of(*next).keys == std::vector{at(100)});
+}

@@ -260,12 +260,22 @@ void WorkQueue::put_back(Batch&& batch, const Turn& turn) {
 }
 
 void WorkQueue::enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency) {
+  // Clients that asked for more of the patch meanwhile may have been crowded out.
+  for (const Job& job : work.waiting.jobs) {
+    for (const Waiter& waiter : job.waiters) {
+      const ClientId id = waiter.mailbox->owner();
+      (void)enter(*waiter.mailbox, clients_.at(id).jobs.at(patch).urgency);
+    }
+  }
   try {
     for (const Job& job : work.taken.jobs) {
       for (const Waiter& waiter : job.waiters) {
         Client& client = enter(*waiter.mailbox, urgency);
-        if (!client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).second) continue;
-        client.order[urgency].push_front(patch);
+        if (client.jobs.try_emplace(patch, JobsOfPatch{0, urgency}).second) {
+          client.order[urgency].push_front(patch);
+        } else if (urgency == Urgency::soon) {
+          hasten(client, waiter.mailbox->owner(), patch);
+        }
       }
     }
   } catch (...) {

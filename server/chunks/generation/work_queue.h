@@ -229,7 +229,8 @@ class WorkQueue {
   void let_one_in(const WorkCosts& costs);
   void crowd_out();
   void count_begun(FlowId flow, bool more);
-  /// Lets all waiters for jobs of `work` that were taken wait for the patch again, without counting them.
+  /// Lets all waiters for jobs of `work` that were taken wait for the patch again, without counting them, and
+  /// gives all its waiters turns.
   void enter_waiters(const PatchKey& patch, const PatchWork& work, Urgency urgency);
   void leave_where_none_waits(const PatchKey& patch, const PatchWork& work);
   /// Takes the first piece of a client that can begin one.
