@@ -492,9 +492,9 @@ void Server::watch_clock(const BatchDates::Jumps& jumps) {
         jumps.last.count(), BatchDates::kPatience.count());
   } else {
     log_->error(
-        "the last edit was dated {} s ahead of this machine's clock; edits are dated by the clock again; "
+        "the last edit was dated {} s ahead of this machine's clock; for {} minutes edits keep that date; "
         "synchronize it by NTP",
-        -jumps.last.count());
+        -jumps.last.count(), BatchDates::kPatience.count());
   }
 }
 

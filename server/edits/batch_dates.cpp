@@ -13,7 +13,7 @@ using std::chrono::seconds;
 
 std::int64_t BatchDates::now_ms() {
   const std::chrono::sys_seconds wall = clock_.wall();
-  const Clock::time_point now = clock_.now();
+  const Clock::time_point now = clock_.uptime();
   const auto expected = believed_ + duration_cast<milliseconds>(now - at_);
   if (wall > expected + kMaxJump) {
     if (!jumped_at_) {
@@ -30,10 +30,18 @@ std::int64_t BatchDates::now_ms() {
 
 std::int64_t BatchDates::after(std::int64_t last_ms) {
   const std::int64_t date_ms = now_ms();
-  const milliseconds ahead{last_ms - date_ms};
-  if (ahead <= kMaxJump) return std::max(last_ms, date_ms);
-  jumps_ = {jumps_.count + 1, -duration_cast<seconds>(ahead)};
-  return date_ms;
+  // By the wall clock itself: while a jump is not counted, now_ms() may be behind the last date.
+  const milliseconds ahead = milliseconds{last_ms} - clock_.wall().time_since_epoch();
+  if (ahead <= kMaxJump) {
+    behind_at_.reset();
+    return std::max(last_ms, date_ms);
+  }
+  const Clock::time_point now = clock_.uptime();
+  if (!behind_at_) {
+    behind_at_ = now;
+    jumps_ = {jumps_.count + 1, -duration_cast<seconds>(ahead)};
+  }
+  return now - *behind_at_ < kPatience ? last_ms : date_ms;
 }
 
 }  // namespace talus::server

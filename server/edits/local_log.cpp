@@ -71,7 +71,7 @@ void LocalLog::run() {
 }
 
 void LocalLog::watch_clock() {
-  (void)dates_.now_ms();
+  (void)dates_.after(state_.head().time_ms);
   const std::lock_guard lock{mutex_};
   clock_jumps_ = dates_.jumps();
 }

@@ -8,6 +8,12 @@ Clock::time_point SystemClock::now() const {
   return std::chrono::steady_clock::now();
 }
 
+Clock::time_point SystemClock::uptime() const {
+  timespec now{};
+  if (::clock_gettime(CLOCK_BOOTTIME, &now) != 0) return this->now();
+  return time_point{std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec}};
+}
+
 std::chrono::sys_seconds SystemClock::wall() const {
   // The coarse clock lags by a few ms at most and costs a quarter: every HTTP answer carries the date.
   timespec now{};

@@ -15,6 +15,8 @@ class Clock {
 
   /// Monotonic: for deadlines, rates and latencies.
   [[nodiscard]] virtual time_point now() const = 0;
+  /// now() plus the time for which the machine was suspended, if the system counts it.
+  [[nodiscard]] virtual time_point uptime() const { return now(); }
   /// Calendar time in UTC, used only for tokens, certificates and the dates of edits.
   [[nodiscard]] virtual std::chrono::sys_seconds wall() const = 0;
   /// Processor time used by the calling thread, for measuring the cost of work.
@@ -25,6 +27,7 @@ class Clock {
 class SystemClock final : public Clock {
  public:
   [[nodiscard]] time_point now() const override;
+  [[nodiscard]] time_point uptime() const override;
   [[nodiscard]] std::chrono::sys_seconds wall() const override;
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override;
 };

@@ -113,15 +113,20 @@ TEST_CASE("the log names an edit's subject: its editor's, or the one that a game
 
 namespace {
 
-/// A wall clock that jumps.
+/// A wall clock that jumps, of a machine that is suspended.
 struct JumpingClock final : Clock {
   std::atomic<std::int64_t> jumped_s{0};
   std::atomic<std::int64_t> elapsed_s{0};
+  std::atomic<std::int64_t> suspended_s{0};
   [[nodiscard]] time_point now() const override {
     return time_point{} + std::chrono::seconds{elapsed_s.load()};
   }
+  [[nodiscard]] time_point uptime() const override {
+    return now() + std::chrono::seconds{suspended_s.load()};
+  }
   [[nodiscard]] std::chrono::sys_seconds wall() const override {
-    return std::chrono::sys_seconds{std::chrono::seconds{1'700'000'000 + elapsed_s.load() + jumped_s.load()}};
+    return std::chrono::sys_seconds{
+        std::chrono::seconds{1'700'000'000 + elapsed_s.load() + suspended_s.load() + jumped_s.load()}};
   }
   [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return {}; }
 };
@@ -153,6 +158,35 @@ TEST_CASE("a clock that is ahead for a while dates no edits; one that stays ther
   CHECK(dates.jumps().count == 2);
 }
 
+TEST_CASE("a clock that was behind at a start and is set right in time dates no edits") {
+  constexpr std::int64_t kLastS = 1'700'000'000;
+  JumpingClock clock;
+  clock.jumped_s = -2'580;
+  BatchDates dates{clock};
+  const auto after_last_s = [&] { return dates.after(kLastS * 1'000) / 1'000 - kLastS; };
+  CHECK(after_last_s() == 0);
+  CHECK(dates.jumps().count == 1);
+  CHECK(dates.jumps().last == std::chrono::seconds{-2'580});
+  clock.elapsed_s = 599;
+  CHECK(after_last_s() == 0);
+  clock.jumped_s = 0;
+  for (const std::int64_t elapsed_s : {600, 1'198}) {
+    clock.elapsed_s = elapsed_s;
+    CHECK(after_last_s() == 0);
+  }
+  CHECK(dates.jumps().count == 2);
+  clock.elapsed_s = 1'200;
+  CHECK(after_last_s() == 1'200);
+}
+
+TEST_CASE("edits after the machine was suspended are dated by its clock at once") {
+  JumpingClock clock;
+  BatchDates dates{clock};
+  clock.suspended_s = 28'800;
+  CHECK(dates.now_ms() == 1'700'028'800'000);
+  CHECK(dates.jumps().count == 0);
+}
+
 TEST_CASE("edits of a clock that was ahead do not date later edits, across restarts") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "edits"};
@@ -182,9 +216,11 @@ TEST_CASE("edits of a clock that was ahead do not date later edits, across resta
   CHECK(date_s() == 31'536'000);  // a small step back is waited for
   restart();
   clock.jumped_s = 100;
-  CHECK(date_s() == 100);
+  CHECK(date_s() == 31'536'000);  // this clock may be the wrong one
+  clock.elapsed_s = 600;
+  CHECK(date_s() == 700);
   restart();
-  CHECK(date_s() == 100);
+  CHECK(date_s() == 700);
   log.reset();
 }
 

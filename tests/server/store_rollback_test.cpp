@@ -414,6 +414,7 @@ TEST_CASE("edits before the time stay, even if a clock that was ahead dated them
   REQUIRE(slices.size() == 1);
   REQUIRE(slices[0].size() == 1);
   CHECK(slices[0][0].chunk == ChunkCoord{2, 0, 0});
+  CHECK(rollback.date_fell_to_ms() == 900);
 }
 
 TEST_CASE("slices are within the bounds of an edit") {

@@ -51,7 +51,11 @@ void Rollback::start_anew() {
 bool Rollback::add(const store::LogRecord& record) {
   const bool is_since = record.time_ms >= request_.since_ms;
   // Earlier records were made before `since_ms`, even if a clock that was ahead dated them later.
-  if (!is_since) start_anew();
+  if (!is_since) {
+    const bool is_discarding = met_subject_ || date_fell_to_ms_;
+    if (is_discarding) date_fell_to_ms_ = std::min(record.time_ms, date_fell_to_ms_.value_or(record.time_ms));
+    start_anew();
+  }
   const bool is_subjects = record.subject == request_.subject && is_since;
   const VoxelPos& first = request_.first;
   const VoxelPos& last = request_.last;
@@ -155,6 +159,7 @@ tl::expected<RollbackPlan, std::string> plan_rollback(const store::ReadOnlyStore
   plan.already_back = rollback.already_back();
   plan.taken_over = rollback.taken_over();
   plan.met_subject = rollback.met_subject();
+  plan.date_fell_to_ms = rollback.date_fell_to_ms();
   if (!plan.met_subject) plan.others = rollback.others();
   return plan;
 }

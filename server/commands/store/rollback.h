@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -53,6 +54,9 @@ class Rollback {
   [[nodiscard]] std::size_t taken_over() const { return taken_over_; }
   /// True if the subject changed any voxel in the box.
   [[nodiscard]] bool met_subject() const { return met_subject_; }
+  /// The lowest date, if it is before the time, of an entry that follows changes by the subject in the box
+  /// dated since: those are not restored.
+  [[nodiscard]] std::optional<std::int64_t> date_fell_to_ms() const { return date_fell_to_ms_; }
   /// Other subjects that changed the box before the first change by the subject, busiest first. Complete, up
   /// to kMaxOtherSubjects, if the subject changed nothing.
   [[nodiscard]] std::vector<Changer> others() const;
@@ -78,6 +82,7 @@ class Rollback {
   std::size_t already_back_ = 0;
   std::size_t taken_over_ = 0;
   bool met_subject_ = false;
+  std::optional<std::int64_t> date_fell_to_ms_;
   std::map<std::string, std::size_t> others_;  // voxels by subject
 };
 
@@ -87,6 +92,7 @@ struct RollbackPlan {
   std::size_t already_back = 0;
   std::size_t taken_over = 0;
   bool met_subject = false;
+  std::optional<std::int64_t> date_fell_to_ms;
   std::vector<Changer> others;       // only if met_subject is false; busiest first
   std::uint64_t first_position = 0;  // oldest record read
   std::int64_t first_time_ms = 0;

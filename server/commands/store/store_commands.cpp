@@ -237,6 +237,12 @@ Answer rollback(const Flags& flags, const Outside&) {
     text = fmt::format("records go back to {} only; what was changed before stays\n",
                        moment(plan->first_time_ms));
   }
+  if (plan->date_fell_to_ms) {
+    text += fmt::format(
+        "warning: an entry dated {} follows changes by {} dated later, which stay: the clock was wrong; "
+        "to include them, give --since {}\n",
+        moment(*plan->date_fell_to_ms), subject_text(request->subject), moment(*plan->date_fell_to_ms));
+  }
   std::string others;
   if (plan->already_back > 0) {
     others += fmt::format("; {} {} put back before", counted(plan->already_back, "voxel"),
