@@ -255,7 +255,7 @@ Answer rollback(const Flags& flags, const Outside&) {
   if (plan->slices.empty()) {
     text +=
         fmt::format("{}{}\n", flags.dry_run ? "nothing would be put back" : "nothing to put back", others);
-    return plan->met_subject ? text : text + unmet_subject_line(*request, *plan);
+    return plan->met_subject || plan->date_fell_to_ms ? text : text + unmet_subject_line(*request, *plan);
   }
   const std::string edits = counted(plan->slices.size(), "edit");
   if (flags.dry_run) {
