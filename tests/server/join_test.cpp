@@ -317,6 +317,20 @@ TEST_CASE("a damaged store is kept aside, and a peer's replaces it") {
   CHECK(joiner.meta()->head == peer.store.head());
 }
 
+TEST_CASE("a store whose file acknowledged cannot be read is not replaced") {
+  Peer peer;
+  peer.store.enter(place_at(60));
+  Joiner joiner;
+  joiner.script.state = {1, 90, kMade};
+  joiner.peers = {{peer.url}, peer.admin()};
+  copy_store(peer.store, joiner.path);
+  fs::remove(joiner.path / "acknowledged");
+  fs::create_directory(joiner.path / "acknowledged");
+  CHECK(joiner.start().starts_with("edits "));
+  CHECK(fs::is_directory(joiner.path / "acknowledged"));
+  CHECK_FALSE(joiner.kept_the_old_one());
+}
+
 TEST_CASE("a store whose last message is not in the stream is not replaced, however far it is behind") {
   Peer peer;
   peer.store.enter(place_at(60));

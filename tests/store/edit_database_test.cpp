@@ -2,10 +2,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -17,6 +20,7 @@
 
 #include <talus/store/edit_database.h>
 #include <talus/store/read_only_store.h>
+#include <talus/store/replayed_editors.h>
 #include <talus/store/whole_store.h>
 
 #include "scratch_directory.h"
@@ -239,6 +243,67 @@ TEST_CASE("a checkpoint is a store of its own, and the first goes on") {
   // A name that is taken is an error, and leaves what is there.
   CHECK_FALSE((*database)->checkpoint(store.scratch / "copy" / "db").has_value());
   CHECK(ReadOnlyStore::open(store.scratch / "copy").has_value());
+}
+
+TEST_CASE("a damaged end of the manifest is dropped only if the log has all that it named") {
+  namespace fs = std::filesystem;
+  Store store;
+  const fs::path db = store.settings.path / "db";
+  fs::path log;
+  std::string manifest;
+  std::uintmax_t before = 0;
+  {
+    const auto database = EditDatabase::open(store.settings);
+    REQUIRE(database.has_value());
+    REQUIRE((*database)->bind({{"planks", MaterialId{300}}}).has_value());
+    REQUIRE((*database)->settle().has_value());
+    REQUIRE((*database)->bind({{"glass", MaterialId{301}}}).has_value());
+    for (const auto& entry : fs::directory_iterator{db}) {
+      if (entry.path().extension() == ".log" && entry.path() > log) log = entry.path();
+      if (entry.path().filename().string().starts_with("MANIFEST-")) manifest = entry.path();
+    }
+    before = fs::file_size(manifest);
+    fs::copy_file(log, store.scratch / "log");
+    REQUIRE((*database)->settle().has_value());
+    REQUIRE((*database)->bind({{"lamp", MaterialId{302}}}).has_value());
+  }
+  REQUIRE_FALSE(fs::exists(log));
+  {
+    std::fstream file{manifest, std::ios::in | std::ios::out | std::ios::binary};
+    file.seekp(static_cast<std::streamoff>(before) + 8);
+    file.put('\xff');
+  }
+  const std::string named = manifest + " from byte " + std::to_string(before) + " on";
+  SECTION("the log is deleted") {
+    const auto read = ReadOnlyStore::open(store.settings.path);
+    REQUIRE_FALSE(read.has_value());
+    CHECK_THAT(read.error(), Catch::Contains(named));
+    CHECK_THAT(store.open(), Catch::Contains(named));
+  }
+  SECTION("the log is there") {
+    fs::copy_file(store.scratch / "log", log);
+    const auto read = ReadOnlyStore::open(store.settings.path);
+    REQUIRE(read.has_value());
+    CHECK((*read)->materials().size() == 3);
+    CHECK_THAT((*read)->dropped(), Catch::Contains(named));
+  }
+}
+
+TEST_CASE("a replayed record forgets no editor that was stored after it") {
+  ReplayedEditors editors;
+  const edits::EditorId stored{1, 1};
+  StoredEditor later;
+  later.position = 5;
+  later.editor.used_ms = 1;  // by then the log's time had fallen
+  editors.start(stored, std::move(later));
+  LogRecord attach;
+  attach.kind = edits::EntryResult::Kind::attached;
+  attach.editor = {2, 2};
+  attach.position = 3;
+  attach.time_ms = 1 + edits::kEditorIdleMs;
+  editors.apply(attach);
+  CHECK_FALSE(editors.take_dirty().contains(stored));
+  CHECK(editors.take().find(stored) != nullptr);
 }
 
 TEST_CASE("RocksDB's memory is reported, and bounded by the settings however much is written") {

@@ -104,6 +104,18 @@ tl::expected<void, std::string> check_acknowledged(rocksdb::Env& env, const std:
   return {};
 }
 
+bool can_read_acknowledged(rocksdb::Env& env, const std::filesystem::path& directory) {
+  const std::string path = (directory / "acknowledged").string();
+  if (!check_regular_file(path)) return false;
+  std::string text;
+  const auto status = rocksdb::ReadFileToString(&env, path, &text);
+  return status.ok() || status.IsNotFound() || status.IsPathNotFound();
+}
+
+bool can_read_acknowledged(const std::filesystem::path& directory) {
+  return can_read_acknowledged(*rocksdb::Env::Default(), directory);
+}
+
 tl::expected<void, std::string> check_acknowledged(const std::filesystem::path& directory,
                                                    const StoreMeta& meta) {
   return check_acknowledged(*rocksdb::Env::Default(), directory, meta);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <rocksdb/db.h>
 #include <rocksdb/env.h>
+#include <rocksdb/sst_file_reader.h>
 #include <rocksdb/utilities/checkpoint.h>
 #include <rocksdb/write_batch.h>
 #include <talus/files/atomic_file.h>
@@ -36,6 +37,20 @@ bool was_in_use(rocksdb::Env& env, const std::string& path) {
   return std::ranges::any_of(names, [](std::string_view name) {
     return name == "CURRENT" || name.ends_with(".log") || name.ends_with(".sst");
   });
+}
+
+/// Returns true if all chunks and editors in a table can be read.
+bool has_whole_state(rocksdb::Env& env, const std::string& table) {
+  const rocksdb::Options options = rocks_options({.env = &env, .block_cache_bytes = 0}, false);
+  rocksdb::SstFileReader reader{options};
+  if (!reader.Open(table).ok()) return false;
+  const std::unique_ptr<rocksdb::Iterator> at{reader.NewIterator(for_scans())};
+  for (const KeyKind kind : {KeyKind::chunk, KeyKind::editor}) {
+    const std::string prefix = prefix_of(kind);
+    for (at->Seek(prefix); at->Valid() && at->key().starts_with(prefix);) at->Next();
+    if (!at->status().ok()) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -509,23 +524,25 @@ EditDatabase::Status EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) 
   rocksdb::WriteOptions options;
   options.sync = sync;
   const auto status = db_->Write(options, &batch);
-  if (status.IsCorruption()) find_damage(status);
+  if (status.IsCorruption() && damage_.empty()) find_damage(status);
   if (!damage_.empty()) return tl::unexpected{damage_};
   if (!status.ok()) return failure(status.ToString());
   return {};
 }
 
 void EditDatabase::find_damage(const rocksdb::Status& status) {
-  const StoreReader reader = this->reader();
-  const auto chunks = reader.for_each_chunk([](auto, auto) {});
-  const auto editors = reader.for_each_editor([](auto, auto&&) {});
-  const char* const lost = chunks && editors
-                               ? "all chunks and editors can be read, and records of the log's history are "
-                                 "lost; restore a backup, "
-                                 "or stop talusd and carry all voxels over by talusd store export and import"
-                               : "chunks or editors are lost; restore a backup";
-  damage_ = failure(fmt::format("damage was met while tables were merged: {}; {}", status.ToString(), lost))
-                .value();
+  // Reads only the damaged table: all writes wait meanwhile.
+  const std::string text = status.ToString();
+  std::vector<rocksdb::LiveFileMetaData> tables;
+  db_->GetLiveFilesMetaData(&tables);
+  const auto damaged = std::ranges::find_if(
+      tables, [&](const auto& table) { return text.find(table.db_path + table.name) != std::string::npos; });
+  const char* const lost =
+      damaged != tables.end() && has_whole_state(env(), damaged->db_path + damaged->name)
+          ? "all chunks and editors in that table can be read, and records of the log's history are lost; "
+            "restore a backup, or stop talusd and carry all voxels over by talusd store export and import"
+          : "chunks or editors may be lost; restore a backup";
+  damage_ = failure(fmt::format("damage was met while tables were merged: {}; {}", text, lost)).value();
 }
 
 EditDatabase::Slice::Slice() : batch_{std::make_unique<rocksdb::WriteBatch>()} {}

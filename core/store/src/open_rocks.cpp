@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <rocksdb/env.h>
@@ -34,6 +36,7 @@ class LogOrder final : public rocksdb::WalFilter {
     if (number < first_log_) return WalProcessingOption::kContinueProcessing;
     std::uint64_t sequence = 0;
     for (int i = 7; i >= 0; --i) sequence = sequence << 8U | static_cast<std::uint8_t>(batch.Data()[i]);
+    if (first_sequence_ == 0) first_sequence_ = sequence;
     if (next_ != 0 && sequence > next_) return WalProcessingOption::kCorruptedRecord;
     next_ = sequence + batch.Count();
     return WalProcessingOption::kContinueProcessing;
@@ -43,10 +46,13 @@ class LogOrder final : public rocksdb::WalFilter {
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   /// Number of the first log that has data which no table has.
   [[nodiscard]] std::uint64_t first_log() const { return first_log_; }
+  /// Sequence number that the logs from that one on begin with; 0 if they are empty.
+  [[nodiscard]] std::uint64_t first_sequence() const { return first_sequence_; }
 
  private:
   bool has_begun_ = false;
   std::uint64_t first_log_ = 0;
+  std::uint64_t first_sequence_ = 0;
   std::uint64_t next_ = 0;  // the sequence number that comes next; 0: unknown
 };
 
@@ -131,8 +137,10 @@ class Opener {
 
   /// Opens the database for reading, without the torn ends of its manifest and its log.
   [[nodiscard]] tl::expected<void, RocksFailure> drop_torn() {
-    if (const auto torn = find_manifest_damage(env_, path_); torn && torn->is_torn) {
-      drop(*torn);
+    auto torn = find_manifest_damage(env_, path_);
+    if (torn && !torn->is_torn) torn.reset();
+    if (torn) {
+      drop(*torn, "was torn or damaged; the log has all that it named");
       short_manifest_ = rocksdb::NewCompositeEnv(std::make_shared<ShortManifest>(
           env_.GetFileSystem(), fmt::format("{}/{}", path_, torn->file), torn->offset));
       settings_.env = short_manifest_.get();
@@ -141,31 +149,52 @@ class Opener {
     std::optional<LogDamage> damage;
     if (status.IsCorruption() && parts_->order.has_begun())
       damage = find_log_damage(env_, path_, parts_->order.first_log());
-    if (!status.ok() && !damage) return failure(status);
+    const std::string in_manifest = torn ? fmt::format(", in {}", place_of(*torn)) : "";
+    if (!status.ok() && !damage) return failure(status, in_manifest);
     const auto refuse = [&] { return failure(status, fmt::format(", in {}", place_of(*damage))); };
     if (damage) {
       settings_.point_in_time = true;
       if (!attempt(RocksUse::read, false).ok()) return refuse();
     }
+    if (torn && !has_whole_log()) {
+      return failure(rocksdb::Status::Corruption(
+                         "the log lacks data whose table a lost record of the manifest may name"),
+                     in_manifest);
+    }
     const auto meta = StoreReader{*db_, store_}.meta();
     if (damage && (!meta || !*meta)) return refuse();
     if (!meta || !*meta) return {};  // the caller reports it
-    // In a cluster the other servers have what is lost.
-    if (damage && (*meta)->stream.sequence == 0) {
+    if (damage && (*meta)->stream.sequence != 0) {
+      drop(*damage, "was torn or damaged; its entries are read again from the log that all servers share");
+    } else if (damage) {
       const bool follows = !damage->entry_behind || *damage->entry_behind == (*meta)->head.position + 1;
       if (!damage->is_torn || !follows) return refuse();
+      drop(*damage, "was torn, as by a power cut; none of it was acknowledged");
     }
-    if (damage) drop(*damage);
     if (auto whole = check_acknowledged(env_, store_, **meta); !whole) {
-      return tl::unexpected{RocksFailure{rocksdb::Status::Corruption(), std::move(whole.error())}};
+      return tl::unexpected{RocksFailure{
+          can_read_acknowledged(env_, store_) ? rocksdb::Status::Corruption() : rocksdb::Status::IOError(),
+          std::move(whole.error())}};
     }
     return {};
   }
 
-  void drop(const LogDamage& damage) {
+  /// Returns false if a write may be in neither a table of the manifest nor the log. RocksDB deletes a log
+  /// once a record of the manifest, synced, names the tables that have its data.
+  [[nodiscard]] bool has_whole_log() const {
+    const LogOrder& order = parts_->order;
+    if (env_.FileExists(fmt::format("{}/{:06}.log", path_, order.first_log())).ok()) return true;
+    // The manifest may name a log that never existed: a start gives that number after it emptied a log.
+    std::vector<rocksdb::LiveFileMetaData> tables;
+    db_->GetLiveFilesMetaData(&tables);
+    std::uint64_t last = 0;
+    for (const auto& table : tables) last = std::max(last, table.largest_seqno);
+    return order.first_sequence() != 0 && order.first_sequence() <= last + 1;
+  }
+
+  void drop(const LogDamage& damage, std::string_view why) {
     dropped_ +=
-        fmt::format("{}{} was torn, as by a power cut; none of it was acknowledged, and it is dropped",
-                    dropped_.empty() ? "" : "; ", place_of(damage));
+        fmt::format("{}{} {}, and it is dropped", dropped_.empty() ? "" : "; ", place_of(damage), why);
   }
   [[nodiscard]] std::string place_of(const LogDamage& damage) const {
     return fmt::format("{}/{} from byte {} on", path_, damage.file, damage.offset);

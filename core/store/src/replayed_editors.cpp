@@ -13,25 +13,24 @@ void ReplayedEditors::apply(const LogRecord& record) {
   using Kind = edits::EntryResult::Kind;
   const bool attach =
       record.kind == Kind::attached || record.kind == Kind::superseded || record.kind == Kind::editors_full;
+  // The stored editor includes the record, or is a later one of that id.
+  const auto is_stored = [&](edits::EditorId id) {
+    const auto has = positions_.find(id);
+    return has != positions_.end() && has->second >= record.position;
+  };
   if (attach) {
     for (const edits::EditorId id : editors_.idle_at(record.time_ms)) {
+      if (is_stored(id)) continue;  // times of the log may fall
       editors_.erase(id);
       dirty_.insert(id);
     }
   }
-  if (record.forgotten) {
-    // A later editor of that id in the database is not the forgotten one.
-    const auto has = positions_.find(*record.forgotten);
-    if (has == positions_.end() || has->second < record.position) {
-      editors_.erase(*record.forgotten);
-      dirty_.insert(*record.forgotten);
-    }
+  if (record.forgotten && !is_stored(*record.forgotten)) {
+    editors_.erase(*record.forgotten);
+    dirty_.insert(*record.forgotten);
   }
   if (record.kind != Kind::attached && record.kind != Kind::done && record.kind != Kind::conflict) return;
-  if (const auto has = positions_.find(record.editor);
-      has != positions_.end() && has->second >= record.position) {
-    return;
-  }
+  if (is_stored(record.editor)) return;
   const edits::Editor* const before = editors_.find(record.editor);
   // A later record forgets the editor, and the database already lacks it.
   if (before == nullptr && record.kind != Kind::attached) return;

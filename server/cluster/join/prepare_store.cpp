@@ -113,7 +113,9 @@ class Preparation {
     if (!store) return leave_damaged(store.error(), store::ReadOnlyStore::is_damaged(path));
     const store::StoreMeta& meta = (*store)->meta();
     if (auto one = store::check_store_id(path, meta); !one) return one;
-    if (auto whole = store::check_acknowledged(path, meta); !whole) return leave_damaged(whole.error(), true);
+    if (auto whole = store::check_acknowledged(path, meta); !whole) {
+      return leave_damaged(whole.error(), store::can_read_acknowledged(path));
+    }
     if (meta.head.position == 0 && meta.stream.sequence == 0) return {};  // it is empty
     if (parts_.store_id && meta.store_id != *parts_.store_id) {
       return refused(fmt::format("it has store {}, and cluster.store names {}; give --data another directory",

@@ -52,4 +52,8 @@ class AcknowledgedFile {
 [[nodiscard]] tl::expected<void, std::string> check_acknowledged(const std::filesystem::path& directory,
                                                                  const StoreMeta& meta);
 
+/// False if the file exists and cannot be read, so that check_acknowledged() fails without damage.
+[[nodiscard]] bool can_read_acknowledged(rocksdb::Env& env, const std::filesystem::path& directory);
+[[nodiscard]] bool can_read_acknowledged(const std::filesystem::path& directory);
+
 }  // namespace talus::store
