@@ -247,6 +247,7 @@ TEST_CASE("a checkpoint is a store of its own, and the first goes on") {
 
 TEST_CASE("a damaged end of the manifest is dropped only if the log has all that it named") {
   namespace fs = std::filesystem;
+  const int offset = GENERATE(5, 8);  // the record's length, its content
   Store store;
   const fs::path db = store.settings.path / "db";
   fs::path log;
@@ -270,7 +271,7 @@ TEST_CASE("a damaged end of the manifest is dropped only if the log has all that
   REQUIRE_FALSE(fs::exists(log));
   {
     std::fstream file{manifest, std::ios::in | std::ios::out | std::ios::binary};
-    file.seekp(static_cast<std::streamoff>(before) + 8);
+    file.seekp(static_cast<std::streamoff>(before) + offset);
     file.put('\xff');
   }
   const std::string named = manifest + " from byte " + std::to_string(before) + " on";
@@ -287,6 +288,32 @@ TEST_CASE("a damaged end of the manifest is dropped only if the log has all that
     CHECK((*read)->materials().size() == 3);
     CHECK_THAT((*read)->dropped(), Catch::Contains(named));
   }
+}
+
+TEST_CASE("a torn end of the manifest is dropped if it names a log that never existed") {
+  namespace fs = std::filesystem;
+  Store store;
+  const auto copy_to = [&](const fs::path& to) {  // as a kill leaves it
+    fs::create_directory(to);
+    fs::copy(store.settings.path / "db", to / "db", fs::copy_options::recursive);
+    store.settings.path = to;
+  };
+  for (const auto& [name, to] : {std::pair{"planks", "killed"}, std::pair{"glass", "torn"}}) {
+    const auto database = EditDatabase::open(store.settings);
+    REQUIRE(database.has_value());
+    const auto id = static_cast<MaterialId>(300 + (*database)->materials().size());
+    REQUIRE((*database)->bind({{name, id}}).has_value());
+    copy_to(store.scratch / to);
+  }
+  for (const auto& entry : fs::directory_iterator{store.settings.path / "db"}) {
+    if (!entry.path().filename().string().starts_with("MANIFEST-")) continue;
+    std::ofstream{entry.path(), std::ios::binary | std::ios::app} << std::string(40, 'x');
+  }
+  const auto read = ReadOnlyStore::open(store.settings.path);
+  INFO((read ? "" : read.error()));
+  REQUIRE(read.has_value());
+  CHECK((*read)->materials().size() == 2);
+  CHECK_THAT((*read)->dropped(), Catch::Contains("MANIFEST-"));
 }
 
 TEST_CASE("a replayed record forgets no editor that was stored after it") {

@@ -109,10 +109,11 @@ class Opener {
 
   [[nodiscard]] tl::expected<OpenedRocks, RocksFailure> open(RocksUse use, bool create) {
     if (use == RocksUse::write) remove_unfinished_options(env_, path_);
-    if (auto status = attempt(use, create); status.ok()) {
-      return take();
-    } else if (!status.IsCorruption()) {
-      return failure(status);
+    // RocksDB drops the manifest's last record in silence if its length is wrong.
+    if (!find_manifest_damage(env_, path_)) {
+      const auto status = attempt(use, create);
+      if (status.ok()) return take();
+      if (!status.IsCorruption()) return failure(status);
     }
     if (auto dropped = drop_torn(); !dropped) return tl::unexpected{std::move(dropped.error())};
     if (use == RocksUse::read) return take();
