@@ -299,7 +299,8 @@ TEST_CASE("damage that the start does not read ends edits once it is met, with o
   const std::string why = *reason();
   INFO(why);
   CHECK(why.find(table.string()) != std::string::npos);
-  CHECK(why.find("all chunks and editors in that table can be read, and records of the log's history are lost") !=
+  CHECK(why.find(
+            "all chunks and editors in that table can be read, and records of the log's history are lost") !=
         std::string::npos);
   CHECK(why.find("restore a backup") != std::string::npos);
   CHECK_FALSE(editor.edit(running, random_edit(random)).has_value());
