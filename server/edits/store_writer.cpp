@@ -171,6 +171,7 @@ void StoreWriter::refuse(std::string reason) {
   broken_ = true;
   next_check_ = std::chrono::steady_clock::now() + settings_.retry_interval;
   const std::lock_guard lock{mutex_};
+  status_.gone = gone_;
   status_.read_only = std::move(reason);
   is_read_only_ = true;
 }
