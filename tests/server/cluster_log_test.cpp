@@ -92,6 +92,7 @@ TEST_CASE("a server whose store was moved away applies nothing and is not ready 
   Answers answers;
   REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
   cluster.until_applied();
+  until([&] { return cluster.log(1).status().ready; });
   const std::filesystem::path database = cluster.scratch / "1/db";
   std::filesystem::rename(database, cluster.scratch / "away");
   until([&] { return !cluster.log(1).status().ready; });
