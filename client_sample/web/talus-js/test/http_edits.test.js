@@ -256,7 +256,7 @@ test('a page of another origin learns which setting may refuse it', async (t) =>
     });
   const urls = ['ws://game.example:4782', 'http://game.example:4782'];
   for (const url of urls) assert.doesNotMatch(await reason({ url }), /origin/);
-  globalThis.location = { origin: 'http://localhost:5173', host: 'localhost:5173', href: 'http://localhost:5173/' };
+  globalThis.location = { origin: 'http://localhost:5173', host: 'localhost:5173', pathname: '/', href: 'http://localhost:5173/' };
   t.after(() => delete globalThis.location);
   for (const url of urls) {
     assert.match(await reason({ url }), /^unreachable: .*, or the server refuses pages of http:\/\/localhost:5173: .* http\.origins /);
