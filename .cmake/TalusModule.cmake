@@ -1,13 +1,21 @@
 # How every target of this project is compiled.
-find_package(PkgConfig REQUIRED)
-find_package(Threads REQUIRED)
-find_package(glm REQUIRED)
-find_package(tl-expected REQUIRED)
+if(TALUS_ONLY_GOLDEN)
+  include(HeaderLibraries)
+else()
+  find_package(PkgConfig REQUIRED)
+  find_package(Threads REQUIRED)
+  find_package(glm REQUIRED)
+  find_package(tl-expected REQUIRED)
+  find_package(tomlplusplus REQUIRED)
+  pkg_check_modules(highway REQUIRED IMPORTED_TARGET GLOBAL libhwy)
+  pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET GLOBAL libxxhash)
+endif()
 
 # Debian's glm and flatbuffers packages put their headers in /usr/include; tl::expected ships a target.
 add_library(talus_flags INTERFACE)
 target_compile_features(talus_flags INTERFACE cxx_std_20)
 # No fused multiply-add anywhere: generation is the same to the bit on every machine (docs/DESIGN.md).
+target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION)
 target_compile_options(talus_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
   # g++ 12 sees overlapping copies in "literal" + std::string where there are none (GCC bug 105651).

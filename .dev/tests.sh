@@ -59,6 +59,7 @@ run_tests() {
   # Twice as many at once as processors: half of the time they wait, for a balancer, an election, a time-out.
   stage "testing" tests_of release -j "$((2 * jobs))" -LE sanitized
   stage "testing in a browser" test_in_browser
+  stage "the same voxels on ARM and in WebAssembly" golden aarch64 wasm-simd
   stage "building for address + undefined behaviour" build asan-ubsan -- sanitized_tests
   stage "testing by address + undefined behaviour" tests_of asan-ubsan -j "$((2 * jobs))" -L 'sanitized|both'
   [[ "${1:-}" != --full ]] || test_at_length
@@ -87,6 +88,7 @@ test_at_length() {
   stage "building file by file" build release-plain
   stage "2,000 power cuts on one machine, as many in a cluster, and 200 flipped bits" damage_stores
   stage "building as ./dev run does" build no-tests -DTALUS_QUICK=ON -- talusd talus-client
+  stage "the same voxels on every target" golden --all
   by_clang
   by_clang --all
   say "fourteen hostile minutes"
@@ -167,6 +169,61 @@ by_clang() {
   stage "testing what g++ built" tests_of release -C golden -R '^golden:'
   stage "building by clang" build clang-golden -- golden
   stage "testing what clang built" tests_of clang-golden -C golden -R '^golden:'
+}
+
+# golden [--all | TARGET...]: the voxels and payloads of tests/golden/golden.txt on other machines; what this one does not run
+# itself runs in an emulator.
+golden() {
+  local all=(x86-64 aarch64 armhf i386 riscv64 ppc64le s390x windows wasm-simd wasm-scalar) targets=() target failed=0 rows=()
+  while (($#)); do
+    if [[ "$1" == --all ]]; then
+      targets=("${all[@]}")
+    elif [[ " ${all[*]} " == *" $1 "* ]]; then
+      targets+=("$1")
+    else
+      wrong_use "golden: '$1' is not --all or a target; there are ${all[*]}"
+    fi
+    shift
+  done
+  ((${#targets[@]})) || targets=(aarch64 wasm-simd)
+  for target in "${targets[@]}"; do golden_on "$target"; done
+  printf '\n%-12s %-10s %s\n' target vectors "voxels and payloads of $(wc -l <tests/golden/golden.txt) lines"
+  printf '%s\n' "${rows[@]}"
+  ((!failed)) || die "voxels differ: out/golden has what each target printed"
+}
+
+# golden_on TARGET: adds its rows, and sets `failed` if its voxels differ.
+golden_on() {
+  local target="$1" groups=(build clang) vectors=("") preset="golden-$1" option test_of="^golden: $1\$" log
+  case "$target" in
+    x86-64) preset=release vectors=(scalar sse4 avx2 avx512) ;;
+    aarch64) groups+=(aarch) ;;
+    wasm-*) groups+=(wasm); node_tools ;;
+    *) groups+=(cross) ;;
+  esac
+  deps "${groups[@]}"
+  if [[ "$target" == x86-64 ]]; then
+    deps test
+    build release -DTALUS_TESTS=ON -- talus_golden_O3
+  else
+    build "$preset"
+  fi
+  mkdir -p out/golden
+  for option in "${vectors[@]}"; do
+    [[ -z "$option" ]] || test_of="^golden: O3 $option\$"
+    log="out/golden/$target${option:+-$option}.txt"
+    say "running golden on $target${option:+ by $option}"
+    if ctest --test-dir "build/$preset" -V -R "$test_of" >"$log" 2>&1; then
+      if grep -q 'skipped: ' "$log"; then
+        rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "not run: this processor has no $option (./dev avx512 emulates it)")")
+      else
+        rows+=("$(printf '%-12s %-10s %s' "$target" "$(sed -n 's/.*, by \([a-z0-9]*\)$/\1/p' "$log")" "the same")")
+      fi
+    else
+      failed=1
+      rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "DIFFERENT: $log")")
+    fi
+  done
 }
 
 scenarios() {

@@ -10,7 +10,7 @@ import farm as farms
 
 sys.path.insert(0, str(farms.ROOT / "tests/deployment"))
 
-from nats_client import NatsClient, Refused, status  # noqa: E402
+from nats_client import NatsClient, RefusedError, status  # noqa: E402
 
 Batch = collections.namedtuple("Batch", "publisher number revision hash edits")
 Edit = collections.namedtuple("Edit", "editor epoch sequence voxel")  # voxel: the first that it names
@@ -101,7 +101,7 @@ class Tail(threading.Thread):
                         message = client.next()
                         if message != "PONG":
                             self._take(read_batch(message[2], self.with_edits))
-            except (OSError, Refused):  # or it has heard nothing for a time, and may be cut off from the others
+            except (OSError, RefusedError):  # or it has heard nothing for a time, and may be cut off from the others
                 pass
 
     def stop(self):

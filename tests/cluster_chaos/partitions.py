@@ -17,7 +17,7 @@ import time
 from cluster import Cluster, until
 from farm import say
 from nats import STORE
-from nats_client import NatsClient, Refused, status
+from nats_client import NatsClient, RefusedError, status
 
 arguments = argparse.ArgumentParser(description=__doc__)
 arguments.add_argument("--seconds", type=float, default=60)
@@ -56,7 +56,7 @@ class Bare(threading.Thread):
                         pass
                     while not self._publishes(client) and not self.ended.wait(0.02):
                         pass
-            except (OSError, Refused):  # nothing within half a second, or no server: asked again, as talusd does
+            except (OSError, RefusedError):  # nothing within half a second, or no server: asked again, as talusd does
                 self.ended.wait(0.02)
 
     def end(self):

@@ -74,7 +74,7 @@ void settle_everywhere(Input& input) {
     value = static_cast<std::int32_t>(input.take<std::uint32_t>() % (most + 1));
   }
   const auto scalar = settled(InstructionSet::scalar, start, repose);
-  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (runs_here(set) && settled(set, start, repose) != scalar) std::abort();
   }
 }
@@ -90,7 +90,7 @@ void sample_everywhere(Input& input) {
   const int count = 1 + input.take<std::uint8_t>() % 100;
   for (int i = 1; i < count; ++i) xs.push_back(xs.back() + 1 + input.take<std::uint8_t>() % 64);
   const auto scalar = noise(InstructionSet::scalar, fbm, xs, z);
-  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (!runs_here(set)) continue;
     const auto vectors = noise(set, fbm, xs, z);
     if (std::memcmp(scalar.data(), vectors.data(), scalar.size() * sizeof(float)) != 0) std::abort();
@@ -128,8 +128,7 @@ void read_everywhere(Input& input) {
     const PlaneFault fault = decode_plane_scalar(after, below.data(), plane.data());
     PlaneIntervals intervals;
     if (fault == PlaneFault::none) model_plane_scalar(plane.data(), below.data(), intervals);
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       const PlaneKernels kernels = plane_kernels(set);
       std::vector<std::uint8_t> other(kChunkArea);
@@ -179,8 +178,7 @@ void read_voxels_everywhere(Input& input) {
     (void)encode_runs(*voxels, kMaxPayloadBytes, bytes, kernels);
     return bytes;
   };
-  for (const auto set :
-       {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (!runs_here(set)) continue;
     check_same(read(volume_kernels(set)), expected);
     if (expected && written(volume_kernels(set)) != written(kScalarVolume)) std::abort();

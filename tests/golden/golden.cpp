@@ -15,6 +15,7 @@
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
+#include <talus/voxel/little_endian.h>
 
 #include "made_height_map.h"
 #include "random_regions.h"
@@ -107,9 +108,10 @@ void print(const std::string& what, const PlaceData& made, std::ostream& out) {
     const XXH128_hash_t hash = XXH3_128bits(data, bytes);
     return to_string(ContentHash{hash.low64, hash.high64});
   };
-  out << "  " << what << ": voxels "
-      << digest(made.content.data(), made.content.size() * sizeof made.content[0]) << " payloads "
-      << digest(made.payloads.data(), made.payloads.size()) << '\n';
+  std::vector<std::uint64_t> content = made.content;
+  for (std::uint64_t& half : content) half = to_little_endian(half);
+  out << "  " << what << ": voxels " << digest(content.data(), content.size() * sizeof content[0])
+      << " payloads " << digest(made.payloads.data(), made.payloads.size()) << '\n';
 }
 
 // A tile of each, at all levels, near, far and at the ends.

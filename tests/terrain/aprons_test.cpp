@@ -293,8 +293,7 @@ TEST_CASE("Aprons with their halo are the plane's, column by column, by every in
     RC_ASSERT(halo < kFar);
     const Results expected = slow_results(SlowAprons{height, slope, numbers}, at);
     RC_CLASSIFY(expected.raised.values != part(height, at.x, at.z, at.width, at.depth).values, "raised");
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       Aprons aprons{set};
       RC_ASSERT(results_of(aprons, height, slope, at, halo, numbers) == expected);

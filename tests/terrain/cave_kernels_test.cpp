@@ -19,8 +19,6 @@ namespace talus::terrain {
 namespace {
 
 constexpr std::int64_t kOne = 1 << 16;
-constexpr std::array<InstructionSet, 4> kSets{InstructionSet::scalar, InstructionSet::sse4,
-                                              InstructionSet::avx2, InstructionSet::avx512};
 
 std::int64_t noise_of(float value) {
   return static_cast<std::int64_t>(value * static_cast<float>(kNoiseOne));
@@ -92,7 +90,7 @@ TEST_CASE("The shape of caves is the definition's by every instruction set") {
     const CaveNoises noises{tunnels.data(), chambers.data(), climb.data()};
     const ColumnRange within{*rc::gen::inRange<std::size_t>(0, width), width};
     const int level = *rc::gen::inRange(0, 7);
-    for (const auto set : kSets) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       const CaveKernels& kernels = cave_kernels(set);
       std::vector<std::int32_t> floor(width);
@@ -123,7 +121,7 @@ TEST_CASE("The shape of tunnels is the definition's at every depth") {
       tunnels[x] = static_cast<float>(x) / static_cast<float>(kNoiseOne);
     }
     const std::vector<float> level(padded(width));
-    for (const auto set : kSets) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       std::vector<std::int32_t> floor(width);
       std::vector<std::int32_t> roof(width);
@@ -241,7 +239,7 @@ TEST_CASE("Roofs are judged, and carried, by every instruction set as by the def
     rules.shore = *rc::gen::arbitrary<bool>();
     rules.sea_fx = (12 * kSubvoxels) >> rules.level;
     const Columns expected = judged_by_definition(ground, rules);
-    for (const auto set : kSets) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       const CaveKernels& kernels = cave_kernels(set);
       Field roof = ground.roof;

@@ -32,8 +32,7 @@ TEST_CASE("Tops are cut into voxel rows by every instruction set as by the defin
     for (std::size_t i = 0; i < top.values.size(); i += 2) {
       top.values[i] = edge_fx + static_cast<std::int32_t>(i % (40 << 8));
     }
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       ChunkPlane rows;
       column_kernels(set).cut(top.row(0).data() + first, static_cast<std::size_t>(width), floor_row,
@@ -77,8 +76,7 @@ TEST_CASE("A chunk's planes are put together by every instruction set as by the 
       high[i] = here ? to[i] : top[i];
       if (looks[i / kChunkSize * kStride + i % kChunkSize] == 2) raised[i] = from[i];
     }
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       const ChunkPlaneKernels& kernels = chunk_plane_kernels(set);
       ChunkPlane a, b, c{bottom};
@@ -105,8 +103,7 @@ TEST_CASE("Tops are lowered by every instruction set as by the definition") {
     const Field thickness = any_field(width, 1, *rc::gen::element(1 << 8, 32767, 1 << 20));
     const Field thin = any_field(width, 1, 32767);
     const std::vector<std::int16_t> thickness_16(thin.values.begin(), thin.values.end());
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       const ColumnKernels& kernels = column_kernels(set);
       std::array<std::vector<std::int32_t>, 2> lowered;
@@ -136,8 +133,7 @@ TEST_CASE("Walls are found by every instruction set as by the definition") {
     const std::int32_t elsewhere = *rc::gen::element(4096, 32766, 1 << 20);
     bool any = false;
     for (int x = 0; x < width; ++x) any = any || slope.at(ring + x, ring) > wall_fx;
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       SettleGrid grid{set};
       RC_ASSERT(grid.start_at_walls(slope, ring, wall_fx, elsewhere) == any);

@@ -24,9 +24,9 @@
 namespace talus::terrain {
 namespace {
 
-std::vector<InstructionSet> vector_sets() {
+std::vector<InstructionSet> sets_here() {
   std::vector<InstructionSet> sets;
-  for (const auto set : {InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (runs_here(set)) sets.push_back(set);
   }
   return sets;
@@ -78,7 +78,7 @@ TEST_CASE("Noise has the same bits from every instruction set") {
     const auto xs = any_line();
     const auto zs = any_line();
     const auto scalar = noise_of(InstructionSet::scalar, fbm, xs, zs);
-    for (const InstructionSet set : vector_sets()) {
+    for (const InstructionSet set : sets_here()) {
       const auto vectors = noise_of(set, fbm, xs, zs);
       RC_ASSERT(std::memcmp(scalar.data(), vectors.data(), scalar.size() * sizeof(float)) == 0);
     }
@@ -97,7 +97,7 @@ TEST_CASE("Surfaces have the same bits from every instruction set, whatever the 
     const float highest = static_cast<float>(*rc::gen::inRange(1, 8388609));
     std::vector<std::int32_t> scalar(width);
     noise_kernels(InstructionSet::scalar).shape(noise.data(), width, gain, exponent, highest, scalar.data());
-    for (const InstructionSet set : vector_sets()) {
+    for (const InstructionSet set : sets_here()) {
       std::vector<std::int32_t> vectors(width);
       noise_kernels(set).shape(noise.data(), width, gain, exponent, highest, vectors.data());
       RC_ASSERT(vectors == scalar);
@@ -121,7 +121,7 @@ TEST_CASE("Every kind of surface has the same bits from every instruction set") 
       return heights;
     };
     const auto scalar = row_of(InstructionSet::scalar);
-    for (const InstructionSet set : vector_sets()) RC_ASSERT(row_of(set) == scalar);
+    for (const InstructionSet set : sets_here()) RC_ASSERT(row_of(set) == scalar);
   }));
 }
 
@@ -150,9 +150,7 @@ TEST_CASE("Displaced noise has the bits of the noise of its points, from every i
       expected.push_back(
           points.at(xs[i] * kSubvoxels + rounded(east[i]), z * kSubvoxels + rounded(south[i])));
     }
-    auto sets = vector_sets();
-    sets.push_back(InstructionSet::scalar);
-    for (const InstructionSet set : sets) {
+    for (const InstructionSet set : sets_here()) {
       DisplacedFbm rows{set};
       rows.start(fbm, xs);
       const float* row = rows.row(z, east.data(), south.data(), reach_fx);
@@ -194,9 +192,7 @@ TEST_CASE("Rotated noise has the bits of the noise of its points, from every ins
     }
     const Displacements by =
         displaced ? Displacements{east.data(), south.data()} : Displacements{nullptr, nullptr};
-    auto sets = vector_sets();
-    sets.push_back(InstructionSet::scalar);
-    for (const InstructionSet set : sets) {
+    for (const InstructionSet set : sets_here()) {
       RotatedFbm rows{set};
       rows.start(noise, xs);
       const auto same = [&](const float* row, const std::vector<float>& as) {
@@ -237,7 +233,7 @@ TEST_CASE("Loose material settles to the same numbers by every instruction set, 
         *rc::gen::oneOf(rc::gen::inRange(1, 300), rc::gen::inRange(1, 14668),
                         rc::gen::inRange(kSteep - 40, kSteep + 40), rc::gen::element(kSteep, kSteep + 1));
     const auto scalar = settled(InstructionSet::scalar, thickness, repose);
-    for (const InstructionSet set : vector_sets()) RC_ASSERT(settled(set, thickness, repose) == scalar);
+    for (const InstructionSet set : sets_here()) RC_ASSERT(settled(set, thickness, repose) == scalar);
   }));
 }
 
@@ -247,8 +243,7 @@ TEST_CASE("The thickness before settling is an exact quotient, by every instruct
     const std::int32_t thickness =
         *rc::gen::oneOf(rc::gen::inRange(0, (1 << 20) + 1), rc::gen::inRange(0, 32768));
     const Field slope = any_field(*rc::gen::inRange(1, 70), 1, 2 * max_slope);
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       SettleGrid grid{set};
       grid.start(slope, thickness, max_slope);
@@ -270,8 +265,7 @@ TEST_CASE("A share of the thickness before settling is exact, by every instructi
     const int width = *rc::gen::inRange(1, 70);
     const Field slope = any_field(width, 1, 2 * max_slope);
     const Field share = any_field(width, 1, whole);
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       SettleGrid grid{set};
       grid.begin(width, 1, thickness);
@@ -302,8 +296,7 @@ TEST_CASE("The thickness before settling is exact where floats are just enough f
                                                           {7, 299593}}) {
     Field slope{max_slope + 1, 1};
     for (int x = 0; x <= max_slope; ++x) slope.at(x, 0) = x;
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       CAPTURE(thickness, max_slope, to_string(set));
       SettleGrid grid{set};
@@ -321,8 +314,7 @@ TEST_CASE("The thickness before settling is exact where floats are just enough f
 
 TEST_CASE("Without slopes the thickness before settling is the whole, in 16 bits and in 32") {
   for (const std::int32_t thickness : {1, 32766, 32767, 32768, 1000003, 1 << 20}) {
-    for (const auto set :
-         {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+    for (const auto set : kInstructionSets) {
       if (!runs_here(set)) continue;
       CAPTURE(thickness, to_string(set));
       SettleGrid grid{set};
@@ -346,7 +338,7 @@ TEST_CASE("Slopes have the same numbers from every instruction set") {
       return out;
     };
     const auto scalar = slopes(InstructionSet::scalar);
-    for (const InstructionSet set : vector_sets()) RC_ASSERT(slopes(set) == scalar);
+    for (const InstructionSet set : sets_here()) RC_ASSERT(slopes(set) == scalar);
   }));
 }
 
@@ -373,9 +365,7 @@ TEST_CASE("A layer is laid by every instruction set as by the definition, on ope
       const bool is_open = open[x / kSegment] != 0;
       below.values[x] = is_open ? std::min(below.values[x], limit.values[x]) : limit.values[x];
     }
-    auto sets = vector_sets();
-    sets.push_back(InstructionSet::scalar);
-    for (const InstructionSet set : sets) {
+    for (const InstructionSet set : sets_here()) {
       FbmRows rows{set};
       rows.start(fbm, xs);
       auto left = open;
@@ -444,9 +434,7 @@ TEST_CASE("Layers between lines are laid by every instruction set one upon the o
         if (open[x / kSegment] != 0) expected_taken = std::max(expected_taken, i + (missing ? 2 : 1));
       }
     }
-    auto sets = vector_sets();
-    sets.push_back(InstructionSet::scalar);
-    for (const InstructionSet set : sets) {
+    for (const InstructionSet set : sets_here()) {
       std::vector<std::vector<std::int32_t>> tops(count, std::vector<std::int32_t>(width + 1, -1));
       std::vector<LinedLayer> layers;
       for (std::size_t i = 0; i < count; ++i) {
@@ -499,9 +487,7 @@ TEST_CASE("Layers that end under the limit are laid by every instruction set one
       RC_ASSERT(reached <= below.values[x] + bound_fx);
       room = std::min(room, limit.values[x] - reached);
     }
-    auto sets = vector_sets();
-    sets.push_back(InstructionSet::scalar);
-    for (const InstructionSet set : sets) {
+    for (const InstructionSet set : sets_here()) {
       std::vector<std::vector<std::int32_t>> tops(count, std::vector<std::int32_t>(width + 1, -1));
       std::vector<LinedLayer> layers;
       for (std::size_t i = 0; i < count; ++i) {

@@ -71,8 +71,7 @@ std::vector<std::int32_t> heights(const Regions& regions, float highest_fx,
 
 std::vector<InstructionSet> sets_here() {
   std::vector<InstructionSet> sets;
-  for (const auto set :
-       {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (runs_here(set)) sets.push_back(set);
   }
   return sets;

@@ -21,8 +21,7 @@ using Row = std::array<std::uint8_t, kChunkSize>;
 std::vector<InstructionSet> vector_sets() {
   std::vector<InstructionSet> sets;
   // What is called scalar has vectors of sixteen bytes, emulated, where the compiler is clang.
-  for (const auto set :
-       {InstructionSet::scalar, InstructionSet::sse4, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const auto set : kInstructionSets) {
     if (runs_here(set)) sets.push_back(set);
   }
   return sets;
@@ -53,6 +52,22 @@ std::vector<std::uint8_t> any_planes() {
 }
 
 }  // namespace
+
+TEST_CASE("The set that runs is the fastest that the build and this processor have") {
+  std::vector<std::string_view> here;
+  for (const auto set : kInstructionSets) {
+    if (runs_here(set)) here.push_back(to_string(set));
+  }
+  REQUIRE(!here.empty());
+#if defined(__x86_64__)
+  CHECK(here.front() == "scalar");
+  CHECK(!runs_here(InstructionSet::neon));
+#elif defined(__aarch64__)
+  CHECK(here == std::vector<std::string_view>{"neon"});
+#endif
+  CHECK(runs_here(instruction_set()));
+  if (std::getenv(kInstructionSetVariable) == nullptr) CHECK(to_string(instruction_set()) == here.back());
+}
 
 TEST_CASE("planes are modelled and written alike by every instruction set") {
   CHECK(rc::check([] {

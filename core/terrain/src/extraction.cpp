@@ -233,7 +233,8 @@ class LayerPicker {
     std::size_t count = 0;
     for (std::uint64_t looks = present; looks != 0; looks &= looks - 1) {
       const MaterialId material = shown.by_look[static_cast<std::size_t>(std::countr_zero(looks))];
-      if (std::find(found.begin(), found.begin() + count, material) == found.begin() + count) {
+      const std::span<const MaterialId> before{found.data(), count};
+      if (std::find(before.begin(), before.end(), material) == before.end()) {
         found[count++] = material;
       }
     }

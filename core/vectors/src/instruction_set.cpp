@@ -1,30 +1,70 @@
 #include <talus/vectors/instruction_set.h>
 
+#include <array>
 #include <cstdlib>
+#include <string>
 
 #include <talus/vectors/tables.h>
 
 #include <hwy/highway.h>
-#include <hwy/targets.h>
 
 namespace talus {
 namespace {
 
-constexpr std::array kNames{std::string_view{"scalar"}, std::string_view{"sse4"}, std::string_view{"avx2"},
-                            std::string_view{"avx512"}};
+constexpr std::array<std::string_view, kInstructionSets.size()> kNames{"scalar", "sse4", "avx2",
+                                                                       "avx512", "neon", "wasm128"};
+constexpr std::array<std::int64_t, kInstructionSets.size()> kTargets{HWY_SCALAR, HWY_SSE4, HWY_AVX2,
+                                                                     HWY_AVX3,   HWY_NEON, HWY_WASM};
 
-/// Highway's targets for a set, as a bit mask; 0 if the build does not have it.
-std::int64_t targets_of(InstructionSet set) {
-  constexpr std::array kTargets{std::int64_t{HWY_STATIC_TARGET}, std::int64_t{HWY_SSE4},
-                                std::int64_t{HWY_AVX2}, std::int64_t{HWY_AVX3}};
-  return kTargets[static_cast<std::size_t>(set)] & std::int64_t{HWY_TARGETS};
+bool compiled(InstructionSet set) {
+  return (kTargets[static_cast<std::size_t>(set)] & std::int64_t{HWY_TARGETS}) != 0;
+}
+
+/// The best set among those that every processor of the build has.
+[[nodiscard]] constexpr InstructionSet baseline() {
+  for (const auto set : kInstructionSets) {
+    if (kTargets[static_cast<std::size_t>(set)] == std::int64_t{HWY_STATIC_TARGET}) return set;
+  }
+  return InstructionSet::scalar;
+}
+
+bool processor_has(InstructionSet set) {
+  if (set == baseline()) return true;
+#if defined(__x86_64__)
+  // What Highway lets the compiler use for each.
+  switch (set) {
+    case InstructionSet::sse4:
+      return __builtin_cpu_supports("sse4.2") != 0 && __builtin_cpu_supports("pclmul") != 0 &&
+             __builtin_cpu_supports("aes") != 0;
+    case InstructionSet::avx2:
+      return processor_has(InstructionSet::sse4) && __builtin_cpu_supports("avx2") != 0 &&
+             __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
+             __builtin_cpu_supports("fma") != 0;
+    case InstructionSet::avx512:
+      return processor_has(InstructionSet::avx2) && __builtin_cpu_supports("avx512f") != 0 &&
+             __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+             __builtin_cpu_supports("avx512bw") != 0;
+    default:
+      break;
+  }
+#endif
+  return false;
 }
 
 InstructionSet fastest() {
-  for (const auto set : {InstructionSet::avx512, InstructionSet::avx2, InstructionSet::sse4}) {
-    if (runs_here(set)) return set;
+  InstructionSet best = baseline();
+  for (const auto set : kInstructionSets) {
+    if (runs_here(set)) best = set;
   }
-  return InstructionSet::scalar;
+  return best;
+}
+
+std::string names_of_build() {
+  std::string names;
+  for (const auto set : kInstructionSets) {
+    if (compiled(set)) names += (names.empty() ? "" : ", ") + std::string{to_string(set)};
+  }
+  return names;
 }
 
 }  // namespace
@@ -34,22 +74,20 @@ std::string_view to_string(InstructionSet set) {
 }
 
 bool runs_here(InstructionSet set) {
-  return set == InstructionSet::scalar || (targets_of(set) & hwy::SupportedTargets()) != 0;
+  return compiled(set) && processor_has(set);
 }
 
-tl::expected<InstructionSet, std::string_view> forced_instruction_set() {
+tl::expected<InstructionSet, std::string> forced_instruction_set() {
   const char* forced = std::getenv(kInstructionSetVariable);
   if (forced == nullptr || *forced == 0) return fastest();
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] != forced) continue;
-    const auto set = static_cast<InstructionSet>(i);
+  for (const auto set : kInstructionSets) {
+    if (to_string(set) != forced || !compiled(set)) continue;
     if (runs_here(set)) return set;
-    return tl::unexpected<std::string_view>{
+    return tl::unexpected<std::string>{
         "TALUS_INSTRUCTION_SET: this processor does not have that set; leave it out for the fastest that it "
         "has"};
   }
-  return tl::unexpected<std::string_view>{
-      "TALUS_INSTRUCTION_SET: no such set; it must be scalar, sse4, avx2 or avx512"};
+  return tl::unexpected{"TALUS_INSTRUCTION_SET: this build has no such set; it has " + names_of_build()};
 }
 
 InstructionSet instruction_set() {

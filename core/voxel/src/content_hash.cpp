@@ -1,5 +1,6 @@
 #include <talus/voxel/content_hash.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <string_view>
@@ -10,6 +11,8 @@
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
 #include <xxh_x86dispatch.h>  // the same functions in the vectors of the machine it runs on
 #endif
+
+#include <talus/voxel/little_endian.h>
 
 #include "slices.h"
 
@@ -23,22 +26,35 @@ ContentHash from(XXH128_hash_t hash) {
 }  // namespace
 
 ContentHash content_hash(const Chunk& chunk) {
-  static_assert(std::endian::native == std::endian::little,
-                "voxels are hashed as they lie in memory; a big-endian machine must swap their bytes first");
-  if (const DenseVoxels* voxels = chunk.dense())
+  const DenseVoxels* const voxels = chunk.dense();
+  if (std::endian::native == std::endian::little && voxels != nullptr) {
     return from(XXH3_128bits(voxels->data(), sizeof(DenseVoxels)));
+  }
   // Layers are hashed slice by slice: dense voxels would exceed the nearest cache.
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
-  Slices slices{chunk.base() != nullptr ? *chunk.base() : *chunk.layers()};
   std::array<MaterialId, kChunkArea> slice;
+  const auto update = [&] {
+    if constexpr (std::endian::native != std::endian::little) {
+      for (MaterialId& voxel : slice) voxel = MaterialId{to_little_endian(to_integer(voxel))};
+    }
+    XXH3_128bits_update(&state, slice.data(), sizeof(slice));
+  };
+  if (voxels != nullptr) {
+    for (auto from_voxel = voxels->begin(); from_voxel != voxels->end(); from_voxel += kChunkArea) {
+      std::copy_n(from_voxel, kChunkArea, slice.begin());
+      update();
+    }
+    return from(XXH3_128bits_digest(&state));
+  }
+  Slices slices{chunk.base() != nullptr ? *chunk.base() : *chunk.layers()};
   auto changed = chunk.overrides().begin();
   for (std::size_t first = 0; first < kChunkVolume; first += kChunkArea) {
     slices.next(slice.data());
     for (; changed != chunk.overrides().end() && changed->index < first + kChunkArea; ++changed) {
       slice[changed->index - first] = changed->material;
     }
-    XXH3_128bits_update(&state, slice.data(), sizeof(slice));
+    update();
   }
   return from(XXH3_128bits_digest(&state));
 }

@@ -40,7 +40,8 @@ std::optional<std::string> material_name_fault(std::string_view name) {
            std::to_string(name.size());
   }
   if (!is_utf8(name)) return "a name is text in UTF-8, and this is not";
-  if (std::any_of(name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; })) {
+  if (std::any_of(name.begin(), name.end(),
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7F'; })) {
     return "a name is printed as it is, so it holds no control characters";
   }
   if (name == "air" || name == "water") {

@@ -485,22 +485,24 @@ class ObjectReader {
   }
 
   void read_formula(TableReader& table, ObjectKind& kind) {
-    const auto* const form = std::find_if(kModelForms.begin(), kModelForms.end(),
-                                          [&](const ModelForm& each) { return each.name == kind.model; });
-    if (form == kModelForms.end()) {
+    const auto number = static_cast<std::size_t>(std::distance(
+        kModelForms.begin(), std::find_if(kModelForms.begin(), kModelForms.end(),
+                                          [&](const ModelForm& each) { return each.name == kind.model; })));
+    if (number == kModelForms.size()) {
       std::string names;
       for (const ModelForm& each : kModelForms) names += std::string{each.name} + ", ";
       table.fail("model", "'" + shortened(kind.model, kMaxModelNameBytes) + "' is not a model; " + names +
                               "or the name of a .vox file is needed");
       return;
     }
-    allow(table, form->parts);
-    for (std::size_t part = 0; part < form->parts.size(); ++part) {
-      if (form->parts[part].empty()) continue;
-      kind.parts[part] = read_part(table, std::string{form->parts[part]});
+    const auto& parts = kModelForms[number].parts;
+    allow(table, parts);
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      if (parts[part].empty()) continue;
+      kind.parts[part] = read_part(table, std::string{parts[part]});
     }
     for (int variant = 0; variant < kVariants; ++variant) {
-      kind.models.push_back(make_model(static_cast<ModelKind>(form - kModelForms.begin()),
+      kind.models.push_back(make_model(static_cast<ModelKind>(number),
                                        derived_seed(kind.seed, static_cast<std::uint64_t>(variant))));
     }
   }

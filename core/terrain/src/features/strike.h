@@ -1,17 +1,15 @@
 // A strike as a direction in integers. Private to core/terrain.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <ostream>
 
+#include "spec/angles.h"
 #include "spec/units.h"
 
 namespace talus::terrain {
 
-/// Lines along a strike have a constant `x cos + z sin`. In 2^-16, fixed when a world is read, so that voxels
-/// do not depend on the machine's cosine.
+/// Lines along a strike have a constant `x cos + z sin`. In 2^-16, fixed when a world is read.
 struct Strike {
   std::int64_t cos_q16 = 0;
   std::int64_t sin_q16 = 0;
@@ -27,8 +25,7 @@ struct Strike {
 
 /// Converts a compass bearing: 0 is north (-z), 90 is east.
 [[nodiscard]] inline Strike strike_of(double degrees) {
-  const double angle = degrees * std::numbers::pi / 180;
-  return {rounded(std::cos(angle) * 65536), rounded(std::sin(angle) * 65536)};
+  return {rounded(cosine_of_degrees(degrees) * 65536), rounded(sine_of_degrees(degrees) * 65536)};
 }
 
 /// Formats for canonical forms.

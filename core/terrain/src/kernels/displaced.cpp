@@ -1,5 +1,7 @@
 #include "displaced.h"
 
+#include <cmath>
+
 #include <talus/terrain/lattice_hash.h>
 #include <talus/vectors/tables.h>
 
@@ -15,6 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace talus::terrain::HWY_NAMESPACE {
 namespace {
 
+#if HWY_HAVE_FLOAT64
 using Doubles = hn::ScalableTag<double>;
 using Keys = hn::RebindToUnsigned<Doubles>;
 
@@ -25,6 +28,7 @@ HWY_INLINE hn::Vec<Keys> mixed(hn::Vec<Keys> key) {
   key = hn::Mul(hn::Xor(key, hn::ShiftRight<27>(key)), hn::Set(keys, 0x94D049BB133111EBU));
   return hn::Xor(key, hn::ShiftRight<31>(key));
 }
+#endif
 
 // Rounds to the nearest integer, ties to even: the sum is so large that it has no fraction.
 void round_displacements(const float* noise, float reach_fx, std::size_t width, float* displacements) {
@@ -36,11 +40,22 @@ void round_displacements(const float* noise, float reach_fx, std::size_t width, 
   }
 }
 
-// Positions of the columns along one axis of an octave. `inside` and `key` give undisplaced ones.
-template <class Inside, class Key>
-HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, double period_fx,
-                       const float* displacements, std::size_t width, float* t, std::uint32_t* low_hash,
-                       std::uint32_t* high_hash) {
+// Positions of the columns along one axis of an octave. `inside` and `key` are undisplaced ones: of each
+// column, or one for all.
+#if HWY_HAVE_FLOAT64
+template <bool kEach, class Tag>
+HWY_INLINE hn::Vec<Tag> undisplaced(Tag tag, const hn::TFromD<Tag>* values, std::size_t i) {
+  if constexpr (kEach) {
+    return hn::LoadU(tag, values + i);
+  } else {
+    return hn::Set(tag, *values);
+  }
+}
+
+template <bool kEach>
+void locate(const double* inside, const std::uint64_t* key, double frequency, double period_fx,
+            const float* displacements, std::size_t width, float* t, std::uint32_t* low_hash,
+            std::uint32_t* high_hash) {
   const Doubles d;
   const Keys keys;
   const hn::Rebind<float, Doubles> f;
@@ -56,13 +71,14 @@ HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, d
   for (std::size_t i = 0; i < width; i += hn::Lanes(d)) {
     // All numbers are integers below 2^39, so nothing here rounds, and no quotient rounds up to an integer.
     const auto displaced =
-        hn::Add(inside(i), hn::Mul(hn::PromoteTo(d, hn::LoadU(f, displacements + i)), hn::Set(d, frequency)));
+        hn::Add(undisplaced<kEach>(d, inside, i),
+                hn::Mul(hn::PromoteTo(d, hn::LoadU(f, displacements + i)), hn::Set(d, frequency)));
     const auto cells = hn::Floor(hn::Div(displaced, period));
     const auto rest = hn::Sub(displaced, hn::Mul(cells, period));
     hn::StoreU(hn::Mul(hn::DemoteTo(f, rest), reciprocal), f, t + i);
     const auto count =
         hn::Sub(hn::BitCast(keys, hn::Add(cells, no_fraction)), hn::BitCast(keys, no_fraction));
-    const auto here = hn::Add(key(i), hn::Mul(count, step));
+    const auto here = hn::Add(undisplaced<kEach>(keys, key, i), hn::Mul(count, step));
     // Neighbouring columns mostly share their cells, and hashing takes most of the time.
     if (i == 0 || !hn::AllTrue(keys, hn::Eq(here, known))) {
       known = here;
@@ -73,6 +89,31 @@ HWY_INLINE void locate(const Inside& inside, const Key& key, double frequency, d
     hn::StoreU(high, w, high_hash + i);
   }
 }
+#else  // column by column, if the vectors have no doubles
+template <bool kEach>
+void locate(const double* inside, const std::uint64_t* key, double frequency, double period_fx,
+            const float* displacements, std::size_t width, float* t, std::uint32_t* low_hash,
+            std::uint32_t* high_hash) {
+  const float reciprocal = 1.0F / static_cast<float>(period_fx);
+  std::uint64_t known = 0;
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double displaced = inside[kEach ? i : 0] + double{displacements[i]} * frequency;
+    const double cells = std::floor(displaced / period_fx);
+    t[i] = static_cast<float>(displaced - cells * period_fx) * reciprocal;
+    const auto count = static_cast<std::uint64_t>(static_cast<std::int64_t>(cells));
+    const std::uint64_t here = key[kEach ? i : 0] + count * kCellStep;
+    if (i == 0 || here != known) {
+      known = here;
+      low = static_cast<std::uint32_t>(mix64(here));
+      high = static_cast<std::uint32_t>(mix64(here + kCellStep));
+    }
+    low_hash[i] = low;
+    high_hash[i] = high;
+  }
+}
+#endif
 
 void add_octave(const DisplacedScratch& at, float weight, std::size_t width, float* out) {
   const Floats f;
@@ -119,21 +160,16 @@ void add_octave(const DisplacedScratch& at, float weight, std::size_t width, flo
 
 void sum(const DisplacedOctave* octaves, std::size_t count, double period_fx, const float* east,
          const float* south, float reach_fx, std::size_t width, DisplacedScratch& scratch, float* out) {
-  const Doubles d;
-  const Keys keys;
   const Floats f;
   round_displacements(east, reach_fx, width, scratch.east.data());
   round_displacements(south, reach_fx, width, scratch.south.data());
   for (std::size_t i = 0; i < width; i += hn::Lanes(f)) hn::StoreU(hn::Zero(f), f, out + i);
   for (const DisplacedOctave* octave = octaves; octave != octaves + count; ++octave) {
-    locate([&](std::size_t i) HWY_ATTR { return hn::LoadU(d, octave->x_inside.data() + i); },
-           [&](std::size_t i) HWY_ATTR { return hn::LoadU(keys, octave->x_key.data() + i); },
-           octave->frequency, period_fx, scratch.east.data(), width, scratch.u.data(),
-           scratch.west_hash.data(), scratch.east_hash.data());
-    locate([&](std::size_t) HWY_ATTR { return hn::Set(d, octave->z_inside); },
-           [&](std::size_t) HWY_ATTR { return hn::Set(keys, octave->z_key); }, octave->frequency, period_fx,
-           scratch.south.data(), width, scratch.v.data(), scratch.north_hash.data(),
-           scratch.south_hash.data());
+    locate<true>(octave->x_inside.data(), octave->x_key.data(), octave->frequency, period_fx,
+                 scratch.east.data(), width, scratch.u.data(), scratch.west_hash.data(),
+                 scratch.east_hash.data());
+    locate<false>(&octave->z_inside, &octave->z_key, octave->frequency, period_fx, scratch.south.data(),
+                  width, scratch.v.data(), scratch.north_hash.data(), scratch.south_hash.data());
     add_octave(scratch, octave->weight, width, out);
   }
 }

@@ -295,7 +295,7 @@ void add_displaced(const RotatedOctave& octave, const Displacements& displaced, 
   // Both factors have 31 bits and a sign: P >= 2^(k+1) bounds du and dv.
   const auto product = [&](auto step, const std::int32_t* distances, std::size_t i) HWY_ATTR {
     const auto far = hn::PromoteTo(s, hn::LoadU(half, distances + i));
-#if HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_WASM  // whose MulEven in Highway 1.0.3 drops the signs
     return hn::Mul(step, hn::BitCast(p, far));
 #else
     return hn::BitCast(p, hn::MulEven(hn::BitCast(Integers{}, step), hn::BitCast(Integers{}, far)));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include <talus/vectors/tables.h>
 
@@ -260,13 +262,32 @@ void start_by(const std::int32_t* slope, std::size_t width, std::int32_t thickne
       slope, width, max_slope_fx, [=](auto d, std::size_t) HWY_ATTR { return hn::Set(d, thickness); }, cells);
 }
 
+#if !HWY_HAVE_FLOAT64
+/// The same column by column. `share` is null if every column has the whole thickness.
+template <class Cell>
+void start_in_doubles(const std::int32_t* slope, const std::int32_t* share, std::size_t width,
+                      double thickness, std::int32_t max_slope_fx, Cell* cells) {
+  const double part = 1.0 / max_slope_fx;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double room = max_slope_fx - std::min(slope[i], max_slope_fx);
+    const double shared = share == nullptr ? thickness : std::floor(share[i] * thickness);
+    const auto quotient = static_cast<std::int32_t>((room * shared + 0.5) * part);
+    cells[i] = static_cast<Cell>(std::min<std::int32_t>(quotient, std::numeric_limits<Cell>::max()));
+  }
+}
+#endif
+
 template <class Cell>
 void start(const std::int32_t* slope, std::size_t width, std::int32_t thickness_fx, std::int32_t max_slope_fx,
            Cell* cells) {
   if (fits_floats(thickness_fx, max_slope_fx)) {
     start_by<float>(slope, width, thickness_fx, max_slope_fx, cells);
   } else {
+#if HWY_HAVE_FLOAT64
     start_by<double>(slope, width, thickness_fx, max_slope_fx, cells);
+#else
+    start_in_doubles(slope, nullptr, width, thickness_fx, max_slope_fx, cells);
+#endif
   }
 }
 
@@ -293,7 +314,11 @@ void start_shared(const std::int32_t* slope, const std::int32_t* share, std::siz
   if (fits_floats(thickness_fx, max_slope_fx) && whole <= kMaxShareInFloats) {
     start_shared_by<float>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);
   } else {
+#if HWY_HAVE_FLOAT64
     start_shared_by<double>(slope, share, width, thickness_fx, whole, max_slope_fx, cells);
+#else
+    start_in_doubles(slope, share, width, static_cast<double>(thickness_fx) / whole, max_slope_fx, cells);
+#endif
   }
 }
 

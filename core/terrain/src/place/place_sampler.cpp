@@ -62,9 +62,9 @@ std::optional<PlaceSampler> PlaceSampler::make(const World& world, std::span<con
   PlacesSpec places = world.spec().places;
   const bool regions = world.spec().surface.regions.has_value();
   for (const std::string& name : names) {
-    const auto* const known = std::find(kQuantityNames.begin(), kQuantityNames.end(), name);
-    const auto quantity = static_cast<std::size_t>(known - kQuantityNames.begin());
-    if (known != kQuantityNames.end()) {
+    const auto quantity = static_cast<std::size_t>(
+        std::distance(kQuantityNames.begin(), std::find(kQuantityNames.begin(), kQuantityNames.end(), name)));
+    if (quantity < kQuantityNames.size()) {
       if (!known_at_columns(quantity, regions)) return std::nullopt;
       scratch->wanted.push_back(quantity);
       continue;

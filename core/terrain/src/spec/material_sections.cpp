@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "loose/aprons.h"
+#include "spec/angles.h"
 #include "spec/units.h"
 
 namespace talus::terrain {
@@ -24,7 +23,7 @@ constexpr std::size_t kMaxStates = 16;
 constexpr std::array kPhases{MaterialKind::stratified, MaterialKind::water, MaterialKind::air};
 
 std::int32_t tangent_fx(double degrees) {
-  return static_cast<std::int32_t>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
+  return static_cast<std::int32_t>(rounded(kSubvoxels * tangent_of_degrees(degrees)));
 }
 
 void check_halo(TableReader& table, const ErodedSpec& eroded, const WorldSpec& spec) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "spec/angles.h"
 #include "spec/regions_section.h"
 #include "spec/units.h"
 
@@ -19,7 +19,7 @@ constexpr Range kQuantityValues{-kMaxHeight, kMaxHeight};
 
 // Rounded like the slopes of LooseSpec.
 double slope_fx(double degrees) {
-  return static_cast<double>(rounded(kSubvoxels * std::tan(degrees * std::numbers::pi / 180)));
+  return static_cast<double>(rounded(kSubvoxels * tangent_of_degrees(degrees)));
 }
 
 bool decided_after_looks(QuantityNumber quantity) {
@@ -37,9 +37,9 @@ PlacesReader::PlacesReader(const WorldSpec& world, std::vector<FieldSpec> fields
 
 std::optional<QuantityNumber> PlacesReader::quantity(TableReader& table, const std::string& name,
                                                      bool of_looks) {
-  const auto* const known = std::find(kQuantityNames.begin(), kQuantityNames.end(), name);
-  if (known != kQuantityNames.end()) {
-    const auto number = static_cast<QuantityNumber>(known - kQuantityNames.begin());
+  const auto number = static_cast<QuantityNumber>(
+      std::distance(kQuantityNames.begin(), std::find(kQuantityNames.begin(), kQuantityNames.end(), name)));
+  if (number < kQuantityNames.size()) {
     if (world_.surface.regions || of_all_surfaces(number)) return number;
     table.fail(name, "only a surface of kind \"regions\" has it; this one has height, slope and cliff");
     return std::nullopt;

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <locale>
+#include <sstream>
 
 namespace talus::terrain {
 namespace {
@@ -38,7 +40,10 @@ std::string plain(double number) {
   };
   if (!std::isfinite(number)) return written();
   const std::string rounded = written(std::chars_format::scientific, kDigits - 1);
-  std::from_chars(rounded.data(), rounded.data() + rounded.size(), number);
+  // libc++ before 20 has no std::from_chars of floating-point numbers.
+  std::istringstream digits_only{rounded};
+  digits_only.imbue(std::locale::classic());
+  digits_only >> number;
   const double size = std::abs(number);
   if (size == 0 || (size >= 1e-9 && size < 1e15)) return written(std::chars_format::fixed);
   std::string text = written(std::chars_format::scientific);

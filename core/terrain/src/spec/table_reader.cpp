@@ -390,15 +390,24 @@ std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecError
     errors.add(fault->line, fault->what);
     return std::nullopt;
   }
-  try {
-    return TomlDocument{std::make_unique<const Tree>(Tree{toml::parse(text)})};
-  } catch (const toml::parse_error& bad) {
+  const auto refuse = [&](const toml::parse_error& bad) {
     const auto line = static_cast<int>(bad.source().begin.line);
     const std::string key = toml_key_at_line(text, line);
     errors.add(line, text_of(key.empty() ? "" : shortened(key, kMaxKeyShown) + ": ",
                              "not TOML: ", toml_error_text(bad.description(), key)));
     return std::nullopt;
+  };
+#if TOML_EXCEPTIONS
+  try {
+    return TomlDocument{std::make_unique<const Tree>(Tree{toml::parse(text)})};
+  } catch (const toml::parse_error& bad) {
+    return refuse(bad);
   }
+#else
+  toml::parse_result result = toml::parse(text);
+  if (!result) return refuse(result.error());
+  return TomlDocument{std::make_unique<const Tree>(Tree{std::move(result).table()})};
+#endif
 }
 
 TomlDocument::TomlDocument(std::unique_ptr<const Tree> parsed) : parsed_{std::move(parsed)} {}

@@ -19,7 +19,8 @@ std::size_t GroundTile::bytes() const {
 
 std::size_t GroundTiles::Hash::operator()(const GroundTileKey& key) const {
   const auto level = static_cast<std::uint64_t>(key.level);
-  return mix64(static_cast<std::uint64_t>(key.x) + mix64(static_cast<std::uint64_t>(key.z) + level));
+  return static_cast<std::size_t>(
+      mix64(static_cast<std::uint64_t>(key.x) + mix64(static_cast<std::uint64_t>(key.z) + level)));
 }
 
 void GroundTiles::find(std::span<const GroundTileKey> keys, std::span<GroundTilePtr> found) {
@@ -43,13 +44,11 @@ void GroundTiles::put(const GroundTileKey& key, GroundTilePtr tile) {
   const Guard guard{lock_.get()};
   if (by_key_.contains(key)) return;  // another thread was first, with the same tile
   const std::size_t bytes = tile->bytes();
-  entries_.push_front({key, std::move(tile), ++puts_});
-  try {
-    by_key_.emplace(key, entries_.begin());
-  } catch (...) {
-    entries_.pop_front();
-    throw;
-  }
+  // Both or neither, whichever allocation fails.
+  std::list<Entry> added;
+  added.push_front({key, std::move(tile), ++puts_});
+  by_key_.emplace(key, added.begin());
+  entries_.splice(entries_.begin(), added);
   bytes_ += bytes;
   while (bytes_ > max_bytes_ && !entries_.empty()) {
     bytes_ -= entries_.back().tile->bytes();
