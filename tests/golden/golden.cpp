@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -81,6 +82,7 @@ const Sample kWorlds[] = {
 struct PlaceData {
   std::vector<std::uint64_t> content;
   std::vector<std::byte> payloads;
+  int decoded_otherwise = 0;
 };
 
 void make_place(const terrain::World& world, const Place& place, PlaceData& made) {
@@ -97,7 +99,10 @@ void make_place(const terrain::World& world, const Place& place, PlaceData& made
         const Chunk chunk = terrain::extract_chunk(world, stacks, {x, y, z});
         const ContentHash hash = content_hash(chunk);
         made.content.insert(made.content.end(), {hash.low, hash.high});
+        const std::size_t begin = made.payloads.size();
         encode(chunk, made.payloads);
+        const auto decoded = decode(std::span{made.payloads}.subspan(begin));
+        if (!decoded || content_hash(*decoded) != hash) ++made.decoded_otherwise;
       }
     }
   }
@@ -111,7 +116,9 @@ void print(const std::string& what, const PlaceData& made, std::ostream& out) {
   std::vector<std::uint64_t> content = made.content;
   for (std::uint64_t& half : content) half = to_little_endian(half);
   out << "  " << what << ": voxels " << digest(content.data(), content.size() * sizeof content[0])
-      << " payloads " << digest(made.payloads.data(), made.payloads.size()) << '\n';
+      << " payloads " << digest(made.payloads.data(), made.payloads.size());
+  if (made.decoded_otherwise != 0) out << ", " << made.decoded_otherwise << " payloads decoded otherwise";
+  out << '\n';
 }
 
 // A tile of each, at all levels, near, far and at the ends.

@@ -31,7 +31,11 @@ inline constexpr std::uint8_t kEqualsAll = 63;
 
 /// A table of sixteen bytes, repeated in each block of a vector.
 using ByteTable = std::array<std::uint8_t, 16>;
+/// Returns the entries at the lowest four bits of the index, whose highest bit is 0.
 HWY_INLINE PartVec look_up(const ByteTable& table, PartVec index) {
+#if !HWY_ARCH_X86  // where an index over 15 finds 0
+  index = hn::And(index, bytes_of(15));
+#endif
   return hn::TableLookupBytes(hn::LoadDup128(Part{}, table.data()), index);
 }
 template <class Value>

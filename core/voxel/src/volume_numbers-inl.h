@@ -73,8 +73,9 @@ class RowWriter {
       auto high = hn::Zero(d);
       for (std::size_t t = 0; t < tables_; ++t) {
         // For numbers of other tables the highest bit is set, which finds 0.
-        const auto index = hn::SaturatedAdd(
+        const auto beyond = hn::SaturatedAdd(
             hn::Sub(number, hn::Set(d, static_cast<std::uint8_t>(t * kTable))), hn::Set(d, 0x70));
+        const auto index = hn::And(beyond, hn::Set(d, 0x8F));
         low = hn::Or(low, hn::TableLookupBytesOr0(hn::LoadDup128(d, low_.data() + t * kTable), index));
         high = hn::Or(high, hn::TableLookupBytesOr0(hn::LoadDup128(d, high_.data() + t * kTable), index));
       }
