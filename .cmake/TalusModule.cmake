@@ -1,5 +1,5 @@
 # How every target of this project is compiled.
-if(TALUS_ONLY_GOLDEN)
+if(TALUS_ONLY_GOLDEN AND CMAKE_CROSSCOMPILING)
   include(HeaderLibraries)
 else()
   find_package(PkgConfig REQUIRED)

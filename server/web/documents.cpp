@@ -1,6 +1,5 @@
 #include "web/documents.h"
 
-#include <bit>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <talus/files/npy_file.h>
+#include <talus/vectors/little_endian.h>
 #include <talus/voxel/codec.h>
 
 namespace talus::server::web {
@@ -136,12 +136,13 @@ std::string heights_document(const HeightsForm& form, const HeightsResult& found
 }
 
 std::string heights_npy(std::size_t width, const HeightsResult& found) {
-  static_assert(std::endian::native == std::endian::little);
   const std::size_t count = found.heights_fx.size();
   std::vector<std::size_t> shape{count};
   if (width > 0) shape = {count / width, width};
   std::string array = files::npy_header(files::NpyType::int32, shape);
-  return array.append(reinterpret_cast<const char*>(found.heights_fx.data()), count * sizeof(std::int32_t));
+  std::vector<std::byte> scratch;
+  const auto bytes = little_endian_bytes(std::span{found.heights_fx}, scratch);
+  return array.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
 }  // namespace talus::server::web

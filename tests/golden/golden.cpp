@@ -14,9 +14,9 @@
 #include <talus/terrain/generator.h>
 #include <talus/terrain/stacks.h>
 #include <talus/vectors/instruction_set.h>
+#include <talus/vectors/little_endian.h>
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
-#include <talus/voxel/little_endian.h>
 
 #include "made_height_map.h"
 #include "random_regions.h"
@@ -113,10 +113,10 @@ void print(const std::string& what, const PlaceData& made, std::ostream& out) {
     const XXH128_hash_t hash = XXH3_128bits(data, bytes);
     return to_string(ContentHash{hash.low64, hash.high64});
   };
-  std::vector<std::uint64_t> content = made.content;
-  for (std::uint64_t& half : content) half = to_little_endian(half);
-  out << "  " << what << ": voxels " << digest(content.data(), content.size() * sizeof content[0])
-      << " payloads " << digest(made.payloads.data(), made.payloads.size());
+  std::vector<std::byte> scratch;
+  const auto content = little_endian_bytes(std::span{made.content}, scratch);
+  out << "  " << what << ": voxels " << digest(content.data(), content.size()) << " payloads "
+      << digest(made.payloads.data(), made.payloads.size());
   if (made.decoded_otherwise != 0) out << ", " << made.decoded_otherwise << " payloads decoded otherwise";
   out << '\n';
 }

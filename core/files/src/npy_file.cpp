@@ -1,12 +1,12 @@
 #include <talus/files/npy_file.h>
 
-#include <bit>
 #include <cassert>
 #include <utility>
+#include <vector>
+
+#include <talus/vectors/little_endian.h>
 
 namespace talus::files {
-
-static_assert(std::endian::native == std::endian::little, "items are written as they lie in memory");
 
 namespace {
 
@@ -76,29 +76,34 @@ tl::expected<void, FileError> NpyFile::write_bytes(std::size_t first_item,
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item,
                                              std::span<const std::int32_t> items) const {
   assert(type_ == NpyType::int32);
-  return write_bytes(first_item, std::as_bytes(items));
+  std::vector<std::byte> scratch;
+  return write_bytes(first_item, little_endian_bytes(items, scratch));
 }
 
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item,
                                              std::span<const std::uint8_t> items) const {
   assert(type_ == NpyType::uint8);
-  return write_bytes(first_item, std::as_bytes(items));
+  std::vector<std::byte> scratch;
+  return write_bytes(first_item, little_endian_bytes(items, scratch));
 }
 
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item,
                                              std::span<const std::uint16_t> items) const {
   assert(type_ == NpyType::uint16);
-  return write_bytes(first_item, std::as_bytes(items));
+  std::vector<std::byte> scratch;
+  return write_bytes(first_item, little_endian_bytes(items, scratch));
 }
 
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item, std::span<const float> items) const {
   assert(type_ == NpyType::float32);
-  return write_bytes(first_item, std::as_bytes(items));
+  std::vector<std::byte> scratch;
+  return write_bytes(first_item, little_endian_bytes(items, scratch));
 }
 
 tl::expected<void, FileError> NpyFile::write(std::size_t first_item, std::span<const double> items) const {
   assert(type_ == NpyType::float64);
-  return write_bytes(first_item, std::as_bytes(items));
+  std::vector<std::byte> scratch;
+  return write_bytes(first_item, little_endian_bytes(items, scratch));
 }
 
 tl::expected<void, FileError> NpyFile::finish(std::span<const std::size_t> shape) const {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,8 +22,6 @@
 
 namespace talus::tools {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "voxels are read as they lie in memory");
 
 constexpr std::string_view kNoChunk =
     "no chunk of voxels; it must be a .npy array of 32 x 32 x 32 uint8 or uint16, [y][z][x], or a .vox file "
@@ -53,9 +49,10 @@ tl::expected<Chunk, std::string> chunk_of_npy(const Bytes& bytes) {
   const char* const items = bytes.data() + header->data_at;
   const auto voxels = std::make_unique<DenseVoxels>();
   for (std::size_t i = 0; i < voxels->size(); ++i) {
-    std::uint16_t id = 0;
-    std::memcpy(&id, items + i * item, item);
-    (*voxels)[i] = MaterialId{id};
+    const auto byte = [&](std::size_t at) {
+      return std::uint16_t{static_cast<std::uint8_t>(items[i * item + at])};
+    };
+    (*voxels)[i] = MaterialId{static_cast<std::uint16_t>(narrow ? byte(0) : byte(0) | byte(1) << 8U)};
   }
   return Chunk::from_dense(*voxels);
 }

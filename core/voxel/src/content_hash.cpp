@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
+#include <span>
 #include <string_view>
+#include <vector>
 
 // Allows the streaming hash state on the stack.
 #define XXH_STATIC_LINKING_ONLY
@@ -12,7 +15,7 @@
 #include <xxh_x86dispatch.h>  // the same functions in the vectors of the machine it runs on
 #endif
 
-#include <talus/voxel/little_endian.h>
+#include <talus/vectors/little_endian.h>
 
 #include "slices.h"
 
@@ -34,11 +37,10 @@ ContentHash content_hash(const Chunk& chunk) {
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
   std::array<MaterialId, kChunkArea> slice;
+  std::vector<std::byte> scratch;
   const auto update = [&] {
-    if constexpr (std::endian::native != std::endian::little) {
-      for (MaterialId& voxel : slice) voxel = MaterialId{to_little_endian(to_integer(voxel))};
-    }
-    XXH3_128bits_update(&state, slice.data(), sizeof(slice));
+    const auto bytes = little_endian_bytes(std::span<const MaterialId>{slice}, scratch);
+    XXH3_128bits_update(&state, bytes.data(), bytes.size());
   };
   if (voxels != nullptr) {
     for (auto from_voxel = voxels->begin(); from_voxel != voxels->end(); from_voxel += kChunkArea) {

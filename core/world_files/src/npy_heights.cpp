@@ -14,8 +14,6 @@
 namespace talus::world_files {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "items are swapped to the order of this machine");
-
 struct Layout {
   std::size_t width = 0;
   std::size_t depth = 0;
@@ -102,7 +100,8 @@ DecodeResult decode_npy(std::span<const std::byte> bytes) {
   const std::uint64_t depth = header->shape[0];
   const std::uint64_t width = header->shape[1];
   if (auto wrong = wrong_size(width, depth)) return refused(*std::move(wrong));
-  return known->decode({width, depth, header->fortran_order, type.front() == '>'},
+  constexpr bool kBigEndian = std::endian::native == std::endian::big;
+  return known->decode({width, depth, header->fortran_order, (type.front() == '>') != kBigEndian},
                        bytes.subspan(header->data_at));
 }
 

@@ -16,8 +16,6 @@
 namespace talus::world_files {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "samples are swapped to the order of this machine");
-
 struct Source {
   std::span<const std::byte> rest;
   std::array<char, 128> complaint{};
@@ -60,7 +58,7 @@ class Reader {
   template <class Sample>
   bool read_rows(Sample* samples) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    if constexpr (sizeof(Sample) == 2) png_set_swap(png_);
+    if constexpr (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(png_);
     const int passes = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     const std::size_t width = png_get_image_width(png_, info_);

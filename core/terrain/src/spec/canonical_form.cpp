@@ -12,7 +12,7 @@
 #include <talus/terrain/strata.h>
 #include <talus/terrain/surface.h>
 #include <talus/terrain/world.h>
-#include <talus/voxel/little_endian.h>
+#include <talus/vectors/little_endian.h>
 
 #include "feature.h"
 #include "loose/aprons.h"
@@ -91,9 +91,9 @@ void add_regions(const Regions& regions, std::ostream& form) {
 
 void add_map(const PlacedMap& map, std::ostream& form) {
   const Field& heights = *map.heights_fx;
-  auto values = heights.values;
-  for (auto& value : values) value = to_little_endian(value);
-  const XXH128_hash_t hash = XXH3_128bits(values.data(), values.size() * sizeof values[0]);
+  std::vector<std::byte> scratch;
+  const auto bytes = little_endian_bytes(std::span{heights.values}, scratch);
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   form << "surface map " << heights.width << ' ' << heights.depth << " heights "
        << to_string(ContentHash{hash.low64, hash.high64}) << " x_q16 " << map.x_q16 << " z_q16 " << map.z_q16
        << " spacing_q16 " << map.spacing_x_q16 << ' ' << map.spacing_z_q16 << " outside "
