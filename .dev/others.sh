@@ -88,7 +88,7 @@ lint() {
 avx512() {
   no_arguments avx512 "$@"
   deps build test emulator
-  build release
+  build release -DTALUS_TESTS=ON -- test_terrain test_voxel talus_golden_O3
   say "the kernels' tests by AVX-512, emulated"
   tests/emulator/avx512.sh
 }

@@ -222,7 +222,9 @@ TEST_CASE("builders in a closed loop send the next edit when one is answered") {
 TEST_CASE("a model of the acknowledged edits has the server's chunks, and sees where one is unlike them") {
   const ScratchDirectory scratch;
   const ServerProcess server{
-      {{"TALUS_DATA", (scratch.path() / "data").string()}, {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
+      {{"TALUS_WORLD", TALUS_SOURCE_DIR "/core/worlds/default.toml"},  // the model's, also under sanitizers
+       {"TALUS_DATA", (scratch.path() / "data").string()},
+       {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"}}};
   const std::string edits = (scratch.path() / "edits").string();
   for (const char* const seed : {"1", "2"}) {
     const ProgramResult ended = run_load(

@@ -35,7 +35,7 @@ class LogOrder final : public rocksdb::WalFilter {
                                      const rocksdb::WriteBatch& batch, rocksdb::WriteBatch*, bool*) override {
     if (number < first_log_) return WalProcessingOption::kContinueProcessing;
     std::uint64_t sequence = 0;
-    for (int i = 7; i >= 0; --i) sequence = sequence << 8U | static_cast<std::uint8_t>(batch.Data()[i]);
+    for (std::size_t i = 8; i-- > 0;) sequence = sequence << 8U | static_cast<std::uint8_t>(batch.Data()[i]);
     if (first_sequence_ == 0) first_sequence_ = sequence;
     if (next_ != 0 && sequence > next_) return WalProcessingOption::kCorruptedRecord;
     next_ = sequence + batch.Count();

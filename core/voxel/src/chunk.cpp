@@ -27,9 +27,9 @@ bool equal(const std::uint8_t* a, const std::uint8_t* b) {
 // Searches from the top: the most frequent queries, voxels of objects, are in the air.
 MaterialId material_in(const Layers& layers, std::size_t voxel) {
   const std::size_t row = voxel / kChunkArea;
-  const std::uint8_t* const tops = layers.tops.data() + voxel % kChunkArea;
+  const std::size_t column = voxel % kChunkArea;
   std::size_t index = layers.plane_count();
-  while (index > 0 && tops[(index - 1) * kChunkArea] > row) --index;
+  while (index > 0 && layers.tops[(index - 1) * kChunkArea + column] > row) --index;
   return layers.materials[index];
 }
 

@@ -11,6 +11,7 @@
 #include <tl/expected.hpp>
 
 #include <talus/edits/chunk_overrides.h>
+#include <talus/store/log_records.h>
 #include <talus/store/records.h>
 
 namespace talus::store {
