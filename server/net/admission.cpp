@@ -39,11 +39,12 @@ void Admission::change(const Limits& limits) {
   }
 }
 
-Admission::Slot::Slot(Admission& admission, const asio::ip::address& address)
-    : address_{address},
-      counted_{counted_as(address)},
-      part_{std::make_unique<FlowShares::Part>(admission.places_, admission.flow_of(counted_), 1,
-                                               admission.clock_.now())} {}
+Admission::Slot::Slot(Admission& admission, const asio::ip::address& address, bool takes_place)
+    : address_{address}, counted_{counted_as(address)} {
+  if (!takes_place) return;
+  part_ = std::make_unique<FlowShares::Part>(admission.places_, admission.flow_of(counted_), 1,
+                                             admission.clock_.now());
+}
 
 Admission::Slot::Slot(Slot&& other) noexcept
     : admission_{std::exchange(other.admission_, nullptr)},
@@ -53,8 +54,14 @@ Admission::Slot::Slot(Slot&& other) noexcept
 
 Admission::Slot::~Slot() {
   if (admission_ == nullptr) return;
+  const bool held_place = part_ != nullptr;
   part_.reset();
-  admission_->leave(counted_);
+  admission_->leave(counted_, held_place);
+}
+
+void Admission::Slot::take_place(Slot& proxy) {
+  part_ = std::move(proxy.part_);
+  part_->move_to(admission_->flow_of(counted_));
 }
 
 tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::address& address, Caller caller) {
@@ -67,23 +74,23 @@ tl::expected<Admission::Slot, std::string> Admission::enter(const asio::ip::addr
     return tl::make_unexpected(fmt::format(
         "your address has {} connections, this server's limit for one address", known->second.connections));
   }
-  if (!has_place_for(counted, caller)) {
+  const bool takes_place = caller != Caller::request;
+  if (takes_place && !has_place_for(counted)) {
     return tl::make_unexpected(fmt::format("this server has {} connections, its limit", limits_.connections));
   }
-  Slot slot{*this, address};
+  Slot slot{*this, address, takes_place};
   if (known == by_address_.end()) {
     known = by_address_.emplace(counted, Address{std::make_shared<AddressBuckets>(limits_.rates)}).first;
   }
   ++known->second.connections;
-  ++connections_;
+  if (takes_place) ++connections_;
   slot.admission_ = this;
   return slot;
 }
 
-bool Admission::has_place_for(const asio::ip::address& counted, Caller caller) {
+bool Admission::has_place_for(const asio::ip::address& counted) {
   if (connections_ >= limits_.connections + kMaxClosing) return false;
-  if (places_.size() < limits_.connections) return true;
-  return caller != Caller::request &&
+  return places_.size() < limits_.connections ||
          places_.make_room(flow_of(counted), 1, limits_.connections / kFlows, clock_.now());
 }
 
@@ -97,9 +104,9 @@ AddressBucketsPtr Admission::rates_of(const asio::ip::address& counted) const {
   return by_address_.at(counted).rates;
 }
 
-void Admission::leave(const asio::ip::address& counted) noexcept {
+void Admission::leave(const asio::ip::address& counted, bool held_place) noexcept {
   const std::lock_guard lock{mutex_};
-  --connections_;
+  if (held_place) --connections_;
   Address& here = by_address_.at(counted);
   if (--here.connections == 0) {
     const auto now = clock_.now();

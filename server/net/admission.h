@@ -77,17 +77,19 @@ class Admission {
     void set_give_way(FlowShares::GiveWay give_way) { part_->set_give_way(std::move(give_way)); }
     /// From here on the connection counts for the subject's flow.
     void move_to(std::string_view subject) { part_->move_to(admission_->ids_.of_subject(subject)); }
+    /// For the slot of a request that becomes a session: takes the place of the proxy's connection.
+    void take_place(Slot& proxy);
     /// The client sent something.
     void progress(Clock::time_point now) { part_->progress(now); }
 
    private:
     friend class Admission;
-    Slot(Admission& admission, const asio::ip::address& address);
+    Slot(Admission& admission, const asio::ip::address& address, bool takes_place);
 
     Admission* admission_ = nullptr;  // once it is counted
     asio::ip::address address_;
     asio::ip::address counted_;
-    std::unique_ptr<FlowShares::Part> part_;
+    std::unique_ptr<FlowShares::Part> part_;  // null: it holds no place
   };
 
   /// The flow of a counted address, for places and handshakes: FlowUses has other ids.
@@ -103,7 +105,7 @@ class Admission {
   [[nodiscard]] tl::expected<Slot, std::string> enter_proxy(const asio::ip::address& address) {
     return enter(address, Caller::proxy);
   }
-  /// For one request by a proxy's connection: other connections do not give way to it.
+  /// For one request by a proxy's connection, which holds the place.
   [[nodiscard]] tl::expected<Slot, std::string> enter_request(const asio::ip::address& address) {
     return enter(address, Caller::request);
   }
@@ -122,10 +124,10 @@ class Admission {
 
   enum class Caller : std::uint8_t { client, proxy, request };
   [[nodiscard]] tl::expected<Slot, std::string> enter(const asio::ip::address& address, Caller caller);
-  /// If all places are taken, a connection of another flow gives way, but not to a request.
-  [[nodiscard]] bool has_place_for(const asio::ip::address& counted, Caller caller);
+  /// If all places are taken, a connection of another flow gives way.
+  [[nodiscard]] bool has_place_for(const asio::ip::address& counted);
   [[nodiscard]] AddressBucketsPtr rates_of(const asio::ip::address& counted) const;
-  void leave(const asio::ip::address& counted) noexcept;
+  void leave(const asio::ip::address& counted, bool held_place) noexcept;
   void forget();
 
   const Clock& clock_;
@@ -134,7 +136,7 @@ class Admission {
   FlowShares handshakes_{kHandshakePatience};
   mutable std::mutex mutex_;
   Limits limits_;
-  std::size_t connections_ = 0;
+  std::size_t connections_ = 0;  // that hold places, or have given way
   std::map<asio::ip::address, Address> by_address_;
   std::deque<asio::ip::address> left_;  // addresses without a connection, each once; some have reconnected
 };

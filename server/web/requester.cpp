@@ -139,6 +139,7 @@ void Requester::rates_changed() {
 
 Admission::Slot Requester::take_slot() {
   Admission::Slot slot = std::move(caller_->slot);
+  if (proxy_slot_) slot.take_place(*proxy_slot_);
   caller_.reset();
   return slot;
 }
