@@ -334,7 +334,8 @@ void Handshaker::count_and_close(PendingConnection& pending, Refusal why, wire::
   // A message over TLS would need the refused handshake; a proxy that breaks the rules gets none.
   if (pending.tls != nullptr || why == Refusal::proxy) return pending.stream->close();
   metrics_.error(code).add();
-  refusals_.refuse(std::move(pending.stream->socket()), refusal_message_(code, text, retry_after));
+  refusals_.refuse(std::move(pending.stream->socket()), refusal_message_(code, text, retry_after),
+                   admission_.flow_of(counted_as(pending.client.address())), clock_.now());
 }
 
 }  // namespace talus::server

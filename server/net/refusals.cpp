@@ -9,6 +9,7 @@
 
 #include <asio/buffer.hpp>
 #include <asio/dispatch.hpp>
+#include <asio/post.hpp>
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
 
@@ -19,28 +20,24 @@ namespace {
 
 constexpr std::chrono::milliseconds kTimeToRead{1000};
 
-/// One of the kMax or kMaxSpare refusals in flight.
-class InFlightSlot {
- public:
-  /// The caller has incremented `in_flight`.
-  explicit InFlightSlot(std::atomic<std::size_t>& in_flight) : in_flight_{&in_flight} {}
-  InFlightSlot(InFlightSlot&& other) noexcept : in_flight_{std::exchange(other.in_flight_, nullptr)} {}
-  InFlightSlot& operator=(InFlightSlot&&) = delete;
-  ~InFlightSlot() {
-    if (in_flight_ != nullptr) --*in_flight_;
-  }
-
- private:
-  std::atomic<std::size_t>* in_flight_;
-};
-
 /// A socket that closes itself at its deadline.
 struct ClosingSocket {
-  InFlightSlot slot;
+  FlowShares::Part place;
   asio::ip::tcp::socket socket;
   asio::steady_timer deadline;
   std::vector<std::byte> message;
   std::array<std::byte, 512> unread{};
+
+  ClosingSocket(FlowShares& in_flight, FlowId flow, Clock::time_point now, asio::ip::tcp::socket of,
+                std::vector<std::byte> text)
+      : place{in_flight, flow, 1, now},
+        socket{std::move(of)},
+        deadline{socket.get_executor()},
+        message{std::move(text)} {}
+  void close() {
+    std::error_code ignored;
+    socket.close(ignored);
+  }
 };
 using ClosingSocketPtr = std::shared_ptr<ClosingSocket>;
 
@@ -62,8 +59,7 @@ void read_to_end(const ClosingSocketPtr& closing) {
 void send_and_close(const ClosingSocketPtr& closing) {
   closing->deadline.expires_after(kTimeToRead);
   closing->deadline.async_wait([closing](std::error_code cancelled) {
-    std::error_code ignored;
-    if (!cancelled) closing->socket.close(ignored);
+    if (!cancelled) closing->close();
   });
   asio::async_write(closing->socket, asio::buffer(closing->message),
                     [closing](std::error_code failed, std::size_t) {
@@ -75,15 +71,19 @@ void send_and_close(const ClosingSocketPtr& closing) {
 
 }  // namespace
 
-void Refusals::refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message) {
+void Refusals::refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message, FlowId flow,
+                      Clock::time_point now) {
   const bool spare = is_spare(socket.native_handle());
-  std::atomic<std::size_t>& in_flight = spare ? spare_in_flight_ : in_flight_;
-  const bool full = in_flight.fetch_add(1) >= (spare ? kMaxSpare : kMax);
-  InFlightSlot slot{in_flight};
-  if (full) return;
+  FlowShares& in_flight = spare ? spare_in_flight_ : in_flight_;
+  if (in_flight.size() >= (spare ? kMaxSpare : kMax) && !in_flight.make_room(flow, 1, 0, now)) return;
   const auto executor = socket.get_executor();
-  const auto closing = std::make_shared<ClosingSocket>(
-      ClosingSocket{std::move(slot), std::move(socket), asio::steady_timer{executor}, std::move(message)});
+  const auto closing =
+      std::make_shared<ClosingSocket>(in_flight, flow, now, std::move(socket), std::move(message));
+  closing->place.set_give_way([weak = std::weak_ptr{closing}, executor] {
+    asio::post(executor, [weak] {
+      if (const auto alive = weak.lock()) alive->close();
+    });
+  });
   asio::dispatch(executor, [closing] { send_and_close(closing); });
 }
 

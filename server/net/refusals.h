@@ -1,11 +1,13 @@
-// Refused connections: each gets a message and is then closed.
+// Refused connections: each gets a message and is then closed. Flows share their number (flow_shares.h).
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <vector>
 
 #include <asio/ip/tcp.hpp>
+
+#include "limits/flows/flow_shares.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 
@@ -18,11 +20,12 @@ class Refusals {
 
   /// Sends `message` and closes after the client has had time to read it. Must outlive the socket's
   /// io_context.
-  void refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message);
+  void refuse(asio::ip::tcp::socket socket, std::vector<std::byte> message, FlowId flow,
+              Clock::time_point now);
 
  private:
-  std::atomic<std::size_t> in_flight_{0};
-  std::atomic<std::size_t> spare_in_flight_{0};
+  FlowShares in_flight_{Clock::duration::max()};  // each ends soon
+  FlowShares spare_in_flight_{Clock::duration::max()};
 };
 
 }  // namespace talus::server

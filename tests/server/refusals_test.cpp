@@ -26,6 +26,9 @@ struct Bench {
   asio::io_context io{1};
   tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
 
+  void refuse(tcp::socket socket, FlowId flow = FlowId{1}) {
+    refusals.refuse(std::move(socket), kMessage, flow, Clock::time_point{});
+  }
   /// The client's end and the server's.
   [[nodiscard]] std::pair<tcp::socket, tcp::socket> connect() {
     tcp::socket client{io};
@@ -33,9 +36,9 @@ struct Bench {
     return {std::move(client), acceptor.accept()};
   }
   /// Bytes that a client is sent before the end.
-  [[nodiscard]] std::size_t bytes_of_refusal() {
+  [[nodiscard]] std::size_t bytes_of_refusal(FlowId flow = FlowId{1}) {
     auto [client, socket] = connect();
-    refusals.refuse(std::move(socket), kMessage);
+    refuse(std::move(socket), flow);
     io.restart();
     io.poll();
     client.shutdown(tcp::socket::shutdown_send);
@@ -59,7 +62,7 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMax; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), kMessage);
+    bench.refuse(std::move(socket));
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -70,13 +73,25 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
   CHECK(bench.bytes_of_refusal() > 0);
 }
 
+TEST_CASE("refusals of one flow leave room for those of others") {
+  Bench bench;
+  std::vector<tcp::socket> clients;
+  for (std::size_t i = 0; i < Refusals::kMax; ++i) {
+    auto [client, socket] = bench.connect();
+    bench.refuse(std::move(socket));
+    clients.push_back(std::move(client));
+  }
+  bench.io.poll();
+  CHECK(bench.bytes_of_refusal(FlowId{2}) > 0);
+}
+
 TEST_CASE("on spare descriptors only a few clients get a reason, and others are closed at once") {
   Bench bench;
   const DescriptorsLeft few{kSpareDescriptors};
   std::vector<tcp::socket> clients;
   for (std::size_t i = 0; i < Refusals::kMaxSpare; ++i) {
     auto [client, socket] = bench.connect();
-    bench.refusals.refuse(std::move(socket), kMessage);
+    bench.refuse(std::move(socket));
     clients.push_back(std::move(client));
   }
   bench.io.poll();
@@ -96,7 +111,7 @@ TEST_CASE("a refusal that finds no memory takes no place from the next") {
       auto [client, socket] = bench.connect();
       const FailingAllocations failing{allocations};
       try {
-        bench.refusals.refuse(std::move(socket), kMessage);
+        bench.refuse(std::move(socket));
         bench.io.restart();
         bench.io.poll();
       } catch (const std::bad_alloc&) {
