@@ -324,6 +324,8 @@ TEST_CASE("peers that say nothing hold up neither others nor the end, and are fe
   CHECK(fourth.checkpoint().has_value());
   const RawPeer fifth{served.directory};
   CHECK(fifth.refusal().find("4 commands use this server's store already") != std::string::npos);
+  CHECK_THAT(connected(served.directory).checkpoint().error(),
+             Catch::EndsWith("4 commands use this server's store already; wait until one has ended"));
   TestEditor editor;
   editor.attach(served.store);
   std::mt19937_64 random{1};

@@ -32,12 +32,12 @@ tl::unexpected<std::string> socket_failure(const fs::path& path, int error) {
                                     std::generic_category().message(error))};
 }
 
-/// The user of the peer.
-std::optional<uid_t> user_of(int socket) {
+/// The process and the user of the peer.
+std::optional<ucred> peer_of(int socket) {
   ucred peer{};
   socklen_t size = sizeof peer;
   if (::getsockopt(socket, SOL_SOCKET, SO_PEERCRED, &peer, &size) != 0) return std::nullopt;
-  return peer.uid;
+  return peer;
 }
 
 }  // namespace
@@ -125,11 +125,15 @@ void StoreSocket::accept_one() {
     (void)send_text(socket, SocketKind::failed, reason);
     ::close(socket);
   };
-  if (user_of(socket) != ::geteuid()) {
+  const auto peer = peer_of(socket);
+  if (!peer || peer->uid != ::geteuid()) {
     return refuse(fmt::format("this server runs as user {}; run the command as that user", ::geteuid()));
   }
+  const FlowId process{static_cast<std::uint64_t>(peer->pid)};
+  const auto now = std::chrono::steady_clock::now();
   const std::lock_guard lock{mutex_};
-  if (commands_.size() >= kMaxCommands) {
+  if (commands_.size() >= 2 * kMaxCommands ||
+      (places_.size() >= kMaxCommands && !places_.make_room(process, 1, 0, now))) {
     return refuse(
         fmt::format("{} commands use this server's store already; wait until one has ended", kMaxCommands));
   }
@@ -137,10 +141,12 @@ void StoreSocket::accept_one() {
   command.socket = socket;
   command.number = next_number_++;
   try {
+    command.place.emplace(places_, process, 1, now);
+    command.place->set_give_way([socket] { ::shutdown(socket, SHUT_RDWR); });
     command.thread = std::thread{[this, &command] { serve(command); }};
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     commands_.pop_back();
-    refuse("this server has no thread for the command");
+    refuse("this server has no thread or memory for the command");
   }
 }
 

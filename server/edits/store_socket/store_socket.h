@@ -3,6 +3,7 @@
 // the server's own user is answered.
 //
 // Commands run on threads of the socket, so that they delay nothing else. Input is bounded before it is read.
+// Processes share the number of commands (flow_shares.h).
 #pragma once
 
 #include <atomic>
@@ -25,6 +26,7 @@
 #include "chunks/pregen.h"
 #include "edits/edit_log.h"
 #include "edits/store_socket/socket_frames.h"
+#include "limits/flows/flow_shares.h"
 #include "runtime/log/logger.h"
 
 namespace talus::server {
@@ -36,7 +38,8 @@ class Restorer;
 
 class StoreSocket {
  public:
-  /// Maximum number of concurrent commands; each may hold a checkpoint.
+  /// Maximum number of concurrent commands; each may hold a checkpoint. As many more may still end that have
+  /// given way.
   static constexpr std::size_t kMaxCommands = 4;
 
   /// Maximum silence of a command: before its first request, and afterwards while it reads an answer.
@@ -70,6 +73,7 @@ class StoreSocket {
     std::uint64_t number = 0;
     std::atomic<bool> ended{false};
     std::thread thread;
+    std::optional<FlowShares::Part> place;
     std::unique_ptr<store::EditDatabase::HeldFiles> held;  // used by the thread only
   };
 
@@ -90,7 +94,8 @@ class StoreSocket {
   const int wake_;         // an eventfd that ends the acceptor
   std::stop_source ends_;  // ends waits for the log
   std::mutex mutex_;
-  std::mutex pregen_;  // held by the only pregen
+  std::mutex pregen_;                          // held by the only pregen
+  FlowShares places_{Clock::duration::max()};  // Patience ends silent commands
   std::list<Command> commands_;
   std::uint64_t next_number_ = 1;
   std::thread acceptor_;
