@@ -7,14 +7,17 @@
 
 #include <asio/post.hpp>
 
+#include "net/admission.h"
+
 namespace talus::server {
 namespace {
 
 /// Serves one connection.
 class OperatorHandler final : public http::Handler {
  public:
-  OperatorHandler(const std::shared_ptr<const OperatorAnswers>& answers, std::string address)
-      : answers_{answers}, address_{std::move(address)} {}
+  OperatorHandler(const std::shared_ptr<const OperatorAnswers>& answers, std::string address,
+                  asio::any_io_executor executor)
+      : answers_{answers}, address_{std::move(address)}, executor_{std::move(executor)} {}
 
   std::optional<http::Response> respond_now(const http::Request& request,
                                             Clock::time_point /*came*/) override {
@@ -23,19 +26,25 @@ class OperatorHandler final : public http::Handler {
   }
   asio::awaitable<http::Response> respond(const http::Request& request) override {
     const auto kept = answers_;
-    co_return co_await kept->checkpoint(request, address_);
+    // A variable: GCC 12 destroys a temporary twice here.
+    const std::function<void()> close = [weak = connection_, executor = executor_] {
+      asio::post(executor, [weak] {
+        if (const auto alive = weak.lock()) alive->close();
+      });
+    };
+    co_return co_await kept->checkpoint(request, address_, close);
+  }
+  /// Call before the first request.
+  void set_connection(const std::shared_ptr<http::Connection<TcpStream>>& connection) {
+    connection_ = connection;
   }
 
  private:
   const std::shared_ptr<const OperatorAnswers>& answers_;  // the current answers
   const std::string address_;
+  const asio::any_io_executor executor_;
+  std::weak_ptr<http::Connection<TcpStream>> connection_;
 };
-
-std::string address_of(const asio::ip::tcp::socket& socket) {
-  std::error_code gone;
-  const auto peer = socket.remote_endpoint(gone);
-  return gone ? "an address that is gone" : peer.address().to_string();
-}
 
 }  // namespace
 
@@ -55,8 +64,12 @@ void AdminServer::stop() {
 }
 
 void AdminServer::on_connection(asio::ip::tcp::socket socket) {
-  auto handler = std::make_shared<OperatorHandler>(answers_, address_of(socket));
-  connections_.add(TcpStream{std::move(socket)}, std::move(handler));
+  std::error_code gone;
+  const asio::ip::address peer = socket.remote_endpoint(gone).address();
+  const auto handler = std::make_shared<OperatorHandler>(
+      answers_, gone ? "an address that is gone" : peer.to_string(), socket.get_executor());
+  handler->set_connection(
+      connections_.add(TcpStream{std::move(socket)}, handler, counted_as(peer).to_string()));
 }
 
 tl::expected<std::string, std::string> AdminServer::listen(const protocol::Endpoint& wanted) {

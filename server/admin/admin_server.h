@@ -23,7 +23,7 @@ namespace talus::server {
 class AdminServer {
  public:
   /// Maximum open connections. If descriptors run out the maximum is lower. At the maximum a new connection
-  /// closes the one idle longest.
+  /// closes the longest idle one of the address with most.
   static constexpr std::size_t kMaxConnections = 32;
 
   /// `clock` must outlive this.

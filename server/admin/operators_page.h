@@ -25,8 +25,10 @@ struct OperatorAnswers {
   std::function<bool()> healthy;  // true if the main thread responded recently
   std::function<Readiness()> ready;
   std::function<FlowsReport()> flows;
-  /// Answers kCheckpointPath; takes the client's address. Empty if there is not a store to copy.
-  std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address)>
+  /// Answers kCheckpointPath; takes the client's address, and a function that closes its connection soon.
+  /// Empty if there is not a store to copy.
+  std::function<asio::awaitable<http::Response>(const http::Request&, const std::string& address,
+                                                std::function<void()> close)>
       checkpoint{};
   /// Receives the state that a balancer's check sends, and the check's query (net/balancer_state.h).
   std::function<void(const std::string& state, const std::string& query)> balancer_says = {};

@@ -38,7 +38,8 @@ OperatorAnswers joining_answers(std::shared_ptr<const JoinProgress> progress) {
                           },
                           [] { return FlowsReport{}; }};
   answers.checkpoint = [progress = std::move(progress)](
-                           const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
+                           const http::Request&, const std::string&,
+                           const std::function<void()>&) -> asio::awaitable<http::Response> {
     const auto aside = progress->aside();
     http::Response response{503,
                             http::kPlainText,

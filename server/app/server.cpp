@@ -308,8 +308,8 @@ decltype(OperatorAnswers::checkpoint) Server::checkpoints() {
       CheckpointService::Parts{access_, metrics_, clock_, config_.data,
                                [this](const auto& path) { return edits_->checkpoint(path); }},
       config_.rates.checkpoint_bytes, log_);
-  return [this](const http::Request& request, const std::string& address) {
-    return checkpoints_->respond(request, address);
+  return [this](const http::Request& request, const std::string& address, std::function<void()> close) {
+    return checkpoints_->respond(request, address, std::move(close));
   };
 }
 

@@ -36,11 +36,11 @@ struct Peer {
     url = "http://" + *listening;
     address = {asio::ip::address_v4::loopback(),
                static_cast<std::uint16_t>(std::stoi(listening->substr(listening->rfind(':') + 1)))};
-    server->start({[] { return ""; }, [] { return true; }, [] { return Readiness{}; },
-                   [] { return FlowsReport{}; },
-                   [this](const http::Request& request, const std::string& from) {
-                     return service.respond(request, from);
-                   }});
+    server->start(
+        {[] { return ""; }, [] { return true; }, [] { return Readiness{}; }, [] { return FlowsReport{}; },
+         [this](const http::Request& request, const std::string& from, std::function<void()> close) {
+           return service.respond(request, from, std::move(close));
+         }});
   }
   ~Peer() { end(); }
   void end() {
@@ -65,9 +65,10 @@ struct Peer {
     return download ? "" : download.error().reason;
   }
   /// A request of a client that reads nothing.
-  [[nodiscard]] tcp::socket ask() {
+  [[nodiscard]] tcp::socket ask(const asio::ip::address& from = asio::ip::address_v4::loopback()) {
     tcp::socket socket{io};
     socket.open(tcp::v4());
+    socket.bind({from, 0});
     socket.set_option(asio::socket_base::receive_buffer_size{4'096});
     socket.connect(address);
     const std::string text = "GET /store/checkpoint HTTP/1.1\r\nHost: a\r\nAuthorization: Bearer " +

@@ -168,6 +168,21 @@ TEST_CASE("the third at once is refused for now") {
   CHECK(peer.error_with(peer.admin().token) == "");
 }
 
+TEST_CASE("an address that takes the store twice gives way to another") {
+  Peer peer;
+  peer.store.grow();
+  peer.service.set_rate(262'144);
+  const auto greedy = asio::ip::make_address("127.0.0.2");
+  const tcp::socket first = peer.ask(greedy);
+  CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() == 1; }));
+  const tcp::socket second = peer.ask(greedy);
+  CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() == 2; }));
+  auto next = CheckpointDownload::open(peer.url, peer.admin());
+  REQUIRE(next.has_value());
+  CHECK(comes_true([&] { return peer.metrics.checkpoints_open.now() == 2; }));
+  CHECK_THAT(peer.error_with(peer.admin().token), Catch::Contains("answers 503: 2 servers take this store"));
+}
+
 TEST_CASE("a peer that hangs up pins no checkpoint") {
   Peer peer;
   peer.service.set_rate(262'144);

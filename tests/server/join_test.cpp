@@ -393,7 +393,8 @@ struct AsidePeer {
     url = "http://" + *listening;
     server.start({[] { return ""; }, [] { return true; }, [] { return Readiness{}; },
                   [] { return FlowsReport{}; },
-                  [aside](const http::Request&, const std::string&) -> asio::awaitable<http::Response> {
+                  [aside](const http::Request&, const std::string&,
+                          const std::function<void()>&) -> asio::awaitable<http::Response> {
                     http::Response response{503};
                     response.fields.push_back({kAsideHeader, to_string(aside)});
                     co_return response;

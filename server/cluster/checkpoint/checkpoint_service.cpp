@@ -17,6 +17,7 @@
 #include <talus/store/store_swap.h>
 
 #include "config/access/auth_failure.h"
+#include "net/admission.h"
 #include "net/http/body_source.h"
 #include "runtime/log/escape.h"
 
@@ -37,16 +38,18 @@ http::Response refusal(int status, std::string text, std::vector<http::Field> fi
 
 }  // namespace
 
-/// A checkpoint being sent. It counts against kMaxAtOnce during its lifetime.
+/// A checkpoint being sent. It counts against kMaxAtOnce until it ends or gives way.
 class CheckpointService::Body final : public http::BodySource {
  public:
-  Body(CheckpointService& service, std::string who)
-      : service_{service}, who_{std::move(who)}, begun_{service.parts_.clock.now()} {
-    ++service_.at_once_;
+  Body(CheckpointService& service, std::string who, FlowId flow, FlowShares::GiveWay close)
+      : service_{service},
+        who_{std::move(who)},
+        begun_{service.parts_.clock.now()},
+        place_{service.places_, flow, 1, begun_} {
+    place_.set_give_way(std::move(close));
     service_.parts_.metrics.checkpoints_open.rise();
   }
   ~Body() override {
-    --service_.at_once_;
     service_.parts_.metrics.checkpoints_open.fall();
     if (tar_ == nullptr) return;
     const double seconds = std::chrono::duration<double>(service_.parts_.clock.now() - begun_).count();
@@ -95,6 +98,7 @@ class CheckpointService::Body final : public http::BodySource {
   CheckpointService& service_;
   const std::string who_;
   const Clock::time_point begun_;
+  FlowShares::Part place_;
   Clock::time_point deadline_;
   std::unique_ptr<CheckpointTar> tar_;
   std::uint64_t sent_ = 0;
@@ -106,7 +110,7 @@ CheckpointService::CheckpointService(Parts parts, std::uint64_t bytes_per_second
       wanted_rate_{bytes_per_second},
       rate_{Rate::with_burst_of(bytes_per_second, kRateBurst)} {
   try {
-    for (int thread = 0; thread < kMaxAtOnce; ++thread) threads_.emplace_back([this] { disk_.run(); });
+    for (std::size_t i = 0; i < kMaxAtOnce; ++i) threads_.emplace_back([this] { disk_.run(); });
   } catch (...) {
     disk_.stop();
     throw;
@@ -120,6 +124,11 @@ CheckpointService::~CheckpointService() {
 void CheckpointService::stop() {
   disk_work_.reset();
   threads_.clear();
+}
+
+FlowId CheckpointService::flow_of(const std::string& address) const {
+  std::error_code gone;
+  return flow_id_of(counted_as(asio::ip::make_address(address, gone)), flows_);
 }
 
 tl::expected<std::string, http::Response> CheckpointService::admit(const http::Request& request,
@@ -148,7 +157,7 @@ tl::expected<std::string, http::Response> CheckpointService::admit(const http::R
   if (!grant->rights.has(Right::admin)) {
     return refuse(403, "the token lacks the right admin, which taking a store requires");
   }
-  if (at_once_ >= kMaxAtOnce) {
+  if (places_.size() >= kMaxAtOnce && !places_.make_room(flow_of(address), 1, 0, parts_.clock.now())) {
     return refuse(503, fmt::format("{} servers take this store already", kMaxAtOnce),
                   {{"Retry-After", "10"}});
   }
@@ -168,10 +177,11 @@ tl::expected<std::unique_ptr<CheckpointTar>, std::string> CheckpointService::mak
 }
 
 asio::awaitable<http::Response> CheckpointService::respond(const http::Request& request,
-                                                           const std::string& address) {
+                                                           const std::string& address,
+                                                           FlowShares::GiveWay close) {
   auto who = admit(request, address);
   if (!who) co_return std::move(who.error());
-  auto body = std::make_shared<Body>(*this, *std::move(who));
+  auto body = std::make_shared<Body>(*this, *std::move(who), flow_of(address), std::move(close));
   auto tar = co_await asio::co_spawn(
       disk_,
       [this, number = next_number_++]()

@@ -1,5 +1,5 @@
 // GET /store/checkpoint of the operators' port: sends the current store to a joining server. Requires a token
-// with the right admin; limited in number and rate.
+// with the right admin; limited in number and rate. Addresses share the number (flow_shares.h).
 //
 // Reads the disk on its own threads in bounded pieces, so that neither the operators' port nor players wait
 // for it. Slow downloads are cut off, so that checkpoints do not stay on the disk for ever.
@@ -21,6 +21,8 @@
 
 #include "cluster/checkpoint/checkpoint_tar.h"
 #include "config/access/access_control.h"
+#include "limits/flows/flow_ids.h"
+#include "limits/flows/flow_shares.h"
 #include "limits/rates/token_bucket.h"
 #include "net/http/request.h"
 #include "net/http/response.h"
@@ -32,7 +34,7 @@ namespace talus::server {
 
 class CheckpointService {
  public:
-  static constexpr int kMaxAtOnce = 2;
+  static constexpr std::size_t kMaxAtOnce = 2;
 
   /// The referenced objects must outlive this.
   struct Parts {
@@ -47,9 +49,10 @@ class CheckpointService {
   CheckpointService(Parts parts, std::uint64_t bytes_per_second, Logger log);
   ~CheckpointService();
 
-  /// Call on the connections' thread. `address` is the client's.
+  /// Call on the connections' thread. `address` is the client's; `close` ends its connection soon.
   [[nodiscard]] asio::awaitable<http::Response> respond(const http::Request& request,
-                                                        const std::string& address);
+                                                        const std::string& address,
+                                                        FlowShares::GiveWay close);
   /// Limits all downloads together; 0: unlimited. Callable from any thread.
   void set_rate(std::uint64_t bytes_per_second) { wanted_rate_ = bytes_per_second; }
 
@@ -60,6 +63,7 @@ class CheckpointService {
  private:
   class Body;
 
+  [[nodiscard]] FlowId flow_of(const std::string& address) const;
   /// Returns the name of the authorized client, or the refusal.
   [[nodiscard]] tl::expected<std::string, http::Response> admit(const http::Request& request,
                                                                 const std::string& address);
@@ -76,7 +80,8 @@ class CheckpointService {
   // Used by the connections' thread.
   Rate rate_;
   TokenBucket bucket_;
-  int at_once_ = 0;
+  const FlowIds flows_;
+  FlowShares places_{Clock::duration::max()};  // a download has a deadline
   std::uint64_t next_number_ = 1;
   Clock::time_point next_complaint_{};
   // Not asio::thread_pool: if its second thread cannot start, its constructor waits for the first for ever.
