@@ -54,9 +54,10 @@ struct EditingBench {
   SessionBench bench;
 
   explicit EditingBench(const RateLimits& rates = {}, const Access& access = editors(), EditRules rules = {},
-                        AddressBucketsPtr address = {})
+                        AddressBucketsPtr address = {}, std::uint64_t memory_bytes = 0)
       : bench{{.rates = rates,
                .address = std::move(address),
+               .memory_bytes = memory_bytes,
                .access = access,
                .edits = &taker,
                .rules = std::move(rules)}} {}

@@ -106,6 +106,23 @@ TEST_CASE("paths, addresses and advice for the operator go to the log, not to pl
   }
 }
 
+TEST_CASE("if memory is short the flow that holds most gives way to an edit") {
+  constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
+  EditingBench shared{{}, editors(), {}, {}, 256 * kMebibyte};
+  shared.attached();
+  MemoryBudget& memory = shared.bench.memory;
+  bool gave_way = false;
+  std::array<MemoryReservation, 2> greedy{{{memory, MemoryUse::sessions}, {memory, MemoryUse::sessions}}};
+  for (MemoryReservation& each : greedy) {
+    each.share(FlowId{77}, [&] { gave_way = true; });
+    each.hold(100 * kMebibyte);
+  }
+  REQUIRE_FALSE(memory.takes_work());
+  shared.bench.write_voxel(4, 1);
+  CHECK(gave_way);
+  CHECK(shared.taker.edits.size() == 1);
+}
+
 TEST_CASE("an edit's id is taken until it is answered") {
   EditingBench shared;
   shared.attached();

@@ -70,7 +70,9 @@ tl::expected<AdmittedEdit, EditError> EditAdmission::admit(const wire::Edit& wir
     return edit_error(Code::too_many_unanswered,
                       fmt::format("{} edits are unanswered, the limit", session.unanswered));
   }
-  if (!parts_.memory.takes_work()) return edit_error(Code::busy, std::string{kNoMemory});
+  if (!parts_.memory.takes_work_of(session.flow, 0, session.now)) {
+    return edit_error(Code::busy, std::string{kNoMemory});
+  }
   auto edit = read_edit(wire, parts_.taker->settles());
   if (!edit) return edit;
   if (!edit->subject.empty() && !session.grant.rights.has(Right::gateway)) {

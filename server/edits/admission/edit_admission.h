@@ -25,6 +25,8 @@ namespace talus::server {
 /// A session that asks, as it is when the message arrives.
 struct EditingSession {
   const Grant& grant;
+  FlowId flow{};
+  Clock::time_point now{};
   bool leaving = false;
   bool attached = false;
   edits::EditorId editor{};  // 0 unless attached
@@ -47,7 +49,7 @@ class EditAdmission {
   struct Parts {
     const EditRules& rules;
     const ChunkSource& chunks;
-    const MemoryBudget& memory;
+    MemoryBudget& memory;
     const EditTaker* taker;
   };
   explicit EditAdmission(const Parts& parts) : parts_{parts} {}

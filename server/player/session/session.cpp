@@ -314,11 +314,15 @@ void Session::on(const wire::Credit& credit) {
   }
 }
 
+EditingSession Session::editing_session() const {
+  return edits_.session(greeting_->grant, flow().id(), received_at_, state_ == State::leaving);
+}
+
 void Session::on(const wire::Edit& edit) {
   if (edit.id() == 0) return fail(ErrorCode::malformed, "Edit.id is 0; ids begin at 1");
   if (!admit_id(edit.id())) return;
   const Subject subject = about_request(edit.id());
-  auto admitted = edit_admission_.admit(edit, edits_.session(greeting_->grant, state_ == State::leaving));
+  auto admitted = edit_admission_.admit(edit, editing_session());
   if (!admitted) {
     const EditError& error = admitted.error();
     if (error.code == EditErrorCode::malformed) return fail(ErrorCode::malformed, error.message);
@@ -335,7 +339,7 @@ void Session::on(const wire::Attach& attach) {
   const Subject subject = about_attach();
   if (!within_rates(subject)) return;
   if (edits_.attaching()) return fail(ErrorCode::unexpected, "an Attach before the last was answered");
-  auto admitted = edit_admission_.admit(attach, edits_.session(greeting_->grant, state_ == State::leaving));
+  auto admitted = edit_admission_.admit(attach, editing_session());
   if (!admitted) return replies_.error(subject, admitted.error());
   if (admitted->makes_editor) {
     if (const auto refusal = rates_.refuse_editor(received_at_)) return say_refusal(subject, *refusal);

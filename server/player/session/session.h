@@ -184,6 +184,7 @@ class Session {
     return false;
   }
   void refuse_pending(std::uint32_t id);
+  [[nodiscard]] EditingSession editing_session() const;
   /// Sends the Error and closes. `why` is only for the log.
   void fail(wire::ErrorCode code, std::string_view text,
             std::chrono::milliseconds retry_after = retry_after::kNever, std::string_view why = {});

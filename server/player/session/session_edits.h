@@ -28,8 +28,14 @@ class SessionEdits {
   /// True while an Attach is not answered.
   [[nodiscard]] bool attaching() const { return attaching_; }
   /// The session as EditAdmission needs it.
-  [[nodiscard]] EditingSession session(const Grant& grant, bool leaving) const {
-    return {grant, leaving, editor_.has_value(), editor_ ? editor_->editor : edits::EditorId{},
+  [[nodiscard]] EditingSession session(const Grant& grant, FlowId flow, Clock::time_point now,
+                                       bool leaving) const {
+    return {grant,
+            flow,
+            now,
+            leaving,
+            editor_.has_value(),
+            editor_ ? editor_->editor : edits::EditorId{},
             unanswered_.size()};
   }
   [[nodiscard]] bool contains(std::uint32_t id) const { return unanswered_.find(id) != nullptr; }
