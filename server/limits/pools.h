@@ -1,35 +1,61 @@
 // The pools that flows share, one line each. OPERATIONS.md prints the table, and tests/e2e/pools_test.cpp
-// tries each line with one greedy flow and a client of another one.
+// tries each line with one greedy flow of each kind of client and a client of another flow.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace talus::server {
 
+/// Kinds of clients that take parts of a pool.
+enum PoolUsers : std::uint8_t {
+  kSessions = 1,   // by TCP or WebSocket
+  kHttp = 2,       // players' HTTP
+  kOperators = 4,  // the operators' port
+  kCommands = 8,   // talusd store
+};
+
 struct Pool {
   std::string_view name;
+  unsigned users;  // PoolUsers
   std::string_view size;
   std::string_view share;      // of one flow, while others want some
   std::string_view gives_way;  // empty: nothing, and the flow is refused more, or waits
 };
 
 inline constexpr std::array kPools{
-    Pool{"connections", "`limits.connections`",
+    Pool{"connections", kSessions | kHttp, "`limits.connections`",
          "as many as any, and a 64th; an address `limits.connections_per_address`",
          "of the flow with most, what has sent nothing for longest"},
-    Pool{"handshakes", "`limits.handshakes_in_flight`", "as many as any address",
+    Pool{"handshakes", kSessions | kHttp, "`limits.handshakes_in_flight`", "as many as any address",
          "the oldest if over 3 s old, else the oldest of the address with most"},
-    Pool{"memory of sessions, HTTP answers", "5/8 of `limits.memory_bytes`, less other uses",
-         "as much as any, and a 64th of the budget",
+    Pool{"refusals being sent", kSessions | kHttp, "64", "as many as any address",
+         "the oldest of the address with most"},
+    Pool{"memory: sessions, frames, WebSocket buffers, HTTP answers", kSessions | kHttp,
+         "5/8 of `limits.memory_bytes`, less other uses", "as much as any, and a 64th of the budget",
          "a session whose client is 5 s behind 16 KiB/s, else one of the flow with most, if it has two"},
-    Pool{"chunks that wait for a generator", "`generation.queue_chunks`",
-         "as many as are free; a session always 16", ""},
-    Pool{"edits that wait for the log", "256, or 256 KiB; a session 64", "turns by cost", ""},
-    Pool{"editors", "65,536, or [fewer](#the-index-of-edited-chunks)", "an address `rates.address_editors`",
-         "the oldest that never edited"},
-    Pool{"chunks never edited before", "[the index](#the-index-of-edited-chunks)",
+    Pool{"io threads: frames, HTTP rounds", kSessions | kHttp, "`threads.io`",
+         "its rates; a connection's turn is 8 KiB, or 32 answers", ""},
+    Pool{"io threads: Views", kSessions, "a quarter of each", "turns by time", ""},
+    Pool{"generators: chunks, heights, map tiles", kSessions | kHttp, "`threads.generator`", "turns by time",
+         "a piece, if it may wait"},
+    Pool{"pieces begun that wait", kSessions | kHttp, "16, or 1/8 of `limits.memory_bytes`", "a quarter", ""},
+    Pool{"chunks that wait for a generator", kSessions | kHttp, "`generation.queue_chunks`",
+         "as many as are free; a session or request always 16", ""},
+    Pool{"edits that wait for the log", kSessions, "256, or 256 KiB; a session 64", "turns by cost", ""},
+    Pool{"editors", kSessions, "65,536, or [fewer](#the-index-of-edited-chunks)",
+         "an address `rates.address_editors`", "the oldest that never edited"},
+    Pool{"chunks never edited before", kSessions, "[the index](#the-index-of-edited-chunks)",
          "an address `rates.address_new_chunks`", ""},
+    Pool{"changes that sessions follow", kSessions, "16,384 chunks", "a session 4,096",
+         "the list: all its chunks are compared"},
+    Pool{"operators' connections", kOperators, "32", "as many as any address",
+         "the longest idle of the address with most"},
+    Pool{"checkpoints over their port", kOperators, "2", "as many as any address",
+         "the oldest of the address with most"},
+    Pool{"`talusd store` commands", kCommands, "4", "as many as any process",
+         "the oldest of the process with most"},
 };
 
 }  // namespace talus::server

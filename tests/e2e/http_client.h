@@ -34,11 +34,21 @@ struct Answer {
 /// A connection that is kept; blocking.
 class HttpClient {
  public:
-  explicit HttpClient(std::uint16_t port) { socket_.connect({asio::ip::address_v4::loopback(), port}); }
+  /// Connects to 127.0.0.1, from an address of the loopback network.
+  explicit HttpClient(std::uint16_t port, std::uint32_t from = 0x7F000001U) {
+    socket_.open(asio::ip::tcp::v4());
+    if (from != 0x7F000001U) socket_.bind({asio::ip::address_v4{from}, 0});
+    socket_.connect({asio::ip::address_v4::loopback(), port});
+  }
 
   void send(const std::string& text) { asio::write(socket_, asio::buffer(text)); }
   static std::string request(const std::string& target, const std::string& fields = "") {
     return "GET " + target + " HTTP/1.1\r\nHost: talus\r\n" + fields + "\r\n";
+  }
+  /// Reads an answer's head; its body stays unread.
+  std::string read_head() {
+    const std::size_t head = asio::read_until(socket_, asio::dynamic_buffer(input_), "\r\n\r\n");
+    return input_.substr(0, head);
   }
   /// `to_head`: the answer to a HEAD request, which has no body.
   Answer read(bool to_head = false) {
