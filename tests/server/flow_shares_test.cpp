@@ -118,7 +118,7 @@ TEST_CASE("a client that drains less than the least rate falls behind, and gives
   }
   slow.drain_begins(now, 32 * 1024);
   budget.end_still_sessions(now + 2s);
-  CHECK_FALSE(budget.takes_connection_of(FlowId{3}, now + 2s));
+  CHECK_FALSE(budget.takes_connection_of(FlowId{3}, now - 1s));  // a second behind
   CHECK(slow_ended == 0);
   SECTION("for a newcomer") {
     CHECK(budget.takes_connection_of(FlowId{3}, now + 4s));
@@ -128,6 +128,19 @@ TEST_CASE("a client that drains less than the least rate falls behind, and gives
   }
   CHECK(slow_ended == 1);
   CHECK(fast_ended == 0);
+}
+
+TEST_CASE(
+    "if nothing else gives way a part does that stands still for a fifth of the time, to a smaller flow") {
+  Pool pool;
+  pool.enter(1, 2, kBegin - 700ms);
+  pool.enter(2, 2, kBegin);
+  pool.enter(3, 2, Clock::time_point::max());
+  CHECK_FALSE(pool.make_room(4, 9, kBegin - 200ms));  // 500 ms of 3 s
+  CHECK_FALSE(pool.make_room(2, 9));                  // it would have three
+  CHECK(pool.make_room(4, 9));
+  CHECK(pool.gone == std::set<std::size_t>{0});
+  CHECK_FALSE(pool.make_room(4, 9));
 }
 
 TEST_CASE("sessions give way to one message until their memory suffices, and not again while they end") {

@@ -67,9 +67,9 @@ std::size_t FlowShares::size() const {
   return parts_.size();
 }
 
-bool FlowShares::is_still(const Part& part, Clock::time_point now) const {
+bool FlowShares::is_still(const Part& part, Clock::time_point now, Clock::duration patience) {
   const auto progress = part.progress_.load(std::memory_order_relaxed);
-  return part.give_way_ && progress < now && now - progress > patience_;
+  return part.give_way_ && progress < now && now - progress > patience;
 }
 
 FlowShares::Part* FlowShares::choose(FlowId flow, std::uint64_t amount, std::uint64_t sure,
@@ -85,11 +85,12 @@ FlowShares::Part* FlowShares::choose(FlowId flow, std::uint64_t amount, std::uin
   for (Part* const part : parts_) {
     part->flow_->held += part->amount_.load(std::memory_order_relaxed);
     part->flow_->yielding += part->give_way_ ? 1 : 0;
-    if (is_still(*part, now) && (chosen == nullptr || before(part, chosen))) chosen = part;
+    if (is_still(*part, now, patience_) && (chosen == nullptr || before(part, chosen))) chosen = part;
   }
   if (chosen != nullptr) return chosen;
   const auto asking = flows_.find(flow);
-  std::uint64_t most = std::max(sure, amount + (asking == flows_.end() ? 0 : asking->second.held));
+  const std::uint64_t wanted = amount + (asking == flows_.end() ? 0 : asking->second.held);
+  std::uint64_t most = std::max(sure, wanted);
   const Flow* gives = nullptr;
   for (const auto& [id, each] : flows_) {
     if (each.parts < 2 || each.yielding == 0 || each.held <= most) continue;
@@ -97,7 +98,9 @@ FlowShares::Part* FlowShares::choose(FlowId flow, std::uint64_t amount, std::uin
     most = each.held;
   }
   for (Part* const part : parts_) {
-    const bool may = part->flow_ == gives && part->give_way_;
+    const bool may = gives == nullptr
+                         ? part->flow_->held > wanted && is_still(*part, now, patience_ / kLastResort)
+                         : part->flow_ == gives && part->give_way_;
     if (may && (chosen == nullptr || before(part, chosen))) chosen = part;
   }
   return chosen;
@@ -131,7 +134,7 @@ void FlowShares::end_still(std::uint64_t amount, Clock::time_point now) {
     const std::lock_guard lock{mutex_};
     for (std::size_t place = parts_.size(); place-- > 0 && amount > 0;) {
       Part& part = *parts_[place];
-      if (!is_still(part, now)) continue;
+      if (!is_still(part, now, patience_)) continue;
       ended.push_back(let_go(part));
       amount -= std::min(amount, part.leaving_);
     }

@@ -1,6 +1,7 @@
 // A pool that flows share: places, or bytes. A flow takes what is free. If nothing is free and another flow
 // wants some, one part gives way: one whose client has made no progress for longer than `patience`, or else
-// one of the flow that holds most. So one flow cannot keep the others out, with however many parts.
+// one of the flow that holds most, or else one without progress for a fifth of `patience`. So one flow cannot
+// keep the others out, with however many parts, nor many flows that make no progress.
 //
 // pools.h lists the pools. Callable from any thread.
 #pragma once
@@ -66,7 +67,8 @@ class FlowShares {
 
   /// Returns what the part held that gives way to `flow`, which wants `amount`; nullopt if none does. A part
   /// that makes progress gives way only if its flow has another one, and holds more than `flow` then would,
-  /// and more than `sure`. Takes about 20 ns a part.
+  /// and more than `sure`. If there is not one, a part without progress for patience / kLastResort gives way
+  /// whose flow holds more than `flow` then would. Takes about 20 ns a part.
   std::optional<std::uint64_t> make_room(FlowId flow, std::uint64_t amount, std::uint64_t sure,
                                          Clock::time_point now);
 
@@ -75,6 +77,7 @@ class FlowShares {
 
  private:
   static constexpr std::size_t kGone = SIZE_MAX;
+  static constexpr int kLastResort = 5;
 
   struct Flow {
     FlowId id{};
@@ -87,7 +90,7 @@ class FlowShares {
   // Called under the mutex.
   [[nodiscard]] Flow& enter(FlowId flow);
   void leave(Flow& flow) noexcept;
-  [[nodiscard]] bool is_still(const Part& part, Clock::time_point now) const;
+  [[nodiscard]] static bool is_still(const Part& part, Clock::time_point now, Clock::duration patience);
   [[nodiscard]] Part* choose(FlowId flow, std::uint64_t amount, std::uint64_t sure, Clock::time_point now);
   void remove(Part& part) noexcept;
   /// Returns the function to call without the mutex.
