@@ -62,7 +62,7 @@ if(triple)
     set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
   endif()
 endif()
-# A root with Debian's packages of the target (./dev root), for more than the generator.
+# A root with Debian's packages of the target (agree_on in .dev/tests.sh), for more than the generator.
 if(TALUS_ROOT)
   set(CMAKE_SYSROOT ${TALUS_ROOT})
   set(CMAKE_FIND_ROOT_PATH ${TALUS_ROOT})

@@ -89,6 +89,8 @@ test_at_length() {
   stage "2,000 power cuts on one machine, as many in a cluster, and 200 flipped bits" damage_stores
   stage "building as ./dev run does" build no-tests -DTALUS_QUICK=ON -- talusd talus-client
   stage "the same voxels on every target" golden --all
+  stage "a server and a client on ARM" agree_on aarch64 arm64
+  stage "a server and a client on a big-endian machine" agree_on s390x s390x
   by_clang
   by_clang --all
   say "fourteen hostile minutes"
@@ -224,6 +226,22 @@ golden_on() {
       rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "DIFFERENT: $log")")
     fi
   done
+}
+
+# agree_on TARGET ARCHITECTURE: a client, talusd and talus-gen of another machine, in an emulator and with Debian's packages of
+# that architecture, against this machine's.
+agree_on() {
+  deps build test aarch cross machines
+  local root="build/root-$2"
+  if [[ ! -e "$root/usr/lib/os-release" ]]; then
+    local packages
+    packages="$(awk '$1 == "build:" { for (i = 2; i <= NF; ++i) if ($i ~ /-dev$/) printf "%s,", $i }' docker/packages.txt)"
+    aloud "unpacking packages of $2" mmdebstrap --quiet --variant=extract --architectures="$2" \
+      --include="${packages}libstdc++-12-dev,libc6-dev" bookworm "$root"
+  fi
+  build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen
+  build "$1" -- talusd talus-client talus-gen talus_c
+  python3 -B tests/machines/agree.py --other "build/$1" --emulator "qemu-$1-static -L $PWD/$root"
 }
 
 scenarios() {
