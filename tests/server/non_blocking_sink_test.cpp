@@ -88,6 +88,16 @@ TEST_CASE("each second has its own budget of info lines") {
   CHECK_THAT(pipe.read_all(), Catch::EndsWith("info x\ninfo next\n"));
 }
 
+TEST_CASE("a clock that is set back does not silence info lines") {
+  LoggedPipe pipe;
+  const auto budget = NonBlockingSink::kMaxInfoLinesPerSecond;
+  for (std::uint32_t i = 0; i < budget + 1; ++i) pipe.info_at(7200, "x");
+  pipe.info_at(3600, "an hour earlier");
+  CHECK_THAT(pipe.read_all(),
+             Catch::EndsWith("warning 1 log lines were dropped: too many, or read too slowly\n"
+                             "info an hour earlier\n"));
+}
+
 TEST_CASE("a line longer than a pipe takes at once is cut at its end") {
   LoggedPipe pipe;
   pipe.log().warn("{}", std::string(20000, 'y'));

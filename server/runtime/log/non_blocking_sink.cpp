@@ -16,7 +16,9 @@ bool NonBlockingSink::within_budget(const spdlog::details::log_msg& message) {
   if (message.level != spdlog::level::info ||
       std::string_view{message.logger_name.data(), message.logger_name.size()} != kClientLogger)
     return true;
-  if (message.time - second_ >= std::chrono::seconds{1}) {
+  // A clock that was set back begins a second, too: the budget would otherwise stay spent until it has caught
+  // up.
+  if (message.time < second_ || message.time - second_ >= std::chrono::seconds{1}) {
     second_ = message.time;
     info_lines_ = 0;
   }
