@@ -302,7 +302,7 @@ TEST_CASE("a killed pregen is continued, and its land equals the land of a serve
     return ended.out;
   };
   std::vector<std::string> killed = pregen;
-  for (const char* const flag : {"--world", settings.at("TALUS_WORLD").c_str(), "--share", "0.1"}) {
+  for (const char* const flag : {"--world", settings.at("TALUS_WORLD").c_str(), "--share", "0.005"}) {
     killed.emplace_back(flag);
   }
   std::mt19937_64 random{std::random_device{}()};
