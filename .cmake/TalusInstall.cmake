@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(installed talus_vectors talus_voxel talus_edits talus_protocol talus_tls talus_websocket)
 install(DIRECTORY core/vectors/include/ core/voxel/include/ core/edits/include/ protocol/include/ protocol/tls/include/ protocol/websocket/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  PATTERN tables.h EXCLUDE PATTERN vectors-inl.h EXCLUDE)  # what only kernel sources need
+  PATTERN exact_floats.h EXCLUDE PATTERN little_endian.h EXCLUDE PATTERN tables.h EXCLUDE PATTERN vectors-inl.h EXCLUDE)  # what only sources need
 install(FILES ${PROJECT_BINARY_DIR}/protocol/generated/talus/protocol/talus_generated.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/protocol)
 install(FILES protocol/schema/talus.fbs DESTINATION ${CMAKE_INSTALL_DATADIR}/talus)

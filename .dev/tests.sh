@@ -174,9 +174,9 @@ by_clang() {
 }
 
 # golden [--all | TARGET...]: the voxels and payloads of tests/golden/golden.txt on other machines; what this one does not run
-# itself runs in an emulator.
+# itself runs in an emulator. "undefined" is this machine, under clang's undefined-behaviour sanitizer.
 golden() {
-  local all=(x86-64 aarch64 armhf i386 riscv64 ppc64le s390x windows wasm-simd wasm-scalar) targets=() target failed=0 rows=()
+  local all=(x86-64 aarch64 armhf i386 riscv64 ppc64le s390x windows wasm-simd wasm-scalar undefined) targets=() target failed=0 rows=()
   while (($#)); do
     if [[ "$1" == --all ]]; then
       targets=("${all[@]}")
@@ -196,11 +196,12 @@ golden() {
 
 # golden_on TARGET: adds its rows, and sets `failed` if its voxels differ.
 golden_on() {
-  local target="$1" groups=(build clang) vectors=("") preset="golden-$1" option test_of="^golden: $1\$" log
+  local target="$1" groups=(build) vectors=("") preset="golden-$1" option test_of="^golden: $1\$" log
   case "$target" in
     x86-64) preset=release vectors=(scalar sse4 avx2 avx512) ;;
     aarch64) groups+=(aarch) ;;
     wasm-*) groups+=(wasm); node_tools ;;
+    undefined) groups+=(clang) ;;
     *) groups+=(cross) ;;
   esac
   deps "${groups[@]}"
@@ -215,7 +216,7 @@ golden_on() {
     [[ -z "$option" ]] || test_of="^golden: O3 $option\$"
     log="out/golden/$target${option:+-$option}.txt"
     say "running golden on $target${option:+ by $option}"
-    if ctest --test-dir "build/$preset" -V -R "$test_of" >"$log" 2>&1; then
+    if ctest --test-dir "build/$preset" --no-tests=error -V -R "$test_of" >"$log" 2>&1; then
       if grep -q 'skipped: ' "$log"; then
         rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "not run: this processor has no $option (./dev avx512 emulates it)")")
       else

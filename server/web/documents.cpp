@@ -1,6 +1,8 @@
 #include "web/documents.h"
 
+#include <cstddef>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 

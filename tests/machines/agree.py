@@ -64,6 +64,10 @@ def bytes_of(path):
     return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
 
 
+def hash_in(stat):
+    return re.search(r'"[a-z_]*hash"\s*:\s*"([0-9a-f]{32})"', stat)[1]
+
+
 def seen(client, address, scratch, what):
     """What a client receives, as hashes and text."""
     result = {}
@@ -95,16 +99,18 @@ def played(server, client, world):
         with server.served(world, data) as address:
             result |= seen(client, address, scratch, "restarted")
         stat = server.run("server/talusd", "store", "stat", "--json", "--data", data)
-        result["hash of all edits"] = re.search(r'"[a-z_]*hash"\s*:\s*"([0-9a-f]{32})"', stat)[1]
+        result["hash of all edits"] = hash_in(stat)
         server.run("server/talusd", "store", "verify", "--data", data)
         file = scratch / "edits"
         server.run("server/talusd", "store", "export", "--data", data, file)
         # Each machine reads what the other has written.
+        imported = set()
         for reader in {server, client}:
             moved = scratch / f"moved-{reader.name}"
             reader.run("server/talusd", "store", "import", "--data", moved, "--world", world, file)
             again = reader.run("server/talusd", "store", "stat", "--json", "--data", moved)
-            result[f"imported by {'either'}"] = re.search(r'"[a-z_]*hash"\s*:\s*"([0-9a-f]{32})"', again)[1]
+            imported.add(hash_in(again))
+        result["imported"] = sorted(imported)
     return result
 
 

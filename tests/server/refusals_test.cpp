@@ -35,6 +35,17 @@ struct Bench {
     client.connect(acceptor.local_endpoint());
     return {std::move(client), acceptor.accept()};
   }
+  /// Returns `count` clients that have been refused and read nothing.
+  [[nodiscard]] std::vector<tcp::socket> refused(std::size_t count) {
+    std::vector<tcp::socket> clients;
+    for (std::size_t i = 0; i < count; ++i) {
+      auto [client, socket] = connect();
+      refuse(std::move(socket));
+      clients.push_back(std::move(client));
+    }
+    io.poll();
+    return clients;
+  }
   /// Bytes that a client is sent before the end.
   [[nodiscard]] std::size_t bytes_of_refusal(FlowId flow = FlowId{1}) {
     auto [client, socket] = connect();
@@ -59,13 +70,7 @@ TEST_CASE("a refused client gets the reason") {
 
 TEST_CASE("more refusals than may be in flight are closed without a word, until one has ended") {
   Bench bench;
-  std::vector<tcp::socket> clients;
-  for (std::size_t i = 0; i < Refusals::kMax; ++i) {
-    auto [client, socket] = bench.connect();
-    bench.refuse(std::move(socket));
-    clients.push_back(std::move(client));
-  }
-  bench.io.poll();
+  auto clients = bench.refused(Refusals::kMax);
   CHECK(bench.bytes_of_refusal() == 0);
   clients.clear();
   bench.io.restart();
@@ -75,26 +80,14 @@ TEST_CASE("more refusals than may be in flight are closed without a word, until 
 
 TEST_CASE("refusals of one flow leave room for those of others") {
   Bench bench;
-  std::vector<tcp::socket> clients;
-  for (std::size_t i = 0; i < Refusals::kMax; ++i) {
-    auto [client, socket] = bench.connect();
-    bench.refuse(std::move(socket));
-    clients.push_back(std::move(client));
-  }
-  bench.io.poll();
+  const auto clients = bench.refused(Refusals::kMax);
   CHECK(bench.bytes_of_refusal(FlowId{2}) > 0);
 }
 
 TEST_CASE("on spare descriptors only a few clients get a reason, and others are closed at once") {
   Bench bench;
   const DescriptorsLeft few{kSpareDescriptors};
-  std::vector<tcp::socket> clients;
-  for (std::size_t i = 0; i < Refusals::kMaxSpare; ++i) {
-    auto [client, socket] = bench.connect();
-    bench.refuse(std::move(socket));
-    clients.push_back(std::move(client));
-  }
-  bench.io.poll();
+  auto clients = bench.refused(Refusals::kMaxSpare);
   CHECK(bench.bytes_of_refusal() == 0);
   clients.clear();
   bench.io.restart();

@@ -1,5 +1,7 @@
 // The kernels of every instruction set that this processor has do what the scalar ones do.
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 #include <tuple>
 #include <vector>
 

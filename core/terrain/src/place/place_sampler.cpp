@@ -1,6 +1,7 @@
 #include <talus/terrain/places.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 

@@ -1,10 +1,13 @@
 #include "spec/canonical_form.h"
 
 #include <bit>
+#include <cstddef>
 #include <initializer_list>
 #include <iomanip>
 #include <locale>
+#include <span>
 #include <sstream>
+#include <vector>
 
 #define XXH_STATIC_LINKING_ONLY
 #include <xxhash.h>
