@@ -6,16 +6,18 @@
 //
 // COMPARED chunks were ever edited; CHUNKS and VOXELS of them differ from the generated ones. The world is
 // the one built into talusd. FILE must have every revision from 1 on: an edit without one happened, and its
-// builder was never told.
+// builder was never told. A comparison that fails is repeated if FILE has grown since it was read.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -131,7 +133,7 @@ std::vector<client::ReceivedChunk> ask(const Model& model, const std::string& ho
   return answers;
 }
 
-void run(const std::string& file, const std::string& host, const std::string& port) {
+void compare(const std::string& file, const std::string& host, const std::string& port) {
   const Model model = replay(read_writes(file));
   const auto answers = ask(model, host, port);
   std::size_t place = 0;
@@ -164,6 +166,19 @@ void run(const std::string& file, const std::string& host, const std::string& po
     hash.add(coord, overrides);
   }
   fmt::print("{} {} {} {} {}\n", model.size(), differing, voxels, revision, edits::to_string(hash));
+}
+
+/// Edits that were acknowledged while the server was asked are in the file by now.
+void run(const std::string& file, const std::string& host, const std::string& port) {
+  for (;;) {
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(file, ignored);
+    try {
+      return compare(file, host, port);
+    } catch (const Failure&) {
+      if (std::filesystem::file_size(file, ignored) == bytes) throw;
+    }
+  }
 }
 
 }  // namespace
