@@ -78,3 +78,19 @@ TEST_CASE("the nearest chunks are begun however many far ones wait, and no other
   CHECK(near == 9);
   CHECK(bench.source.waiting.size() == Delivery::kMaxViewInFlight + 9);
 }
+
+TEST_CASE("the nearest chunks leave before far ones that the client has not taken, however a player moves") {
+  SessionBench bench;
+  bench.move_view(0, 20, 1);
+  const std::size_t far = bench.source.waiting.size();
+  REQUIRE(far >= Delivery::kMaxViewInFlight);
+  bench.answer_all();
+  bench.move_view(12, 20, 1);
+  bench.answer_all();
+  const auto sent = bench.output();
+  REQUIRE(sent.size() == far + 27);
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    CAPTURE(i);
+    CHECK(is_near(sent[i].key, 12) == (i < 27));
+  }
+}

@@ -47,7 +47,9 @@ std::size_t Delivery::apply_view() {
   queue_full_ = false;  // the new View may need no place in the queue
   view_.apply();
   const std::size_t dropped = drop_what_left_view();
-  const auto came_near = waits_.hasten_where([this](ChunkKey key) { return view_.stream().is_near(key); });
+  const auto is_near = [this](ChunkKey key) { return view_.stream().is_near(key); };
+  outbox_.move_first(is_near);
+  const auto came_near = waits_.hasten_where(is_near);
   if (!came_near.empty()) context_.chunks.hasten(mailbox_->owner(), came_near);
   context_.chunks.set_wanted(mailbox_, view_.ahead());
   return dropped;
@@ -279,7 +281,12 @@ void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
 }
 
 void Delivery::send_view_chunk(ChunkKey key, EncodedChunkPtr chunk) {
-  if (!confirm_view(key, *chunk)) outbox_.push_chunk({0, key, std::move(chunk)});
+  if (confirm_view(key, *chunk)) return;
+  outbox_.push_chunk({0, key, std::move(chunk)});
+  // Far chunks that the client is slow to take do not delay it.
+  if (view_.stream().is_near(key)) {
+    outbox_.move_first([this](ChunkKey queued) { return view_.stream().is_near(queued); });
+  }
 }
 
 bool Delivery::confirm_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,

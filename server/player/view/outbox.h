@@ -5,6 +5,7 @@
 // Chunks are shared with the cache, not copied. No I/O.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -46,6 +47,12 @@ class Outbox {
   /// An update that took its turn goes as the whole chunk, in another turn.
   void push_resend(ChunkKey key) { resends_.push_back(key); }
   void push_chunk(Entry&& entry);
+  /// Of the View's chunks, those for which `goes_first(key)` returns true go before the others, in the order
+  /// in which they came.
+  template <typename GoesFirst>
+  void move_first(GoesFirst&& goes_first) {
+    std::ranges::stable_partition(view_.entries, goes_first, &Entry::key);
+  }
 
   /// Removes the chunks for which `unwanted(entry)` returns true. Returns how many.
   template <typename Unwanted>
