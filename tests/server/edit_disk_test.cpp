@@ -1,4 +1,5 @@
 // Disks that are full, or fail for a while: edits wait, nothing is lost, nothing happens twice.
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
@@ -96,6 +97,70 @@ TEST_CASE(
     trouble.store.close();
     REQUIRE(trouble.store.open_without_log() == "");
     trouble.check();
+  }
+}
+
+TEST_CASE("after a write that failed nothing reaches the log until the store is opened again") {
+  const bool is_full = GENERATE(true, false);  // else it does not sync
+  Trouble trouble{11};
+  trouble.store.database_settings.log_elsewhere = is_full;
+  REQUIRE(trouble.store.open_without_log() == "");
+  store::EditDatabase& database = trouble.store.database();
+  const auto append = [&] {
+    const EditState::Reader reading{trouble.store.state()};
+    edits::Batch batch{reading, trouble.store.state().editors(), trouble.store.state().head(), 1};
+    batch.apply(edits::AttachEntry{trouble.editor.id, 1, ""});
+    return database.append(batch);
+  };
+  is_full ? trouble.disk->fill_after(10) : trouble.disk->fail_sync_after(0);
+  REQUIRE_FALSE(append());
+  trouble.disk->empty();
+  trouble.disk->mend();
+  // RocksDB resumes by itself once there is space, on a thread of its own.
+  for (int i = 0; i < 200; ++i) {
+    const auto synced = database.sync_log();
+    REQUIRE_FALSE(synced);
+    CHECK_THAT(synced.error(), Catch::Contains("until the store is opened again"));
+    REQUIRE_FALSE(append());
+    REQUIRE_FALSE(database.settle());
+    std::this_thread::yield();
+  }
+  REQUIRE(database.recover());
+  REQUIRE(append());
+  CHECK(database.sync_log());
+}
+
+TEST_CASE("a disk that fills up while another thread syncs the log ends neither the process nor the store") {
+  const std::uint64_t seed = std::random_device{}();
+  CAPTURE(seed);
+  for (std::uint64_t round = 0; round < 40; ++round) {
+    Trouble trouble{seed + round};
+    trouble.store.database_settings.log_elsewhere = true;
+    REQUIRE(trouble.store.open_without_log() == "");
+    store::EditDatabase& database = trouble.store.database();
+    EditState& state = trouble.store.state();
+    std::atomic<bool> ends{false};
+    std::thread syncer{[&] {
+      while (!ends) (void)database.sync_log();
+    }};
+    const bool fills = round % 2 == 0;
+    const auto after = static_cast<std::int64_t>(trouble.random() % (fills ? 100'000 : 60));
+    fills ? trouble.disk->fill_after(after) : trouble.disk->fail_sync_after(after);
+    const EditState::Reader reading{state};
+    std::uint64_t appended = 0;
+    for (store::EditDatabase::Status stored; stored; appended += stored ? 1 : 0) {
+      edits::Batch batch{reading, state.editors(), state.head(), 1};
+      batch.apply(edits::AttachEntry{{appended + 1, 1}, 1, std::string(200, 'x')});
+      stored = database.append(batch);
+      if (stored) (void)state.commit(std::move(batch));
+    }
+    ends = true;
+    syncer.join();
+    trouble.disk->empty();
+    trouble.disk->mend();
+    REQUIRE(database.recover());
+    CHECK(database.meta().head.position == appended);
+    CHECK(database.sync());
   }
 }
 

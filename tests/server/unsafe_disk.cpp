@@ -320,12 +320,3 @@ void UnsafeDisk::restart() {
 }
 
 }  // namespace talus::server::testing
-
-// RocksDB loses the memtable that it had begun where the disk fails before the memtable is in use: in its own
-// recovery, and in a write that begins a new log.
-#if defined(__SANITIZE_ADDRESS__)
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:rocksdb::DBImpl::ResumeImpl\nleak:rocksdb::DBImpl::SwitchMemtable\n";
-}
-#endif

@@ -19,6 +19,7 @@
 #include <talus/store/rename_check.h>
 #include <talus/store/rocks.h>
 #include <talus/store/store_identity.h>
+#include <talus/store/write_failure.h>
 
 namespace talus::store {
 namespace {
@@ -111,6 +112,7 @@ EditDatabase::Status EditDatabase::open_database() {
   if (opened) {
     db_ = std::move(opened->db);
     rocks_parts_ = std::move(opened->parts);
+    write_failure_ = std::move(opened->failure);
     dropped_ = std::move(opened->dropped);
     return {};
   }
@@ -313,9 +315,8 @@ EditDatabase::SyncPoint EditDatabase::begin_sync() {
 
 EditDatabase::Status EditDatabase::sync_log() const {
   const std::shared_lock lock{copying_};
-  if (!db_) return failure("the store is closed after a disk error");
-  if (const auto synced = db_->SyncWAL(); !synced.ok()) return failure(synced.ToString());
-  return {};
+  if (auto open = check_written({}); !open) return open;
+  return check_written(db_->SyncWAL());
 }
 
 void EditDatabase::end_sync(const SyncPoint& written) {
@@ -404,11 +405,8 @@ EditDatabase::Status EditDatabase::mark_flushed(std::uint64_t position) {
 }
 
 EditDatabase::Status EditDatabase::settle() {
-  if (!db_) return failure("the store is closed after a disk error");
-  rocksdb::Status status = db_->FlushWAL(true);
-  if (status.ok()) status = db_->Flush({});
-  if (!status.ok()) return failure(status.ToString());
-  return {};
+  if (auto synced = sync_log(); !synced) return synced;
+  return check_written(db_->Flush({}));
 }
 
 EditDatabase::Status EditDatabase::recover() {
@@ -520,14 +518,21 @@ EditDatabase::Status EditDatabase::name_generated(const edits::MaterialIds& mate
 }
 
 EditDatabase::Status EditDatabase::write(rocksdb::WriteBatch& batch, bool sync) {
-  if (!db_) return failure("the store is closed after a disk error");
+  if (auto open = check_written({}); !open) return open;
   rocksdb::WriteOptions options;
   options.sync = sync;
   const auto status = db_->Write(options, &batch);
   if (status.IsCorruption() && damage_.empty()) find_damage(status);
   if (!damage_.empty()) return tl::unexpected{damage_};
-  if (!status.ok()) return failure(status.ToString());
-  return {};
+  return check_written(status);
+}
+
+EditDatabase::Status EditDatabase::check_written(const rocksdb::Status& status) const {
+  if (!db_) return failure("the store is closed after a disk error");
+  if (!status.ok()) write_failure_->set(status);
+  if (!write_failure_->is_set()) return {};
+  return failure(write_failure_->get().ToString() +
+                 "; nothing more is written until the store is opened again");
 }
 
 void EditDatabase::find_damage(const rocksdb::Status& status) {

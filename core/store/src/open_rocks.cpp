@@ -17,6 +17,7 @@
 #include <talus/store/store_reader.h>
 
 #include "log_damage.h"
+#include "log_guard.h"
 
 namespace talus::store {
 namespace {
@@ -96,6 +97,8 @@ class ShortManifest final : public rocksdb::FileSystemWrapper {
 struct Parts {
   LogOrder order;
   std::shared_ptr<rocksdb::Env> short_manifest;
+  std::shared_ptr<WriteFailure> failure = std::make_shared<WriteFailure>();
+  std::unique_ptr<rocksdb::Env> guarded;
 };
 
 /// Opens one database, in several ways until one is right.
@@ -130,9 +133,19 @@ class Opener {
     rocksdb::Options options = rocks_options(settings_, create);
     options.wal_filter = &parts_->order;
     rocksdb::DB* db = nullptr;
-    auto status = use == RocksUse::read ? rocksdb::DB::OpenForReadOnly(options, path_, &db)
-                                        : rocksdb::DB::Open(options, path_, &db);
+    if (use == RocksUse::read) {
+      auto status = rocksdb::DB::OpenForReadOnly(options, path_, &db);
+      db_.reset(db);
+      return status;
+    }
+    parts_->guarded = guard_log(*options.env, path_, parts_->failure);
+    options.env = parts_->guarded.get();
+    options.listeners.push_back(without_recovery(parts_->failure));
+    options.max_bgerror_resume_count = 0;
+    auto status = rocksdb::DB::Open(options, path_, &db);
     db_.reset(db);
+    if (parts_->failure->is_set()) status = parts_->failure->get();
+    if (!status.ok()) db_.reset();
     return status;
   }
 
@@ -206,7 +219,10 @@ class Opener {
         RocksFailure{status, fmt::format("edits {}: the database does not open: {}{}; {}", store_.string(),
                                          status.ToString(), more, remedy_for(status))}};
   }
-  [[nodiscard]] OpenedRocks take() { return {std::move(parts_), std::move(db_), std::move(dropped_)}; }
+  [[nodiscard]] OpenedRocks take() {
+    auto failure = parts_->failure;
+    return {std::move(parts_), std::move(db_), std::move(failure), std::move(dropped_)};
+  }
 
   const std::filesystem::path& store_;
   const std::string path_;

@@ -31,6 +31,12 @@ tl::unexpected<std::string> whole_failure(const std::filesystem::path& path, con
   return tl::unexpected{fmt::format("edits {}: {}", path.string(), status.ToString())};
 }
 
+/// Closes the database unless `done`, what was done with it, failed. Returns the first error.
+rocksdb::Status close(const OpenedRocks& opened, rocksdb::Status done) {
+  if (done.ok()) done = opened.db->Close();
+  return opened.failure->is_set() ? opened.failure->get() : done;
+}
+
 /// Changes only the store's meta, and syncs.
 template <typename Change>
 tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& path, const Change& change) {
@@ -48,10 +54,8 @@ tl::expected<StoreMeta, std::string> change_meta(const std::filesystem::path& pa
   encode(meta, value);
   rocksdb::WriteOptions synced;
   synced.sync = true;
-  if (const auto status = db->db->Put(synced, meta_key(), as_slice(value)); !status.ok()) {
-    return whole_failure(path, status);
-  }
-  if (const auto status = db->db->Close(); !status.ok()) return whole_failure(path, status);
+  const auto status = close(*db, db->db->Put(synced, meta_key(), as_slice(value)));
+  if (!status.ok()) return whole_failure(path, status);
   return meta;
 }
 
@@ -66,7 +70,7 @@ tl::expected<std::filesystem::path, std::string> stage_copy(const std::filesyste
   rocksdb::Status status = rocksdb::Checkpoint::Create(db->db.get(), &made);
   const std::unique_ptr<rocksdb::Checkpoint> checkpoint{made};
   if (status.ok()) status = checkpoint->CreateCheckpoint((*staging / "db").string(), UINT64_MAX);
-  if (status.ok()) status = db->db->Close();
+  status = close(*db, status);
   if (!status.ok()) return whole_failure(path, status);
   return staging;
 }
@@ -99,8 +103,7 @@ tl::expected<void, std::string> compact(const std::filesystem::path& path) {
   if (const auto whole = check_whole_store(path, **meta); !whole) return whole;
   rocksdb::CompactRangeOptions all;
   all.bottommost_level_compaction = rocksdb::BottommostLevelCompaction::kForce;
-  rocksdb::Status status = db->db->CompactRange(all, nullptr, nullptr);
-  if (status.ok()) status = db->db->Close();
+  const auto status = close(*db, db->db->CompactRange(all, nullptr, nullptr));
   if (!status.ok()) return whole_failure(path, status);
   return {};
 }

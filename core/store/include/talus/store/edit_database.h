@@ -34,6 +34,8 @@ class WriteBatch;
 
 namespace talus::store {
 
+class WriteFailure;
+
 /// Flushed records are kept as history within both limits; age is measured by the log's time.
 struct HistoryLimits {
   std::uint64_t bytes = std::uint64_t{1} << 30U;
@@ -205,6 +207,8 @@ class EditDatabase {
   [[nodiscard]] Status read_history();
   [[nodiscard]] Status drop_records_beyond();
   [[nodiscard]] Status write(rocksdb::WriteBatch& batch, bool sync);
+  /// Rejects the result of a write or sync, and all after it, once one failed or the store is closed.
+  [[nodiscard]] Status check_written(const rocksdb::Status& status) const;
   void find_damage(const rocksdb::Status& status);
   void put_material(const std::string& name, MaterialId id, rocksdb::WriteBatch& batch);
   void extend_history(const UnflushedBatch& flushed, std::uint64_t first, rocksdb::WriteBatch& batch);
@@ -216,6 +220,7 @@ class EditDatabase {
   mutable std::shared_mutex copying_;
   std::shared_ptr<const void> rocks_parts_;  // db_ refers to them
   std::unique_ptr<rocksdb::DB> db_;
+  std::shared_ptr<WriteFailure> write_failure_;  // of db_
   std::string dropped_;
   std::string damage_;
   bool was_there_ = false;  // the database existed when it was opened

@@ -9,12 +9,16 @@
 #include <tl/expected.hpp>
 
 #include <talus/store/rocks.h>
+#include <talus/store/write_failure.h>
 
 namespace talus::store {
 
 struct OpenedRocks {
   std::shared_ptr<const void> parts;  // the database refers to them
   std::unique_ptr<rocksdb::DB> db;
+  /// Set once a write, a sync or work in the background failed: a write or sync of `db` counts only if this
+  /// is not set after it, and none may follow.
+  std::shared_ptr<WriteFailure> failure;
   std::string dropped;  // one line about what was dropped; empty if nothing was
 };
 
