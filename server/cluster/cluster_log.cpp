@@ -15,7 +15,6 @@ namespace {
 using std::chrono::milliseconds;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kLastWait{2};
 /// A deposed leader may report fewer messages until it learns of that.
 constexpr std::chrono::seconds kSureOfShorter{15};
 
@@ -51,10 +50,10 @@ void ClusterLog::stop() {
   {
     std::unique_lock lock{mutex_};
     if (std::exchange(stopping_, true)) return;
-    // The applier answers entries.
-    const auto until = SteadyClock::now() + kLastWait;
-    while (applier_.joinable() && fault_.empty() && publisher_.takes() && publisher_.open() > 0 &&
-           SteadyClock::now() < until) {
+    // The applier answers entries, unless the store cannot be written.
+    const auto until = SteadyClock::now() + settings_.last_wait;
+    while (applier_.joinable() && fault_.empty() && !writer_.is_broken() && publisher_.takes() &&
+           publisher_.open() > 0 && SteadyClock::now() < until) {
       changed_.wait_for(lock, kSoon);
     }
     ending_ = true;

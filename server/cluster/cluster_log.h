@@ -49,6 +49,7 @@ class ClusterLog final : public EditLog {
     std::chrono::milliseconds sure_of_stuck{10'000};
     /// Time during which every answer must report another message in place of this server's last one.
     std::chrono::milliseconds sure_of_other{15'000};
+    std::chrono::milliseconds last_wait{2'000};  // of stop(), for answers
   };
   /// The referenced objects must outlive this; from here on only this changes `database` and `state`. The
   /// database must have log_elsewhere set.
@@ -74,7 +75,7 @@ class ClusterLog final : public EditLog {
 
   /// Starts the threads; call once.
   void start();
-  /// Rejects new entries, waits up to two seconds for accepted ones to be answered, flushes, stops the
+  /// Rejects new entries, waits up to `last_wait` for accepted ones to be answered, flushes, stops the
   /// stream, and ends the threads. Must not be called on a thread of the log.
   void stop();
 

@@ -37,7 +37,8 @@ void ClusterLog::apply_all() {
       const std::lock_guard lock{mutex_};
       faulty = !fault_.empty();
     }
-    if (faulty || writer_.has_batch()) {
+    // A store that is closed after a disk error does not tell whether a chunk can be read.
+    if (faulty || writer_.has_batch() || writer_.is_broken()) {
       // The store writer keeps running.
       const auto left = std::chrono::ceil<milliseconds>(writer_.next_poll() - SteadyClock::now());
       (void)pause(std::clamp(left, milliseconds{1}, kRetryOfFault));

@@ -66,7 +66,7 @@ class StoreWriter {
   /// Takes the callbacks of a batch whose write failed; they are not called here any more.
   [[nodiscard]] std::vector<EditLog::Callback> take_done();
 
-  /// True if writes fail now.
+  /// True if writes fail now. Any thread.
   [[nodiscard]] bool is_broken() const { return broken_; }
   /// True if edits must be refused.
   [[nodiscard]] bool refuses() const { return broken_ || disk_full_; }
@@ -117,8 +117,8 @@ class StoreWriter {
   Flusher flusher_;
   std::optional<PendingBatch> pending_;
   const store::StoreWatch watch_;
-  bool broken_ = false;  // a write failed, or would be lost
-  bool gone_ = false;    // broken_, because the store's files were deleted or replaced
+  std::atomic<bool> broken_{false};  // a write failed, or would be lost
+  bool gone_ = false;                // broken_, because the store's files were deleted or replaced
   bool disk_full_ = false;
   TimePoint next_flush_;
   TimePoint next_check_;

@@ -189,6 +189,52 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   CHECK(refused);
 }
 
+TEST_CASE(
+    "a store that is closed after a disk error is not lost, however long messages wait for its chunks") {
+  ClusterInMemory cluster{2};
+  ClusterNode& node = *cluster.nodes[1];
+  node.state_settings.cache_bytes = 0;
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  cluster.until_applied();
+  until([&] { return node.state().dirty_bytes() == 0; });
+  // The sync after the next batch fails, and so does each attempt to open the database again.
+  node.disk().fail_sync_after(0);
+  REQUIRE(answers.apply(cluster.log(0), attach(8)).has_value());
+  until([&] { return node.disk().failed_syncs() > 1; });
+  REQUIRE(answers.apply(cluster.log(0), write_at(2, 6)).has_value());
+  const std::int64_t before = node.disk().failed_syncs();
+  until([&] { return node.disk().failed_syncs() > before + 100 || cluster.lost_of(1).has_value(); });
+  CHECK_FALSE(cluster.lost_of(1).has_value());
+  node.disk().mend();
+  cluster.until_applied();
+  CHECK(cluster.log(1).status().head == cluster.log(0).status().head);
+}
+
+TEST_CASE("a server whose store cannot be written stops without waiting for answers") {
+  ClusterInMemory cluster{1};
+  ClusterNode& node = *cluster.nodes[0];
+  node.settings.last_wait = 3min;
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.until_applied();
+  // Another server's message, which cannot be written, comes before the entry's.
+  cluster.stream.set_quorum(false);
+  REQUIRE(answers.send(cluster.log(0), write_at(1, 5)).has_value());
+  node.disk().fill_after(0);
+  const std::vector<store::Bytes> other{bytes_of_entry(attach(8))};
+  const std::uint64_t before = cluster.stream.append(cluster::encode_batch(foreign_head(), nullptr, other));
+  cluster.stream.set_quorum(true);
+  until([&] { return cluster.stream.state().last > before; });
+  REQUIRE(cluster.log(0).status().waiting > 0);
+  const auto began = std::chrono::steady_clock::now();
+  node.close();
+  CHECK(std::chrono::steady_clock::now() - began < 1min);
+}
+
 TEST_CASE("a server has one number, however often it starts") {
   const ScratchDirectory scratch;
   const std::uint32_t number = cluster::server_number(scratch.path());

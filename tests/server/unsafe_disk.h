@@ -7,6 +7,7 @@
 //   rename that makes a new manifest the current one.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -39,6 +40,8 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   /// The sync after so many others fails, and those after it until mend().
   void fail_sync_after(std::int64_t syncs) { syncs_left_ = syncs; }
   void mend() { syncs_left_ = kMany; }
+  /// Since fail_sync_after().
+  [[nodiscard]] std::int64_t failed_syncs() const { return std::max<std::int64_t>(0, -syncs_left_); }
   /// What the disk says that it has free; none: the truth.
   void say_free(std::optional<std::uint64_t> bytes) {
     free_ = bytes ? static_cast<std::int64_t>(*bytes) : -1;
