@@ -37,7 +37,7 @@ inline constexpr std::array kPools{
          "a session whose client is 5 s behind 16 KiB/s, else one of the flow with most, if it has two, else "
          "one 1 s behind"},
     Pool{"io threads: frames, HTTP rounds", kSessions | kHttp, "`threads.io`",
-         "its rates; a connection's turn is 8 KiB, or 32 answers", ""},
+         "turns of 32 requests, 4 KiB of frames or 256 KiB of answers", ""},
     Pool{"io threads: Views", kSessions, "a quarter of each", "turns by time", ""},
     Pool{"generators: chunks, heights, map tiles", kSessions | kHttp, "`threads.generator`", "turns by time",
          "a piece, if it may wait"},

@@ -101,6 +101,7 @@ SessionRunner::SessionRunner(std::unique_ptr<SessionStream> stream, ConnectionIn
       watch_waits_{owner->executor, clock_},
       watchdog_{context_.limits.timeouts, connection_.accepted},
       view_turns_{asio::use_service<ViewTurns>(asio::query(owner->executor, asio::execution::context))},
+      io_turns_{asio::use_service<IoTurns>(asio::query(owner->executor, asio::execution::context))},
       reset_check_{kFirstResetCheck} {}
 
 void SessionRunner::start() {
@@ -164,6 +165,22 @@ void SessionRunner::clock_moved() {
   watch_waits_.notify();
 }
 
+// ---- turns
+
+void SessionRunner::Turn::take_turn() {
+  waits = false;
+  runner.guard([&] { (runner.*call)(); });
+}
+
+bool SessionRunner::may_go_on(Turn& turn, std::uint64_t cost) {
+  if (turn.waits) return false;
+  const FlowId flow = session_.flow().id();
+  if (io_turns_.go_on(flow, cost)) return true;
+  io_turns_.wait(flow, {shared_from_this(), &turn}, stream_->get_executor());
+  turn.waits = true;
+  return false;
+}
+
 // ---- input
 
 void SessionRunner::read() {
@@ -188,9 +205,17 @@ void SessionRunner::on_read(std::error_code failed, std::size_t bytes) {
     end_came_ = static_cast<bool>(failed);
     context_.session.metrics.received_bytes.add(bytes);
     filled_ += bytes;
-    if (paused_while_ == nullptr) take_input();
-    read();
+    read_ = true;
+    go_on_with_input();
   });
+}
+
+void SessionRunner::go_on_with_input() {
+  if (!open_) return;
+  if (read_ && !may_go_on(input_turn_)) return;
+  read_ = false;
+  if (paused_while_ == nullptr) take_input();
+  read();
 }
 
 void SessionRunner::input_broke(std::error_code failed) {
@@ -211,7 +236,7 @@ void SessionRunner::take_input() {
     pause_while(&SessionRunner::too_many_views);
   }
   if (session_.closing()) taken_ = filled_;
-  if (!open_ || paused_while_ != nullptr || !end_came_) return;
+  if (!open_ || paused_while_ != nullptr || input_turn_.waits || !end_came_) return;
   if (frames_.mid_frame()) {
     end("closed by the client inside a frame");
   } else {
@@ -220,12 +245,16 @@ void SessionRunner::take_input() {
 }
 
 void SessionRunner::take_frames() {
-  while (taken_ < filled_ && open_ && !session_.closing() && paused_while_ == nullptr) {
-    const auto taken = frames_.feed(std::span{input_}.subspan(taken_, filled_ - taken_));
-    if (!taken) return on_broken_frame(taken.error());
-    taken_ += *taken;
-    session_.holds_input(frames_.held_bytes());
-    if (!frames_.has_frame()) continue;
+  while ((taken_ < filled_ || frames_.has_frame()) && open_ && !session_.closing() &&
+         paused_while_ == nullptr) {
+    if (!frames_.has_frame()) {
+      const auto taken = frames_.feed(std::span{input_}.subspan(taken_, filled_ - taken_));
+      if (!taken) return on_broken_frame(taken.error());
+      taken_ += *taken;
+      session_.holds_input(frames_.held_bytes());
+      if (!frames_.has_frame()) continue;
+    }
+    if (!may_go_on(input_turn_, 1 + frames_.frame().size() / IoTurns::kFrameBytes)) return;
     const Clock::time_point came = now();
     watchdog_.frame_came(came);
     slot_->progress(came);
@@ -323,6 +352,7 @@ void SessionRunner::write() {
       if (session_.closing() && due == Clock::time_point::max()) return stream_->say_end(shared_from_this());
       return output_waits_.wait_until(due, guarded(&SessionRunner::write));
     }
+    if (!session_.has_little_to_write(kMaxImmediateBytes) && !may_go_on(output_turn_)) return;
     outgoing_.emplace(Outgoing{session_.take_output(batch_size_.bytes(), traits_.gather_from)});
     if (outgoing_->output.size() > 0) break;
     outgoing_.reset();  // another session of the address took the credit
@@ -336,6 +366,7 @@ void SessionRunner::write() {
   }
   out.pieces.front() += out.sent;
   out.write_waits = stream_->write_waits();
+  io_turns_.charge(session_.flow().id(), out.output.size() / IoTurns::kAnswerBytes);
   pump();
   watchdog_.writing(now());
   stream_->write_some(out.pieces, shared_from_this());

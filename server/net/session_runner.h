@@ -20,6 +20,7 @@
 
 #include <talus/protocol/frame.h>
 
+#include "net/io_turns.h"
 #include "net/registry.h"
 #include "net/runner_context.h"
 #include "net/session_stream.h"
@@ -64,9 +65,22 @@ class SessionRunner final : public Peer,
                 RunnerContextPtr context, const std::shared_ptr<Owner>& owner);
 
  private:
+  /// A part of the session's work that waits for a turn of its flow.
+  struct Turn final : IoTurns::Waiter {
+    Turn(SessionRunner& of, void (SessionRunner::*goes_on)()) : runner{of}, call{goes_on} {}
+    void take_turn() override;
+    SessionRunner& runner;
+    void (SessionRunner::*const call)();
+    bool waits = false;
+  };
+  /// Returns true if the flow may go on with a piece of this cost; else `turn` waits.
+  [[nodiscard]] bool may_go_on(Turn& turn, std::uint64_t cost = 1);
+
   /// Reads on if input_ has room, even while frames wait in it, so that most ends are noticed.
   void read();
   void on_read(std::error_code failed, std::size_t bytes) override;
+  /// Handles what was read, and reads on.
+  void go_on_with_input();
   void input_broke(std::error_code failed);
   /// Passes input to the session until it is taken or reading pauses.
   void take_input();
@@ -91,7 +105,7 @@ class SessionRunner final : public Peer,
   void apply_view_when_due();
 
   /// Begins the next write, or waits for output. Call it if no write is in flight and no wait in
-  /// output_waits_.
+  /// output_waits_ or output_turn_.
   void write();
   void on_written(std::error_code failed, std::size_t bytes) override;
   void on_end_said() override;
@@ -137,6 +151,9 @@ class SessionRunner final : public Peer,
   Watchdog watchdog_;
   ViewThrottle view_throttle_;
   ViewTurns& view_turns_;  // of the stream's thread
+  IoTurns& io_turns_;      // of the stream's thread
+  Turn input_turn_{*this, &SessionRunner::go_on_with_input};
+  Turn output_turn_{*this, &SessionRunner::write};
   WriteBatchSize batch_size_;
   struct Outgoing {
     Output output;
@@ -149,6 +166,7 @@ class SessionRunner final : public Peer,
   bool (SessionRunner::*paused_while_)() const = nullptr;
   bool resuming_ = false;
   bool reading_ = false;   // a read is in flight
+  bool read_ = false;      // and is not yet charged to the flow
   bool end_came_ = false;  // behind the input
   bool input_ended_ = false;
   bool output_ended_ = false;

@@ -32,6 +32,9 @@ class PlayerHandler final : public http::Handler {
 
   std::optional<http::Response> respond_now(const http::Request& request, Clock::time_point came) override;
   asio::awaitable<http::Response> respond(const http::Request& request) override;
+  [[nodiscard]] FlowId flow_of(const http::Request& request) const override {
+    return requester_.flow_of_client(request);
+  }
   http::Response refuse(const http::RequestError& error) override;
   void wrote(std::size_t bytes) override;
   void sent() override;

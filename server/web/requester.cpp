@@ -33,6 +33,12 @@ Requester::Requester(const WebContext& context, const ConnectionInfo& connection
   }
 }
 
+FlowId Requester::flow_of_client(const http::Request& request) const {
+  if (!connection_.through_proxy) return caller_->flow->id();
+  const auto address = forwarded_for(request.list("X-Forwarded-For"), context_.settings.proxies);
+  return address ? flow_id_of(counted_as(*address), shared_.flows.ids()) : FlowId{};
+}
+
 Answer Requester::find(const http::Request& request) {
   if (!connection_.through_proxy) return std::nullopt;
   const auto address = forwarded_for(request.list("X-Forwarded-For"), context_.settings.proxies);

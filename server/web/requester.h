@@ -29,6 +29,9 @@ class Requester {
   /// `context` outlives it. `slot`: the connection's admission slot.
   Requester(const WebContext& context, const ConnectionInfo& connection, Admission::Slot slot);
 
+  /// The flow of the request's client: the connection's own, or the one that a proxy names.
+  [[nodiscard]] FlowId flow_of_client(const http::Request& request) const;
+
   // ---- before a request is answered; each returns an error if it refuses the request
   /// Finds the client, if a proxy names it.
   [[nodiscard]] Answer find(const http::Request& request);

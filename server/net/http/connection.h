@@ -31,6 +31,7 @@
 #include "net/http/request_parser.h"
 #include "net/http/response.h"
 #include "net/http/service.h"
+#include "net/io_turns.h"
 #include "net/rounds.h"
 #include "net/stream.h"
 #include "net/timed_event.h"
@@ -40,7 +41,7 @@
 namespace talus::server::http {
 
 template <Stream S>
-class Connection : public std::enable_shared_from_this<Connection<S>> {
+class Connection final : public IoTurns::Waiter, public std::enable_shared_from_this<Connection<S>> {
  public:
   /// Takes over the stream after a response with status 101 is written, with the bytes already read.
   using TakeOver = std::function<void(S stream, std::span<const std::byte> unread)>;
@@ -53,7 +54,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
         parser_{service.bounds},
         rounds_{asio::use_service<Rounds<Connection>>(
             asio::query(stream_.get_executor(), asio::execution::context))},
+        turns_{asio::use_service<IoTurns>(asio::query(stream_.get_executor(), asio::execution::context))},
         watch_waits_{stream_.get_executor(), service.clock},
+        turn_comes_{stream_.get_executor(), service.clock},
         now_{service.clock.now()},
         last_active_{now_} {}
 
@@ -89,8 +92,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
 
   // Responses are gathered into one write up to this size.
   static constexpr std::size_t kBatchBytes = std::size_t{32} * 1024;
-  // Responses in a row before other handlers of the thread run.
-  static constexpr int kTurn = 32;
+  // Of a body that one write offers: the system copies it meanwhile.
+  static constexpr std::size_t kBodyPiece = std::size_t{128} * 1024;
   // Interval of checks for a hang-up while a request waits: its work is dropped if its client has gone.
   static constexpr std::chrono::milliseconds kHangUpCheck{250};
 
@@ -106,8 +109,8 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
       // Read after other connections with waiting requests: a client that answers quickly has sent its next
       // request by then. An immediate read would mostly find nothing and cost a system call.
       if (next == Next::input) return rounds_.enter(this->shared_from_this(), stream_.get_executor());
-      if (next == Next::turn) return asio::post(stream_.get_executor(), keeping(&Connection::take_turn));
     }
+    if (next == Next::turn) return turns_.wait(flow_, this->shared_from_this(), stream_.get_executor());
     asio::co_spawn(
         stream_.get_executor(), [self = this->shared_from_this(), next] { return self->serve(next); },
         keeping(&Connection::ended));
@@ -129,7 +132,11 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     between_requests_ = false;
     take_turn();
   }
-  void take_turn() {
+  void take_turn() override {
+    if (write_waits_ > 0) {
+      turns_.charge(flow_, std::exchange(write_waits_, 0));
+      return turn_comes_.notify();
+    }
     if (!open_) return;
     try {
       go_on(read_error_ ? Next::end : answer());
@@ -181,9 +188,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
           next = after_response();
           break;
         case Next::turn:
-          co_await asio::post(stream_.get_executor(), asio::use_awaitable);
-          next = answer();
-          break;
+          co_return go_on(next);
         case Next::hand_over:
           co_return co_await hand_over();
         case Next::end:
@@ -199,17 +204,21 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   /// Answers the requests that were read until it has to wait.
   [[nodiscard]] Next answer() {
     while (open_) {
-      const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
-      if (!taken) {
-        response_ = handler_->refuse(taken.error());
-        more_ = false;
-        return add(*response_, false, false) ? Next::end : Next::body;
+      if (!parser_.has_request()) {
+        const auto taken = parser_.feed(std::span{input_}.subspan(read_, filled_ - read_));
+        if (!taken) {
+          response_ = handler_->refuse(taken.error());
+          more_ = false;
+          return add(*response_, false, false) ? Next::end : Next::body;
+        }
+        read_ += *taken;
       }
-      read_ += *taken;
       if (!parser_.has_request()) {
         if (!output_.empty() && !write_now()) return Next::room;
         return finishing_ && !parser_.mid_request() ? Next::end : Next::input;
       }
+      flow_ = handler_->flow_of(parser_.request());
+      if (!turns_.go_on(flow_)) return Next::turn;
       response_ = respond_now(parser_.request());
       if (!response_) return Next::response;
       if (const Next next = take_response(); next != Next::request) return next;
@@ -231,9 +240,7 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     if (open_ && upgraded_) return Next::hand_over;
     if (!open_ || !more_) return Next::end;
     parser_.pop();
-    if (++in_turn_ < kTurn) return Next::request;
-    in_turn_ = 0;
-    return Next::turn;
+    return Next::request;
   }
 
   /// The result is meaningless if the connection has been closed.
@@ -315,22 +322,36 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
     return false;
   }
 
+  /// Waits until the client's flow may go on with a piece of this cost.
+  [[nodiscard]] asio::awaitable<void> wait_for_turn(std::uint64_t cost) {
+    if (turns_.go_on(flow_, cost)) co_return;
+    turns_.wait(flow_, this->shared_from_this(), stream_.get_executor());
+    for (write_waits_ = cost; write_waits_ > 0;) {
+      co_await turn_comes_.wait_until(Clock::time_point::max());
+    }
+  }
+
   /// Writes the output and then `body`.
   [[nodiscard]] asio::awaitable<void> write(std::string_view body) {
-    std::array<asio::const_buffer, 2> pieces{asio::buffer(output_), asio::buffer(body)};
+    asio::const_buffer head = asio::buffer(output_);
+    asio::const_buffer rest = asio::buffer(body);
     std::error_code failed;
     deadline_ = service_.clock.now() + service_.response_timeout;
-    while (!failed && pieces[0].size() + pieces[1].size() > 0) {
+    while (!failed && head.size() + rest.size() > 0) {
+      const asio::const_buffer part = asio::buffer(rest, kBodyPiece);
+      co_await wait_for_turn(1 + part.size() / IoTurns::kAnswerBytes);
+      if (!open_) co_return;
       auto token = asio::redirect_error(asio::use_awaitable, failed);
       std::size_t sent = 0;
-      if (pieces[1].size() == 0 || pieces[0].size() == 0) {  // a cheaper system call
-        sent = co_await stream_.async_write_some(pieces[pieces[0].size() == 0 ? 1 : 0], token);
+      if (rest.size() == 0 || head.size() == 0) {  // a cheaper system call
+        sent = co_await stream_.async_write_some(head.size() == 0 ? part : head, token);
       } else {
-        sent = co_await stream_.async_write_some(pieces, token);
+        sent = co_await stream_.async_write_some(std::array{head, part}, token);
       }
-      const std::size_t of_first = std::min(sent, pieces[0].size());
-      pieces[0] += of_first;
-      pieces[1] += sent - of_first;
+      const std::size_t of_head = std::min(sent, head.size());
+      head += of_head;
+      rest += sent - of_head;
+      turns_.give_back(flow_, part.size() / IoTurns::kAnswerBytes - (sent - of_head) / IoTurns::kAnswerBytes);
       last_active_ = now_ = service_.clock.now();
       deadline_ = last_active_ + service_.response_timeout;
       handler_->wrote(sent);
@@ -405,7 +426,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   const TakeOver take_over_;
   RequestParser parser_;
   Rounds<Connection>& rounds_;  // one for each io_context
+  IoTurns& turns_;
   TimedEvent watch_waits_;
+  TimedEvent turn_comes_;
   Clock::time_point now_;  // time of the last wait
   Clock::time_point last_active_;
   Clock::time_point deadline_;
@@ -417,8 +440,9 @@ class Connection : public std::enable_shared_from_this<Connection<S>> {
   std::optional<Response> response_;  // to the parser's request
   bool more_ = true;                  // further requests are answered
   bool upgraded_ = false;
-  int in_turn_ = 0;
-  bool reads_next_ = false;  // waits for the next request
+  FlowId flow_{};                  // of the last request
+  std::uint64_t write_waits_ = 0;  // cost of the write that waits for a turn
+  bool reads_next_ = false;        // waits for the next request
   std::error_code read_error_;
   std::size_t read_ = 0;  // offset in input_
   std::size_t filled_ = 0;

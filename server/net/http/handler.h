@@ -8,6 +8,7 @@
 
 #include <asio/awaitable.hpp>
 
+#include "limits/flows/flow_ids.h"
 #include "net/http/request.h"
 #include "net/http/response.h"
 #include "runtime/clock.h"
@@ -25,6 +26,9 @@ class Handler {
                                                             Clock::time_point came) = 0;
   /// `request` stays valid until the response is returned. The connection waits without a time-out.
   [[nodiscard]] virtual asio::awaitable<Response> respond(const Request& request) = 0;
+
+  /// The client that sent the request: its connections share turns of the io thread. By default all are one.
+  [[nodiscard]] virtual FlowId flow_of(const Request& /*request*/) const { return {}; }
 
   /// Returns the response to a malformed request. The connection closes after it.
   [[nodiscard]] virtual Response refuse(const RequestError& error) { return response_to(error); }

@@ -50,8 +50,8 @@ class WebSocketStream {
 
   [[nodiscard]] executor_type get_executor() { return state_->inner.get_executor(); }
 
-  /// Fails with an End if the client closes or breaks the protocol. Then call say_end(), which sends a Close
-  /// behind the frame that is being written.
+  /// Gives 0 bytes after control frames alone, which cost time too. Fails with an End if the client closes or
+  /// breaks the protocol. Then call say_end(), which sends a Close behind the frame that is being written.
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return asio::async_compose<Token, void(std::error_code, std::size_t)>(
@@ -177,10 +177,8 @@ class WebSocketStream {
       const End why = state->reader.end();
       if (why != End::none && !state->close_sent) state->close_waits = close_code(why);
       State::write_control(state);
-      if (payload > 0) return self.complete({}, payload);
-      if (why != End::none) return self.complete(why, 0);
-      if (!state->unread.empty()) return asio::post(state->inner.get_executor(), std::move(self));
-      state->inner.async_read_some(into, std::move(self));
+      if (payload > 0 || why == End::none) return self.complete({}, payload);
+      self.complete(why, 0);
     }
   };
 
