@@ -26,6 +26,9 @@ constexpr std::size_t kMaxImmediateBytes = 4096;
 constexpr std::chrono::milliseconds kFirstResetCheck{50};
 constexpr std::chrono::milliseconds kLastResetCheck{400};
 
+// From the last read to the first question whether a client that sends no more is gone.
+constexpr std::chrono::milliseconds kFirstQuestion{300};
+
 constexpr std::string_view kClosedByClient = "closed by the client";
 
 }  // namespace
@@ -194,6 +197,7 @@ void SessionRunner::read() {
     return;
   }
   reset_check_ = kFirstResetCheck;
+  ask_at_ = now() + kFirstQuestion;
   if (watch_waits_.deadline() > now() + reset_check_) watch_waits_.notify();
 }
 
@@ -432,7 +436,10 @@ void SessionRunner::watch() {
   using Verdict = Watchdog::Verdict;
   while (open_) {
     if (view_due() <= now()) apply_view();
-    if (!reading_ && stream_->peer_reset()) return end("the client reset the connection");
+    if (!reading_) {
+      if (stream_->peer_reset()) return end("the client reset the connection");
+      ask_whether_gone();
+    }
     switch (watchdog_.check(now())) {
       case Verdict::closed:
         end(end_reason_.empty() ? "closed" : end_reason_);
@@ -456,6 +463,13 @@ void SessionRunner::watch() {
         return watch_waits_.wait_until(next, guarded(&SessionRunner::watch));
     }
   }
+}
+
+void SessionRunner::ask_whether_gone() {
+  if (now() < ask_at_ || outgoing_ || output_turn_.waits) return;
+  if (!input_ended_ && !stream_->peer_hung_up()) return;
+  ask_at_ = now() + kLastResetCheck;
+  dispatch([](Session& session) { session.ask_whether_gone(); });
 }
 
 std::size_t SessionRunner::pump() {

@@ -116,6 +116,9 @@ class SessionRunner final : public Peer,
 
   /// Enforces time-outs, applies Views, and polls for a reset while nothing is read.
   void watch();
+  /// If the client has shut its sending side, and is sent nothing: sends it a frame without meaning. If it
+  /// has closed the connection, its system resets it as an answer.
+  void ask_whether_gone();
   /// Calls `call`. An exception ends only this connection.
   template <typename Call>
   void guard(Call&& call);
@@ -174,6 +177,7 @@ class SessionRunner final : public Peer,
   bool started_ = false;
   bool open_ = true;
   Clock::duration reset_check_;  // interval of polls for a reset
+  Clock::time_point ask_at_{};   // whether the client is gone
   std::string end_reason_;       // if reading failed
   std::size_t taken_ = 0;        // bytes of input_ that were passed on
   std::size_t filled_ = 0;

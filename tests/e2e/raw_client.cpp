@@ -19,6 +19,13 @@ namespace {
 
 constexpr int kPatienceMs = 60'000;
 
+/// Of a frame that a client who sends no more gets while it waits, so that TCP says if it is gone.
+bool says_nothing(std::span<const std::byte> frame) {
+  const auto message = protocol::read_message(frame);
+  const auto* const complete = message ? (*message)->body_as_ViewComplete() : nullptr;
+  return complete != nullptr && complete->number() == 0;
+}
+
 }  // namespace
 
 ReceivedFrame::ReceivedFrame(protocol::Frame frame) : frame_{std::move(frame)} {
@@ -168,7 +175,9 @@ void RawClient::take(std::span<std::byte> came) {
     REQUIRE(taken.has_value());
     bytes = bytes.subspan(*taken);
     if (!frames_.has_frame()) continue;
-    whole_.emplace_back(frames_.frame().begin(), frames_.frame().end());
+    if (!says_nothing(frames_.frame())) {
+      whole_.emplace_back(frames_.frame().begin(), frames_.frame().end());
+    }
     frames_.pop();
   }
 }

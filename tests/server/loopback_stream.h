@@ -61,6 +61,7 @@ class Loopback {
   bool closed = false;
   bool hung_up = false;  // says the system, whatever waits to be read
   bool reset = false;    // by the client, says the system
+  bool gone = false;     // its system resets the connection when it is sent something
 
   [[nodiscard]] std::string_view text() const {
     return {reinterpret_cast<const char*>(received.data()), received.size()};
@@ -144,6 +145,11 @@ class LoopbackStream {
     if (bytes == 0 && offered > 0) {
       ++loopback.write_waits_;
       return {};
+    }
+    if (loopback.gone) {
+      loopback.reset = true;
+      loopback.read_error = loopback.write_error = asio::error::connection_reset;
+      return {true, {}, bytes};
     }
     if (loopback.room != SIZE_MAX) loopback.room -= bytes;
     const std::size_t before = loopback.received.size();

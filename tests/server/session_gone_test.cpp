@@ -146,19 +146,45 @@ TEST_CASE("a client that resets its connection is gone within a second, whatever
   session.check_gone();
 }
 
-TEST_CASE("a client that shuts its sending side and then is gone ends with the next byte that it is sent") {
+TEST_CASE("a client that closes its connection is gone within a second, whatever its session waits for") {
   const auto* const state = GENERATE(from_range(kStates));
   const bool websocket = GENERATE(false, true);
   const bool much = GENERATE(false, true);
   CAPTURE(state, websocket, much);
   Waiting session{state, websocket, much};
-  session.client->room = SIZE_MAX;
+  session.client->room = SIZE_MAX;  // with bytes that it did not read, closing is a reset
+  session.client->gone = session.client->hung_up = true;
   session.client->end();
-  session.bench.io.poll();
-  // The system resets the connection as an answer to bytes that the client does not take.
-  session.reset();
-  session.bench.advance(500ms);
+  for (int i = 0; i < 20; ++i) session.bench.advance(50ms);
   session.check_gone();
+}
+
+TEST_CASE("a client that shuts its sending side and reads nothing is given up as a slow reader") {
+  const auto* const state = GENERATE(from_range(kStates));
+  const bool websocket = GENERATE(false, true);
+  const bool much = GENERATE(false, true);
+  CAPTURE(state, websocket, much);
+  Waiting session{state, websocket, much};
+  session.client->room = 0;
+  session.client->hung_up = true;
+  session.client->end();
+  for (int i = 0; i < 20; ++i) session.bench.advance(50ms);
+  session.bench.advance(15s);
+  session.bench.advance(2s);
+  session.check_gone();
+}
+
+TEST_CASE("a client that shuts its sending side and reads is served, however long it takes") {
+  const bool websocket = GENERATE(false, true);
+  const bool much = GENERATE(false, true);
+  CAPTURE(websocket, much);
+  Waiting session{"an edit", websocket, much};
+  session.client->hung_up = true;
+  session.client->end();
+  for (int i = 0; i < 1000; ++i) session.bench.advance(400ms);
+  CHECK_FALSE(session.client->closed);
+  session.answer_all();
+  CHECK((session.client->said_end || session.client->closed));
 }
 
 TEST_CASE("a client that closes its WebSocket is gone, whatever its session waits for") {

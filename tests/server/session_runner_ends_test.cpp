@@ -25,6 +25,7 @@ TEST_CASE("a client that shuts its sending side is served what it asked, then th
   CHECK_FALSE(client->closed);
   bench.advance(70s);  // that is no silence
   CHECK_FALSE(client->closed);
+  CHECK(bench.kinds(*client) == std::vector{wire::Body::ViewComplete});  // TCP would answer if it were gone
   while (!bench.source.waiting.empty()) bench.answer_all();
   CHECK(bench.kinds(*client) == std::vector(109, wire::Body::Chunk));
   CHECK(client->said_end);

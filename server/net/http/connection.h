@@ -408,16 +408,11 @@ class Connection final : public IoTurns::Waiter, public std::enable_shared_from_
   [[nodiscard]] asio::awaitable<void> watch() {
     const auto nap = std::min({service_.idle_timeout, service_.request_timeout, service_.response_timeout});
     for (auto now = service_.clock.now(); open_ && now < deadline_; now = service_.clock.now()) {
-      if (waiting_ && peer_hung_up()) break;
+      if (waiting_ && stream_.peer_hung_up()) break;
       const auto longest = waiting_ ? std::min(nap, kHangUpCheck) : nap;
       co_await watch_waits_.wait_until(std::min(deadline_, now + longest));
     }
     close();
-  }
-
-  [[nodiscard]] bool peer_hung_up() {
-    if constexpr (requires { stream_.peer_hung_up(); }) return stream_.peer_hung_up();
-    return false;
   }
 
   S stream_;

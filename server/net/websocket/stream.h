@@ -81,6 +81,7 @@ class WebSocketStream {
     return failed.category() == make_error_code(End::closed).category();
   }
   [[nodiscard]] bool peer_reset() { return state_->inner.peer_reset(); }
+  [[nodiscard]] bool peer_hung_up() { return state_->inner.peer_hung_up(); }
   void shutdown() { state_->inner.shutdown(); }
   void close() {
     state_->broken = true;

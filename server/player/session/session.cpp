@@ -151,6 +151,10 @@ void Session::input_ended() {
   close_if_served();
 }
 
+void Session::ask_whether_gone() {
+  if (greeting_ && !closing()) replies_.view_complete(0);
+}
+
 void Session::go_away(std::string_view reason, std::chrono::milliseconds retry_after) {
   if (state_ == State::leaving || state_ == State::closed) return;
   if (state_ == State::connected) {  // as to a client that finds the server full

@@ -89,6 +89,8 @@ class Session {
   /// The client sends no more frames but still reads. It can no longer give credit, so credit is not required
   /// from here on.
   void input_ended();
+  /// Sends a ViewComplete of no View, while the client waits for an answer.
+  void ask_whether_gone();
   /// Sends GoAway and ends the View; accepts no more requests. Before Welcome it sends an Error instead.
   void go_away(std::string_view reason, std::chrono::milliseconds retry_after);
   /// Ends the session, as another flow needs a part of what it holds. `text`: the Error's.
