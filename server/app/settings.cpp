@@ -122,8 +122,12 @@ RunnerLimits runner_limits(const Config& config) {
 
 HandshakeSettings handshake_settings(const Config& config) {
   const Limits& limits = config.limits;
-  return {limits.handshakes_per_address_per_second, limits.handshakes_per_address_burst,
-          limits.handshakes_in_flight, limits.handshake_timeout, config.proxies};
+  return {.per_address_per_second = limits.handshakes_per_address_per_second,
+          .per_address_burst = limits.handshakes_per_address_burst,
+          .max_in_flight = limits.handshakes_in_flight,
+          .timeout = limits.handshake_timeout,
+          .proxies = config.proxies,
+          .silence = std::max(limits.idle_timeout, limits.write_timeout)};
 }
 
 HandshakeSettings web_handshake_settings(const Config& config) {

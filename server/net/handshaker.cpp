@@ -96,6 +96,7 @@ Handshaker::Handshaker(const HandshakeSettings& settings, Admission& admission, 
       per_address_per_second_{settings.per_address_per_second},
       max_in_flight_{settings.max_in_flight},
       timeout_{settings.timeout},
+      silence_{settings.silence},
       admission_{admission},
       access_{access},
       flows_{flows},
@@ -112,6 +113,7 @@ void Handshaker::change(const HandshakeSettings& settings) {
   per_address_per_second_ = settings.per_address_per_second;
   max_in_flight_ = settings.max_in_flight;
   timeout_ = settings.timeout;
+  silence_ = settings.silence;
   rate_.change(settings.per_address_per_second, settings.per_address_burst);
 }
 
@@ -298,11 +300,12 @@ void Handshaker::accept(PendingConnection& pending) {
   pending.memory.hold(0);  // charged to the session from here on
   ConnectionInfo info{pending.id, to_text(pending.client), pending.accepted, pending.through_proxy,
                       pending.proxy_port};
+  TcpStream& transport = pending.secured ? pending.secured->transport() : *pending.stream;
+  transport.prefer_latency();
+  if (const milliseconds silence = silence_; silence.count() > 0) transport.give_up_after(silence);
   if (pending.secured) {
-    pending.secured->transport().prefer_latency();
     on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.secured)});
   } else {
-    pending.stream->prefer_latency();
     on_accepted_({std::move(info), *std::move(pending.slot), *std::move(pending.stream)});
   }
 }

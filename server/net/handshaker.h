@@ -41,6 +41,8 @@ struct HandshakeSettings {
   /// True if proxies may omit it, as their connections carry requests of many clients. The connection then
   /// belongs to the proxy: ConnectionInfo::through_proxy.
   bool header_optional = false;
+  /// A connection is reset if the client's system answers nothing for this time; 0: the system's.
+  std::chrono::milliseconds silence{};
 };
 
 /// Makes the message sent to a refused client before it is disconnected.
@@ -104,6 +106,7 @@ class Handshaker {
   std::atomic<std::uint64_t> per_address_per_second_;
   std::atomic<std::uint64_t> max_in_flight_;
   std::atomic<std::chrono::milliseconds> timeout_;
+  std::atomic<std::chrono::milliseconds> silence_;
   Admission& admission_;
   const AccessControl& access_;
   FlowUses& flows_;

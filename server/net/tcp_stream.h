@@ -3,6 +3,7 @@
 
 #include <poll.h>
 
+#include <chrono>
 #include <cstddef>
 #include <utility>
 
@@ -28,6 +29,9 @@ class TcpStream {
   /// Sends small writes at once, and lets the kernel hold few unsent bytes: newer output cannot overtake
   /// them.
   void prefer_latency();
+
+  /// The connection is reset if the peer's system answers nothing for this time, also while nothing is sent.
+  void give_up_after(std::chrono::milliseconds silence);
 
   template <typename Buffers, typename Token>
   auto async_read_some(const Buffers& buffers, Token&& token) {

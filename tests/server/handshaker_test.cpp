@@ -1,10 +1,14 @@
 // Handshakes over real sockets: proxies, limits, rates, TLS.
 #include "net/handshaker.h"
 
+#include <linux/filter.h>
 #include <signal.h>
+#include <sys/socket.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <exception>
+#include <semaphore>
 #include <thread>
 
 #include <talus/protocol/frame.h>
@@ -83,7 +87,7 @@ struct Bench {
                      const bool secured = std::holds_alternative<TlsStream>(accepted.stream);
                      auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
                      asio::co_spawn(io, secured ? echo<TlsStream>(held) : echo<TcpStream>(held),
-                                    asio::detached);
+                                    [this](const std::exception_ptr&) { left.release(); });
                    }} {
     ::signal(SIGPIPE, SIG_IGN);
     if (with_tls) {
@@ -114,7 +118,8 @@ struct Bench {
     (void)lists.write("blocked", who + "\n");
     REQUIRE(access.reload(access_settings).has_value());
   }
-  std::atomic<int> proxy_port{-2};  // of who was accepted last; -1: it came directly
+  std::counting_semaphore<> left{0};  // connections that were accepted and have ended
+  std::atomic<int> proxy_port{-2};    // of who was accepted last; -1: it came directly
   [[nodiscard]] std::uint64_t refused(Refusal why) { return metrics.refused_for(why).total(); }
 
   TestCertificate own = make_certificate(1);
@@ -201,6 +206,30 @@ TEST_CASE("a plain client comes in, under its own address") {
   Bench bench;
   Client client{bench};
   CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
+}
+
+TEST_CASE("a client whose system no longer answers is given up, though nothing is sent to it") {
+  const bool with_tls = GENERATE(false, true);
+  HandshakeSettings impatient = settings();
+  impatient.silence = std::chrono::seconds{2};
+  Bench bench{impatient, with_tls};
+  Client honest{bench};
+  Client vanished{bench};
+  if (with_tls) {
+    CHECK_FALSE(TlsClient{honest, bench.own.certificate}.failed);
+    CHECK_FALSE(TlsClient{vanished, bench.own.certificate}.failed);
+  } else {
+    (void)honest.line();
+    (void)vanished.line();
+  }
+  // From here on its system drops what comes.
+  sock_filter drop{BPF_RET | BPF_K, 0, 0, 0};
+  const sock_fprog filter{1, &drop};
+  REQUIRE(::setsockopt(vanished.socket.native_handle(), SOL_SOCKET, SO_ATTACH_FILTER, &filter,
+                       sizeof(filter)) == 0);
+  CHECK(bench.left.try_acquire_for(std::chrono::seconds{60}));
+  CHECK_FALSE(bench.left.try_acquire());
+  CHECK(bench.admission.connections() == 1);
 }
 
 TEST_CASE("a TLS client is accepted, and bytes pass both ways, including many of them") {
