@@ -80,6 +80,15 @@ void count_default_slabs() {
   });
 }
 
+// From the text of the default world to its first chunk.
+void count_start() {
+  talus_counted_work([] {
+    const auto world = terrain::World::parse(terrain::default_world_toml(), "default.toml");
+    const auto stacks = generate_stacks(*world, {-2048, -6208, kChunkSize, kChunkSize, Lod{}});
+    (void)extract_chunk(*world, stacks, {-64, mixed_range(*world, stacks, -64, -194).first, -194});
+  });
+}
+
 void count_slabs() {
   const auto& world = bench::classic_world();
   const auto stacks = generate_stacks(world, {0, 0, 128, 128, Lod{}});
@@ -156,6 +165,7 @@ int main(int argc, char** argv) {
                                   {"default_view", count_default_view},
                                   {"default_level_3", [] { count_default(3); }},
                                   {"default_slabs", count_default_slabs},
+                                  {"start", count_start},
                                   {"encode", count_encode},
                                   {"decode", count_decode},
                                   {"voxelise", count_voxelise},

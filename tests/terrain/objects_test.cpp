@@ -339,7 +339,7 @@ TEST_CASE("Objects that would be single cubes from afar are left out there") {
   }
   // Two cubes touch at the level at which they are neighbours alone.
   const ObjectModel apart{{0, 8, 0, 0}, {2, 8, 0, 0}};
-  CHECK(levels_shown({apart}) == 2);
+  CHECK(levels_shown({&apart, 1}) == 2);
 }
 
 TEST_CASE("A model's voxels are found by their rows") {

@@ -1,6 +1,7 @@
 #include "features/object_models.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <tuple>
 
@@ -37,8 +38,7 @@ class Sculptor {
   void put(int x, int y, int z, std::uint8_t part) {
     if (std::abs(x) > kFormulaReach || std::abs(z) > kFormulaReach || y >= kFormulaTop || y < -kObjectRoot)
       return;
-    model.push_back(
-        {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z), part});
+    put_row(y, z, Row{1} << (x + kFormulaReach), part);
   }
   void pillar(int x, int z, int from, int to, std::uint8_t part) {
     for (int y = from; y < to; ++y) put(x, y, z, part);
@@ -53,31 +53,103 @@ class Sculptor {
     int width, height;  // half of either, in quarter voxels
   };
   /// Puts the union of several ellipsoids, with outermost voxels frayed if `ragged`.
-  void ellipsoids(const std::vector<Ellipsoid>& all, int lowest, bool ragged, std::uint8_t part) {
+  void ellipsoids(std::span<const Ellipsoid> all, int lowest, bool ragged, std::uint8_t part) {
+    std::array<Disc, kMaxEllipsoids> discs;
+    for (std::size_t k = 0; k < all.size(); ++k) discs[k] = disc_of(all[k]);
     for (int y = lowest; y < kFormulaTop; ++y) {
-      for (int z = -kFormulaReach; z <= kFormulaReach; ++z) {
-        for (int x = -kFormulaReach; x <= kFormulaReach; ++x) {
-          int nearest = 1 << 20;
-          for (const Ellipsoid& each : all) {
-            const int dx = 4 * x - each.x;
-            const int dz = 4 * z - each.z;
-            const int dy = 4 * y + 2 - each.y;
-            const int across = 256 * (dx * dx + dz * dz) / (each.width * each.width);
-            nearest = std::min(nearest, across + 256 * dy * dy / (each.height * each.height));
-          }
-          if (nearest >= 256 || (ragged && nearest > kRim && frayed(x, y, z))) continue;
-          put(x, y, z, part);
+      Distances nearest;
+      nearest.fill(kOutside);
+      bool any = false;
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const int dy = 4 * y + 2 - all[k].y;
+        const int down = 256 * dy * dy / (all[k].height * all[k].height);
+        if (down >= kOutside) continue;
+        any = true;
+        for (std::size_t i = discs[k].first; i < discs[k].last; ++i) {
+          nearest[i] = std::min(nearest[i], static_cast<std::int16_t>(discs[k].across[i] + down));
+        }
+      }
+      if (any) put_layer(y, nearest, ragged, part);
+    }
+  }
+  /// The voxels, each with the lowest part put there.
+  [[nodiscard]] ObjectModel model() const {
+    ObjectModel voxels;
+    for (std::uint8_t part = 0; part < rows_.size(); ++part) {
+      for (std::size_t row = 0; row < rows_[part].size(); ++row) {
+        const Row hidden = part == 0 ? 0 : rows_[0][row];
+        for (Row bits = rows_[part][row] & ~hidden; bits != 0; bits &= bits - 1) {
+          voxels.push_back({static_cast<std::int8_t>(std::countr_zero(bits) - kFormulaReach),
+                            static_cast<std::int8_t>(static_cast<int>(row) / kSide - kObjectRoot),
+                            static_cast<std::int8_t>(static_cast<int>(row) % kSide - kFormulaReach), part});
         }
       }
     }
+    return voxels;
   }
 
   ModelDraws draws;
-  ObjectModel model;
   static constexpr int kRim = 170;  // an ellipsoid's rim begins here, in 256ths
+  static constexpr std::size_t kMaxEllipsoids = 4;
 
  private:
+  using Row = std::uint32_t;  // a bit for each x
+  static constexpr int kSide = 2 * kFormulaReach + 1;
+  static constexpr int kStride = 24;  // of rows of distances: whole vectors
+  static constexpr int kOutside = 256;
+  using Distances = std::array<std::int16_t, kStride * kSide>;  // from centres, in 256ths; z slowest, then x
+
+  /// An ellipsoid's distances along x and z; columns outside of [first, last) are outside of it.
+  struct Disc {
+    Distances across;
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+
+  static Disc disc_of(const Ellipsoid& each) {
+    Disc disc;
+    disc.across.fill(kOutside);
+    const int reach = each.width / 4 + 1;
+    const auto low = [&](int middle) { return std::max(-kFormulaReach, floor_quarter(middle) - reach); };
+    const auto high = [&](int middle) { return std::min(kFormulaReach, floor_quarter(middle) + 1 + reach); };
+    const auto start_of = [](int z) { return static_cast<std::size_t>((z + kFormulaReach) * kStride); };
+    for (int z = low(each.z); z <= high(each.z); ++z) {
+      for (int x = low(each.x); x <= high(each.x); ++x) {
+        const int dx = 4 * x - each.x;
+        const int dz = 4 * z - each.z;
+        const int across = 256 * (dx * dx + dz * dz) / (each.width * each.width);
+        disc.across[start_of(z) + static_cast<std::size_t>(x + kFormulaReach)] =
+            static_cast<std::int16_t>(std::min(across, kOutside));
+      }
+    }
+    disc.first = start_of(low(each.z));
+    disc.last = std::max(disc.first, start_of(high(each.z) + 1));
+    return disc;
+  }
+  static int floor_quarter(int length) { return length >> 2; }
+
+  void put_layer(int y, const Distances& nearest, bool ragged, std::uint8_t part) {
+    for (int z = -kFormulaReach; z <= kFormulaReach; ++z) {
+      const std::int16_t* const row = nearest.data() + (z + kFormulaReach) * kStride;
+      Row inside = 0;
+      Row rim = 0;
+      for (int i = 0; i < kSide; ++i) {
+        inside |= Row{row[i] < kOutside} << i;
+        rim |= Row{row[i] > kRim} << i;
+      }
+      for (Row bits = ragged ? inside & rim : 0; bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        if (frayed(i - kFormulaReach, y, z)) inside &= ~(Row{1} << i);
+      }
+      put_row(y, z, inside, part);
+    }
+  }
+  void put_row(int y, int z, Row bits, std::uint8_t part) {
+    rows_[part][static_cast<std::size_t>((y + kObjectRoot) * kSide + z + kFormulaReach)] |= bits;
+  }
+
   std::uint64_t seed_;
+  std::array<std::array<Row, static_cast<std::size_t>((kFormulaTop + kObjectRoot) * kSide)>, 2> rows_{};
 };
 
 void conifer(Sculptor& tree) {
@@ -110,16 +182,15 @@ void crown(Sculptor& tree, int trunk, Crown form) {
   const int wide = 4 * form.radius;
   const auto high = [&](int width) { return std::max(4, width * form.flat / 4); };
   const int middle_y = 4 * trunk + high(wide) / 2;
-  std::vector<Sculptor::Ellipsoid> all{{0, middle_y, 0, wide, high(wide)}};
+  std::array<Sculptor::Ellipsoid, 4> all{{{0, middle_y, 0, wide, high(wide)}}};
   const int turn = tree.draws.whole(0, 7);
-  for (int k = 0; k < 3; ++k) {
+  for (std::size_t k = 1; k < all.size(); ++k) {
     const int away = wide * tree.draws.whole(5, 8) / 14;
     const int lift = tree.draws.whole(-2, 3);
-    const auto& direction = kDirections[static_cast<std::size_t>((turn + 3 * k) % 8)];
+    const auto& direction = kDirections[(static_cast<std::size_t>(turn) + 3 * (k - 1)) % 8];
     const bool diagonal = direction[0] != 0 && direction[1] != 0;
     const int step = diagonal ? away * 181 / 256 : away;
-    all.push_back(
-        {direction[0] * step, middle_y + lift, direction[1] * step, wide * 3 / 4, high(wide * 3 / 4)});
+    all[k] = {direction[0] * step, middle_y + lift, direction[1] * step, wide * 3 / 4, high(wide * 3 / 4)};
   }
   tree.ellipsoids(all, std::max(1, trunk - form.radius), true, kCrown);
 }
@@ -193,13 +264,13 @@ void cactus(Sculptor& plant) {
 
 void boulder(Sculptor& stone) {
   const int radius = stone.draws.whole(1, 3);
-  std::vector<Sculptor::Ellipsoid> all;
+  std::array<Sculptor::Ellipsoid, 3> all;
   for (int k = 0; k < 3; ++k) {
     const int width = 4 * radius - k * radius + stone.draws.whole(0, 3);
     const int x = k == 0 ? 0 : stone.draws.whole(-3 * radius, 3 * radius);
     const int z = k == 0 ? 0 : stone.draws.whole(-3 * radius, 3 * radius);
     const int y = stone.draws.whole(-2, radius);
-    all.push_back({x, y, z, std::max(5, width), std::max(5, width * 3 / 4)});
+    all[static_cast<std::size_t>(k)] = {x, y, z, std::max(5, width), std::max(5, width * 3 / 4)};
   }
   stone.ellipsoids(all, -2, false, kTrunk);
 }
@@ -207,11 +278,10 @@ void boulder(Sculptor& stone) {
 void bush(Sculptor& plant) {
   const int wide = plant.draws.whole(5, 12);
   const int high = plant.draws.whole(5, 11);
-  plant.ellipsoids({{0, 0, 0, wide, high}}, -1, true, kTrunk);
+  plant.ellipsoids(std::array<Sculptor::Ellipsoid, 1>{{{0, 0, 0, wide, high}}}, -1, true, kTrunk);
 }
 
-}  // namespace
-
+/// Sorts, and drops duplicates.
 void tidy(ObjectModel& model) {
   const auto place = [](const ModelVoxel& v) { return std::tuple{v.y, v.z, v.x}; };
   std::sort(model.begin(), model.end(), [&](const ModelVoxel& a, const ModelVoxel& b) {
@@ -222,6 +292,8 @@ void tidy(ObjectModel& model) {
   std::stable_sort(model.begin(), model.end(),
                    [](const ModelVoxel& a, const ModelVoxel& b) { return a.part < b.part; });
 }
+
+}  // namespace
 
 ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256>& parts) {
   ObjectModel made;
@@ -241,72 +313,89 @@ ObjectModel model_of(const VoxelModel& model, const std::array<std::uint8_t, 256
 
 namespace {
 
+/// The cells around a model that it fills, to the coarsest level's step on each side.
 class OccupiedCells {
  public:
   explicit OccupiedCells(const ObjectModel& model) {
+    int reach = 0;
+    int top = 0;
     for (const ModelVoxel& v : model) {
-      reach_ = std::max({reach_, std::abs(int{v.x}), std::abs(int{v.z})});
-      top_ = std::max(top_, v.y + 1);
+      reach = std::max({reach, std::abs(int{v.x}), std::abs(int{v.z})});
+      top = std::max(top, v.y + 1);
     }
-    full_.resize(index(reach_, top_ - 1, reach_) + 1);
-    for (const ModelVoxel& v : model) full_[index(v.x, v.y, v.z)] = true;
+    width_ = 2 * (reach + kMargin) + 1;
+    full_.resize(static_cast<std::size_t>((kObjectRoot + top + 2 * kMargin) * width_ * width_));
+    first_ = ((kMargin + kObjectRoot) * width_ + kMargin + reach) * width_ + kMargin + reach;
+    for (const ModelVoxel& v : model) full_[index(v)] = 1;
   }
-  [[nodiscard]] bool at(int x, int y, int z) const {
-    return std::abs(x) <= reach_ && std::abs(z) <= reach_ && y >= -kObjectRoot && y < top_ &&
-           full_[index(x, y, z)];
+  [[nodiscard]] bool has_neighbour(const ModelVoxel& voxel, int step) const {
+    const auto along = [&](int stride) {
+      const auto away = static_cast<std::size_t>(step * stride);
+      return full_[index(voxel) - away] | full_[index(voxel) + away];
+    };
+    return (along(1) | along(width_) | along(width_ * width_)) != 0;
   }
 
  private:
-  [[nodiscard]] std::size_t index(int x, int y, int z) const {
-    const int width = 2 * reach_ + 1;
-    return static_cast<std::size_t>(((y + kObjectRoot) * width + z + reach_) * width + x + reach_);
+  static constexpr int kMargin = 1 << ModelLevels::kCoarsest;
+  [[nodiscard]] std::size_t index(const ModelVoxel& v) const {
+    return static_cast<std::size_t>(first_ + (v.y * width_ + v.z) * width_ + v.x);
   }
-  int reach_ = 0;
-  int top_ = 0;
-  std::vector<bool> full_;
+  int width_ = 0;
+  int first_ = 0;
+  std::vector<std::uint8_t> full_;
 };
 
 }  // namespace
 
-int levels_shown(const std::vector<ObjectModel>& models) {
-  for (int level = 1; level <= ModelLevels::kCoarsest; ++level) {
-    const int step = 1 << level;
-    std::size_t all = 0;
-    std::size_t together = 0;
-    for (const ObjectModel& model : models) {
-      const OccupiedCells full{model};
-      for (const auto& [x, y, z, part] : model) {
-        if (y < 0) continue;
-        ++all;
-        const bool touches = y < step || full.at(x, y - step, z) || full.at(x, y + step, z) ||
-                             full.at(x - step, y, z) || full.at(x + step, y, z) || full.at(x, y, z - step) ||
-                             full.at(x, y, z + step);
-        if (touches) ++together;
+int levels_shown(std::span<const ObjectModel> models) {
+  std::size_t all = 0;
+  std::array<std::size_t, ModelLevels::kCoarsest> together{};
+  for (const ObjectModel& model : models) {
+    const OccupiedCells full{model};
+    for (const ModelVoxel& voxel : model) {
+      if (voxel.y < 0) continue;
+      ++all;
+      for (int level = 1; level <= ModelLevels::kCoarsest; ++level) {
+        const int step = 1 << level;
+        if (voxel.y < step || full.has_neighbour(voxel, step))
+          ++together[static_cast<std::size_t>(level - 1)];
       }
     }
-    if (3 * together < 2 * all) return level;
+  }
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    if (3 * together[i] < 2 * all) return static_cast<int>(i) + 1;
   }
   return Lod::kMax + 1;
 }
 
+namespace {
+
+/// Sorts voxels by keys from 0 to starts.size() - 2, and sets where each key starts; equal ones keep their
+/// order.
+template <class Key>
+void sort_by(const Key& key, std::vector<ModelVoxel>& voxels, std::span<std::uint32_t> starts) {
+  for (const ModelVoxel& voxel : voxels) ++starts[key(voxel)];
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  std::vector<ModelVoxel> sorted(voxels.size());
+  for (auto voxel = voxels.rbegin(); voxel != voxels.rend(); ++voxel) sorted[--starts[key(*voxel)]] = *voxel;
+  voxels = std::move(sorted);
+}
+
+}  // namespace
+
 ModelColumns::ModelColumns(const ObjectModel& model) : voxels_{model} {
   for (const ModelVoxel& v : voxels_) reach_ = std::max({reach_, std::abs(int{v.x}), std::abs(int{v.z})});
   const auto column = [&](const ModelVoxel& v) { return column_of(v.x, v.z); };
-  std::stable_sort(voxels_.begin(), voxels_.end(),
-                   [&](const ModelVoxel& a, const ModelVoxel& b) { return column(a) < column(b); });
   starts_.resize(column_of(reach_, reach_) + 2);
-  for (const ModelVoxel& voxel : voxels_) ++starts_[column(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  sort_by(column, voxels_, starts_);
 }
 
 ModelRows::ModelRows(const ObjectModel& model) : voxels_{model} {
   const auto row_of = [](const ModelVoxel& v) {
     return (v.part == 0 ? 0 : kRows) + static_cast<std::size_t>(v.y + kObjectRoot);
   };
-  std::stable_sort(voxels_.begin(), voxels_.end(),
-                   [&](const ModelVoxel& a, const ModelVoxel& b) { return row_of(a) < row_of(b); });
-  for (const ModelVoxel& voxel : voxels_) ++starts_[row_of(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  sort_by(row_of, voxels_, starts_);
 }
 
 std::span<const ModelVoxel> ModelRows::at(bool front, std::int64_t from, std::int64_t to) const {
@@ -333,10 +422,7 @@ ModelLevels::ModelLevels(const ObjectModel& model) : voxels_{model} {
   const auto place_of = [](const ModelVoxel& v) {
     return (v.part == 0 ? 0 : kGroups) + group_of(v.x, v.y, v.z);
   };
-  std::stable_sort(voxels_.begin(), voxels_.end(),
-                   [&](const ModelVoxel& a, const ModelVoxel& b) { return place_of(a) < place_of(b); });
-  for (const ModelVoxel& voxel : voxels_) ++starts_[place_of(voxel) + 1];
-  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  sort_by(place_of, voxels_, starts_);
 }
 
 std::span<const ModelVoxel> ModelLevels::at(bool front, int level, std::int64_t x, std::int64_t y,
@@ -353,8 +439,7 @@ ObjectModel make_model(ModelKind kind, std::uint64_t seed) {
                                                          dead_tree, cactus,    boulder, bush};
   Sculptor sculptor{seed};
   kMakers[static_cast<std::size_t>(kind)](sculptor);
-  tidy(sculptor.model);
-  return std::move(sculptor.model);
+  return sculptor.model();
 }
 
 }  // namespace talus::terrain

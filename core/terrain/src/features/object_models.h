@@ -70,10 +70,7 @@ inline constexpr std::array<ModelForm, kModelKinds> kModelForms{{{"conifer", {"w
 
 /// Number of levels, from 0 on, that show these models: levels at which two thirds of the voxels touch
 /// another shown voxel, or the ground. At other levels models would be cubes in the air.
-[[nodiscard]] int levels_shown(const std::vector<ObjectModel>& models);
-
-/// Sorts, and drops duplicates.
-void tidy(ObjectModel& model);
+[[nodiscard]] int levels_shown(std::span<const ObjectModel> models);
 
 /// A model's voxels by column, for readers of a single column.
 class ModelColumns {
