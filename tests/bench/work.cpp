@@ -164,6 +164,7 @@ int main(int argc, char** argv) {
                                   {"default", [] { count_default(0); }},
                                   {"default_view", count_default_view},
                                   {"default_level_3", [] { count_default(3); }},
+                                  {"default_level_6", [] { count_default(6); }},
                                   {"default_slabs", count_default_slabs},
                                   {"start", count_start},
                                   {"encode", count_encode},

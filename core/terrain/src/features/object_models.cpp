@@ -75,8 +75,9 @@ class Sculptor {
   /// The voxels, each with the lowest part put there.
   [[nodiscard]] ObjectModel model() const {
     ObjectModel voxels;
+    voxels.reserve(kUsualVoxels);
     for (std::uint8_t part = 0; part < rows_.size(); ++part) {
-      for (std::size_t row = 0; row < rows_[part].size(); ++row) {
+      for (std::size_t row = 0; row < end_; ++row) {
         const Row hidden = part == 0 ? 0 : rows_[0][row];
         for (Row bits = rows_[part][row] & ~hidden; bits != 0; bits &= bits - 1) {
           voxels.push_back({static_cast<std::int8_t>(std::countr_zero(bits) - kFormulaReach),
@@ -85,6 +86,7 @@ class Sculptor {
         }
       }
     }
+    voxels.shrink_to_fit();
     return voxels;
   }
 
@@ -94,6 +96,7 @@ class Sculptor {
 
  private:
   using Row = std::uint32_t;  // a bit for each x
+  static constexpr std::size_t kUsualVoxels = 512;
   static constexpr int kSide = 2 * kFormulaReach + 1;
   static constexpr int kStride = 24;  // of rows of distances: whole vectors
   static constexpr int kOutside = 256;
@@ -145,10 +148,13 @@ class Sculptor {
     }
   }
   void put_row(int y, int z, Row bits, std::uint8_t part) {
-    rows_[part][static_cast<std::size_t>((y + kObjectRoot) * kSide + z + kFormulaReach)] |= bits;
+    const auto row = static_cast<std::size_t>((y + kObjectRoot) * kSide + z + kFormulaReach);
+    rows_[part][row] |= bits;
+    if (bits != 0) end_ = std::max(end_, row + 1);
   }
 
   std::uint64_t seed_;
+  std::size_t end_ = 0;  // rows from here on are empty
   std::array<std::array<Row, static_cast<std::size_t>((kFormulaTop + kObjectRoot) * kSide)>, 2> rows_{};
 };
 
