@@ -1,12 +1,15 @@
 #include <talus/store/data_directory.h>
 
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
+#include <fstream>
 
 #include <catch2/catch.hpp>
-#include <fstream>
 
 #include "scratch_directory.h"
 
@@ -16,6 +19,8 @@ using namespace talus::store;
 namespace {
 
 namespace fs = std::filesystem;
+
+int lock_error = 0;  // of every flock(), if not 0
 
 constexpr ContentHash kWorld{1, 2};
 constexpr ContentHash kOther{3, 4};
@@ -27,6 +32,13 @@ ContentHash id_of(const fs::path& path, ContentHash world = kWorld) {
 }
 
 }  // namespace
+
+// In the place of the C library's.
+extern "C" int flock(int file, int how) noexcept {
+  if (lock_error == 0) return static_cast<int>(::syscall(SYS_flock, file, how));
+  errno = lock_error;
+  return -1;
+}
 
 TEST_CASE("a new store has an id of its own and keeps it") {
   const ScratchDirectory scratch;
@@ -185,4 +197,22 @@ TEST_CASE("a directory created for another user belongs to that user, and one th
   CHECK(owner_of(scratch / "a/b") == 4780);
   REQUIRE(DataDirectory::make_for(scratch / "a", 4780, 4780).has_value());
   CHECK(owner_of(scratch / "a") == 0);
+}
+
+TEST_CASE("a file system without locks is not taken for another talusd") {
+  const ScratchDirectory scratch;
+  (void)id_of(scratch.path());
+  lock_error = ENOLCK;
+  const auto written = DataDirectory::open(scratch.path(), kWorld);
+  const auto read = DataDirectory::open_to_read(scratch.path());
+  lock_error = EWOULDBLOCK;
+  const auto in_use = DataDirectory::open(scratch.path(), kWorld);
+  lock_error = 0;
+  REQUIRE_FALSE(written.has_value());
+  CHECK_THAT(written.error(),
+             Catch::Contains("cannot be locked: No locks available") && Catch::Contains("flock()"));
+  REQUIRE_FALSE(read.has_value());
+  CHECK(read.error() == written.error());
+  REQUIRE_FALSE(in_use.has_value());
+  CHECK_THAT(in_use.error(), Catch::Contains("another talusd uses it"));
 }

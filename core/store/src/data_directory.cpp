@@ -53,7 +53,18 @@ tl::expected<int, std::string> open_lock(const fs::path& path, int how) {
   if (auto regular = check_regular_file(file); !regular) return tl::unexpected{std::move(regular.error())};
   const int lock = ::open(file.c_str(), how | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0644);
   if (lock >= 0) return lock;
-  return system_failure(path, "cannot write into it", errno);
+  return system_failure(path, "cannot open the file lock in it", errno);
+}
+
+/// Takes a lock of the kind `how`; `in_use` is the error's text if another process has it.
+tl::expected<void, std::string> take_lock(int lock, int how, const fs::path& path, std::string_view in_use) {
+  if (::flock(lock, how | LOCK_NB) == 0) return {};
+  if (errno == EWOULDBLOCK) return tl::make_unexpected(fmt::format("data {}: {}", path.string(), in_use));
+  return tl::make_unexpected(
+      fmt::format("data {}: the file lock cannot be locked: {}; put the directory on a file system with "
+                  "flock(), as local "
+                  "disks have",
+                  path.string(), std::generic_category().message(errno)));
 }
 
 tl::unexpected<std::string> no_store(const fs::path& path) {
@@ -102,10 +113,8 @@ tl::expected<DataDirectory, std::string> DataDirectory::lock(const fs::path& pat
   const auto lock = open_lock(path, O_RDWR | O_CREAT);
   if (!lock) return tl::unexpected{lock.error()};
   DataDirectory directory{*lock, path};
-  if (::flock(*lock, LOCK_EX | LOCK_NB) != 0) {
-    return tl::make_unexpected(
-        fmt::format("data {}: another talusd uses it; give --data another directory", path.string()));
-  }
+  constexpr std::string_view kInUse = "another talusd uses it; give --data another directory";
+  if (auto taken = take_lock(*lock, LOCK_EX, path, kInUse); !taken) return tl::unexpected{taken.error()};
   if (const auto tidied = tidy_up(path); !tidied) {
     return tl::make_unexpected(fmt::format("data {}", tidied.error()));
   }
@@ -192,11 +201,9 @@ tl::expected<DataDirectory, std::string> DataDirectory::open_to_read(const fs::p
     const auto lock = open_lock(path, O_RDONLY);
     if (!lock) return tl::unexpected{lock.error()};
     directory.lock_ = *lock;
-    if (::flock(*lock, LOCK_SH | LOCK_NB) != 0) {
-      return tl::make_unexpected(
-          fmt::format("data {}: a talusd uses it, or another command changes it; wait until that has ended",
-                      path.string()));
-    }
+    const auto taken = take_lock(
+        *lock, LOCK_SH, path, "a talusd uses it, or another command changes it; wait until that has ended");
+    if (!taken) return tl::unexpected{taken.error()};
   }
   if (const auto read = directory.read_identity(); !read) return tl::make_unexpected(read.error());
   return directory;
@@ -208,9 +215,8 @@ tl::expected<void, std::string> DataDirectory::lock_to_write() {
   // Releases the shared lock before taking the new one; another process may take it in between.
   if (lock_ >= 0) ::close(lock_);
   lock_ = *lock;
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return {};
-  return tl::make_unexpected(fmt::format(
-      "data {}: a talusd uses it, or another command reads it; wait until that has ended", path_.string()));
+  return take_lock(lock_, LOCK_EX, path_,
+                   "a talusd uses it, or another command reads it; wait until that has ended");
 }
 
 bool DataDirectory::has_store() const {

@@ -63,6 +63,10 @@ tl::expected<std::unique_ptr<StoredEdits>, std::string> StoredEdits::open(const 
                     directory.string(), std::generic_category().message(errno))};
   }
   std::unique_ptr<StoredEdits> edits{new StoredEdits{lock}};
+  if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno != EWOULDBLOCK) {
+    return tl::unexpected{fmt::format("store {}: cannot lock its lock: {}; copy it to a local disk",
+                                      directory.string(), std::generic_category().message(errno))};
+  }
   if (lock >= 0 && ::flock(lock, LOCK_SH | LOCK_NB) != 0) {
     return tl::unexpected{
         fmt::format("store {}: a talusd uses it; stop that, or let `talusd store backup` make a copy, and "
