@@ -1,14 +1,18 @@
 #include <talus/store/data_directory.h>
 
+#include <sched.h>
 #include <sys/file.h>
+#include <sys/mount.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 
+#include <talus/store/store_swap.h>
 #include <catch2/catch.hpp>
 
 #include "scratch_directory.h"
@@ -215,4 +219,33 @@ TEST_CASE("a file system without locks is not taken for another talusd") {
   CHECK(read.error() == written.error());
   REQUIRE_FALSE(in_use.has_value());
   CHECK_THAT(in_use.error(), Catch::Contains("another talusd uses it"));
+}
+
+TEST_CASE("a store of which a part is a mount point is not replaced halfway") {
+  const ScratchDirectory scratch;
+  const fs::path database = scratch / "db";
+  fs::create_directory(database);
+  fs::create_directories(scratch / "talus-staging/db");
+  constexpr int kMayNotMount = 77;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    if (::unshare(CLONE_NEWNS) != 0 && ::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) ::_exit(kMayNotMount);
+    if (::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+        ::mount(database.c_str(), database.c_str(), nullptr, MS_BIND, nullptr) != 0) {
+      ::_exit(kMayNotMount);
+    }
+    const auto swapped = swap_in(scratch.path());
+    const bool is_told = !swapped && swapped.error().find("mount point") != std::string::npos;
+    ::_exit(is_told && !swap_is_begun(scratch.path()) ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kMayNotMount) {
+    WARN("this user may not mount");
+  } else {
+    CHECK(WEXITSTATUS(status) == 0);
+  }
+  CHECK(swap_in(scratch.path()).has_value());
 }

@@ -1,5 +1,8 @@
 #include <talus/store/store_swap.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <array>
 #include <charconv>
 #include <fstream>
@@ -39,6 +42,21 @@ Status rename_now(const fs::path& from, const fs::path& to) {
   if (code) return swap_failure(from, code);
   if (auto synced = sync_directory(to.parent_path()); !synced) return synced;
   return sync_directory(from.parent_path());
+}
+
+/// Rejects a part that is a mount point, which cannot be renamed: a swap would stop halfway.
+Status check_parts_move(const fs::path& directory) {
+  for (const std::string_view part : kParts) {
+    const fs::path path = directory / part;
+    struct statx about {};
+    if (::statx(AT_FDCWD, path.c_str(), AT_SYMLINK_NOFOLLOW, 0, &about) != 0) continue;
+    if ((about.stx_attributes & STATX_ATTR_MOUNT_ROOT) == 0) continue;
+    return tl::unexpected{fmt::format(
+        "{}: it is a mount point, so that no other store can take its place; mount the disk at {} "
+        "instead",
+        path.string(), directory.string())};
+  }
+  return {};
 }
 
 /// Returns an unused name.
@@ -140,6 +158,7 @@ tl::expected<fs::path, std::string> make_staging(const fs::path& directory) {
 }
 
 tl::expected<fs::path, std::string> swap_in(const fs::path& directory, ReplacedStore replaced) {
+  if (auto movable = check_parts_move(directory); !movable) return tl::unexpected{movable.error()};
   if (replaced == ReplacedStore::goes) {
     const fs::path mark = staging_of(directory) / kOldGoes;
     if (!std::ofstream{mark}) return swap_failure(mark, std::make_error_code(std::errc::io_error));
