@@ -21,6 +21,8 @@
 #include <talus/store/edit_database.h>
 #include <talus/store/read_only_store.h>
 #include <talus/store/replayed_editors.h>
+#include <talus/store/rocks.h>
+#include <talus/store/store_reader.h>
 #include <talus/store/whole_store.h>
 
 #include "scratch_directory.h"
@@ -390,6 +392,15 @@ TEST_CASE("while the database is opened again its memory is what it was") {
   env.on_open([&] { std::thread{[&] { meanwhile = (*database)->memory_bytes(); }}.join(); });
   REQUIRE((*database)->recover().has_value());
   CHECK(meanwhile == before);
+}
+
+TEST_CASE("a file of a newer RocksDB is not taken for a damaged one") {
+  for (const char* const said :
+       {"Corrupt or unsupported format_version: 9 in file 000009.sst",
+        "unknown checksum type 4 from footer of 000009.sst", "VersionEdit: unknown tag"}) {
+    CHECK(remedy_for(rocksdb::Status::Corruption(said)).starts_with("a newer talusd"));
+  }
+  CHECK(remedy_for(rocksdb::Status::Corruption("block checksum mismatch")) == kStoreLost);
 }
 
 }  // namespace talus::store

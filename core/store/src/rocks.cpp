@@ -86,6 +86,13 @@ std::string_view remedy_for(const rocksdb::Status& status) {
     return "nothing is damaged; let talusd's user read and write all files of the data directory";
   }
   if (is({EMFILE, ENFILE})) return "nothing is damaged; raise the limit of open files";
+  // As older versions of RocksDB say of a table or a manifest of a newer one.
+  for (const std::string_view newer :
+       {"unsupported format_version", "unknown checksum type", "unknown tag"}) {
+    if (text.find(newer) != text.npos) {
+      return "a newer talusd may have written it: start that one, or restore a backup";
+    }
+  }
   return kStoreLost;
 }
 
