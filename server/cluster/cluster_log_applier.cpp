@@ -87,7 +87,8 @@ void ClusterLog::cannot_get(const StreamFailure& failure) {
       (void)pause(kSoon);
       break;
     case StreamFailure::Kind::refused:
-    case StreamFailure::Kind::too_large:  // of publish() only
+    case StreamFailure::Kind::too_large:  // of publish() only, as the next
+    case StreamFailure::Kind::rejected:
       trouble(failure.reason);
       (void)pause(kRetryOfFault);
       break;

@@ -39,6 +39,7 @@ struct StreamFailure {
     unavailable,    // no connection or quorum; retries succeed eventually
     refused,        // missing permissions or different settings; an operator must act
     too_large,      // publish(): the stream does not take a message of this size, and has not stored this one
+    rejected,       // publish(): the stream takes no message for now, and has not stored this one
     gone,           // the message is older than all kept ones
     other,          // the stream was recreated or lost messages; it is not the one that was read before
     false_message,  // next() returned a message that is not the stream's, so the applied state differs

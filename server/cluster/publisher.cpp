@@ -186,13 +186,17 @@ void Publisher::send(const Stand& stand, std::span<const store::Bytes> entries,
     const std::lock_guard lock{mutex_};
     open_.emplace(head.number, std::move(open));
   }
-  const auto too_large = publish(head.number, message);
-  if (!too_large) return;
+  const auto not_stored = publish(head.number, message, !entries.empty());
+  if (!not_stored) return;
   {
     const std::lock_guard lock{mutex_};
     done = std::move(open_.extract(head.number).mapped().done);
   }
-  if (too_large->may_be_stored) return answer_unknown(done, too_large->reason);
+  if (not_stored->may_be_stored) return answer_unknown(done, not_stored->reason);
+  if (not_stored->kind == StreamFailure::Kind::rejected) {
+    answer(done, cut_off());
+    return send(stand, {}, {});
+  }
   if (entries.size() > 1) {
     const std::size_t half = entries.size() / 2;
     std::vector<EditLog::Callback> rest{std::move_iterator{done.begin() + static_cast<std::ptrdiff_t>(half)},
@@ -205,12 +209,13 @@ void Publisher::send(const Stand& stand, std::span<const store::Bytes> entries,
          {EditErrorCode::out_of_range,
           fmt::format("the edit takes {} bytes of the log that this world's servers share, more than it "
                       "accepts ({}); split it",
-                      message.size(), too_large->reason)});
+                      message.size(), not_stored->reason)});
 }
 
-std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
-                                                      std::span<const std::byte> message) {
+std::optional<Publisher::NotStored> Publisher::publish(std::uint64_t number,
+                                                       std::span<const std::byte> message, bool may_give_up) {
   const auto began = std::chrono::steady_clock::now();
+  bool may_be_stored = false;
   for (bool first = true;; first = false) {
     if (!first) republished_.add();
     const auto acked = parts_.stream.publish(message);
@@ -218,12 +223,14 @@ std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
     using Kind = StreamFailure::Kind;
     if (acked.error().kind == Kind::too_large) {
       set_takes(true);
-      return TooLarge{acked.error().reason, !first};
+      return NotStored{Kind::too_large, acked.error().reason, may_be_stored};
     }
     if (acked.error().kind == Kind::other || acked.error().kind == Kind::false_message) {
       give_up(acked.error().reason);
       return std::nullopt;
     }
+    const bool rejected = acked.error().kind == Kind::rejected;
+    may_be_stored = may_be_stored || !rejected;
     {
       const std::lock_guard lock{mutex_};
       if (stopping_ || gave_up_) return std::nullopt;
@@ -232,8 +239,9 @@ std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
     if (std::chrono::steady_clock::now() - began > kPatience) {
       set_takes(false);
       refuse_all();
+      if (may_give_up && !may_be_stored) return NotStored{Kind::rejected, acked.error().reason};
     }
-    if (wait_for_retry(number)) break;
+    if (wait_for_retry(number, rejected ? kRetryRejected : kRetry)) break;
   }
   const auto took = std::chrono::steady_clock::now() - began;
   pace_.acknowledged(took);
@@ -247,13 +255,13 @@ std::optional<Publisher::TooLarge> Publisher::publish(std::uint64_t number,
   return std::nullopt;
 }
 
-bool Publisher::wait_for_retry(std::uint64_t number) {
+bool Publisher::wait_for_retry(std::uint64_t number, std::chrono::milliseconds pause) {
   std::unique_lock lock{mutex_};
   const auto is_seen = [&] {
     const auto open = open_.find(number);
     return open == open_.end() || open->second.seen;
   };
-  changed_.wait_for(lock, kRetry, [&] { return stopping_ || gave_up_ || is_seen(); });
+  changed_.wait_for(lock, pause, [&] { return stopping_ || gave_up_ || is_seen(); });
   return stopping_ || gave_up_ || is_seen();
 }
 

@@ -32,6 +32,7 @@ class Publisher {
   /// After this time without an acknowledgement entries are rejected.
   static constexpr std::chrono::milliseconds kPatience{2'000};
   static constexpr std::chrono::milliseconds kRetry{20};
+  static constexpr std::chrono::milliseconds kRetryRejected{500};
   /// Memory limit for the entries of one message, except a single entry.
   static constexpr std::size_t kBatchBytes = kMaxMessageBytes;
 
@@ -104,20 +105,24 @@ class Publisher {
     bool seen = false;
   };
 
-  /// The stream takes no message of this size, and the message is not published again.
-  struct TooLarge {
-    std::string reason;
+  /// A message that is not published again: the stream takes none of this size, or none for now.
+  struct NotStored {
+    StreamFailure::Kind kind{};  // too_large or rejected
+    std::string reason{};
     bool may_be_stored = false;  // by an earlier attempt, whose outcome is unknown
   };
 
   void run();
   [[nodiscard]] std::int64_t time_ms() const;
   /// Publishes the entries in one message, or in halves if the stream takes no message of that size. An
-  /// entry that is too large by itself is rejected as out_of_range.
+  /// entry that is too large by itself is rejected as out_of_range. If the stream takes no message for now,
+  /// all are rejected as cut_off, and a message without entries is published until it does.
   void send(const Stand& stand, std::span<const store::Bytes> entries, std::vector<EditLog::Callback> done);
-  [[nodiscard]] std::optional<TooLarge> publish(std::uint64_t number, std::span<const std::byte> message);
+  /// Publishes until the message is stored, unless it `may_give_up`.
+  [[nodiscard]] std::optional<NotStored> publish(std::uint64_t number, std::span<const std::byte> message,
+                                                 bool may_give_up);
   /// True if the message need not be published again.
-  [[nodiscard]] bool wait_for_retry(std::uint64_t number);
+  [[nodiscard]] bool wait_for_retry(std::uint64_t number, std::chrono::milliseconds pause);
   void set_takes(bool takes);
   void refuse(const std::vector<Queue::Item>& waiting) const;
   void refuse_all();

@@ -1,6 +1,8 @@
 // A stream that is missing, is another, or keeps less than is wanted, by real nats-servers.
 #include <string>
+#include <string_view>
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 #include "cluster/jetstream/stream_settings.h"
@@ -92,4 +94,30 @@ TEST_CASE("another stream that took the subject is refused by name") {
   const auto failure = publish_failure(*log);
   CHECK(failure.kind == Kind::refused);
   CHECK_THAT(failure.reason, Catch::Contains("FOREIGN"));
+}
+
+TEST_CASE("a message that an account's limit refuses is rejected, and not stored") {
+  const auto account = [](std::string_view bytes) {
+    return fmt::format(
+        "accounts {{ A {{ jetstream: {{ max_file: {}, max_mem: 0 }}, users: [{{ user: a, password: a }}] }} "
+        "}}\n"
+        "no_auth_user: a\n",
+        bytes);
+  };
+  OneServer one{account("17GB")};
+  make_stream(one.servers, one.names, 1);
+  const auto log = open_log(one.servers.url_list(), one.names);
+  CHECK(publish(*log, "a") == 1);
+  CHECK(read(*log, 0) == "a");
+  one.servers.reconfigure(account("1KB"));
+  const std::string large(4096, 'b');
+  const auto until = from_now(kPatience);
+  for (;;) {
+    const auto published = log->publish(bytes_of(large));
+    REQUIRE(std::chrono::steady_clock::now() < until);
+    if (published || published.error().kind == Kind::unavailable) continue;
+    CHECK(published.error().kind == Kind::rejected);
+    CHECK_THAT(published.error().reason, Catch::Contains("resource limits exceeded"));
+    break;
+  }
 }

@@ -369,3 +369,22 @@ TEST_CASE("an edit that no message has room for is refused before it is in the l
 
 }  // namespace
 }  // namespace talus::server
+
+TEST_CASE("an edit that the log rejects for now is answered, and the log is tried until it takes edits") {
+  ClusterInMemory cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()));
+  cluster.stream.fail_publish_as(StreamFailure::Kind::rejected);
+  const auto number = answers.send(cluster.log(0), write_at(1, 5));
+  REQUIRE(number);
+  const auto outcome = answers.await(*number);
+  REQUIRE_FALSE(outcome);
+  CHECK(outcome.error().code == EditErrorCode::cut_off);
+  CHECK(cluster.log(0).status().waiting == 0);
+  CHECK_FALSE(cluster.log(0).takes_entries());
+  cluster.stream.fail_publish_as(std::nullopt);
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)));
+  cluster.until_applied();
+  CHECK(cluster.nodes[0]->state().head().revision == 1);
+}

@@ -75,7 +75,7 @@ class SharedStream {
     enabled_ = {{format}, true};
   }
   /// What every publish() and next() says from now on.
-  void fail_publish_as(StreamFailure::Kind kind) { fails_publish_ = kind; }
+  void fail_publish_as(std::optional<StreamFailure::Kind> kind) { fails_publish_ = kind; }
   void fail_next_as(std::optional<StreamFailure::Kind> kind) { fails_next_ = kind; }
   [[nodiscard]] std::optional<StreamFailure::Kind> fails_publish() const { return fails_publish_; }
   [[nodiscard]] std::optional<StreamFailure::Kind> fails_next() const { return fails_next_; }

@@ -398,7 +398,11 @@ tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const ReceivedMe
   const auto said = parse_answer(answer.text());
   if (!said) {
     StreamFailure failure = unavailable(fmt::format("NATS: {}", words_of(said.error().what)));
-    if (said.error().code == JSStreamMessageExceedsMaximumErr) failure.kind = StreamFailure::Kind::too_large;
+    const int code = said.error().code;
+    if (code == JSStreamMessageExceedsMaximumErr) failure.kind = StreamFailure::Kind::too_large;
+    if (code == kAccountIsFull || code == kServersAreFull || code == kStreamIsSealed) {
+      failure.kind = StreamFailure::Kind::rejected;
+    }
     return tl::unexpected{std::move(failure)};
   }
   return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};

@@ -43,6 +43,10 @@ struct StreamInfo {
 /// JetStream's error codes (server/errors.json of nats-server).
 inline constexpr int kMessageNotFound = 10037;
 inline constexpr int kStreamNotFound = 10059;
+/// Answers to a message that no replica has then stored.
+inline constexpr int kAccountIsFull = 10002;
+inline constexpr int kServersAreFull = 10023;
+inline constexpr int kStreamIsSealed = 10109;
 inline constexpr int kNotEnabledForAccount = 10039;
 inline constexpr int kNotEnabled = 10076;
 
