@@ -108,6 +108,7 @@ void ClusterLog::apply(const StreamMessage& message) {
   const auto decoded = decode_batch(message.bytes, identity_);
   if (!decoded) {
     if (came_damaged(message, decoded.error().reason)) return;
+    if (message.bytes.empty()) return skip(message, "it is empty");
     const bool is_newer = decoded.error().kind == MessageFault::Kind::newer;
     return is_newer ? meet_unknown(message, decoded.error()) : skip(message, decoded.error().reason);
   }

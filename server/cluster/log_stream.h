@@ -1,5 +1,5 @@
 // The stream that the servers of one world share: opaque messages in one order, stored by a majority of
-// hosts. Sequences begin with 1 and have no gaps.
+// hosts. Sequences begin with 1 and have no gaps: a number that has no message counts as an empty message.
 #pragma once
 
 #include <chrono>

@@ -276,3 +276,38 @@ TEST_CASE("a server by which no leader answers is left for one by which it does,
   }
   CHECK(publish(*log, "a") == 1);
 }
+
+TEST_CASE("a number that no message has is passed over as an empty message") {
+  OneServer one;
+  auto settings = wanted_settings(one.names, 1);
+  settings["deny_delete"] = false;
+  ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
+  const auto log = open_log(one.servers.url_list(), one.names);
+  for (const char* const text : {"a", "b", "c", "d", "e"}) publish(*log, text);
+  // nats-server 2.9 does the same when an account's limit refuses a message.
+  for (const int sequence : {2, 3, 5}) {
+    const auto answer = ask(one.servers, "$JS.API.STREAM.MSG.DELETE." + one.names.stream,
+                            fmt::format("{{\"seq\":{}}}", sequence));
+    REQUIRE(answer.find("\"success\":true") != std::string::npos);
+  }
+  const auto read_beside_state = [&](std::uint64_t after) {
+    const auto until = from_now(kPatience);
+    for (;;) {
+      REQUIRE(log->state());
+      const auto message = log->next(after, from_now(100ms));
+      REQUIRE(std::chrono::steady_clock::now() < until);
+      REQUIRE(message);
+      if (*message) return **message;
+    }
+  };
+  CHECK(read(*log, 0) == "a");
+  for (const std::uint64_t after : {1, 2, 4}) {
+    if (after == 4) CHECK(read(*log, 3) == "d");
+    const auto message = read_beside_state(after);
+    CHECK(message.sequence == after + 1);
+    CHECK(message.bytes.empty());
+    CHECK(message.of_leader);
+  }
+  CHECK(publish(*log, "f") == 6);
+  CHECK(read(*log, 5) == "f");
+}

@@ -148,3 +148,13 @@ TEST_CASE("each setting that differs is named with what it is and should be") {
   more["mirror"] = {{"name", "y"}};
   CHECK(differences(more, wanted).size() == 1);
 }
+
+TEST_CASE("numbers that no message has are told from messages that were lost") {
+  const std::string answer = R"({"state":{"last_seq":9,"deleted":[4,5,6,9],"lost":{"msgs":[6],"bytes":90}}})";
+  CHECK(parse_unused(answer, 4) == 2);
+  CHECK(parse_unused(answer, 6) == 0);
+  CHECK(parse_unused(answer, 7) == 0);
+  CHECK(parse_unused(answer, 9) == 1);
+  CHECK(parse_unused(R"({"state":{"deleted":"4","lost":[4]}})", 4) == 0);
+  CHECK_FALSE(parse_unused("{", 4));
+}

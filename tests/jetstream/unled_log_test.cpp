@@ -144,3 +144,29 @@ TEST_CASE("without the permission to ask replicas the leader is waited for") {
   REQUIRE(log->state());
   read_up_to(*log, 1, 5);
 }
+
+TEST_CASE("a message that the leader lost is named, while the stream goes on behind it") {
+  ScriptedStream stream{test_names()};
+  auto all = messages(4);
+  all.erase(3);
+  stream.set({.leader = all});
+  const auto log = open_log(stream.url(), stream.names());
+  read_up_to(*log, 0, 2);
+  const auto until = from_now(kPatience);
+  for (;;) {
+    (void)log->state();
+    const auto message = log->next(2, from_now(100ms));
+    REQUIRE(std::chrono::steady_clock::now() < until);
+    if (message) {
+      REQUIRE_FALSE(*message);
+      continue;
+    }
+    if (message.error().kind == Kind::unavailable) continue;
+    CHECK(message.error().kind == Kind::refused);
+    CHECK(message.error().reason.find("message 3 of " + stream.names().stream + " is lost") !=
+          std::string::npos);
+    break;
+  }
+  stream.set({.leader = messages(4)});
+  read_up_to(*log, 2, 4);
+}

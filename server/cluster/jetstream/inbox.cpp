@@ -378,6 +378,29 @@ StreamFailure Inbox::failed_for_good(std::string reason) {
 void Inbox::learned(std::uint64_t sequence) {
   {
     const std::lock_guard lock{mutex_};
+std::optional<std::uint64_t> Inbox::missing() const {
+  const std::lock_guard lock{mutex_};
+  return reassembler_.missing();
+}
+
+std::uint64_t Inbox::pass_over(std::uint64_t first, std::uint64_t count) {
+  count = std::min(count, MessageReassembler::kWindow);
+  {
+    const std::lock_guard lock{mutex_};
+    for (std::uint64_t i = 0; i < count; ++i) reassembler_.answered(first + i, {}, Clock::now());
+  }
+  changed_.notify_all();
+  return count;
+}
+
+void Inbox::lost(std::string reason) {
+  {
+    const std::lock_guard lock{mutex_};
+    trouble_ = StreamFailure{Kind::refused, std::move(reason)};
+  }
+  changed_.notify_all();
+}
+
     if (!reassembler_.learned(sequence, Clock::now())) return;
   }
   changed_.notify_all();

@@ -78,6 +78,13 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   StreamFailure failed_for_good(std::string reason);
   void learned(std::uint64_t sequence);
   [[nodiscard]] std::uint64_t after() const;
+  /// The next message, if it has not arrived.
+  [[nodiscard]] std::optional<std::uint64_t> missing() const;
+  /// The leader has no messages for `count` numbers from `first` on: next() returns empty ones. Returns how
+  /// many of them fit into the window.
+  std::uint64_t pass_over(std::uint64_t first, std::uint64_t count);
+  /// The leader lost the next message: next() fails once with this reason.
+  void lost(std::string reason);
   /// The stream that was read, up to what a leader has reported or confirmed.
   [[nodiscard]] LeaderScout::Requirement wanted_stream() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;

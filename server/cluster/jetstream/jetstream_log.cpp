@@ -22,6 +22,7 @@ constexpr auto kBetweenConnections = 1s;  // after NATS rejected the credentials
 // A connected server on which no leader answers may be cut off from the majority, or have come back without
 // knowing it yet (nats-server 2.9: for some 10 s); or the connection has lost the subscription for answers.
 constexpr auto kNoLeader = 1s;
+constexpr auto kSureOfGap = 3s;    // a message that exists arrives before
 constexpr auto kScouting = 500ms;  // maximum wait for a probe
 
 }  // namespace
@@ -146,7 +147,35 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   if (auto why = inbox_->unconfirmed([this] { return connection(); }, stream->last)) {
     return tl::unexpected{*std::move(why)};
   }
+  look_for_gap(*stream);
   return stream;
+}
+
+void JetStreamLog::look_for_gap(const StreamState& stream) {
+  const std::unique_lock looking{looking_, std::try_to_lock};
+  if (!looking) return;
+  const auto missing = inbox_->missing();
+  if (!missing || *missing < stream.first || *missing > stream.last) return;
+  if (missing_.sequence != *missing) missing_ = {*missing, Clock::now()};
+  if (Clock::now() - missing_.since < kSureOfGap) return;
+  const auto message = ask_for(*missing);
+  const auto connection = this->connection();
+  if (!message || *message || !connection) return;
+  const auto unused = ask_unused(**connection, settings_.names, *missing);
+  if (!unused) return inbox_->lost(unused.error().reason);
+  if (*unused == 0) {
+    std::string reason = fmt::format(
+        "message {} of {} is lost: NATS' leader of the stream has messages up to {} and not that one, as if "
+        "its "
+        "disk were damaged; restart that nats-server, so that another replica leads",
+        *missing, settings_.names.stream, stream.last);
+    if (!std::exchange(missing_.is_told, true)) log_->error("cluster: {}", reason);
+    return inbox_->lost(std::move(reason));
+  }
+  const std::uint64_t passed = inbox_->pass_over(*missing, *unused);
+  log_->warn("cluster: NATS gave the numbers {} to {} of {} to no message; they are passed over", *missing,
+             *missing + passed - 1, settings_.names.stream);
+  missing_.sequence = *missing + passed;  // more may follow
 }
 
 void JetStreamLog::find_leader() {

@@ -76,6 +76,9 @@ class JetStreamLog final : public LogStream {
   /// Handles a leader that does not answer: if that persists although a NATS server is connected, looks for
   /// another server or connection on which it does, and reads from replicas.
   void find_leader();
+  /// If the next message stays away though the stream goes on behind it: passes over its number if no message
+  /// had it, else says that it is lost.
+  void look_for_gap(const StreamState& stream);
 
   Settings settings_;
   std::shared_ptr<const Credentials> credentials_;
@@ -89,6 +92,13 @@ class JetStreamLog final : public LogStream {
   ServerUrls first_;  // server to try first
   std::mutex scouting_;
   LeaderScout scout_;
+  struct Missing {
+    std::uint64_t sequence = 0;
+    TimePoint since{};
+    bool is_told = false;
+  };
+  std::mutex looking_;
+  Missing missing_;
 };
 
 }  // namespace talus::server::jetstream

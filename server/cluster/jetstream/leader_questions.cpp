@@ -24,4 +24,13 @@ tl::expected<std::optional<StoredMessage>, StreamFailure> ask_message(Connection
   return *std::move(message);
 }
 
+tl::expected<std::uint64_t, StreamFailure> ask_unused(Connection& connection, const StreamNames& names,
+                                                      std::uint64_t first) {
+  const auto reply = connection.request(names.info(), StreamNames::with_unused(), kAnswerPatience);
+  if (!reply) return tl::unexpected{reply.error()};
+  const auto unused = parse_unused(ReceivedMessage{reply->get()}.text(), first);
+  if (!unused) return tl::unexpected{failure_of(unused.error(), names.stream)};
+  return *unused;
+}
+
 }  // namespace talus::server::jetstream

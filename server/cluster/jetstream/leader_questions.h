@@ -30,4 +30,10 @@ inline constexpr std::chrono::milliseconds kAnswerPatience{500};
                                                                                     const StreamNames& names,
                                                                                     std::uint64_t sequence);
 
+/// How many numbers from `first` on no message has or ever had, as the leader says: nats-server 2.9 uses a
+/// number up when it refuses a message of a stream of one replica. 0 if the stream had a message `first`.
+[[nodiscard]] tl::expected<std::uint64_t, StreamFailure> ask_unused(Connection& connection,
+                                                                    const StreamNames& names,
+                                                                    std::uint64_t first);
+
 }  // namespace talus::server::jetstream

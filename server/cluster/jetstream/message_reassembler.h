@@ -71,6 +71,10 @@ class MessageReassembler {
   /// resolved.
   void starts_at(std::uint64_t first);
 
+  /// The next message, if the leader's stream reaches it and it has not arrived.
+  [[nodiscard]] std::optional<std::uint64_t> missing() const {
+    return known_ > after_ && !held_.contains(after_ + 1) ? std::optional{after_ + 1} : std::nullopt;
+  }
   /// Returns the next message if it has arrived.
   [[nodiscard]] std::optional<StreamMessage> take();
 

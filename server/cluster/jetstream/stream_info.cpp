@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -47,8 +48,10 @@ std::optional<std::int64_t> nanoseconds_of(const std::string& text) {
   return static_cast<std::int64_t>(::timegm(&time)) * 1'000'000'000 + fraction;
 }
 
-tl::expected<json, ApiError> parse_answer(std::string_view text) {
-  if (text.size() > kMaxApiAnswerBytes) return tl::unexpected{ApiError{0, "the answer is over 1 MiB"}};
+tl::expected<json, ApiError> parse_answer(std::string_view text, std::size_t max_bytes) {
+  if (text.size() > max_bytes) {
+    return tl::unexpected{ApiError{0, fmt::format("the answer is over {} MiB", max_bytes >> 20U)}};
+  }
   json answer = json::parse(text, nullptr, false);
   if (!answer.is_object()) return tl::unexpected{ApiError{0, "the answer is not a JSON object"}};
   if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {
@@ -88,6 +91,27 @@ tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text) {
     }
   }
   return info;
+}
+
+tl::expected<std::uint64_t, ApiError> parse_unused(std::string_view text, std::uint64_t first) {
+  constexpr std::size_t kMaxBytes = std::size_t{16} << 20U;  // over a million numbers
+  const auto answer = parse_answer(text, kMaxBytes);
+  if (!answer) return tl::unexpected{answer.error()};
+  const json state = object_of(*answer, "state");
+  const auto numbers = [](const json& object, const char* name) {
+    std::set<std::uint64_t> all;
+    const auto found = object.find(name);
+    if (found == object.end() || !found->is_array()) return all;
+    for (const json& each : *found) {
+      if (each.is_number_unsigned()) all.insert(each.get<std::uint64_t>());
+    }
+    return all;
+  };
+  const auto deleted = numbers(state, "deleted");
+  const auto lost = numbers(object_of(state, "lost"), "msgs");
+  std::uint64_t unused = 0;
+  while (deleted.contains(first + unused) && !lost.contains(first + unused)) ++unused;
+  return unused;
 }
 
 bool has_majority(const StreamInfo& info) {

@@ -60,9 +60,13 @@ struct ApiError {
 inline constexpr std::size_t kMaxApiAnswerBytes = 1U << 20;
 
 /// Returns the object of a JetStream answer, or the error in it.
-[[nodiscard]] tl::expected<nlohmann::json, ApiError> parse_answer(std::string_view text);
+[[nodiscard]] tl::expected<nlohmann::json, ApiError> parse_answer(std::string_view text,
+                                                                  std::size_t max_bytes = kMaxApiAnswerBytes);
 
 [[nodiscard]] tl::expected<StreamInfo, ApiError> parse_stream_info(std::string_view text);
+/// How many numbers from `first` on have no message, by an answer that lists them; 0 if a message of that
+/// number was lost.
+[[nodiscard]] tl::expected<std::uint64_t, ApiError> parse_unused(std::string_view text, std::uint64_t first);
 
 /// The kind is `refused` if an operator must act.
 [[nodiscard]] StreamFailure failure_of(const ApiError& error, std::string_view stream);

@@ -25,6 +25,7 @@ struct StreamNames {
   [[nodiscard]] static std::string by_number(std::uint64_t sequence) {
     return fmt::format("{{\"seq\":{}}}", sequence);
   }
+  [[nodiscard]] static std::string with_unused() { return R"({"deleted_details":true})"; }
   [[nodiscard]] static std::string newest_of(const std::string& subject) {
     return fmt::format("{{\"last_by_subj\":\"{}\"}}", subject);
   }
