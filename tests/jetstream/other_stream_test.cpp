@@ -1,4 +1,5 @@
 // A stream that is missing, is another, or keeps less than is wanted, by real nats-servers.
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,7 @@
 
 #include "cluster/jetstream/stream_settings.h"
 #include "log_of_tests.h"
+#include "server/logged_lines.h"
 
 using namespace talus::nats_test;
 using namespace talus::server;
@@ -94,6 +96,33 @@ TEST_CASE("another stream that took the subject is refused by name") {
   const auto failure = publish_failure(*log);
   CHECK(failure.kind == Kind::refused);
   CHECK_THAT(failure.reason, Catch::Contains("FOREIGN"));
+}
+
+TEST_CASE("settings that somebody changes later are logged, once, and the server goes on") {
+  OneServer one;
+  make_stream(one.servers, one.names, 1);
+  const auto lines = std::make_shared<LoggedLines>();
+  auto log = JetStreamLog::open({urls_of(one.servers.url_list()), one.names, 1},
+                                std::make_shared<const Credentials>(), lines);
+  REQUIRE(log);
+  const auto state_until = [&](const std::string& text) {
+    const auto until = from_now(kPatience);
+    while (lines->text().find(text) == std::string::npos) {
+      (void)(*log)->state();
+      REQUIRE(std::chrono::steady_clock::now() < until);
+    }
+  };
+  CHECK(publish(**log, "a") == 1);
+  auto settings = wanted_settings(one.names, 1);
+  settings["max_bytes"] = 1 << 20;
+  ask(one.servers, "$JS.API.STREAM.UPDATE." + one.names.stream, settings.dump());
+  state_until("max_bytes is 1048576 and should be 17179869184");
+  const std::size_t count = lines->count();
+  for (int i = 0; i < 5; ++i) REQUIRE((*log)->state());
+  CHECK(lines->count() == count);
+  CHECK(publish(**log, "b") == 2);
+  ask(one.servers, "$JS.API.STREAM.UPDATE." + one.names.stream, wanted_settings(one.names, 1).dump());
+  state_until("as they should be again");
 }
 
 TEST_CASE("a message that an account's limit refuses is rejected, and not stored") {

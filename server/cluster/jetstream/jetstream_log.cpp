@@ -151,6 +151,19 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::state() {
   return stream;
 }
 
+void JetStreamLog::tell_settings(std::string other) {
+  {
+    const std::lock_guard lock{telling_};
+    if (other == other_settings_) return;
+    other_settings_ = other;
+  }
+  if (other.empty()) {
+    log_->info("cluster: the settings of {} are as they should be again", settings_.names.stream);
+  } else {
+    log_->error("cluster: {}; this server goes on, and does not start again until then", other);
+  }
+}
+
 void JetStreamLog::look_for_gap(const StreamState& stream) {
   const std::unique_lock looking{looking_, std::try_to_lock};
   if (!looking) return;
@@ -216,11 +229,11 @@ tl::expected<StreamState, StreamFailure> JetStreamLog::ask_leader() {
   const std::uint64_t read_before = inbox_->after();
   const auto info = ask_info(**connection, settings_.names);
   if (!info) return tl::unexpected{explained(info.error())};
-  if (settings_.replicas != 0 && !has_settings_) {
-    if (const auto other = other_settings(info->settings, settings_.names, settings_.replicas)) {
-      return stream_failure(Kind::refused, *other);
-    }
+  if (settings_.replicas != 0) {
+    auto other = other_settings(info->settings, settings_.names, settings_.replicas);
+    if (other && !has_settings_) return stream_failure(Kind::refused, *std::move(other));
     has_settings_ = true;
+    tell_settings(std::move(other).value_or(""));
   }
   if (!has_majority(*info)) {
     return stream_failure(Kind::unavailable,

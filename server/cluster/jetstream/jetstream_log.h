@@ -38,7 +38,7 @@ class JetStreamLog final : public LogStream {
     ServerUrls urls;
     StreamNames names;
     /// Expected replicas. state() fails with `refused` if the stream has other settings when first seen;
-    /// operators may change them later. 0: accepts any settings.
+    /// later ones are only logged. 0: accepts any settings.
     std::uint64_t replicas = 0;
   };
 
@@ -76,6 +76,8 @@ class JetStreamLog final : public LogStream {
   /// Handles a leader that does not answer: if that persists although a NATS server is connected, looks for
   /// another server or connection on which it does, and reads from replicas.
   void find_leader();
+  /// Logs what differs from the expected settings, once.
+  void tell_settings(std::string other);
   /// If the next message stays away though the stream goes on behind it: passes over its number if no message
   /// had it, else says that it is lost.
   void look_for_gap(const StreamState& stream);
@@ -97,6 +99,8 @@ class JetStreamLog final : public LogStream {
     TimePoint since{};
     bool is_told = false;
   };
+  std::mutex telling_;
+  std::string other_settings_;  // as logged last
   std::mutex looking_;
   Missing missing_;
 };
