@@ -147,7 +147,7 @@ ClusterLog::State ClusterLog::status() const {
   } else if (shorter_) {
     status.read_only = kShorter;
   } else if (!takes || silent || !places_known_) {
-    const std::string& why = publishing.empty() ? trouble_ : publishing;
+    const std::string& why = publishing.empty() || is_refused_ ? trouble_ : publishing;
     status.read_only =
         fmt::format("the log that this world's servers share cannot be reached or read, or has no quorum{}{}",
                     why.empty() ? "" : ": ", why);
@@ -213,7 +213,9 @@ void ClusterLog::poll_end() {
         trouble_ = stream.error().reason;
         trouble_is_silence_ = true;
       }
+      is_refused_ = trouble_is_silence_ && stream.error().kind == StreamFailure::Kind::refused;
     } else {
+      is_refused_ = false;
       end_.answered(asked);
       if (known && trouble_is_silence_) trouble_.clear();
       trouble_is_silence_ = false;

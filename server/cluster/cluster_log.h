@@ -203,6 +203,7 @@ class ClusterLog final : public EditLog {
   bool places_known_ = false;
   std::string fault_;                // permanent reason for not applying
   std::string trouble_;              // temporary reason for not applying
+  bool is_refused_ = false;          // trouble_ is what the leader said about the stream, and names the cause
   bool trouble_is_silence_ = false;  // trouble_ is that the leader did not report the end
   std::string undecided_;            // equal numbers of servers have each state
   std::string unreadable_;           // chunks of the next message that the disk cannot deliver

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "cluster/jetstream/told_reason.h"
+
 using namespace talus::server::jetstream;
 using namespace std::chrono_literals;
 using Due = RefusedSubscription::Due;
@@ -36,4 +38,14 @@ TEST_CASE("a try before the connection broke says nothing") {
   subscription.disconnected();
   CHECK(subscription.due(kStart + 2 * kTry) == Due::try_again);
   CHECK(subscription.due(kStart + 3 * kTry) == Due::restored);
+}
+
+TEST_CASE("a reason is told once in a while, however often it comes") {
+  ToldReason told;
+  CHECK_FALSE(told.is_told("why", kStart));
+  CHECK(told.is_told("why", kStart + 1s));
+  CHECK(told.is_told("why", kStart + ToldReason::kBetween));
+  CHECK_FALSE(told.is_told("why", kStart + ToldReason::kBetween + 1s));
+  CHECK_FALSE(told.is_told("another", kStart + ToldReason::kBetween + 2s));
+  CHECK_FALSE(told.is_told("why", kStart + ToldReason::kBetween + 3s));
 }

@@ -360,7 +360,7 @@ StreamFailure Connection::failure_of(natsStatus status, Clock::time_point since,
 
 tl::expected<void, StreamFailure> Connection::send(const std::string& subject, const std::string& reply,
                                                    std::string_view text) {
-  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  if (!connected()) return tl::unexpected{unavailable(kNoConnection)};
   const auto began = Clock::now();
   const natsStatus status = natsConnection_PublishRequest(connection_.get(), subject.c_str(), reply.c_str(),
                                                           text.data(), static_cast<int>(text.size()));
@@ -371,7 +371,7 @@ tl::expected<void, StreamFailure> Connection::send(const std::string& subject, c
 tl::expected<NatsMessage, StreamFailure> Connection::request(const std::string& subject,
                                                              std::string_view text,
                                                              std::chrono::milliseconds patience) {
-  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  if (!connected()) return tl::unexpected{unavailable(kNoConnection)};
   const SignalBlocker blocked;
   const auto began = Clock::now();
   natsMsg* reply = nullptr;
@@ -411,7 +411,7 @@ tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const ReceivedMe
 tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::string& subject,
                                                                  std::span<const std::byte> bytes,
                                                                  std::chrono::milliseconds patience) {
-  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  if (!connected()) return tl::unexpected{unavailable(kNoConnection)};
   const std::lock_guard lock{publishing_};
   const auto began = Clock::now();
   if (const natsStatus status = await_acks(); status != NATS_OK) {
@@ -440,7 +440,7 @@ tl::expected<Connection::Ack, StreamFailure> Connection::publish(const std::stri
 
 tl::expected<void, StreamFailure> Connection::try_publish(const std::string& subject,
                                                           std::chrono::milliseconds patience) {
-  if (!connected()) return tl::unexpected{unavailable("no connection to NATS")};
+  if (!connected()) return tl::unexpected{unavailable(kNoConnection)};
   const SignalBlocker blocked;
   const auto began = Clock::now();
   jsPubOptions options{};

@@ -25,6 +25,9 @@
 
 namespace talus::server::jetstream {
 
+/// libnats does not say why it cannot connect again.
+inline constexpr const char* kNoConnection = "no connection to NATS; \"talusd cluster check\" says why";
+
 /// A received message, valid during the handler's call.
 class ReceivedMessage {
  public:

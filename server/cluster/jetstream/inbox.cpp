@@ -22,7 +22,6 @@ constexpr auto kBetweenQuestions = 1s;  // requests to the leader
 constexpr auto kBetweenUrgent = 100ms;  // if something is inconsistent
 constexpr auto kSureOfLess = 15s;       // a deposed leader may report fewer messages for a while
 constexpr auto kDenied = 3s;  // until replicas are asked again: NATS does not report restored permissions
-constexpr auto kBetweenDenials = 60s;  // of one kind, in the log
 /// Maximum delay until a reader that waits for the tail notices input of other threads.
 constexpr auto kPollInterval = 20ms;
 constexpr std::int64_t kNsInMs = 1'000'000;
@@ -131,15 +130,15 @@ void Inbox::connected(bool now) {
 }
 
 void Inbox::closed(const StreamFailure& why) {
-  bool wanted = false;
+  bool is_told = false;
   {
     const std::lock_guard lock{mutex_};
     if (stopped_) return;
     closed_ = why;
-    wanted = std::exchange(leaves_, false);
+    is_told = std::exchange(leaves_, false) || closing_told_.is_told(why.reason, Clock::now());
   }
   changed_.notify_all();
-  if (!wanted) log_->error("{}; trying again", why.reason);
+  if (!is_told) log_->error("{}; trying again", why.reason);
 }
 
 void Inbox::leaves(std::string_view why) {
@@ -162,11 +161,7 @@ void Inbox::denied(std::string_view what) {
       // Direct Get is optional.
       const bool of_replicas = what.find(names_.direct_get()) != std::string_view::npos;
       if (of_replicas) replicas_denied_at_ = now;
-      is_news = denial_told_ != reason || now > denial_told_at_ + kBetweenDenials;
-      if (is_news) {
-        denial_told_ = reason;
-        denial_told_at_ = now;
-      }
+      is_news = !denial_told_.is_told(reason, now);
       if (!of_replicas) trouble_ = StreamFailure{Kind::refused, std::move(reason)};
     }
   }
@@ -340,7 +335,7 @@ tl::expected<std::optional<StreamMessage>, StreamFailure> Inbox::next(const Conn
     if (std::exchange(woken_, false)) return std::optional<StreamMessage>{};
     if (now >= until) {
       if (connected_) return std::optional<StreamMessage>{};
-      return stream_failure(Kind::unavailable, "no connection to NATS");
+      return stream_failure(Kind::unavailable, kNoConnection);
     }
     if (closed_) {
       lock.unlock();
@@ -378,6 +373,11 @@ StreamFailure Inbox::failed_for_good(std::string reason) {
 void Inbox::learned(std::uint64_t sequence) {
   {
     const std::lock_guard lock{mutex_};
+    if (!reassembler_.learned(sequence, Clock::now())) return;
+  }
+  changed_.notify_all();
+}
+
 std::optional<std::uint64_t> Inbox::missing() const {
   const std::lock_guard lock{mutex_};
   return reassembler_.missing();
@@ -397,11 +397,6 @@ void Inbox::lost(std::string reason) {
   {
     const std::lock_guard lock{mutex_};
     trouble_ = StreamFailure{Kind::refused, std::move(reason)};
-  }
-  changed_.notify_all();
-}
-
-    if (!reassembler_.learned(sequence, Clock::now())) return;
   }
   changed_.notify_all();
 }

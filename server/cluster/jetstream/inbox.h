@@ -22,6 +22,7 @@
 #include "cluster/jetstream/stored_message.h"
 #include "cluster/jetstream/stream_info.h"
 #include "cluster/jetstream/stream_names.h"
+#include "cluster/jetstream/told_reason.h"
 #include "cluster/log_stream.h"
 #include "runtime/log/logger.h"
 
@@ -77,7 +78,6 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   /// Records that the stream is not the one that was read before.
   StreamFailure failed_for_good(std::string reason);
   void learned(std::uint64_t sequence);
-  [[nodiscard]] std::uint64_t after() const;
   /// The next message, if it has not arrived.
   [[nodiscard]] std::optional<std::uint64_t> missing() const;
   /// The leader has no messages for `count` numbers from `first` on: next() returns empty ones. Returns how
@@ -85,6 +85,7 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   std::uint64_t pass_over(std::uint64_t first, std::uint64_t count);
   /// The leader lost the next message: next() fails once with this reason.
   void lost(std::string reason);
+  [[nodiscard]] std::uint64_t after() const;
   /// The stream that was read, up to what a leader has reported or confirmed.
   [[nodiscard]] LeaderScout::Requirement wanted_stream() const;
   [[nodiscard]] std::optional<StreamFailure> why_closed() const;
@@ -143,8 +144,8 @@ class Inbox final : public ConnectionEvents, public std::enable_shared_from_this
   std::optional<StreamFailure> closed_;   // the connection closed permanently
   std::optional<StreamFailure> trouble_;  // reported once
   std::optional<StreamFailure> fault_;    // reported from now on
-  std::string denial_told_;               // last one logged
-  TimePoint denial_told_at_{};
+  ToldReason denial_told_;
+  ToldReason closing_told_;
   std::int64_t created_ns_ = 0;  // of the stream seen first
   std::uint64_t first_ = 0;
   TimePoint question_due_{};
