@@ -213,7 +213,7 @@ void ClusterLog::poll_end() {
         trouble_ = stream.error().reason;
         trouble_is_silence_ = true;
       }
-      is_refused_ = trouble_is_silence_ && stream.error().kind == StreamFailure::Kind::refused;
+      is_refused_ = stream.error().kind == StreamFailure::Kind::refused;
     } else {
       is_refused_ = false;
       end_.answered(asked);
