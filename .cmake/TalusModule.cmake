@@ -157,7 +157,10 @@ function(talus_module name)
     target_compile_options(talus_${name} PRIVATE -O1)  # -Og inlines too little of them
   endif()
   add_library(talus::${name} ALIAS talus_${name})
-  set_target_properties(talus_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(talus_${name} PROPERTIES EXPORT_NAME ${name})
+  if(NOT TALUS_WASM)
+    set_target_properties(talus_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_compile_features(talus_${name} PUBLIC cxx_std_20)
   target_include_directories(talus_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

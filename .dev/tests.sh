@@ -82,6 +82,7 @@ test_modules() {
 test_at_length() {
   stage "the tables of docs/MILLION.md" /usr/bin/python3 -B tests/load/million.py --check
   stage "building the viewer again" check_viewer
+  stage "building the WebAssembly modules again" wasm --check
   stage "testing talus-client for JavaScript" test_javascript
   stage "testing in a browser, at length" test_in_browser --full
   # File by file: every file includes what it uses, and g++ has all its warnings, also of the unit tests.
@@ -201,27 +202,31 @@ golden() {
 
 # golden_on TARGET: adds its rows, and sets `failed` if its voxels differ.
 golden_on() {
-  local target="$1" groups=(build) vectors=("") preset="golden-$1" option test_of="^golden: $1\$" log
+  local target="$1" groups=(build) vectors=("") preset="golden-$1" option test_of="^golden: $1\$" log run
   case "$target" in
     x86-64) preset=release vectors=(scalar sse4 avx2 avx512) ;;
     aarch64) groups+=(aarch) ;;
-    wasm-*) groups+=(wasm); node_tools ;;
+    wasm-*) preset="$target"; groups+=(test wasm); node_tools ;;
     undefined) groups+=(clang) ;;
     *) groups+=(cross) ;;
   esac
   deps "${groups[@]}"
-  if [[ "$target" == x86-64 ]]; then
-    deps test
-    build release -DTALUS_TESTS=ON -- talus_golden_O3
-  else
-    build "$preset"
-  fi
+  case "$target" in
+    x86-64) deps test; build release -DTALUS_TESTS=ON -- talus_golden_O3 ;;
+    wasm-*) build release -DTALUS_TESTS=ON -- talus_golden_inputs; build "$preset" ;;
+    *) build "$preset" ;;
+  esac
   mkdir -p out/golden
   for option in "${vectors[@]}"; do
     [[ -z "$option" ]] || test_of="^golden: O3 $option\$"
     log="out/golden/$target${option:+-$option}.txt"
     say "running golden on $target${option:+ by $option}"
-    if ctest --test-dir "build/$preset" --no-tests=error -V -R "$test_of" >"$log" 2>&1; then
+    run=(ctest --test-dir "build/$preset" --no-tests=error -V -R "$test_of")
+    if [[ "$target" == wasm-* ]]; then
+      build/release/tests/golden/talus_golden_inputs >out/golden/inputs.json
+      run=(node tests/golden/wasm.mjs "build/$preset/core/wasm/talus-world.wasm" out/golden/inputs.json tests/golden/golden.txt)
+    fi
+    if "${run[@]}" >"$log" 2>&1; then
       if grep -q 'skipped: ' "$log"; then
         rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "not run: this processor has no $option (./dev avx512 emulates it)")")
       else
@@ -231,6 +236,24 @@ golden_on() {
       failed=1
       rows+=("$(printf '%-12s %-10s %s' "$target" "$option" "DIFFERENT: $log")")
     fi
+  done
+}
+
+# wasm [--check]: the modules of talus-js/wasm, which are committed.
+wasm() {
+  [[ "${1:---check}" == --check && $# -le 1 ]] || wrong_use "wasm: '${2:-$1}' is not --check"
+  deps build wasm
+  local preset module built
+  for preset in wasm-scalar wasm-simd; do
+    build "$preset"
+    built="build/$preset/core/wasm/talus-world.wasm"
+    module="client_sample/web/talus-js/wasm/talus-world$([[ "$preset" == wasm-scalar ]] || printf -- -simd).wasm"
+    if (($#)); then
+      cmp "$built" "$module" || die "$module is not what these sources make: run ./dev wasm, and commit it"
+    else
+      cp "$built" "$module"
+    fi
+    say "$module: $(stat -c %s "$module") bytes, $(brotli -c "$module" | wc -c) by brotli"
   done
 }
 

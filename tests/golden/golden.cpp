@@ -1,9 +1,8 @@
 // Prints hashes of fixed regions of the sample worlds and compares them with golden.txt, which changes only
-// together with the generator or the codec version. `--write` prints without comparing.
+// together with the generator or the codec version. `--write` prints without comparing, `--inputs` what
+// golden_text.mjs makes the same text of.
 #include <xxhash.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <span>
 #include <sstream>
@@ -18,65 +17,14 @@
 #include <talus/voxel/codec.h>
 #include <talus/voxel/content_hash.h>
 
+#include "golden_worlds.h"
 #include "made_height_map.h"
 #include "random_regions.h"
 
 namespace {
 
 using namespace talus;
-
-std::string read_file(const std::string& path) {
-  std::ifstream file{path};
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-struct Place {
-  const char* what;
-  std::int64_t chunk_x;
-  std::int64_t chunk_z;
-  int tiles;
-  int lod;
-};
-
-constexpr std::int64_t kEnd = std::int64_t{1} << 31;
-constexpr Place kPlaces[] = {
-    {"origin", -2, -2, 4, 0},
-    {"far", 1234567, -7654321, 2, 0},
-    {"upper end", kEnd - 2, kEnd - 2, 2, 0},
-    {"lower end", -kEnd, -kEnd, 2, 0},
-    {"level 1", -1, -1, 2, 1},
-    {"level 2", -1, -1, 2, 2},
-    {"level 3", -1, -1, 2, 3},
-    {"level 4", -1, -1, 2, 4},
-    {"level 6", -1, -1, 2, 6},
-    {"level 6 upper end", (kEnd >> 6) - 2, (kEnd >> 6) - 2, 2, 6},
-};
-
-struct Sample {
-  const char* name;
-  const char* spec;  // its file, without .toml
-  std::string more;  // keys that come before its own
-};
-const Sample kWorlds[] = {
-    {"classic", "core/worlds/classic", ""},
-    {"canyon", "core/worlds/canyon", ""},
-    {"hills", "core/worlds/hills", ""},
-    {"features", "core/worlds/features", ""},
-    {"features, eroded", "core/worlds/features", "method = \"erosion\"\nerosion_steps = 8\n"},
-    {"classic, eroded", "core/worlds/classic", "method = \"erosion\"\nerosion_steps = 8\n"},
-    {"classic, eroded by one step", "core/worlds/classic", "method = \"erosion\"\nerosion_steps = 1\n"},
-    {"ridged", "tests/golden/worlds/ridged", ""},
-    {"warped", "tests/golden/worlds/warped", ""},
-    {"height_map", "tests/golden/worlds/height_map", ""},
-    {"repeated map", "tests/golden/worlds/repeated_map", ""},
-    {"underground", "tests/golden/worlds/underground", ""},
-    {"underground, eroded", "tests/golden/worlds/underground", "method = \"erosion\"\nerosion_steps = 5\n"},
-    {"default", "core/worlds/default", ""},
-    {"archipelago", "core/worlds/archipelago", ""},
-    {"mesas", "core/worlds/mesas", ""},
-    {"alpine", "core/worlds/alpine", ""}};
+using namespace talus::test;
 
 /// Hashes of all chunks' voxels, and all payloads.
 struct PlaceData {
@@ -121,20 +69,16 @@ void print(const std::string& what, const PlaceData& made, std::ostream& out) {
   out << '\n';
 }
 
-// A tile of each, at all levels, near, far and at the ends.
+// A tile of each.
 void print_random_regions(std::ostream& out) {
-  constexpr int kCount = 100;
   PlaceData made;
   int worlds = 0;
-  for (int i = 0; i < kCount; ++i) {
-    const auto seed = static_cast<std::uint64_t>(i);
-    const auto world = terrain::World::parse(test::random_regions_text(seed), "random");
+  for (int i = 0; i < kRandomWorlds; ++i) {
+    const auto world =
+        terrain::World::parse(test::random_regions_text(static_cast<std::uint64_t>(i)), "random");
     if (!world) continue;  // it asks for too many layers
     ++worlds;
-    const int level = i % (Lod::kMax + 1);
-    const std::int64_t end = kEnd >> level;
-    const std::int64_t places[] = {0, i * 7919 % 2000 - 1000, end - 1, -end};
-    make_place(*world, {"", places[i / 7 % 4], places[i / 28 % 4], 1, level}, made);
+    make_place(*world, random_place(i), made);
   }
   out << "random regions, " << worlds << " worlds\n";
   print("a tile of each", made, out);

@@ -124,13 +124,13 @@ void encode_runs(std::span<const Override> voxels, std::vector<std::byte>& out) 
   assert(voxels.empty() || voxels.back().index < kChunkVolume);
   if (voxels.size() == 1) {  // the case of most edits
     std::array<std::byte, 16> block;
-    std::size_t count = 0;
+    auto end = block.begin();
     for (std::uint32_t number :
          {1U, std::uint32_t{to_integer(voxels[0].material)}, 1U, std::uint32_t{voxels[0].index}, 0U}) {
-      for (; number >= 128; number >>= 7) block[count++] = static_cast<std::byte>(128 | (number & 127));
-      block[count++] = static_cast<std::byte>(number);
+      for (; number >= 128; number >>= 7) *end++ = static_cast<std::byte>(128 | (number & 127));
+      *end++ = static_cast<std::byte>(number);
     }
-    out.insert(out.end(), block.begin(), block.begin() + count);
+    out.insert(out.end(), block.begin(), end);
     return;
   }
   const std::vector<MaterialId> materials = materials_of(voxels);

@@ -52,13 +52,13 @@ ColumnSampler::ColumnSampler(const terrain::World& world, const ColumnGrid& grid
 
 bool ColumnSampler::step() {
   const auto spread = [&](auto from, auto to) {
-    for (std::size_t i = 0; i < place_of_.size(); ++i) to[i] = from[place_of_[i]];
+    for (const std::size_t place : place_of_) *to++ = from[place];
   };
   const int end = std::min(grid_.depth, next_row_ + kSampledRows);
   for (; next_row_ < end; ++next_row_) {
     sampler_.row(inside_world(grid_.z_of(next_row_)));
-    spread(sampler_.heights_fx(), samples_.heights_fx.row(next_row_));
-    if (has_looks_) spread(sampler_.looks(), samples_.looks.row(next_row_));
+    spread(sampler_.heights_fx(), samples_.heights_fx.row(next_row_).begin());
+    if (has_looks_) spread(sampler_.looks(), samples_.looks.row(next_row_).begin());
     for (std::size_t n = 0; n < samples_.values.size(); ++n) {
       spread(sampler_.values(n), samples_.values[n].begin() + std::ptrdiff_t{grid_.width} * next_row_);
     }

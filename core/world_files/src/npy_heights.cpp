@@ -86,10 +86,10 @@ DecodeResult decode_npy(std::span<const std::byte> bytes) {
   if (!header) return refused(header.error());
   const std::string_view type = header->type;
   const bool ordered = !type.empty() && is_order(type.front());
-  const auto* const known = std::find_if(kTypes.begin(), kTypes.end(), [&](const NumberType& each) {
-    return each.name == type.substr(ordered ? 1 : 0);
-  });
-  if (known == kTypes.end()) {
+  const NumberType* const end = kTypes.data() + kTypes.size();
+  const NumberType* const known = std::find_if(
+      kTypes.data(), end, [&](const NumberType& each) { return each.name == type.substr(ordered ? 1 : 0); });
+  if (known == end) {
     return refused("is an .npy of " + shown(type) +
                    "; integers of 8 to 64 bits, or floats of 32 or 64, are needed");
   }
@@ -101,8 +101,9 @@ DecodeResult decode_npy(std::span<const std::byte> bytes) {
   const std::uint64_t width = header->shape[1];
   if (auto wrong = wrong_size(width, depth)) return refused(*std::move(wrong));
   constexpr bool kBigEndian = std::endian::native == std::endian::big;
-  return known->decode({width, depth, header->fortran_order, (type.front() == '>') != kBigEndian},
-                       bytes.subspan(header->data_at));
+  const Layout layout{static_cast<std::size_t>(width), static_cast<std::size_t>(depth), header->fortran_order,
+                      (type.front() == '>') != kBigEndian};
+  return known->decode(layout, bytes.subspan(header->data_at));
 }
 
 }  // namespace talus::world_files

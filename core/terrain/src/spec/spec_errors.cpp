@@ -54,8 +54,11 @@ std::string plain(double number) {
   return text;
 }
 
-void SpecErrors::add(int line, const std::string& what) {
-  if (!first_) first_ = SpecError{one_line(text_of(file_, ':', line, ": ", what))};
+void SpecErrors::add(int line, int column, const std::string& key, const std::string& what) {
+  if (first_) return;
+  first_ = SpecError{"", line, column, one_line(key), one_line(what)};
+  first_->message =
+      text_of(one_line(file_), ':', line, ": ", first_->key, key.empty() ? "" : ": ", first_->text);
 }
 
 }  // namespace talus::terrain

@@ -36,8 +36,8 @@ class SpecErrors {
   /// `file` names the source in messages.
   explicit SpecErrors(std::string_view file) : file_{file} {}
 
-  /// Adds "FILE:LINE: what". Control characters, which keys and names may contain, are escaped.
-  void add(int line, const std::string& what);
+  /// `column` may be 0, and `key` empty. Control characters, which keys and names may contain, are escaped.
+  void add(int line, int column, const std::string& key, const std::string& what);
 
   [[nodiscard]] bool any() const { return first_.has_value(); }
   /// REQUIRES: any().

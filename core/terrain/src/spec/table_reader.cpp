@@ -32,6 +32,10 @@ int line_of(const toml::node& node) {
   return static_cast<int>(node.source().begin.line);
 }
 
+int column_of(const toml::node& node) {
+  return static_cast<int>(node.source().begin.column);
+}
+
 constexpr std::size_t kMaxKeyShown = 120;   // bytes
 constexpr std::size_t kMaxMaterials = 255;  // in addition to air and water
 
@@ -61,14 +65,16 @@ int TableReader::line(std::string_view key) const {
 }
 
 void TableReader::fail(std::string_view key, const std::string& what) {
-  errors_->add(line(key), qualified(name_, key) + ": " + what);
+  const toml::node* node = table_of(table_).get(key);
+  errors_->add(line(key), column_of(node == nullptr ? table_of(table_) : *node), qualified(name_, key), what);
 }
 
 void TableReader::only(const std::vector<std::string_view>& known) {
   for (const auto& [key, value] : table_of(table_)) {
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-    errors_->add(static_cast<int>(key.source().begin.line),
-                 qualified(name_, key.str()) + ": unknown key; known here: " + list_of(known));
+    const toml::source_position& at = key.source().begin;
+    errors_->add(static_cast<int>(at.line), static_cast<int>(at.column), qualified(name_, key.str()),
+                 "unknown key; known here: " + list_of(known));
   }
 }
 
@@ -203,7 +209,8 @@ Curve TableReader::curve(const std::string& key, Range xs, Range ys, std::size_t
     const auto knot = numbers_of(element, 2);
     const std::size_t place = curve.size();
     const auto refuse = [&](const auto&... what) {
-      errors_->add(line_of(element), text_of(qualified(name_, key), "[", place, "]: ", what...));
+      errors_->add(line_of(element), column_of(element), text_of(qualified(name_, key), "[", place, "]"),
+                   text_of(what...));
     };
     if (!knot) return refuse("is not a knot; ", wanted, " is needed"), otherwise;
     const double x = (*knot)[0];
@@ -387,14 +394,14 @@ std::vector<TableReader> TableReader::tables(const std::string& key) {
 
 std::optional<TomlDocument> TomlDocument::parse(std::string_view text, SpecErrors& errors) {
   if (const auto fault = find_toml_fault(text)) {
-    errors.add(fault->line, fault->what);
+    errors.add(fault->line, 0, "", fault->what);
     return std::nullopt;
   }
   const auto refuse = [&](const toml::parse_error& bad) {
     const auto line = static_cast<int>(bad.source().begin.line);
     const std::string key = toml_key_at_line(text, line);
-    errors.add(line, text_of(key.empty() ? "" : shortened(key, kMaxKeyShown) + ": ",
-                             "not TOML: ", toml_error_text(bad.description(), key)));
+    errors.add(line, static_cast<int>(bad.source().begin.column), shortened(key, kMaxKeyShown),
+               "not TOML: " + toml_error_text(bad.description(), key));
     return std::nullopt;
   };
 #if TOML_EXCEPTIONS

@@ -60,7 +60,7 @@ class TableReader {
   /// The line of a key; the table's line if the key is omitted.
   [[nodiscard]] int line(std::string_view key) const;
 
-  /// Reports an error of a key, at line(key).
+  /// Reports an error of a key where its value is, or where the table begins if the key is omitted.
   void fail(std::string_view key, const std::string& what);
   /// Rejects all keys except `known`.
   void only(const std::vector<std::string_view>& known);

@@ -245,8 +245,9 @@ void World::Builder::check_lifts() {
   }
   const double voxels = (units_of(world.max_lift_q16_) + spec.surface.amplitude) * spec.resolution;
   if (voxels <= kMaxHeight) return;
-  errors.add(largest.line, text_of(largest.key, ": ", terms, ", * resolution, are ", std::ceil(voxels),
-                                   " voxels in all; at most ", kMaxHeight));
+  errors.add(
+      largest.line, 0, largest.key,
+      text_of(terms, ", * resolution, are ", std::ceil(voxels), " voxels in all; at most ", kMaxHeight));
 }
 
 void World::Builder::derive_strata() {
@@ -257,8 +258,8 @@ void World::Builder::derive_strata() {
     world.strata_.push_back({world.materials_[2 + i].id, material.thickness_q16, material.roughness});
   }
   if (!world.strata_.empty()) return;
-  errors.add(stratified_line,
-             text_of("stratified.thickness: filling 1.25 * ", height_term(),
+  errors.add(stratified_line, 0, "stratified.thickness",
+             text_of("filling 1.25 * ", height_term(),
                      world.max_lift_q16_ > 0 ? " and how far strata are sunk" : "", " takes more than ",
                      kMaxLayers, " layers; at most ", kMaxLayers, ", so make the thicknesses larger"));
 }

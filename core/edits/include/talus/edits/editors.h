@@ -96,5 +96,7 @@ class Editors {
 
 template <>
 struct std::hash<talus::edits::EditorId> {
-  std::size_t operator()(talus::edits::EditorId id) const noexcept { return id.low; }  // random already
+  std::size_t operator()(talus::edits::EditorId id) const noexcept {
+    return static_cast<std::size_t>(id.low);  // random already
+  }
 };

@@ -150,9 +150,14 @@ struct WorldSpec {
 class Feature;
 struct FeatureKind;
 
-/// "FILE:LINE: key: what is wrong; what would be right". One line.
+/// Why a spec is refused.
 struct SpecError {
-  std::string message;
+  std::string message;  // "FILE:LINE: key: what is wrong; what would be right". One line.
+  // The parts of `message`:
+  int line = 0;
+  int column = 0;    // of the key's value, from 1; 0 if only the line is known
+  std::string key;   // "stratified[1].colour"; empty if the fault is of no key
+  std::string text;  // without file, line and key
 };
 
 /// Material that features put into rock is stratified: it does not move.
