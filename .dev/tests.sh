@@ -251,7 +251,7 @@ wasm() {
     if (($#)); then
       cmp "$built" "$module" || die "$module is not what these sources make: run ./dev wasm, and commit it"
     else
-      cp "$built" "$module"
+      install -m 644 "$built" "$module"
     fi
     say "$module: $(stat -c %s "$module") bytes, $(brotli -c "$module" | wc -c) by brotli"
   done

@@ -49,7 +49,7 @@ struct Instance {
 };
 
 Instance& instance() {
-  static Instance only;
+  static Instance& only = *new Instance;  // not in the module's data, which would have its zeros
   return only;
 }
 

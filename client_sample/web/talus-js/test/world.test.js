@@ -107,7 +107,9 @@ test('memory is bounded, and what needs more is an error', async () => {
   // The world has ended, and its memory is free.
   assert.equal((await refusal(() => world.rows({ x: 0, z: 0 }))).kind, 'out_of_memory');
   assert.equal(world.memoryBytes, 0);
-  assert.equal((await refusal(() => World.open(spec('default'), { memoryBytes: 8 << 20 }))).kind, 'out_of_memory');
+  const long = `a = [${'1,'.repeat(500_000)}]`;
+  assert.equal((await refusal(() => World.open(long, { memoryBytes: 8 << 20 }))).kind, 'out_of_memory');
+  assert.equal((await refusal(() => World.open(long))).kind, 'spec');
   assert.equal((await refusal(() => World.open(spec('default'), { memoryBytes: 1 }))).kind, 'range');
 
   // Moving through a world fills no more.

@@ -1,9 +1,10 @@
 #include "spec/spec_errors.h"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <ios>
 #include <locale>
 #include <sstream>
 
@@ -32,26 +33,25 @@ std::string plain(double number) {
   if (number > 0 && number < 1e-3 && std::frexp(number, &exponent) == 0.5 && exponent > -60) {
     return "1/" + std::to_string(std::uint64_t{1} << (1 - exponent));
   }
+  // Not by std::to_chars, whose tables of powers would be a quarter of core/wasm.
   constexpr int kDigits = 12;  // hides the rounding of a product of two numbers
-  std::array<char, 64> digits{};
-  const auto written = [&](auto... how) {
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number, how...).ptr;
-    return std::string{digits.data(), end};
+  std::ostringstream rounded;
+  rounded.imbue(std::locale::classic());
+  rounded.precision(kDigits - 1);
+  rounded << std::scientific << number;
+  const std::string written = rounded.str();  // -1.23450000000e-05
+  if (!std::isfinite(number)) return written;
+  const std::string sign = written.front() == '-' ? "-" : "";
+  const int power = std::stoi(written.substr(written.find('e') + 1));
+  std::string digits = written.substr(sign.size(), 1) + written.substr(sign.size() + 2, kDigits - 1);
+  digits.erase(std::max<std::size_t>(1, digits.find_last_not_of('0') + 1));
+  const auto with_point = [&](std::size_t whole) {
+    return digits.size() <= whole ? digits + std::string(whole - digits.size(), '0')
+                                  : digits.substr(0, whole) + '.' + digits.substr(whole);
   };
-  if (!std::isfinite(number)) return written();
-  const std::string rounded = written(std::chars_format::scientific, kDigits - 1);
-  // libc++ before 20 has no std::from_chars of floating-point numbers.
-  std::istringstream digits_only{rounded};
-  digits_only.imbue(std::locale::classic());
-  digits_only >> number;
-  const double size = std::abs(number);
-  if (size == 0 || (size >= 1e-9 && size < 1e15)) return written(std::chars_format::fixed);
-  std::string text = written(std::chars_format::scientific);
-  const std::size_t power = text.find('e') + 1;
-  if (text[power] == '+') text.erase(power, 1);
-  const std::size_t digit = power + (text[power] == '-' ? 1 : 0);
-  if (text[digit] == '0') text.erase(digit, 1);
-  return text;
+  if (power < -9 || power >= 15) return sign + with_point(1) + 'e' + std::to_string(power);
+  if (power >= 0) return sign + with_point(static_cast<std::size_t>(power) + 1);
+  return sign + "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;
 }
 
 void SpecErrors::add(int line, int column, const std::string& key, const std::string& what) {
