@@ -36,5 +36,5 @@ endforeach()
 
 add_custom_target(talus_viewer ALL DEPENDS ${made})
 if(made)
-  install(DIRECTORY ${talus_viewer}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/talus/web)
+  install(DIRECTORY ${talus_viewer}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/talus/web COMPONENT server)
 endif()

@@ -108,6 +108,8 @@ test_at_length() {
   stage "testing the files for many machines" tests/deployment/run.sh
   deps containers
   stage "building the image and starting it" tests/deployment/image.sh
+  package --uncommitted
+  stage "installing every package and using it" tests/packages/run.sh
   sanitize address thread
   avx512
   fuzz 120
@@ -257,17 +259,21 @@ wasm() {
   done
 }
 
+# foreign_root ARCHITECTURE: Debian's packages of it that a build needs, unpacked into build/root-ARCHITECTURE.
+foreign_root() {
+  local root="build/root-$1" packages
+  [[ ! -e "$root/usr/lib/os-release" ]] || return 0
+  packages="$(awk '$1 == "build:" { for (i = 2; i <= NF; ++i) if ($i ~ /-dev$/) printf "%s,", $i }' docker/packages.txt)"
+  aloud "unpacking packages of $1" mmdebstrap --quiet --variant=extract --architectures="$1" \
+    --include="${packages}libstdc++-12-dev,libc6-dev" bookworm "$root"
+}
+
 # agree_on TARGET ARCHITECTURE: a client, talusd and talus-gen of another machine, in an emulator and with Debian's packages of
 # that architecture, against this machine's.
 agree_on() {
   deps build test aarch cross machines
   local root="build/root-$2"
-  if [[ ! -e "$root/usr/lib/os-release" ]]; then
-    local packages
-    packages="$(awk '$1 == "build:" { for (i = 2; i <= NF; ++i) if ($i ~ /-dev$/) printf "%s,", $i }' docker/packages.txt)"
-    aloud "unpacking packages of $2" mmdebstrap --quiet --variant=extract --architectures="$2" \
-      --include="${packages}libstdc++-12-dev,libc6-dev" bookworm "$root"
-  fi
+  foreign_root "$2"
   build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen
   build "$1" -- talusd talus-client talus-gen talus_c
   python3 -B tests/machines/agree.py --other "build/$1" --emulator "qemu-$1-static -L $PWD/$root"

@@ -3,6 +3,7 @@
 # it, and starts it as the image's own user with the image's own command. No registry is asked. Results go to out/image.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+source tests/bare_debian.sh
 
 die() { printf 'image: %s\n' "$*" >&2; exit 1; }
 say() { printf '\033[1m==> %s\033[0m\n' "$*" >&2; }
@@ -32,15 +33,8 @@ trap finish EXIT
 base=docker.io/library/debian:12-slim
 if ! buildah inspect --type image "$base" >/dev/null 2>&1; then
   say "making a bare Debian 12"
-  mirror="$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)' 'Identifier: Packages' | awk '$2 == "bookworm" { print $1; exit }')"
-  [[ -n "$mirror" ]] || die "apt here knows no archive of Debian 12 (bookworm)"
-  rm -rf --one-file-system "$out/root"
-  debootstrap --variant=minbase bookworm "$out/root" "$mirror" >"$out/debootstrap.log" 2>&1 ||
-    { tail -n 5 "$out/debootstrap.log" >&2; die "debootstrap failed; all it said: $out/debootstrap.log"; }
-  rm -rf "$out/root/var/cache/apt/archives"/*.deb "$out/root/etc/apt/sources.list"
-  cp -r /etc/apt/sources.list.d "$out/root/etc/apt/"
-  [[ ! -f /etc/apt/sources.list ]] || cp /etc/apt/sources.list "$out/root/etc/apt/"
-  apt-config dump | grep -E '^Acquire::(https?|ftp|Check|Force|Retries)[:-]' >"$out/root/etc/apt/apt.conf.d/90acquire" || true
+  bare_debian "$out/root" "$out/debootstrap.log"
+  rm -rf "$out/root/var/cache/apt/archives"/*.deb
   scratch="$(buildah from scratch)"
   buildah add --quiet "$scratch" "$out/root" / >/dev/null
   buildah commit --quiet --rm "$scratch" "$base" >/dev/null

@@ -37,7 +37,7 @@ def dev(*words, **environment):
 
 
 class Commands(unittest.TestCase):
-    COMMANDS = ["run", "cluster", "test", "bench", "lint", "sanitize", "clang", "golden", "wasm", "coverage", "first-picture", "avx512", "fuzz", "deps"]
+    COMMANDS = ["run", "cluster", "test", "bench", "lint", "sanitize", "clang", "golden", "wasm", "package", "coverage", "first-picture", "avx512", "fuzz", "deps"]
 
     def test_the_usage_has_every_command_and_no_other(self):
         usage = dev("--help").stdout

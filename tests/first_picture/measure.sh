@@ -3,6 +3,7 @@
 # runs ./dev run 5 of a fresh clone there under a clock. The clone is of HEAD: what is not committed is not measured.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+source tests/bare_debian.sh
 
 die() { printf 'first-picture: %s\n' "$*" >&2; exit 1; }
 say() { printf '\033[1m==> %s\033[0m\n' "$*" >&2; }
@@ -22,37 +23,22 @@ flock -n 9 || die "another one runs in this folder"
 trap 'rm -rf --one-file-system "$root"' EXIT
 rm -rf --one-file-system "$root"
 
-# Where this machine's apt fetches Debian from, and how, is good for the new root too.
-mirror="$(apt-get indextargets --format '$(REPO_URI) $(CODENAME)' 'Identifier: Packages' | awk '$2 == "bookworm" { print $1; exit }')"
-[[ -n "$mirror" ]] || die "apt here knows no archive of Debian 12 (bookworm)"
 say "making a bare Debian 12"
-debootstrap --variant=minbase --cache-dir="$out/packages" bookworm "$root" "$mirror" >"$out/debootstrap.log" 2>&1 ||
-  { tail -n 5 "$out/debootstrap.log" >&2; die "debootstrap failed; all it said: $out/debootstrap.log"; }
-rm -f "$root/etc/apt/sources.list"
-cp -r /etc/apt/sources.list.d "$root/etc/apt/"
-[[ ! -f /etc/apt/sources.list ]] || cp /etc/apt/sources.list "$root/etc/apt/"
+bare_debian "$root" "$out/debootstrap.log" --cache-dir="$out/packages"
 [[ ! -d /etc/apt/auth.conf.d ]] || cp -r /etc/apt/auth.conf.d "$root/etc/apt/"
-apt-config dump | grep -E '^Acquire::(https?|ftp|Check|Force|Retries)[:-]' >"$root/etc/apt/apt.conf.d/90acquire" || true
-cp /etc/resolv.conf /etc/hosts "$root/etc/" 2>/dev/null || true
 cp "$out/packages"/*.deb "$root/var/cache/apt/archives/" 2>/dev/null || true
-
-# in_root COMMAND: in the new root, with /proc and /dev, and an end to all of it when the command ends.
-in_root() {
-  unshare --mount --pid --fork --kill-child bash -c '
-    mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && exec chroot "$1" bash -c "$2"' in_root "$root" "$1"
-}
 
 say "filling its apt cache"
 git clone -q --no-hardlinks . "$root/talus"
-in_root 'apt-get update -qq && cd /talus &&
+in_root "$root" 'apt-get update -qq && cd /talus &&
   apt-get install -d -y -qq --no-install-recommends $(sed -n "s/^build: //p" docker/packages.txt) >/dev/null' ||
   die "the new root could not fetch packages"
 cp "$root"/var/cache/apt/archives/*.deb "$out/packages/"
-packages="$(in_root 'cd /talus && apt-get install -s --no-install-recommends $(sed -n "s/^build: //p" docker/packages.txt)' | grep -c '^Inst')"
+packages="$(in_root "$root" 'cd /talus && apt-get install -s --no-install-recommends $(sed -n "s/^build: //p" docker/packages.txt)' | grep -c '^Inst')"
 
 say "./dev run 5, with $packages packages to install, on $(nproc) cores at a load of $(cut -d ' ' -f 1 /proc/loadavg)"
 # When the reader ends, its namespace and the server in it do.
-in_root 'cd /talus && while IFS= read -r line; do
+in_root "$root" 'cd /talus && while IFS= read -r line; do
     printf "%s\n" "$line"
     [[ "$line" != *"Ctrl-C stops it"* ]] || exit 0
   done < <(TALUS_LISTEN=127.0.0.1:0 ./dev run 5 2>&1)

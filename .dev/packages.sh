@@ -1,0 +1,141 @@
+# shellcheck shell=bash
+# ./dev package: what people take who do not compile. Everything goes to out/packages.
+
+package_kinds=(deb arm64 portable sdk npm wheel)
+package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
+
+# package [--uncommitted] [KIND...]
+package() {
+  local kinds=() uncommitted=0 kind changed
+  while (($#)); do
+    if [[ "$1" == --uncommitted ]]; then
+      uncommitted=1
+    elif [[ " ${package_kinds[*]} " == *" $1 "* ]]; then
+      kinds+=("$1")
+    else
+      wrong_use "package: '$1' is not --uncommitted or a kind of package; there are ${package_kinds[*]}"
+    fi
+    shift
+  done
+  ((${#kinds[@]})) || kinds=("${package_kinds[@]}")
+  if ((!uncommitted)) && [[ -e .git ]]; then
+    changed="$(git status --porcelain | head -n 1)"
+    # --version would name a commit that the package is not.
+    [[ -z "$changed" ]] || die "package: '${changed:3}' is not committed; commit it, or package it by --uncommitted"
+  fi
+  mkdir -p out/packages
+  for kind in "${kinds[@]}"; do stage "packaging $kind" "package_$kind"; done
+  (cd out/packages && find . -maxdepth 1 -type f ! -name SHA256SUMS -printf '%P\n' | sort | xargs -d '\n' sha256sum >SHA256SUMS &&
+    find . -maxdepth 1 -type f -printf '%10s  out/packages/%P\n' | sort -k 2)
+}
+
+package_version() { sed -nE 's/^project\(talus VERSION ([0-9.]+).*/\1/p' CMakeLists.txt; }
+
+# built_programs: what the tests of ./dev test ran is what is packaged.
+built_programs() {
+  deps build test package
+  build release -DTALUS_TESTS=ON -- "${package_programs[@]}" "$@"
+}
+
+# debs PRESET ARCHITECTURE [cpack option...]
+debs() {
+  local preset="$1" architecture="$2" made="build/$1/debs"
+  shift 2
+  rm -rf "$made" out/packages/*_"$architecture".deb
+  cpack --config "build/$preset/CPackConfig.cmake" -G DEB -B "$made" "$@" >"build/$preset/cpack.log" 2>&1 ||
+    { tail -n 20 "build/$preset/cpack.log" >&2; die "cpack failed; all it said: build/$preset/cpack.log"; }
+  mv "$made"/*.deb out/packages/
+}
+
+package_deb() {
+  built_programs talus_manuals
+  debs release "$(dpkg --print-architecture)"
+}
+
+# By the cross compiler. What packages of this machine depend on, those of arm64 do: both are of one Debian.
+package_arm64() {
+  local here package depends=()
+  here="$(dpkg --print-architecture)"
+  deps aarch machines
+  package_deb
+  foreign_root arm64
+  build aarch64 -DTALUS_MANUALS="$PWD/build/release/manuals" -- "${package_programs[@]}"
+  for package in talusd talus-tools libtalus1; do
+    depends+=(-D "CPACK_DEBIAN_${package^^}_PACKAGE_DEPENDS=$(dpkg-deb -f "out/packages/${package}_$(package_version)_$here.deb" Depends)")
+  done
+  debs aarch64 arm64 "${depends[@]}"
+}
+
+# talusd and the tools with every library that they need, the C library and its loader included. Static they cannot be: not
+# all of these libraries can, and a static C library would look up neither hosts nor users.
+package_portable() {
+  local name folder program library package component
+  name="talus-$(package_version)-linux-$(uname -m)"
+  folder="build/portable/$name"
+  built_programs
+  rm -rf build/portable "out/packages/$name.tar.gz"
+  for component in server tools worlds settings; do
+    cmake --install build/release --prefix "$folder" --component "$component" --strip >>build/release/install.log
+  done
+  mkdir -p "$folder/lib/programs" "$folder/lib/loader" "$folder/share/licences"
+  for program in talusd talus-gen talus-client talus-load; do
+    mv "$folder/bin/$program" "$folder/lib/programs/"
+    # Processes are named after it.
+    ln -s ../ld-linux-x86-64.so.2 "$folder/lib/loader/$program"
+    cat >"$folder/bin/$program" <<SCRIPT
+#!/bin/sh
+# $program by the loader and the libraries of this folder.
+lib="\$(dirname "\$(dirname "\$(readlink -f "\$0")")")/lib"
+exec "\$lib/loader/$program" --inhibit-cache --library-path "\$lib" --argv0 "\$0" "\$lib/programs/$program" "\$@"
+SCRIPT
+    chmod 755 "$folder/bin/$program"
+  done
+  for library in $(ldd "$folder"/lib/programs/* | sed -nE 's/.*(=> |^\t)(\/[^ ]+) .*/\2/p' | sort -u); do
+    cp -L "$library" "$folder/lib/"
+    package="$(dpkg -S "$(readlink -f "$library")" | sed 's/:.*//')"
+    cp -L "/usr/share/doc/$package/copyright" "$folder/share/licences/$package"
+  done
+  cp LICENSE "$folder/share/licences/talus"
+  cat >"$folder/README" <<TEXT
+Talus $(package_version): talusd, talus-gen, talus-client and talus-load for any Linux on x86-64 from 2018 on, with
+all libraries that they need. Keep the folder together; link to bin/ from where you like.
+
+    bin/talusd --http 127.0.0.1:4782 --web share/talus/web      # then open http://127.0.0.1:4782/
+    bin/talus-gen map -o map.png
+
+share/doc/talus has OPERATIONS.md; paths there that begin with /usr/local begin here. Hosts are looked up by /etc/hosts and
+DNS: other services that /etc/nsswitch.conf may name are not asked. share/licences has the licences of the libraries.
+TEXT
+  tar -C build/portable --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"
+}
+
+# For games: libtalus and the C++ client library, to be linked.
+package_sdk() {
+  local name component
+  name="talus-sdk-$(package_version)-linux-$(uname -m)"
+  built_programs
+  rm -rf "build/sdk" "out/packages/$name.tar.gz"
+  for component in sdk c_api; do
+    cmake --install build/release --prefix "build/sdk/$name" --component "$component" --strip >>build/release/install.log
+  done
+  mkdir "build/sdk/$name/examples"
+  cp client_sample/c_api/examples/fly.c tests/install/consumer/game.cpp "build/sdk/$name/examples/"
+  cp LICENSE "build/sdk/$name/"
+  tar -C build/sdk --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"
+}
+
+package_npm() {
+  node_tools
+  (cd client_sample/web/talus-js && npm ci --ignore-scripts --no-audit --no-fund --loglevel error >&2 &&
+    npm pack --silent --pack-destination "$OLDPWD/out/packages" >&2)
+}
+
+# It is Python alone: one wheel for every machine. From a copy, as building leaves files beside the source.
+package_wheel() {
+  deps wheel
+  rm -rf build/wheel
+  mkdir -p build/wheel
+  cp -r client_sample/python build/wheel/source
+  /usr/bin/python3 -m venv build/wheel/venv
+  aloud "making the wheel" build/wheel/venv/bin/pip wheel --quiet --disable-pip-version-check --no-deps -w out/packages build/wheel/source
+}
