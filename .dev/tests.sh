@@ -262,10 +262,12 @@ wasm() {
 # foreign_root ARCHITECTURE: Debian's packages of it that a build needs, unpacked into build/root-ARCHITECTURE.
 foreign_root() {
   local root="build/root-$1" packages
-  [[ ! -e "$root/usr/lib/os-release" ]] || return 0
+  [[ ! -e "$root/unpacked" ]] || return 0
+  rm -rf "$root"
   packages="$(awk '$1 == "build:" { for (i = 2; i <= NF; ++i) if ($i ~ /-dev$/) printf "%s,", $i }' docker/packages.txt)"
   aloud "unpacking packages of $1" mmdebstrap --quiet --variant=extract --architectures="$1" \
     --include="${packages}libstdc++-12-dev,libc6-dev" bookworm "$root"
+  touch "$root/unpacked"
 }
 
 # agree_on TARGET ARCHITECTURE: a client, talusd and talus-gen of another machine, in an emulator and with Debian's packages of
