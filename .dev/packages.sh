@@ -69,7 +69,7 @@ package_arm64() {
 # talusd and the tools with every library that they need, the C library and its loader included. Static they cannot be: not
 # all of these libraries can, and a static C library would look up neither hosts nor users.
 package_portable() {
-  local name folder program library package component
+  local name folder program library file package component
   name="talus-$(package_version)-linux-$(uname -m)"
   folder="build/portable/$name"
   built_programs
@@ -92,7 +92,9 @@ SCRIPT
   done
   for library in $(ldd "$folder"/lib/programs/* | sed -nE 's/.*(=> |^\t)(\/[^ ]+) .*/\2/p' | sort -u); do
     cp -L "$library" "$folder/lib/"
-    package="$(dpkg -S "$(readlink -f "$library")" | sed 's/:.*//')"
+    file="$(readlink -f "$library")"
+    # Debian's packages still have some in /lib.
+    package="$({ dpkg -S "$file" || dpkg -S "${file#/usr}"; } 2>/dev/null | sed 's/:.*//')"
     cp -L "/usr/share/doc/$package/copyright" "$folder/share/licences/$package"
   done
   cp LICENSE "$folder/share/licences/talus"

@@ -10,7 +10,7 @@ trap 'rm -rf --one-file-system "$scratch"' EXIT
 mkdir -p "$scratch"/{bin,etc,proc,dev,tmp,opt,data}
 cp "$(command -v /bin/busybox)" "$scratch/bin/"
 ! ldd "$scratch/bin/busybox" >/dev/null 2>&1 || die "/bin/busybox is not that of busybox-static"
-for applet in $("$scratch/bin/busybox" --list); do ln -sf busybox "$scratch/bin/$applet"; done
+for applet in $("$scratch/bin/busybox" --list); do [[ -e "$scratch/bin/$applet" ]] || ln -s busybox "$scratch/bin/$applet"; done
 printf 'root:x:0:0::/:/bin/sh\ntalus:x:4780:4780::/:/bin/false\n' >"$scratch/etc/passwd"
 printf 'root:x:0:\ntalus:x:4780:\n' >"$scratch/etc/group"
 printf '127.0.0.1 localhost this-host\n' >"$scratch/etc/hosts"
@@ -22,7 +22,7 @@ ln -s /opt/talus/bin/* /bin/
 cd /tmp
 for program in talusd talus-gen talus-client talus-load; do $program --version; done
 # Its own user, found by name; a host, found by name.
-talusd --user talus --data /data/store --http 127.0.0.1:4782 --web /opt/talus/share/talus/web \
+TALUS_USER=talus talusd --data /data/store --http 127.0.0.1:4782 --web /opt/talus/share/talus/web \
   --world /opt/talus/share/talus/worlds/mesas.toml >talusd.log 2>&1 &
 until grep -q 'listening on' talusd.log && grep -q '^HTTP and' talusd.log; do
   kill -0 $! || { cat talusd.log; exit 1; }
@@ -40,7 +40,7 @@ tail -n 1 talusd.log
 SCRIPT
 chmod 777 "$scratch/data"
 unshare --net --mount --pid --fork --kill-child bash -c 'ip link set lo up && mount -t proc proc "$1/proc" &&
-  mount --bind /dev "$1/dev" && exec env -i PATH=/bin chroot "$1" /bin/sh /use.sh' portable "$scratch" >"$scratch/said" 2>&1 ||
+  mount --bind /dev "$1/dev" && exec /usr/sbin/chroot "$1" /bin/env -i PATH=/bin /bin/sh /use.sh' portable "$scratch" >"$scratch/said" 2>&1 ||
   { cat "$scratch/said"; die "it does not run without the libraries of this machine"; }
 [[ -z "$commit" ]] || [[ "$(head -n 1 "$scratch/said")" == "talusd "*"(${commit:0:8})"* ]] || { cat "$scratch/said"; die "--version names another commit than ${commit:0:8}"; }
 say "$(basename "$archive"): without a library of this machine"
