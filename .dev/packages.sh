@@ -103,7 +103,7 @@ Talus $(package_version): talusd, talus-gen, talus-client and talus-load for any
 all libraries that they need. Keep the folder together; link to bin/ from where you like.
 
     bin/talusd --http 127.0.0.1:4782 --web share/talus/web      # then open http://127.0.0.1:4782/
-    bin/talus-gen map -o map.png
+    bin/talus-gen map --center 0,0 --size 512,512 -o map.png
 
 share/doc/talus has OPERATIONS.md; paths there that begin with /usr/local begin here. Hosts are looked up by /etc/hosts and
 DNS: other services that /etc/nsswitch.conf may name are not asked. share/licences has the licences of the libraries.

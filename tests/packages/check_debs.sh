@@ -19,7 +19,7 @@ has() {
   for path in "$@"; do [[ "$files" == *$'\n'".$path"$'\n'* ]] || fail "$package has no $path but$files"; done
 }
 has talusd /usr/bin/talusd /etc/talus/talusd.toml /usr/lib/systemd/system/talusd.service /usr/share/talus/worlds/mesas.toml \
-  /usr/share/doc/talus/OPERATIONS.md /usr/share/doc/talusd/copyright
+  /usr/share/doc/talus/{OPERATIONS,CHANGELOG}.md /usr/share/doc/talusd/copyright
 has talus-tools /usr/bin/talus-gen /usr/bin/talus-client /usr/bin/talus-load
 has libtalus1 /usr/lib/libtalus.so.1
 has libtalus-dev /usr/lib/libtalus.so /usr/include/talus.h /usr/lib/pkgconfig/talus.pc /usr/include/talus/client/client.h \

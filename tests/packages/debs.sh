@@ -132,7 +132,7 @@ printf 'GET / HTTP/1.0\r\nHost: localhost\r\n\r\n' >&8
 page="$(tr -d '\0' <&8)"
 [[ "$page" == "HTTP/1."*" 200"*"<html"* ]] || { echo "no viewer: ${page:0:200}"; exit 1; }
 [[ ! -x /packages/fly ]] || /packages/fly
-talus-gen map --size 64,64 -o /tmp/map.png
+talus-gen map --center 0,0 --size 64,64 -o /tmp/map.png
 [[ -s /tmp/map.png ]]
 kill $server
 wait $server

@@ -32,12 +32,13 @@ server="$(pidof talusd)"
 [ "$(stat -c %U /proc/$server)" = talus ] || { echo "talusd runs as $(stat -c %U /proc/$server)"; exit 1; }
 talus-client --connect this-host:4780 get 0 0 0 --timeout 60
 wget -q -O - http://localhost:4782/ | grep -q '<html' || { echo "no viewer"; exit 1; }
-talus-gen map --size 64,64 -o map.png
+talus-gen map --center 0,0 --size 64,64 -o map.png
 [ -s map.png ]
 kill $server
 wait
 tail -n 1 talusd.log
 SCRIPT
+chmod 755 "$scratch"
 chmod 777 "$scratch/data"
 unshare --net --mount --pid --fork --kill-child bash -c 'ip link set lo up && mount -t proc proc "$1/proc" &&
   mount --bind /dev "$1/dev" && exec /usr/sbin/chroot "$1" /bin/env -i PATH=/bin /bin/sh /use.sh' portable "$scratch" >"$scratch/said" 2>&1 ||
