@@ -113,18 +113,20 @@ for program in talusd talus-gen talus-client talus-load; do
 done
 # The commands of the unit, as its user, with its directory.
 unit="$(sed -e ':a' -e '/\\$/N; s/\\\n//; ta' /lib/systemd/system/talusd.service)"
+# field NAME: its words.
 field() { sed -n "s/^$1=//p" <<<"$unit"; }
 [[ "$(field User)" == talus && "$(field StateDirectory)" == talus && "$(stat -c '%U %a' /var/lib/talus)" == "talus 750" ]]
-as_user() { setpriv --reuid="$(field User)" --regid="$(field User)" --init-groups --no-new-privs --inh-caps=-all "$@"; }
+as_user=(setpriv --reuid="$(field User)" --regid="$(field User)" --init-groups --no-new-privs --inh-caps=-all)
 umask "$(field UMask)"
-as_user $(field ExecStartPre)
-TALUS_ACCESS_WITHOUT_TOKEN=read,edit as_user $(field ExecStart) >/tmp/talusd.log 2>&1 &
+"${as_user[@]}" $(field ExecStartPre)
+: >/tmp/talusd.log
+TALUS_ACCESS_WITHOUT_TOKEN=read,edit "${as_user[@]}" $(field ExecStart) >/tmp/talusd.log 2>&1 &
 server=$!
 until grep -q 'listening on' /tmp/talusd.log && grep -q '^HTTP and' /tmp/talusd.log; do
   kill -0 $server || { cat /tmp/talusd.log; exit 1; }
   sleep 0.05
 done
-[[ "$(stat -c %U /proc/$server)" == talus ]]
+[[ "$(stat -c %U /proc/$server)" == talus ]] || { echo "talusd runs as $(stat -c %U /proc/$server)"; exit 1; }
 talus-client --connect localhost:4780 get 0 0 0 --timeout 120
 talus-client --connect localhost:4780 edit --material planks -- 3,35,3
 exec 8<>/dev/tcp/127.0.0.1/4782
