@@ -1,16 +1,24 @@
-# The libraries that the generator needs, from the headers of this machine's packages, which are the same for every machine:
-# for targets that have no such packages.
+# The libraries that are headers alone, of this machine's packages, which are the same for every machine: for targets that have
+# no such packages.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
-foreach(header glm hwy tl toml++ xxhash.h)
+set(needed glm hwy tl toml++ xxhash.h)
+if(NOT TALUS_ONLY_GOLDEN)
+  list(APPEND needed asio asio.hpp CLI flatbuffers nlohmann)
+endif()
+foreach(header IN LISTS needed)
   if(NOT EXISTS /usr/include/${header})
     message(FATAL_ERROR "/usr/include/${header} is missing: ./dev deps build installs it")
   endif()
   file(CREATE_LINK /usr/include/${header} ${headers}/${header} SYMBOLIC)
 endforeach()
-foreach(library tl::expected tomlplusplus::tomlplusplus PkgConfig::highway PkgConfig::xxhash)
+include_directories(SYSTEM ${headers})
+foreach(library tl::expected tomlplusplus::tomlplusplus PkgConfig::highway PkgConfig::xxhash CLI11::CLI11
+    nlohmann_json::nlohmann_json flatbuffers)
   add_library(${library} INTERFACE IMPORTED GLOBAL)
-  target_include_directories(${library} SYSTEM INTERFACE ${headers})
+endforeach()
+foreach(package cli11 nlohmann_json)  # what find_package() finds
+  file(WRITE ${CMAKE_FIND_PACKAGE_REDIRECTS_DIR}/${package}-config.cmake "")
 endforeach()
 target_compile_definitions(tomlplusplus::tomlplusplus INTERFACE TOML_HEADER_ONLY=1)
 target_compile_definitions(PkgConfig::xxhash INTERFACE XXH_INLINE_ALL)

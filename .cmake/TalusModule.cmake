@@ -1,9 +1,16 @@
 # How every target of this project is compiled.
-if(TALUS_ONLY_GOLDEN AND CMAKE_CROSSCOMPILING)
-  include(HeaderLibraries)
-else()
+# Sources NAME_posix.cpp and NAME_windows.cpp are of one platform each.
+set(talus_platform posix)
+if(WIN32)
+  set(talus_platform windows)
+endif()
+if(NOT TALUS_ONLY_GOLDEN)
   find_package(PkgConfig REQUIRED)
   find_package(Threads REQUIRED)
+endif()
+if(CMAKE_CROSSCOMPILING AND (TALUS_ONLY_GOLDEN OR WIN32))
+  include(HeaderLibraries)
+else()
   find_package(glm REQUIRED)
   find_package(tl-expected REQUIRED)
   find_package(tomlplusplus REQUIRED)
@@ -15,7 +22,7 @@ endif()
 add_library(talus_flags INTERFACE)
 target_compile_features(talus_flags INTERFACE cxx_std_20)
 # No fused multiply-add anywhere: generation is the same to the bit on every machine (docs/DESIGN.md).
-target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION)
+target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION $<$<PLATFORM_ID:Windows>:NOMINMAX>)
 target_compile_options(talus_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
   # g++ 12 sees overlapping copies in "literal" + std::string where there are none (GCC bug 105651).
@@ -222,10 +229,18 @@ function(talus_dependencies module variable)
   set(${variable} ${depends} PARENT_SCOPE)
 endfunction()
 
+set(talus_manifest "")
+if(WIN32 AND NOT TALUS_ONLY_GOLDEN)
+  enable_language(RC)
+  set(talus_manifest $<TARGET_OBJECTS:talus_manifest>)
+  add_library(talus_manifest OBJECT ${CMAKE_CURRENT_LIST_DIR}/windows/program.rc)
+  target_include_directories(talus_manifest PRIVATE ${CMAKE_CURRENT_LIST_DIR}/windows)
+endif()
+
 # talus_program(NAME SOURCES ... LINK ...): an executable.
 function(talus_program name)
   cmake_parse_arguments(PROGRAM "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${PROGRAM_SOURCES})
+  add_executable(${name} ${PROGRAM_SOURCES} ${talus_manifest})
   target_compile_definitions(${name} PRIVATE TALUS_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE talus_flags ${PROGRAM_LINK})
 endfunction()
@@ -239,5 +254,6 @@ set_target_properties(talus_asio PROPERTIES EXPORT_NAME asio)
 # Not ASIO_NO_DEPRECATED: it changes inline functions, so that every file of a game which links the client library would
 # have to set it too.
 target_compile_definitions(talus_asio INTERFACE ASIO_STANDALONE ASIO_DISABLE_STD_ALIGNED_ALLOC
+  $<$<PLATFORM_ID:Windows>:_WIN32_WINNT=0x0A00>
   $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_CO_AWAIT=1> $<$<CXX_COMPILER_ID:Clang>:ASIO_HAS_STD_COROUTINE=1>)
 target_link_libraries(talus_asio INTERFACE Threads::Threads $<$<PLATFORM_ID:Windows>:ws2_32> $<$<PLATFORM_ID:Windows>:mswsock>)

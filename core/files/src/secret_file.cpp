@@ -1,6 +1,5 @@
 #include <talus/files/secret_file.h>
 
-#include <string.h>
 #include <sys/stat.h>
 
 #include <span>
@@ -38,7 +37,8 @@ tl::expected<SecretFile, FileError> SecretFile::read(const std::filesystem::path
 }
 
 SecretFile::~SecretFile() {
-  if (!bytes_.empty()) ::explicit_bzero(bytes_.data(), bytes_.size());
+  volatile char* const bytes = bytes_.data();  // or a compiler leaves out what is not read again
+  for (std::size_t i = 0; i < bytes_.size(); ++i) bytes[i] = 0;
 }
 
 }  // namespace talus::files

@@ -1,12 +1,12 @@
 #include <talus/progress/progress_bar.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "terminal.h"
 
 namespace talus {
 namespace {
@@ -55,7 +55,7 @@ std::string progress_line(double part, std::uint64_t count, double seconds, cons
 }
 
 ProgressBar::Place ProgressBar::standard_error() {
-  return {stderr, ::isatty(STDERR_FILENO) == 1, true, &Clock::now};
+  return {stderr, standard_error_is_terminal(), true, &Clock::now};
 }
 
 ProgressBar::Place ProgressBar::only_terminal() {
