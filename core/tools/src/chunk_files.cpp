@@ -15,6 +15,7 @@
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
 #include <talus/files/npy_header.h>
+#include <talus/files/path_text.h>
 #include <talus/files/read_file.h>
 #include <talus/voxel/codec.h>
 #include <talus/world_files/world_files.h>
@@ -71,7 +72,7 @@ tl::expected<Chunk, std::string> chunk_of_vox(const Bytes& bytes) {
 }  // namespace
 
 Expected<Chunk> read_voxels(const std::string& path) {
-  const auto bytes = files::read_regular_file(path, kMaxFileBytes);
+  const auto bytes = files::read_regular_file(files::to_path(path), kMaxFileBytes);
   if (!bytes) return tl::unexpected{Failure{bytes.error()}};
   tl::expected<Chunk, std::string> chunk = tl::unexpected{std::string{kNoChunk}};
   if (files::is_npy(std::as_bytes(std::span{*bytes}))) chunk = chunk_of_npy(*bytes);
@@ -81,7 +82,7 @@ Expected<Chunk> read_voxels(const std::string& path) {
 }
 
 Expected<std::vector<std::byte>> read_payload(const std::string& path) {
-  const auto bytes = files::read_regular_file(path, kMaxPayloadBytes);
+  const auto bytes = files::read_regular_file(files::to_path(path), kMaxPayloadBytes);
   if (!bytes && bytes.error().code == std::errc::file_too_large) {
     return failed(path + ": " + std::string{describe(DecodeError::too_long)});
   }
@@ -94,7 +95,8 @@ Expected<void> write_voxels(const Chunk& chunk, const std::string& path) {
   const auto voxels = std::make_unique<DenseVoxels>();
   chunk.copy_to(*voxels);
   const bool is_wide = wide(*voxels);
-  auto file = files::NpyFile::create(path, is_wide ? files::NpyType::uint16 : files::NpyType::uint8);
+  auto file =
+      files::NpyFile::create(files::to_path(path), is_wide ? files::NpyType::uint16 : files::NpyType::uint8);
   if (!file) return tl::unexpected{Failure{file.error()}};
   std::vector<std::uint8_t> narrow;
   std::vector<std::uint16_t> ids;
@@ -111,7 +113,7 @@ Expected<void> write_voxels(const Chunk& chunk, const std::string& path) {
 }
 
 Expected<void> write_payload(std::span<const std::byte> payload, const std::string& path) {
-  return outcome_of(files::write_file(path, payload));
+  return outcome_of(files::write_file(files::to_path(path), payload));
 }
 
 std::size_t zstd_bytes(const Chunk& chunk) {

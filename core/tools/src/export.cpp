@@ -10,6 +10,7 @@
 
 #include <talus/files/atomic_file.h>
 #include <talus/files/npy_file.h>
+#include <talus/files/path_text.h>
 #include <talus/tools/ordered_work.h>
 #include <talus/tools/patch_grid.h>
 
@@ -51,7 +52,7 @@ Expected<void> remove_left_out(const ExportPlan& plan, const std::filesystem::pa
     std::error_code failure;
     std::filesystem::remove(directory / file, failure);
     if (failure)
-      return failed((directory / file).string() +
+      return failed(files::to_text(directory / file) +
                     ": cannot remove an earlier export's array: " + failure.message());
   }
   return {};
@@ -77,7 +78,7 @@ Expected<void> export_region(const terrain::World& world, const terrain::Region&
   if (auto fits = check_bytes(plan, options.max_bytes); !fits) return fits;
   std::error_code made;
   std::filesystem::create_directories(directory, made);
-  if (made) return failed(directory.string() + ": cannot make the directory: " + made.message());
+  if (made) return failed(files::to_text(directory) + ": cannot make the directory: " + made.message());
   auto arrays = create_files(plan, directory);
   if (!arrays) return tl::make_unexpected(arrays.error());
   auto json = files::AtomicFile::create(directory / "export.json");

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include <talus/files/path_text.h>
+
 namespace talus::tools {
 
 Expected<void> check_picture_size(const char* option, std::int64_t width, std::int64_t height) {
@@ -25,7 +27,7 @@ Expected<void> PngFile::write(const Image& image) {
 
 Expected<void> PngFile::write(const pictures::PngImage& image) {
   const auto bytes = pictures::encode_png(image);
-  if (!bytes) return failed(file_.target().string() + ": cannot write: " + bytes.error());
+  if (!bytes) return failed(files::to_text(file_.target()) + ": cannot write: " + bytes.error());
   if (auto written = file_.write_at(0, *bytes); !written) return outcome_of(written);
   return outcome_of(file_.commit());
 }

@@ -1,12 +1,12 @@
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include <talus/files/path_text.h>
 #include <talus/mistyped/command_line.h>
 #include <talus/terrain/world.h>
 #include <talus/tools/command.h>
@@ -62,7 +62,7 @@ void add_output(CLI::App& command, std::string& output, const char* meaning, con
   auto* const option = command.add_option("-o,--output", output, meaning)->type_name(type)->required();
   if (std::string_view{type} != "F.png") return;
   option->check([](const std::string& path) {
-    const std::string extension = std::filesystem::path{path}.extension().string();
+    const std::string extension = files::to_text(files::to_path(path).extension());
     const bool fits = extension.empty() || extension == ".png";
     return fits ? std::string{} : path + ": pictures are PNG; give a name that ends in .png";
   });

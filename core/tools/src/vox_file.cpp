@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <talus/files/path_text.h>
+
 namespace talus::tools {
 namespace {
 
@@ -95,7 +97,7 @@ Expected<void> VoxFile::append(std::span<const std::byte> bytes) {
   constexpr std::uint64_t kMax = std::numeric_limits<std::int32_t>::max();
   if (bytes_ + bytes.size() > kMax) {
     return failed(
-        file_.target().string() +
+        files::to_text(file_.target()) +
         ": a .vox file holds at most 2 GiB; ask for a smaller --size or --depth, or a higher --lod");
   }
   if (auto written = file_.write_at(bytes_, bytes); !written) return outcome_of(written);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <talus/files/path_text.h>
 #include <talus/files/read_file.h>
 
 #include "decoders.h"
@@ -21,8 +22,8 @@ tl::expected<std::filesystem::path, std::string> path_of(const std::filesystem::
   const auto is_control = [](unsigned char c) { return c < 32 || c == 127; };
   if (std::any_of(name.begin(), name.end(), is_control)) return refused("has control characters in its name");
   // Worlds may be untrusted, and the files that they name are read.
-  const std::filesystem::path path{name};
-  if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end()) {
+  const std::filesystem::path path = files::to_path(name);
+  if (path.has_root_path() || std::find(path.begin(), path.end(), "..") != path.end()) {
     return refused("is not below the world file's folder; a path from there without .. is needed");
   }
   return folder / path;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <talus/files/path_text.h>
 #include <talus/map/column_grid.h>
 #include <talus/tools/image.h>
 #include <talus/tools/option_values.h>
@@ -81,7 +82,7 @@ Expected<void> run_map(const Arguments& arguments) {
   if (auto fits = check_picture_size("--size", region.width, region.depth); !fits) return fits;
   const auto edits = edits_of(arguments, where->world);
   if (!edits) return tl::make_unexpected(edits.error());
-  auto file = PngFile::create(arguments.output);
+  auto file = PngFile::create(files::to_path(arguments.output));
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"map", "columns"};
   std::optional<TopsOfEdits> tops;
@@ -116,7 +117,7 @@ Expected<void> run_map_from_afar(const MapArguments& arguments) {
   if (auto fits = check_picture_size("--size", grid->width, grid->depth); !fits) return fits;
   const auto world = load_world(arguments.world);
   if (!world) return tl::make_unexpected(world.error());
-  auto file = PngFile::create(arguments.output);
+  auto file = PngFile::create(files::to_path(arguments.output));
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"map", "columns"};
   return file->write(render_sampled_map(*world, *grid, {.threads = arguments.threads}, progress));
@@ -138,7 +139,7 @@ Expected<void> run_section(const SectionArguments& arguments) {
   if (!line) return tl::make_unexpected(line.error());
   const auto world = load_world(arguments.world);
   if (!world) return tl::make_unexpected(world.error());
-  auto file = PngFile::create(arguments.output);
+  auto file = PngFile::create(files::to_path(arguments.output));
   if (!file) return tl::make_unexpected(file.error());
   ProgressBar progress{"section", "columns"};
   const auto image =
@@ -153,7 +154,7 @@ Expected<void> run_export(const Arguments& arguments) {
   const auto edits = edits_of(arguments, where->world);
   if (!edits) return tl::make_unexpected(edits.error());
   ProgressBar progress{"export", "columns"};
-  return export_region(where->world, where->region, arguments.output,
+  return export_region(where->world, where->region, files::to_path(arguments.output),
                        {.threads = arguments.threads, .edits = edits->get()}, progress);
 }
 
@@ -179,7 +180,7 @@ Expected<void> run_vox(const VoxArguments& arguments) {
   const auto where = world_and_region(arguments, kCorner, kVoxSceneSide);
   if (!where) return tl::make_unexpected(where.error());
   ProgressBar progress{"vox", "models"};
-  return write_vox(where->world, where->region, arguments.output,
+  return write_vox(where->world, where->region, files::to_path(arguments.output),
                    {.threads = arguments.threads, .depth = arguments.depth}, progress);
 }
 

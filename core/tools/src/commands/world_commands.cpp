@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <talus/files/path_text.h>
 #include <talus/terrain/boundary_row.h>
 #include <talus/terrain/heights.h>
 #include <talus/tools/image.h>
@@ -49,10 +49,10 @@ Expected<void> run_preview(const PreviewArguments& arguments) {
     const VoxelPos spawn = terrain::find_spawn(*world);
     centre = IntegerPair{spawn.x, spawn.z};
   }
-  auto file = PngFile::create(arguments.output);
+  auto file = PngFile::create(files::to_path(arguments.output));
   if (!file) return tl::make_unexpected(file.error());
   const std::string name =
-      arguments.world.empty() ? "default" : std::filesystem::path{arguments.world}.stem().string();
+      arguments.world.empty() ? "default" : files::to_text(files::to_path(arguments.world).stem());
   const auto sheet =
       draw_preview(*world, name, centre->first, centre->second, {.threads = arguments.threads});
   if (!sheet) return tl::make_unexpected(sheet.error());
