@@ -1,8 +1,10 @@
 #include "command_line.h"
 
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
+#include <talus/files/path_text.h>
 #include <CLI/CLI.hpp>
 
 #include "command_line/connect_options.h"
@@ -37,6 +39,12 @@ void add_timeout(CLI::App& command, double& seconds) {
       ->capture_default_str();
 }
 
+CLI::Option* add_path(CLI::App& command, const char* names, std::filesystem::path& path,
+                      const char* meaning) {
+  const auto set = [&path](const std::string& text) { path = files::to_path(text); };
+  return command.add_option_function<std::string>(names, set, meaning);
+}
+
 void add_get(CLI::App& app, GetOptions& options, Words& words) {
   auto* command = app.add_subcommand("get", "Fetch one chunk");
   command->add_option("x", words.x, "East of the origin, in chunks of the level")->required();
@@ -44,8 +52,8 @@ void add_get(CLI::App& app, GetOptions& options, Words& words) {
   command->add_option("z", words.z, "South of the origin, in chunks of the level")->required();
   command->add_option("--lod", words.lod, "Level of detail L, 0 to 6: a voxel spans 2^L base voxels")
       ->capture_default_str();
-  command->add_option("-o,--output", options.output,
-                      "Write the voxels as .npy, [y][z][x], instead of printing a summary");
+  add_path(*command, "-o,--output", options.output,
+           "Write the voxels as .npy, [y][z][x], instead of printing a summary");
   add_timeout(*command, options.timeout_seconds);
 }
 
@@ -89,9 +97,9 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
   command->add_option("--speed", options.speed, "Voxels per second")
       ->check(within(0, 100000))
       ->capture_default_str();
-  command->add_option("-o,--output", options.output,
-                      "Write a map of the chunks received, as .png; hatched where chunks are missing");
-  command->add_option("--view", options.view, "Write the camera's picture at the end, as .png");
+  add_path(*command, "-o,--output", options.output,
+           "Write a map of the chunks received, as .png; hatched where chunks are missing");
+  add_path(*command, "--view", options.view, "Write the camera's picture at the end, as .png");
 }
 
 void add_map(CLI::App& app, MapOptions& options, Words& words) {
@@ -103,7 +111,7 @@ void add_map(CLI::App& app, MapOptions& options, Words& words) {
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192));
-  command->add_option("-o,--output", options.output, "Picture to write, .png")->required();
+  add_path(*command, "-o,--output", options.output, "Picture to write, .png")->required();
   add_timeout(*command, options.timeout_seconds);
 }
 

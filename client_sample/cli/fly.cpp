@@ -13,6 +13,7 @@
 #include <talus/client/chunk_store.h>
 #include <talus/client/client.h>
 
+#include <talus/files/path_text.h>
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "flight.h"
@@ -169,7 +170,7 @@ CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo&
     auto written = write_png(draw_map(*gathered.surface, world.materials, gathered.surface->extent(), path),
                              options.output);
     if (!written) return written;
-    std::cout << "map " << options.output.string() << std::endl;
+    std::cout << "map " << files::to_text(options.output) << std::endl;
   }
   if (!options.view.empty()) {
     const int reach = view.rings.empty() ? view.horizontal_radius : view.rings.back().radius;
@@ -181,7 +182,7 @@ CommandResult save_pictures(const FlightData& gathered, const client::WorldInfo&
     progress.reset();
     auto written = write_png(picture, options.view);
     if (!written) return written;
-    std::cout << "view " << options.view.string() << '\n';
+    std::cout << "view " << files::to_text(options.view) << '\n';
   }
   return {};
 }

@@ -12,6 +12,7 @@
 
 #include <talus/client/client.h>
 
+#include <talus/files/path_text.h>
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "heights_of.h"
@@ -163,7 +164,8 @@ asio::awaitable<CommandResult> map(ConnectTarget target, MapOptions options) {
 
   const auto written = write_png(draw_map(*surface, world->materials, *extent, {}), options.output);
   if (!written) co_return written;
-  std::cout << options.output.string() << ": " << extent->width << " x " << extent->depth << " columns, "
+  std::cout << files::to_text(options.output) << ": " << extent->width << " x " << extent->depth
+            << " columns, "
             << "received " << client.stats().chunk_frames << " chunks in " << client.stats().received_bytes
             << " bytes\n";
   co_return CommandResult{};

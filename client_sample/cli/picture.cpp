@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <talus/files/atomic_file.h>
+#include <talus/files/path_text.h>
 #include <talus/pictures/png.h>
 #include <talus/pictures/srgb.h>
 
@@ -15,7 +16,7 @@ glm::vec3 to_light(std::uint32_t rgb) {
 
 tl::expected<void, std::string> check_png_name(const std::filesystem::path& path, std::string_view option) {
   if (path.empty() || path.extension() == ".png") return {};
-  return tl::unexpected{std::string{option} + " " + path.string() +
+  return tl::unexpected{std::string{option} + " " + files::to_text(path) +
                         ": pictures are PNG; give a name that ends in .png"};
 }
 
@@ -26,7 +27,7 @@ tl::expected<void, std::string> write_png(const Picture& picture, const std::fil
     for (const float channel : {pixel.r, pixel.g, pixel.b}) rgb.push_back(pictures::channel_of(channel));
   }
   const auto file = pictures::encode_png({.width = picture.width, .height = picture.height, .rgb = rgb});
-  if (!file) return tl::unexpected{path.string() + ": cannot write: " + file.error()};
+  if (!file) return tl::unexpected{files::to_text(path) + ": cannot write: " + file.error()};
   return files::write_file(path, *file).map_error([](const auto& error) { return error.message(); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <talus/files/path_text.h>
 #include <talus/files/read_file.h>
 #include <talus/protocol/limits.h>
 
@@ -23,7 +24,7 @@ tl::expected<std::string, std::string> read_token(const ConnectWords& words) {
   };
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   constexpr std::size_t kAddedBytes = 16;  // by editors: the mark, and line ends
-  auto text = files::read_file(words.token_file, kMaxTokenBytes + kAddedBytes);
+  auto text = files::read_file(files::to_path(words.token_file), kMaxTokenBytes + kAddedBytes);
   if (!text && text.error().code != std::errc::file_too_large) return wrong(text.error().reason);
   if (text && text->starts_with(kByteOrderMark)) text->erase(0, kByteOrderMark.size());
   while (text && (text->ends_with('\n') || text->ends_with('\r'))) text->pop_back();

@@ -8,6 +8,8 @@
 
 #include <talus/client/tls.h>
 
+#include "system_certificates.h"
+
 namespace talus::client {
 namespace {
 
@@ -39,15 +41,15 @@ Result<tls::Context> make_tls_context(const TlsOptions& options) {
     return tl::unexpected{ClientError{ErrorKind::untrusted, "TLS 1.3: " + tls::last_reason(), {}}};
   }
   std::error_code ignored;
-  if (!options.ca_file.empty() && std::filesystem::exists(options.ca_file, ignored) &&
-      !std::filesystem::is_regular_file(options.ca_file, ignored)) {
+  const std::filesystem::path file{std::u8string{options.ca_file.begin(), options.ca_file.end()}};
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
     return tl::unexpected{
         ClientError{ErrorKind::untrusted,
                     options.ca_file + ": is not a regular file; give a PEM file of trusted certificates",
                     {}}};
   }
   const bool trusted = options.ca_file.empty()
-                           ? SSL_CTX_set_default_verify_paths(context.get()) == 1
+                           ? trust_system_certificates(context.get())
                            : SSL_CTX_load_verify_file(context.get(), options.ca_file.c_str()) == 1;
   if (!trusted) {
     return tl::unexpected{ClientError{ErrorKind::untrusted,
