@@ -2,7 +2,7 @@
 """Windows' talus-gen, talus-client and libtalus (in Wine) beside this machine's, against this machine's talusd: the same bytes
 by TCP, TLS and WebSocket; names of files beyond ASCII; what is refused, and how.
 
-windows.py --windows BUILD [--here BUILD] [--world FILE]"""
+windows.py [--windows BUILD] [--here BUILD] [--world FILE] [--zip FILE]"""
 
 import argparse
 import hashlib
@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 from agree import HERE, Machine, bytes_of, compare, exported, played, seen
 
@@ -47,6 +48,30 @@ def streamed(here, clients, world):
                 result["game"] = client.run(GAME, host, port, "-", 64, 128, 64)
                 result["fly"] = client.run("client_sample/c_api/fly", host, port)
     return results
+
+
+def of_zip(file, folder):
+    """The programs of the package, and fly.c compiled with nothing but what is in it."""
+    with zipfile.ZipFile(file) as package:
+        package.extractall(folder)
+    (root,) = folder.iterdir()
+    subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=c99", "-I", root / "include", root / "examples/fly.c",
+                    root / "lib/libtalus.dll.a", "-o", root / "bin/fly.exe"], check=True)
+    return Machine("zip", root / "bin", str(WINE), ".exe")
+
+
+def packaged(file, here, world):
+    """The package in a folder of its own."""
+    with tempfile.TemporaryDirectory(prefix="talus-windows.") as name:
+        folder = pathlib.Path(name)
+        package = of_zip(file, folder / "unpacked")
+        with here.served(world, folder / "data") as address:
+            at = ("--connect", address, "at", "0,0")
+            same = compare("the zip",
+                           {"fly": here.run("client_sample/c_api/fly", *address.rsplit(":", 1)), "at": here.run(CLIENT, *at)},
+                           {"fly": package.run("fly", *address.rsplit(":", 1)), "at": package.run("talus-client", *at)})
+        print(package.run("talus-gen", "--version").strip(), flush=True)
+    return same
 
 
 def named(machine, world):
@@ -135,6 +160,7 @@ def main():
     parser.add_argument("--here", default=HERE / "build/release", help="build folder of this machine")
     parser.add_argument("--windows", default=HERE / "build/windows", help="build folder for Windows")
     parser.add_argument("--world", default=HERE / "core/worlds/default.toml", type=pathlib.Path)
+    parser.add_argument("--zip", type=pathlib.Path, help="the package, to be tried in a folder of its own")
     options = parser.parse_args()
     here, windows = Machine("here", options.here), Machine("windows", options.windows, str(WINE), ".exe")
     same = compare("talus-gen", exported(here, options.world), exported(windows, options.world))
@@ -143,6 +169,8 @@ def main():
     same &= compare("talus-client by TCP", played(here, here, options.world), played(here, windows, options.world))
     same &= compare("by TLS, and libtalus", *streamed(here, (here, windows), options.world))
     trusts_the_system(here, windows, options.world)
+    if options.zip:
+        same &= packaged(options.zip, here, options.world)
     sys.exit(0 if same else 1)
 
 
