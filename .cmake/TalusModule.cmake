@@ -4,7 +4,7 @@ set(talus_platform posix)
 if(WIN32)
   set(talus_platform windows)
 endif()
-if(NOT TALUS_ONLY_GOLDEN)
+if(NOT (TALUS_ONLY_GOLDEN AND CMAKE_CROSSCOMPILING))
   find_package(PkgConfig REQUIRED)
   find_package(Threads REQUIRED)
 endif()
@@ -22,7 +22,8 @@ endif()
 add_library(talus_flags INTERFACE)
 target_compile_features(talus_flags INTERFACE cxx_std_20)
 # No fused multiply-add anywhere: generation is the same to the bit on every machine (docs/DESIGN.md).
-target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION $<$<PLATFORM_ID:Windows>:NOMINMAX>)
+target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION
+  $<$<PLATFORM_ID:Windows>:NOMINMAX> $<$<PLATFORM_ID:Windows>:WIN32_LEAN_AND_MEAN>)
 target_compile_options(talus_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
   # g++ 12 sees overlapping copies in "literal" + std::string where there are none (GCC bug 105651).
@@ -160,6 +161,10 @@ function(talus_module name)
     talus_kernel_sources(${MODULE_KERNELS})
   endif()
   add_library(talus_${name} STATIC ${MODULE_SOURCES} ${MODULE_KERNELS})
+  list(FILTER MODULE_SOURCES INCLUDE REGEX "_windows\\.cpp$")  # windows.h defines what others take for names
+  if(MODULE_SOURCES)
+    talus_alone(${MODULE_SOURCES})
+  endif()
   if(MODULE_KERNELS AND TALUS_SANITIZE)
     target_compile_options(talus_${name} PRIVATE -O1)  # -Og inlines too little of them
   endif()

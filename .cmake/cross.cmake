@@ -26,7 +26,6 @@ elseif(TALUS_TARGET STREQUAL "windows")
   set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
   set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
   set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")  # a library brings what it needs of the compiler's
-  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
   set(OPENSSL_USE_STATIC_LIBS ON)
   set(ZLIB_USE_STATIC_LIBS ON)
   set(CMAKE_CROSSCOMPILING_EMULATOR ${CMAKE_CURRENT_LIST_DIR}/windows/wine.sh)
