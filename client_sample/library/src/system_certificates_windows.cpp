@@ -7,6 +7,7 @@
 #include <memory>
 
 // After wincrypt.h, whose macros have some of its names.
+#include <openssl/err.h>
 #include <openssl/ssl.h>
 
 namespace talus::client {
