@@ -13,8 +13,7 @@
 namespace talus::client {
 namespace {
 
-constexpr DWORD kOpen =
-    CERT_STORE_READONLY_FLAG | CERT_STORE_OPEN_EXISTING_FLAG | CERT_SYSTEM_STORE_CURRENT_USER;
+constexpr DWORD kOpen = CERT_STORE_READONLY_FLAG | CERT_SYSTEM_STORE_CURRENT_USER;
 
 struct CloseStore {
   void operator()(void* store) const { ::CertCloseStore(store, 0); }
