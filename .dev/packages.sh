@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # ./dev package: what people take who do not compile. Everything goes to out/packages.
 
-package_kinds=(deb arm64 portable sdk npm wheel)
+package_kinds=(deb arm64 portable sdk windows npm wheel)
 package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
 
 # package [--uncommitted] [KIND...]

@@ -7,10 +7,12 @@ build_windows() {
   build windows -- "$@"
 }
 
-# package_windows: out/packages/talus-VERSION-windows-x86_64.zip, whose path it prints.
+windows_name() { printf 'talus-%s-windows-x86_64' "$(package_version)"; }
+
+# For games: libtalus, talus-gen and talus-client.
 package_windows() {
   local name
-  name="talus-$(sed -nE 's/^project\(talus VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)-windows-x86_64"
+  name="$(windows_name)"
   build_windows talus-gen talus-client talus_c
   mkdir -p out/packages
   rm -rf "out/packages/$name" "out/packages/$name.zip"
@@ -20,14 +22,12 @@ package_windows() {
   done
   (cd out/packages && cmake -E tar cf "$name.zip" --format=zip "$name")
   rm -r "out/packages/$name"
-  printf '%s\n' "out/packages/$name.zip"
 }
 
 test_windows() {
-  local zip
   deps build test cross
   build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen talus_fly talus_game
-  zip="$(package_windows)"
+  package_windows
   build_windows talus_fly talus_game
-  python3 -B tests/machines/windows.py --zip "$zip"
+  python3 -B tests/machines/windows.py --zip "out/packages/$(windows_name).zip"
 }
