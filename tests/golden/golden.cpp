@@ -1,8 +1,8 @@
 // Prints hashes of fixed regions of the sample worlds and compares them with golden.txt, which changes only
-// together with the generator or the codec version. `--write` prints without comparing, `--inputs` what
-// golden_text.mjs makes the same text of.
+// together with the generator or the codec version. `--write` prints without comparing.
 #include <xxhash.h>
 
+#include <cstdint>
 #include <iostream>
 #include <span>
 #include <sstream>

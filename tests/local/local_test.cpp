@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <span>
 #include <string>
@@ -100,14 +103,8 @@ TEST_CASE("a problem has its place in parts") {
 }
 
 TEST_CASE("files of a world come from its reader") {
-  std::string toml{terrain::classic_world_toml()};
-  const auto surface = toml.find("[surface]");
-  REQUIRE(surface != std::string::npos);
-  const auto next = toml.find("\n[", surface);
-  toml.replace(surface, next - surface,
-               "[surface]\nkind = \"height_map\"\namplitude = 0.5\n[surface.height_map]\nfile = \"land\"\n"
-               "spacing = 1\n");
-  toml = "strata_wavelength = 1\n" + toml;
+  std::ifstream file{TALUS_SOURCE_DIR "/tests/golden/worlds/height_map.toml"};
+  const std::string toml{std::istreambuf_iterator<char>{file}, {}};
   std::string asked;
   const auto none =
       open(toml, [&](const std::string& name) -> tl::expected<std::vector<std::byte>, std::string> {
@@ -116,6 +113,6 @@ TEST_CASE("files of a world come from its reader") {
       });
   REQUIRE_FALSE(none);
   INFO(none.error().message);
-  CHECK(asked == "land");
+  CHECK(asked == "made by the test");
   CHECK_THAT(none.error().text, Catch::Contains("was not given"));
 }
