@@ -157,21 +157,6 @@ class BatchKeys final : public rocksdb::WriteBatch::Handler {
   }
 };
 
-/// Returns the numbers of the log files in `directory`, rising.
-std::vector<std::uint64_t> log_numbers(rocksdb::Env& env, const std::string& directory) {
-  std::vector<std::string> names;
-  env.GetChildren(directory, &names).PermitUncheckedError();
-  std::vector<std::uint64_t> numbers;
-  for (const std::string_view name : names) {
-    std::uint64_t number = 0;
-    const char* const end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data(), end, number);
-    if (error == std::errc{} && std::string_view{stop, end} == ".log") numbers.push_back(number);
-  }
-  std::ranges::sort(numbers);
-  return numbers;
-}
-
 class LogScan {
  public:
   void read(const std::string& name, std::string_view file) {
@@ -220,6 +205,20 @@ class LogScan {
 };
 
 }  // namespace
+
+std::vector<std::uint64_t> log_numbers(rocksdb::Env& env, const std::string& directory) {
+  std::vector<std::string> names;
+  env.GetChildren(directory, &names).PermitUncheckedError();
+  std::vector<std::uint64_t> numbers;
+  for (const std::string_view name : names) {
+    std::uint64_t number = 0;
+    const char* const end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data(), end, number);
+    if (error == std::errc{} && std::string_view{stop, end} == ".log") numbers.push_back(number);
+  }
+  std::ranges::sort(numbers);
+  return numbers;
+}
 
 std::optional<LogDamage> find_log_damage(rocksdb::Env& env, const std::string& directory,
                                          std::uint64_t first_log) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rocksdb {
 class Env;
@@ -21,6 +22,9 @@ struct LogDamage {
   /// a synced batch is damaged.
   std::optional<std::uint64_t> entry_behind;
 };
+
+/// Returns the numbers of the log files in `directory`, rising.
+[[nodiscard]] std::vector<std::uint64_t> log_numbers(rocksdb::Env& env, const std::string& directory);
 
 /// Reads the logs in `directory` from number `first_log` on. Returns the first damage; nullopt if each record
 /// is whole and follows the one before.

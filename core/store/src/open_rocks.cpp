@@ -1,6 +1,7 @@
 #include <talus/store/open_rocks.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -37,7 +38,6 @@ class LogOrder final : public rocksdb::WalFilter {
     if (number < first_log_) return WalProcessingOption::kContinueProcessing;
     std::uint64_t sequence = 0;
     for (std::size_t i = 8; i-- > 0;) sequence = sequence << 8U | static_cast<std::uint8_t>(batch.Data()[i]);
-    if (first_sequence_ == 0) first_sequence_ = sequence;
     if (next_ != 0 && sequence > next_) return WalProcessingOption::kCorruptedRecord;
     next_ = sequence + batch.Count();
     return WalProcessingOption::kContinueProcessing;
@@ -47,13 +47,10 @@ class LogOrder final : public rocksdb::WalFilter {
   [[nodiscard]] bool has_begun() const { return has_begun_; }
   /// Number of the first log that has data which no table has.
   [[nodiscard]] std::uint64_t first_log() const { return first_log_; }
-  /// Sequence number that the logs from that one on begin with; 0 if they are empty.
-  [[nodiscard]] std::uint64_t first_sequence() const { return first_sequence_; }
 
  private:
   bool has_begun_ = false;
   std::uint64_t first_log_ = 0;
-  std::uint64_t first_sequence_ = 0;
   std::uint64_t next_ = 0;  // the sequence number that comes next; 0: unknown
 };
 
@@ -170,7 +167,7 @@ class Opener {
       settings_.point_in_time = true;
       if (!attempt(RocksUse::read, false).ok()) return refuse();
     }
-    if (torn && !has_whole_log()) {
+    if (torn && !has_whole_log(torn->file)) {
       return failure(rocksdb::Status::Corruption(
                          "the log lacks data whose table a lost record of the manifest may name"),
                      in_manifest);
@@ -195,15 +192,18 @@ class Opener {
 
   /// Returns false if a write may be in neither a table of the manifest nor the log. RocksDB deletes a log
   /// once a record of the manifest, synced, names the tables that have its data.
-  [[nodiscard]] bool has_whole_log() const {
-    const LogOrder& order = parts_->order;
-    if (env_.FileExists(fmt::format("{}/{:06}.log", path_, order.first_log())).ok()) return true;
-    // The manifest may name a log that never existed: a start gives that number after it emptied a log.
-    std::vector<rocksdb::LiveFileMetaData> tables;
-    db_->GetLiveFilesMetaData(&tables);
-    std::uint64_t last = 0;
-    for (const auto& table : tables) last = std::max(last, table.largest_seqno);
-    return order.first_sequence() != 0 && order.first_sequence() <= last + 1;
+  [[nodiscard]] bool has_whole_log(const std::string& manifest) const {
+    const auto logs = log_numbers(env_, path_);
+    const auto first = std::ranges::lower_bound(logs, parts_->order.first_log());
+    if (first == logs.end()) return false;
+    if (*first == parts_->order.first_log()) return true;
+    // A start names a log that never existed, makes the log of its first writes, then the manifest; numbers
+    // rise. A flush makes a log after the manifest. The sequence numbers in the tables prove nothing: a
+    // compaction into the last level sets them to 0.
+    constexpr std::string_view kPrefix = "MANIFEST-";
+    std::uint64_t number = 0;
+    std::from_chars(manifest.data() + kPrefix.size(), manifest.data() + manifest.size(), number);
+    return *first < number;
   }
 
   void drop(const LogDamage& damage, std::string_view why) {
