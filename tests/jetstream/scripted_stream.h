@@ -21,8 +21,8 @@ class ScriptedStream {
   struct Script {
     using Messages = std::map<std::uint64_t, std::string>;  // by number
     bool has_leader = true;
-    Messages leader;
-    Messages replicas;                                   // as any of them has them
+    Messages leader{};
+    Messages replicas{};                                 // as any of them has them
     std::string replicas_time = "2026-01-01T00:00:00Z";  // which is the leader's
   };
 

@@ -1,9 +1,8 @@
 #include "tops_of_edits.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include <talus/terrain/extraction.h>
 #include <talus/terrain/generator.h>
@@ -101,9 +100,8 @@ void TopsOfEdits::add_tops(ChunkKey column, const terrain::Region& region,
     if (!after_done) after_done = merge(after, overrides->merged_over(chunk), y);
     if (unnamed) {
       fail({kExitFailed,
-            fmt::format("chunk {}: material {} has no name in the store; start talusd once with the store's "
-                        "world, which names it",
-                        to_string(key), to_integer(*unnamed))});
+            "chunk " + to_string(key) + ": material " + std::to_string(to_integer(*unnamed)) +
+                " has no name in the store; start talusd once with the store's world, which names it"});
       return;
     }
   }
