@@ -367,9 +367,6 @@ TEST_CASE("an edit that no message has room for is refused before it is in the l
   CHECK(answers.apply(cluster.log(0), write_at(2, 5))->kind == Kind::done);
 }
 
-}  // namespace
-}  // namespace talus::server
-
 TEST_CASE("an edit that the log rejects for now is answered, and the log is tried until it takes edits") {
   ClusterInMemory cluster{1};
   cluster.open();
@@ -388,3 +385,6 @@ TEST_CASE("an edit that the log rejects for now is answered, and the log is trie
   cluster.until_applied();
   CHECK(cluster.nodes[0]->state().head().revision == 1);
 }
+
+}  // namespace
+}  // namespace talus::server
