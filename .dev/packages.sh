@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # ./dev package: what people take who do not compile. Everything goes to out/packages.
 
-package_kinds=(deb arm64 portable sdk windows npm wheel)
+package_kinds=(deb portable sdk npm wheel arm64 windows)
+package_usual=("${package_kinds[@]:0:5}")
 package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
 
 # package [--uncommitted] [KIND...]
@@ -17,7 +18,7 @@ package() {
     fi
     shift
   done
-  ((${#kinds[@]})) || kinds=("${package_kinds[@]}")
+  ((${#kinds[@]})) || kinds=("${package_usual[@]}")
   if ((!uncommitted)) && [[ -e .git ]]; then
     changed="$(git status --porcelain | head -n 1)"
     # --version would name a commit that the package is not.

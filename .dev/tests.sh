@@ -92,7 +92,6 @@ test_at_length() {
   stage "the same voxels on every target" golden --all
   stage "a server and a client on ARM" agree_on aarch64 arm64
   stage "a server and a client on a big-endian machine" agree_on s390x s390x
-  stage "clients on Windows" test_windows
   by_clang
   by_clang --all
   say "fourteen hostile minutes"
@@ -114,6 +113,7 @@ test_at_length() {
   sanitize address thread
   avx512
   fuzz 120
+  stage "clients on Windows" test_windows
 }
 
 damage_stores() {

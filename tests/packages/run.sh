@@ -5,7 +5,7 @@ cd "$(dirname "$0")/../.."
 source tests/packages/common.sh
 ((EUID == 0)) || die "needs root, for roots and networks of its own"
 packages=out/packages talusd=build/release/server/talusd
-for kind in "${@:-deb arm64 portable sdk npm wheel}"; do
+for kind in "${@:-deb portable sdk npm wheel}"; do
   for each in $kind; do
     began=$SECONDS
     case "$each" in
