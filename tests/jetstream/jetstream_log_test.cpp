@@ -282,14 +282,17 @@ TEST_CASE("a number that no message has is passed over as an empty message") {
   auto settings = wanted_settings(one.names, 1);
   settings["deny_delete"] = false;
   ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
-  const auto log = open_log(one.servers.url_list(), one.names);
-  for (const char* const text : {"a", "b", "c", "d", "e"}) publish(*log, text);
+  {
+    const auto writer = open_log(one.servers.url_list(), one.names);
+    for (const char* const text : {"a", "b", "c", "d", "e"}) publish(*writer, text);
+  }
   // nats-server 2.9 does the same when an account's limit refuses a message.
   for (const int sequence : {2, 3, 5}) {
     const auto answer = ask(one.servers, "$JS.API.STREAM.MSG.DELETE." + one.names.stream,
                             fmt::format("{{\"seq\":{}}}", sequence));
     REQUIRE(answer.find("\"success\":true") != std::string::npos);
   }
+  const auto log = open_log(one.servers.url_list(), one.names);
   const auto read_beside_state = [&](std::uint64_t after) {
     const auto until = from_now(kPatience);
     for (;;) {
