@@ -113,6 +113,8 @@ TEST_CASE("settings that somebody changes later are logged, once, and the server
     }
   };
   CHECK(publish(**log, "a") == 1);
+  const auto until_seen = from_now(kPatience);
+  while (!(*log)->state()) REQUIRE(std::chrono::steady_clock::now() < until_seen);
   auto settings = wanted_settings(one.names, 1);
   settings["max_bytes"] = 1 << 20;
   ask(one.servers, "$JS.API.STREAM.UPDATE." + one.names.stream, settings.dump());
