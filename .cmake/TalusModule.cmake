@@ -24,7 +24,7 @@ target_compile_features(talus_flags INTERFACE cxx_std_20)
 # No fused multiply-add anywhere: generation is the same to the bit on every machine (docs/DESIGN.md).
 target_compile_definitions(talus_flags INTERFACE TALUS_NO_CONTRACTION
   $<$<PLATFORM_ID:Windows>:NOMINMAX> $<$<PLATFORM_ID:Windows>:WIN32_LEAN_AND_MEAN>)
-if(WIN32)
+if(WIN32 AND NOT TALUS_ONLY_GOLDEN)
   target_compile_options(talus_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-include> $<$<COMPILE_LANGUAGE:CXX>:${CMAKE_CURRENT_LIST_DIR}/windows/plain_names.h>)
 endif()
 target_compile_options(talus_flags INTERFACE

@@ -1,4 +1,4 @@
-# What ./dev package makes of a build by CPack: Debian's packages of /usr (DEB), and an archive of the SDK (TGZ).
+# Debian's packages, of /usr, which ./dev package makes of a build by CPack.
 set(CPACK_PACKAGE_NAME talus)
 set(CPACK_PACKAGE_VENDOR Talus)
 set(CPACK_PACKAGE_CONTACT "Talus <talus@localhost>")

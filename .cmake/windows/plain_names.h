@@ -1,4 +1,4 @@
-// Before every source for Windows, whose headers make nothing of these names.
+// Before every source for Windows, whose headers define these names as macros.
 #pragma once
 
 #include <winsock2.h>
