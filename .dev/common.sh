@@ -141,7 +141,7 @@ tracked() {
 check_format() {
   say "checking the format"
   local found
-  found="$({ tracked '*.cpp' '*.h' | xargs clang-format-14 --dry-run --Werror; } 2>&1)" && return
+  found="$({ tracked '*.cpp' '*.h' | xargs -P "$jobs" -n 50 clang-format-14 --dry-run --Werror; } 2>&1)" && return
   printf '%s\n' "$found" >&2
   [[ "$found" == *-Wclang-format-violations* ]] || die "the format could not be checked"
   die "not formatted; ./dev lint --fix formats it"

@@ -174,12 +174,27 @@ by_clang() {
   if (($#)); then
     stage "building everything by clang" build clang
     stage "testing what clang built" tests_of clang
+    stage "every golden region, not optimised" golden_not_optimised
     return
   fi
   stage "building by g++ at other levels" build release -DTALUS_TESTS=ON -- golden
   stage "testing what g++ built" tests_of release -C golden -R '^golden:'
   stage "building by clang" build clang-golden -- golden
   stage "testing what clang built" tests_of clang-golden -C golden -R '^golden:'
+}
+
+# Of these regions the tests compare every seventh.
+golden_not_optimised() {
+  build release -DTALUS_TESTS=ON -- talus_golden_O0
+  build clang-golden -- talus_golden_O0
+  local preset set status
+  for preset in release clang-golden; do
+    for set in scalar sse4 avx2 avx512; do
+      status=0
+      TALUS_INSTRUCTION_SET="$set" aloud "$preset by $set" "build/$preset/tests/golden/talus_golden_O0" tests/golden/golden.txt || status=$?
+      ((status == 0 || status == 77)) || die "voxels of $preset by $set differ"
+    done
+  done
 }
 
 # golden [--all | TARGET...]: the voxels and payloads of tests/golden/golden.txt on other machines; what this one does not run
