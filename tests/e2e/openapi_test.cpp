@@ -234,12 +234,24 @@ class Provoker {
       return answer;
     }
     REQUIRE(status == "503");
-    const HttpClient first{full_.http_port()};
-    HttpClient second{full_.http_port()};
-    return second.read();
+    while (true) {
+      HttpClient first{full_.http_port()};
+      if (!is_served(first)) continue;
+      HttpClient second{full_.http_port()};
+      return second.read();
+    }
   }
 
  private:
+  // A connection that the test has closed may have the place until the server has seen its end.
+  static bool is_served(HttpClient& client) {
+    try {
+      return client.get("/v1/world").status == 200;
+    } catch (const std::exception&) {
+      return false;
+    }
+  }
+
   static Answer get(ServerProcess& server, const std::string& target, const std::string& fields = "") {
     HttpClient client{server.http_port()};
     return client.get(target, fields);
