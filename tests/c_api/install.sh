@@ -7,6 +7,8 @@ prefix="$build/c-api-install-test"
 rm -rf "$prefix"
 "$cmake" --install "$build" --prefix "$prefix" --component c_api
 export PKG_CONFIG_PATH="$prefix/$libdir/pkgconfig"
+version="$(awk '/^#define TALUS_API_M(AJ|IN)OR / { printf "%s%s", dot, $3; dot = "." }' "$prefix/include/talus.h")"
+[[ "$(pkg-config --modversion talus)" == "$version" ]] || { echo "pkg-config says $(pkg-config --modversion talus), not the interface's $version"; exit 1; }
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
 [[ -z "$sanitize" ]] || flags+=("-fsanitize=$sanitize")
 "$compiler" -std=c99 -Wall -Wextra -pedantic -Werror "$example" -o "$prefix/fly" "${flags[@]}"
