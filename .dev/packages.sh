@@ -1,8 +1,8 @@
 # shellcheck shell=bash
 # ./dev package: what people take who do not compile. Everything goes to out/packages.
 
-package_kinds=(deb portable sdk npm wheel arm64 windows)
-package_usual=("${package_kinds[@]:0:5}")
+package_kinds=(deb portable sdk npm wheel crate arm64 windows)
+package_usual=("${package_kinds[@]:0:6}")
 package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
 
 # package [--uncommitted] [KIND...]
@@ -117,14 +117,15 @@ package_sdk() {
   local name component
   name="talus-sdk-$(package_version)-linux-$(uname -m)"
   built_programs
-  rm -rf "build/sdk" "out/packages/$name.tar.gz"
+  rm -rf build/sdk-package "out/packages/$name.tar.gz"
   for component in sdk c_api; do
-    cmake --install build/release --prefix "build/sdk/$name" --component "$component" --strip >>build/release/install.log
+    cmake --install build/release --prefix "build/sdk-package/$name" --component "$component" --strip >>build/release/install.log
   done
-  mkdir "build/sdk/$name/examples"
-  cp client_sample/c_api/examples/fly.c tests/install/consumer/game.cpp "build/sdk/$name/examples/"
-  cp LICENSE "build/sdk/$name/"
-  tar -C build/sdk --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"
+  # Beside share/talus/bindings, where the examples look for them.
+  cp -r client_sample/c_api/examples "build/sdk-package/$name/share/talus/"
+  cp tests/install/consumer/game.cpp "build/sdk-package/$name/share/talus/examples/"
+  cp LICENSE "build/sdk-package/$name/"
+  tar -C build/sdk-package --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"
 }
 
 package_npm() {
@@ -141,4 +142,17 @@ package_wheel() {
   cp -r client_sample/python build/wheel/source
   /usr/bin/python3 -m venv build/wheel/venv
   aloud "making the wheel" build/wheel/venv/bin/pip wheel --quiet --disable-pip-version-check --no-deps -w out/packages build/wheel/source
+}
+
+# From a copy, as cargo writes beside the source. It compiles what it packs, against the libtalus of this build.
+package_crate() {
+  command -v cargo >/dev/null || deps rust
+  built_programs
+  rm -rf build/crate out/packages/talus-*.crate
+  cmake --install build/release --prefix "$PWD/build/crate/installed" --component c_api >>build/release/install.log
+  cp -r client_sample/rust build/crate/source
+  cp LICENSE build/crate/source/
+  (cd build/crate/source && PKG_CONFIG_PATH="$OLDPWD/build/crate/installed/lib/pkgconfig" \
+    cargo package --quiet --offline --allow-dirty --target-dir ../target >&2)
+  cp "build/crate/target/package/talus-$(package_version).crate" out/packages/
 }

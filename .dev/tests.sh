@@ -108,6 +108,8 @@ test_at_length() {
   stage "testing the files for many machines" tests/deployment/run.sh
   deps containers
   stage "building the image and starting it" tests/deployment/image.sh
+  deps bindings image
+  stage "building the client libraries alone in a bare Debian" tests/install/alone.sh
   package --uncommitted
   stage "installing every package and using it" tests/packages/run.sh
   sanitize address thread

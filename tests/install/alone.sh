@@ -13,7 +13,7 @@ bare_debian "$root" "$log"
 packages="$(awk '$1 == "sdk:" { $1 = ""; print }' docker/packages.txt)"
 version="$(sed -nE 's/^project\(talus VERSION ([0-9]+\.[0-9]+).*/\1/p' CMakeLists.txt)"
 mkdir "$root/talus"
-git ls-files -co --exclude-standard -z | tar --null -T - --ignore-failed-read -c | tar -C "$root/talus" -x
+tar --exclude=./build --exclude=./out --exclude=./.git --exclude=node_modules -c . | tar -C "$root/talus" -x
 
 in_root "$root" "set -euo pipefail
 export LC_ALL=C DEBIAN_FRONTEND=noninteractive PATH=/usr/sbin:/usr/bin:/sbin:/bin PKG_CONFIG_PATH=/opt/talus/lib/pkgconfig LD_LIBRARY_PATH=/opt/talus/lib

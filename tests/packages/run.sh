@@ -5,13 +5,13 @@ cd "$(dirname "$0")/../.."
 source tests/packages/common.sh
 ((EUID == 0)) || die "needs root, for roots and networks of its own"
 packages=out/packages talusd=build/release/server/talusd
-for kind in "${@:-deb portable sdk npm wheel}"; do
+for kind in "${@:-deb portable sdk npm wheel crate}"; do
   for each in $kind; do
     began=$SECONDS
     case "$each" in
       deb) tests/packages/debs.sh "$packages" "$(dpkg --print-architecture)" ;;
       arm64) tests/packages/debs.sh "$packages" arm64 ;;
-      portable | sdk | npm | wheel) "tests/packages/$each.sh" "$packages" "$talusd" ;;
+      portable | sdk | npm | wheel | crate) "tests/packages/$each.sh" "$packages" "$talusd" ;;
       *) die "'$each' is no kind of package" ;;
     esac
     say "$each took $((SECONDS - began)) s"

@@ -1,21 +1,26 @@
 #!/usr/bin/env bash
-# sdk.sh PACKAGES TALUSD: unpacks the SDK in a new folder, compiles its examples in C (by pkg-config) and in C++ (by CMake),
-# and runs them against talusd. As root, for a network of its own: game.cpp takes the port that talusd has by default.
+# sdk.sh PACKAGES TALUSD: unpacks the SDK in a new folder, compiles its examples in C (by pkg-config), in C++ (by CMake) and in C#
+# (by Mono), and runs them against talusd, and those for Python and LuaJIT. As root, for a network of its own: game.cpp takes the
+# port that talusd has by default.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 sdk="$(realpath "$(only_one "$1/talus-sdk-*.tar.gz")")" talusd="$(realpath "$2")"
+layout="$(realpath "$(dirname "$0")/../bindings/layout.py")"
+command -v mcs >/dev/null || die "needs Mono's C# compiler; ./dev deps bindings installs it"
 scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 tar -xzf "$sdk" --strip-components=1 --one-top-level=sdk
 # Where it was made is nothing to it.
 ! grep -rIl "$(dirname "$talusd")" sdk || die "it names the folder in which it was built"
+examples=sdk/share/talus/examples bindings=sdk/share/talus/bindings
 
 export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig"
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
-gcc -std=c99 -Wall -Wextra -pedantic -Werror sdk/examples/fly.c -o fly "${flags[@]}"
+gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/fly.c -o fly "${flags[@]}"
+mcs -warnaserror $examples/Fly.cs $bindings/Talus.cs -out:Fly.exe
 mkdir game
-cp sdk/examples/game.cpp game/
+cp $examples/game.cpp game/
 cat >game/CMakeLists.txt <<'CMAKE'
 cmake_minimum_required(VERSION 3.25)
 project(game LANGUAGES CXX)
@@ -26,15 +31,27 @@ CMAKE
 cmake -S game -B game/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$scratch/sdk" >configure.log || { cat configure.log; die "find_package failed"; }
 cmake --build game/build >build.log || { cat build.log; die "game.cpp does not compile"; }
 
+# C# and cffi lay structs out as C does.
+python3 -B "$layout" c >layout.c
+gcc layout.c -o layout "${flags[@]}"
+python3 -B "$layout" csharp >Layout.cs
+mcs -warnaserror Layout.cs $bindings/Talus.cs -out:Layout.exe
+cmp <(./layout) <(mono Layout.exe) || die "C# lays out otherwise than C"
+python3 -B "$layout" cffi >layout.py
+cmp <(./layout) <(/usr/bin/python3 layout.py $bindings/talus.cdef.h) || die "cffi lays out otherwise than C"
+
 export -f wait_for_line die
 own_network bash -euo pipefail -c '
+  export LD_LIBRARY_PATH=sdk/lib
   "$1" >talusd.log 2>&1 &
   server=$!
   wait_for_line talusd.log "listening on" $server
-  LD_LIBRARY_PATH=sdk/lib timeout 120 ./fly
-  timeout 120 game/build/game
+  timeout 120 ./fly | tee said
+  for other in "mono Fly.exe" "python3 -B $2/fly.py" "luajit $2/fly.lua"; do
+    cmp said <(timeout 120 $other) || die "$other says otherwise"
+  done
+  timeout 120 game/build/game | tee -a said
   kill $server
-  wait $server' sdk "$talusd" >said
-grep -q '^ground at spawn: ' said && grep -qE '^[1-9][0-9]* chunks, [1-9][0-9]* bytes received$' said || { cat said; die "the examples did not run"; }
-say "$(basename "$sdk"): C by pkg-config, C++ by CMake"
-cat said
+  wait $server' sdk "$talusd" $examples
+grep -q '^ground at spawn: ' said && grep -qE '^[1-9][0-9]* chunks, [1-9][0-9]* bytes received$' said || die "the examples did not run"
+say "$(basename "$sdk"): C by pkg-config, C++ by CMake, C# by Mono, Python, LuaJIT"

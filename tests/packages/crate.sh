@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# crate.sh PACKAGES TALUSD: a new project in Rust that depends on the crate, with the SDK's libtalus: it flies as the example in C
+# does, lays structs out as C does, and digs.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+crate="$(realpath "$(only_one "$1/talus-*.crate")")" sdk="$(realpath "$(only_one "$1/talus-sdk-*.tar.gz")")" talusd="$(realpath "$2")"
+layout="$(realpath "$(dirname "$0")/../bindings/layout.py")"
+scratch="$(mktemp -d)"
+server=""
+trap '[[ -z "$server" ]] || kill "$server"; rm -rf "$scratch"' EXIT
+cd "$scratch"
+tar -xzf "$sdk" --strip-components=1 --one-top-level=sdk
+tar -xzf "$crate" --strip-components=1 --one-top-level=talus
+[[ -s talus/LICENSE ]] || die "it has no licence"
+
+export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig" LD_LIBRARY_PATH="$scratch/sdk/lib"
+mkdir -p game/src/bin
+cat >game/Cargo.toml <<'TOML'
+[package]
+name = "game"
+version = "0.1.0"
+edition = "2021"
+
+[dependencies]
+talus = { path = "../talus" }
+TOML
+cp talus/examples/fly.rs game/src/bin/
+python3 -B "$layout" rust >game/src/bin/layout.rs
+cat >game/src/bin/dig.rs <<'RS'
+use talus::{raw, Client, Edit, Error, Event, Options, ReceivedChunk, View, CHUNK_VOLUME};
+
+/// The next answer to an edit, and the chunks that came before it.
+fn edited(client: &mut Client, edit: Edit, chunks: &mut Vec<ReceivedChunk>) -> Result<u32, Error> {
+    let sent = client.send_edit(&edit)?;
+    loop {
+        match client.poll(60_000)?.expect("an event within a minute") {
+            Event::Edited { request, result } if request == sent => return result,
+            Event::Chunk(received) => chunks.push(received),
+            Event::Closed(error) => return Err(error),
+            _ => {}
+        }
+    }
+}
+
+fn main() {
+    let port = std::env::args().nth(1).unwrap().parse().unwrap();
+    let mut client = Client::new().unwrap();
+    let wrong = client.connect("local\0host", port, &Options::default()).unwrap_err();
+    assert_eq!(wrong.status, raw::TALUS_INVALID_ARGUMENT);
+    assert_eq!(client.ping().unwrap_err().status, raw::TALUS_NOT_CONNECTED);
+    client.connect("127.0.0.1", port, &Options::default()).unwrap();
+    let mut chunks = Vec::new();
+    let (mut spawn, mut planks) = ([0; 3], 0);
+    loop {
+        match client.poll(60_000).unwrap().expect("an event within a minute") {
+            Event::Joined => {
+                let world = client.world().unwrap();
+                spawn = world.spawn;
+                planks = world.materials.iter().find(|material| material.phase == raw::TALUS_SOLID).unwrap().id;
+                client.set_view(&View { centre: spawn, vertical_radius: 1, ..View::default() }).unwrap();
+            }
+            Event::Chunk(received) => chunks.push(received),
+            Event::ViewComplete => break,
+            Event::Closed(error) => panic!("{error}"),
+            _ => {}
+        }
+    }
+    assert_eq!(chunks.len(), 3);
+    chunks.clear();
+    let build = Edit::default().guard(spawn, 0).write(spawn, planks);
+    assert_eq!(edited(&mut client, build.clone(), &mut chunks).unwrap(), 1);
+    let conflict = edited(&mut client, build, &mut chunks).unwrap_err();
+    assert_eq!(conflict.status, raw::TALUS_CONFLICT, "{conflict}");
+    while chunks.is_empty() {
+        if let Some(Event::Chunk(received)) = client.poll(60_000).unwrap() {
+            chunks.push(received);
+        }
+    }
+    // A chunk outlives its client, and may be decoded elsewhere.
+    assert_eq!(edited(&mut client, Edit::default().fill(spawn, spawn, None), &mut Vec::new()).unwrap(), 1);
+    drop(client);
+    let changed = chunks.swap_remove(0);
+    std::thread::spawn(move || {
+        let mut voxels = [0; CHUNK_VOLUME];
+        changed.chunk.decode(&mut voxels);
+        let [x, y, z] = spawn.map(|at| at.rem_euclid(32) as usize);
+        assert_eq!(voxels[(y * 32 + z) * 32 + x], planks);
+        assert!(changed.revision > 0);
+    })
+    .join()
+    .unwrap();
+    println!("dug");
+}
+RS
+(cd game && RUSTFLAGS="-D warnings" cargo build --quiet --offline --target-dir ../target) || die "the program does not compile"
+
+read -ra flags <<<"$(pkg-config --cflags --libs talus)"
+python3 -B "$layout" c >layout.c
+gcc layout.c -o layout "${flags[@]}"
+cmp <(./layout) <(target/debug/layout) || die "Rust lays out otherwise than C"
+gcc sdk/share/talus/examples/fly.c -o fly "${flags[@]}"
+
+TALUS_ACCESS_WITHOUT_TOKEN=read,edit "$talusd" --listen 127.0.0.1:0 --data data >talusd.log 2>&1 &
+server=$!
+wait_for_line talusd.log 'listening on' "$server"
+port="$(sed -n 's/.*listening on [^ ]*:\([0-9]*\).*/\1/p' talusd.log | head -n 1)"
+timeout 120 ./fly 127.0.0.1 "$port" | tee said
+cmp said <(timeout 120 target/debug/fly 127.0.0.1 "$port") || die "Rust flies otherwise than C"
+[[ "$(timeout 120 target/debug/dig "$port")" == dug ]] || die "it did not dig"
+say "$(basename "$crate"): in a new project, by $(rustc --version)"
