@@ -282,6 +282,7 @@ foreign_root() {
   local root="build/root-$1" packages
   [[ ! -e "$root/unpacked" ]] || return 0
   rm -rf "$root"
+  mkdir -p build
   packages="$(awk '$1 == "build:" { for (i = 2; i <= NF; ++i) if ($i ~ /-dev$/) printf "%s,", $i }' docker/packages.txt)"
   aloud "unpacking packages of $1" mmdebstrap --quiet --variant=extract --architectures="$1" \
     --include="${packages}libstdc++-12-dev,libc6-dev" bookworm "$root"
