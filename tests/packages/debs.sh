@@ -16,9 +16,14 @@ flock -n 9 || die "another one runs in this folder"
 scratch="$(mktemp -d)"
 trap 'rm -rf --one-file-system "$root" "$scratch"' EXIT
 
-# in_foreign_root ROOT COMMAND: in_root for arm64. The kernel learns its emulator in a namespace of users, which leaves this
-# machine's own settings alone. A root that is a dash: the command runs here, and may make one.
+# in_foreign_root ROOT COMMAND: in_root for arm64. Where the kernel does not know its emulator, it learns it in a namespace of
+# users (Linux 6.7), which leaves this machine's own settings alone. A root that is a dash: the command runs here, and may
+# make one.
 in_foreign_root() {
+  if [[ -e /proc/sys/fs/binfmt_misc/qemu-aarch64 ]]; then
+    if [[ "$1" == - ]]; then bash -c "$2"; else in_root "$1" "$2"; fi
+    return
+  fi
   local namespace status=0
   mkfifo "$scratch/mapped"
   unshare --user --mount --pid --fork --kill-child bash -euc '
