@@ -295,8 +295,8 @@ agree_on() {
   deps build test aarch cross machines
   local root="build/root-$2"
   foreign_root "$2"
-  build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen
-  build "$1" -- talusd talus-client talus-gen talus_c
+  build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen talus_fly talus_game
+  build "$1" -- talusd talus-client talus-gen talus_fly talus_game
   python3 -B tests/machines/agree.py --other "build/$1" --emulator "qemu-$1-static -L $PWD/$root"
 }
 

@@ -18,6 +18,9 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent.parent.parent
 CHUNKS = ((0, 0, 0, 0), (0, 1, 0, 0), (-3, 1, 5, 0), (0, 0, 0, 3), (2, 0, -2, 6))
 BOX = ("40,{y},40", "55,{y},49")
+HOLE = (64, 32, 64)  # in rock
+CLIENT = "client_sample/cli/talus-client"
+GAME, FLY = "client_sample/c_api/talus_game", "client_sample/c_api/fly"
 
 
 class Machine:
@@ -78,12 +81,11 @@ def seen(client, connect, scratch, what):
     for chunk in CHUNKS:
         *place, lod = chunk
         file = scratch / "chunk.npy"
-        client.run("client_sample/cli/talus-client", *connect, "get", "--lod", lod, "-o", file, "--", *place)
+        client.run(CLIENT, *connect, "get", "--lod", lod, "-o", file, "--", *place)
         result[f"{what}: chunk {chunk}"] = bytes_of(file)
-    result[f"{what}: columns"] = client.run("client_sample/cli/talus-client", *connect, "at", "--", "0,0", "40,40",
-                                            "-1000,777")
+    result[f"{what}: columns"] = client.run(CLIENT, *connect, "at", "--", "0,0", "40,40", "-1000,777")
     file = scratch / "map.png"
-    client.run("client_sample/cli/talus-client", *connect, "map", "--size", "128,96", "-o", file)
+    client.run(CLIENT, *connect, "map", "--size", "128,96", "-o", file)
     result[f"{what}: map"] = bytes_of(file)
     return result
 
@@ -98,8 +100,8 @@ def played(server, client, world):
             connect = ("--connect", address)
             result |= seen(client, connect, scratch, "before")
             first, last = (corner.format(y=40) for corner in BOX)
-            client.run("client_sample/cli/talus-client", *connect, "edit", "--material", "air", "--", first, last)
-            client.run("client_sample/cli/talus-client", *connect, "edit", "--material", "planks", "--", "3,35,3")
+            client.run(CLIENT, *connect, "edit", "--material", "air", "--", first, last)
+            client.run(CLIENT, *connect, "edit", "--material", "planks", "--", "3,35,3")
             result |= seen(client, connect, scratch, "after")
         with server.served(world, data) as address:
             result |= seen(client, ("--connect", address), scratch, "restarted")
@@ -118,6 +120,45 @@ def played(server, client, world):
             again = reader.run("server/talusd", "store", "stat", "--json", "--data", moved)
             imported.add(hash_in(again))
         result["imported"] = sorted(imported)
+    return result
+
+
+def certificate(folder):
+    """A certificate for localhost and its key."""
+    certificate, key = folder / "certificate.pem", folder / "key.pem"
+    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256", "-nodes", "-days", "2",
+                    "-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1", "-keyout", key,
+                    "-out", certificate], check=True, capture_output=True)
+    return certificate, key
+
+
+def refused(machine, program, *words):
+    """The one line with which it fails, and its status."""
+    done = subprocess.run(machine.command(program, *words), capture_output=True, text=True, timeout=120)
+    if done.returncode == 0 or done.stdout or done.stderr.count("\n") != 1:
+        sys.exit(f"{machine.name}: {program} {' '.join(map(str, words))}: status {done.returncode}, {done.stdout!r}, not one "
+                 f"line of error: {done.stderr!r}")
+    return f"{done.returncode}: {done.stderr}"
+
+
+def streamed(server, client, world):
+    """What a client sees by TLS, and what a game by libtalus does."""
+    result = {}
+    with tempfile.TemporaryDirectory(prefix="talus-agree.") as name:
+        folder = pathlib.Path(name) / "Länder 地図"
+        folder.mkdir()
+        pem, key = certificate(folder)
+        settings = {"TALUS_TLS_CERTIFICATE": str(pem), "TALUS_TLS_KEY": str(key)}
+        with server.served(world, folder / "data", **settings) as address:
+            host, port = address.rsplit(":", 1)
+            result |= seen(client, ("--connect", address, "--ca", pem), folder, "TLS")
+            unread = refused(client, CLIENT, "--connect", address, "--ca", folder / "none.pem", "at", "0,0")
+            result["no authority"] = unread.replace(str(folder), "").replace(address, "")
+            result["game by TLS"] = client.run(GAME, host, port, pem, *HOLE)
+        with server.served(world, folder / "data-open") as address:
+            host, port = address.rsplit(":", 1)
+            result["game"] = client.run(GAME, host, port, "-", *HOLE)
+            result["fly"] = client.run(FLY, host, port)
     return result
 
 
@@ -152,9 +193,10 @@ def main():
     here, other = Machine("here", options.here), Machine("other", options.other, options.emulator)
     expected = exported(here, options.world)
     same = compare("talus-gen of the other", expected, exported(other, options.world))
-    expected = played(here, here, options.world)
-    for server, client in ((other, other), (other, here), (here, other)):
-        same &= compare(f"server {server.name}, client {client.name}", expected, played(server, client, options.world))
+    for what, use in (("by TCP", played), ("by TLS, and libtalus", streamed)):
+        expected = use(here, here, options.world)
+        for server, client in ((other, other), (other, here), (here, other)):
+            same &= compare(f"{what}: server {server.name}, client {client.name}", expected, use(server, client, options.world))
     sys.exit(0 if same else 1)
 
 

@@ -14,43 +14,10 @@ import sys
 import tempfile
 import zipfile
 
-from agree import HERE, Machine, bytes_of, compare, exported, played, seen
+from agree import CLIENT, HERE, Machine, bytes_of, certificate, compare, exported, played, refused, streamed
 
 WINE = HERE / ".cmake/windows/wine.sh"
-HOLE = (64, 32, 64)  # in rock
-CLIENT, GEN, GAME = "client_sample/cli/talus-client", "core/tools/talus-gen", "client_sample/c_api/talus_game"
-
-
-def certificate(folder):
-    """A certificate for localhost and its key."""
-    certificate, key = folder / "certificate.pem", folder / "key.pem"
-    subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:P-256", "-nodes", "-days", "2",
-                    "-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost,IP:127.0.0.1", "-keyout", key,
-                    "-out", certificate], check=True, capture_output=True)
-    return certificate, key
-
-
-def streamed(here, clients, world):
-    """What each client sees by TLS, and what a game by libtalus does: a dictionary for each."""
-    results = [{} for _ in clients]
-    with tempfile.TemporaryDirectory(prefix="talus-windows.") as name:
-        folder = pathlib.Path(name) / "Länder 地図"
-        folder.mkdir()
-        pem, key = certificate(folder)
-        settings = {"TALUS_TLS_CERTIFICATE": str(pem), "TALUS_TLS_KEY": str(key)}
-        with here.served(world, folder / "data", **settings) as address:
-            host, port = address.rsplit(":", 1)
-            for client, result in zip(clients, results):
-                result |= seen(client, ("--connect", address, "--ca", pem), folder, "TLS")
-                unread = refused(client, CLIENT, "--connect", address, "--ca", folder / "none.pem", "at", "0,0")
-                result["no authority"] = unread.replace(str(folder), "")
-                result["game by TLS"] = client.run(GAME, host, port, pem, *HOLE)
-        with here.served(world, folder / "data-open") as address:
-            host, port = address.rsplit(":", 1)
-            for client, result in zip(clients, results):
-                result["game"] = client.run(GAME, host, port, "-", *HOLE)
-                result["fly"] = client.run("client_sample/c_api/fly", host, port)
-    return results
+GEN = "core/tools/talus-gen"
 
 
 def of_zip(file, folder):
@@ -97,15 +64,6 @@ def named(machine, world):
         result["an error's name"] = refused(machine, GEN, "hash", "--world", folder / "kein-öl.toml", "--origin", "0,0",
                                             "--size", "32,32").replace(str(folder), "")
     return result
-
-
-def refused(machine, program, *words):
-    """The one line with which it fails, and its status."""
-    done = subprocess.run(machine.command(program, *words), capture_output=True, text=True, timeout=120)
-    if done.returncode == 0 or done.stdout or done.stderr.count("\n") != 1:
-        sys.exit(f"{machine.name}: {program} {' '.join(map(str, words))}: status {done.returncode}, {done.stdout!r}, not one "
-                 f"line of error: {done.stderr!r}")
-    return f"{done.returncode}: {done.stderr}"
 
 
 # The system's own words for a host or a port follow the part that is compared.
@@ -169,7 +127,7 @@ def main():
     same &= compare("names of files", named(here, options.world), named(windows, options.world))
     same &= compare("what is refused", refusals(here), refusals(windows))
     same &= compare("talus-client by TCP", played(here, here, options.world), played(here, windows, options.world))
-    same &= compare("by TLS, and libtalus", *streamed(here, (here, windows), options.world))
+    same &= compare("by TLS, and libtalus", streamed(here, here, options.world), streamed(here, windows, options.world))
     trusts_the_system(here, windows, options.world)
     if options.zip:
         same &= packaged(options.zip, here, options.world)
