@@ -152,3 +152,24 @@ TEST_CASE("a message that an account's limit refuses is rejected, and not stored
     break;
   }
 }
+
+TEST_CASE("a message that a limit of the stream refuses is rejected, and not stored") {
+  using Limit = std::pair<nlohmann::json, std::string>;
+  const auto [limit, text] = GENERATE(Limit{{{"max_msgs", 1}}, "maximum messages exceeded"},
+                                      Limit{{{"max_bytes", 1000}}, "maximum bytes exceeded"},
+                                      Limit{{{"max_msgs_per_subject", 1}, {"discard_new_per_subject", true}},
+                                            "maximum messages per subject exceeded"});
+  OneServer one;
+  auto settings = wanted_settings(one.names, 1);
+  settings["discard"] = "new";
+  settings.update(limit);
+  ask(one.servers, "$JS.API.STREAM.CREATE." + one.names.stream, settings.dump());
+  const auto log = open_log(one.servers.url_list(), one.names);
+  CHECK(publish(*log, std::string(800, 'a')) == 1);
+  const auto rejected = log->publish(bytes_of(std::string(800, 'b')));
+  REQUIRE_FALSE(rejected);
+  CHECK(rejected.error().kind == Kind::rejected);
+  CHECK(rejected.error().reason == "NATS: " + text);
+  ask(one.servers, "$JS.API.STREAM.UPDATE." + one.names.stream, wanted_settings(one.names, 1).dump());
+  CHECK(publish(*log, "c") == 2);
+}

@@ -397,13 +397,8 @@ natsStatus Connection::await_acks() {
 tl::expected<Connection::Ack, StreamFailure> Connection::ack_of(const ReceivedMessage& answer) {
   const auto said = parse_answer(answer.text());
   if (!said) {
-    StreamFailure failure = unavailable(fmt::format("NATS: {}", words_of(said.error().what)));
-    const int code = said.error().code;
-    if (code == JSStreamMessageExceedsMaximumErr) failure.kind = StreamFailure::Kind::too_large;
-    if (code == kAccountIsFull || code == kServersAreFull || code == kStreamIsSealed) {
-      failure.kind = StreamFailure::Kind::rejected;
-    }
-    return tl::unexpected{std::move(failure)};
+    return tl::unexpected{
+        StreamFailure{kind_of_refusal(said.error()), fmt::format("NATS: {}", words_of(said.error().what))}};
   }
   return Ack{json_member<std::string>(*said, "stream"), json_member<std::uint64_t>(*said, "seq")};
 }

@@ -1,6 +1,7 @@
 #include "cluster/jetstream/stream_info.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <optional>
@@ -17,6 +18,24 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxReplicas = 16;
+
+/// An answer to a message that no replica has then stored.
+struct Refusal {
+  int code = 0;
+  std::string_view what;  // empty: whatever the answer says
+  StreamFailure::Kind kind{};
+};
+// 10077 is the code of every failure to store, also of a disk. Its texts here are the limits of a stream
+// whose `discard` is "new".
+constexpr std::array kRefusals{
+    Refusal{10054, "", StreamFailure::Kind::too_large},  // for the stream
+    Refusal{10002, "", StreamFailure::Kind::rejected},   // the account is full
+    Refusal{10023, "", StreamFailure::Kind::rejected},   // the servers are full
+    Refusal{10077, "maximum messages exceeded", StreamFailure::Kind::rejected},
+    Refusal{10077, "maximum bytes exceeded", StreamFailure::Kind::rejected},
+    Refusal{10077, "maximum messages per subject exceeded", StreamFailure::Kind::rejected},
+    Refusal{10109, "", StreamFailure::Kind::rejected},  // the stream is sealed
+};
 
 json object_of(const json& object, const char* name) {
   const auto found = object.find(name);
@@ -120,6 +139,13 @@ bool has_majority(const StreamInfo& info) {
   const auto heard = std::ranges::count_if(
       info.replicas, [&](const ReplicaState& each) { return !each.offline && each.active < kSilent; });
   return 2 * (1 + static_cast<std::size_t>(heard)) > 1 + info.replicas.size();
+}
+
+StreamFailure::Kind kind_of_refusal(const ApiError& error) {
+  const auto* const found = std::ranges::find_if(kRefusals, [&](const Refusal& each) {
+    return each.code == error.code && (each.what.empty() || each.what == error.what);
+  });
+  return found == kRefusals.end() ? StreamFailure::Kind::unavailable : found->kind;
 }
 
 StreamFailure failure_of(const ApiError& error, std::string_view stream) {

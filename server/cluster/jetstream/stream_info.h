@@ -43,10 +43,6 @@ struct StreamInfo {
 /// JetStream's error codes (server/errors.json of nats-server).
 inline constexpr int kMessageNotFound = 10037;
 inline constexpr int kStreamNotFound = 10059;
-/// Answers to a message that no replica has then stored.
-inline constexpr int kAccountIsFull = 10002;
-inline constexpr int kServersAreFull = 10023;
-inline constexpr int kStreamIsSealed = 10109;
 inline constexpr int kNotEnabledForAccount = 10039;
 inline constexpr int kNotEnabled = 10076;
 
@@ -67,6 +63,9 @@ inline constexpr std::size_t kMaxApiAnswerBytes = 1U << 20;
 /// How many numbers from `first` on have no message, by an answer that lists them; 0 if a message of that
 /// number was lost.
 [[nodiscard]] tl::expected<std::uint64_t, ApiError> parse_unused(std::string_view text, std::uint64_t first);
+
+/// Why publish() fails if JetStream answers this. After `unavailable` the message may be stored.
+[[nodiscard]] StreamFailure::Kind kind_of_refusal(const ApiError& error);
 
 /// The kind is `refused` if an operator must act.
 [[nodiscard]] StreamFailure failure_of(const ApiError& error, std::string_view stream);
