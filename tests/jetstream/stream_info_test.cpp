@@ -126,6 +126,22 @@ TEST_CASE("a stream that is missing, and JetStream switched off, are for a perso
   CHECK(kind(10008) == StreamFailure::Kind::unavailable);
 }
 
+TEST_CASE("a setting that NATS does not change is named first, and nobody is told to change it") {
+  const StreamNames names{"TALUS_x", "talus.x.log", "talus.x.tail"};
+  const nlohmann::json mirror{{"name", "TALUS_x"}, {"mirror", {{"name", "OTHER"}}}, {"storage", "file"}};
+  CHECK_THAT(
+      other_settings(mirror, names, 3).value_or(""),
+      Catch::Contains(R"(mirror is {"name":"OTHER"} and should be null, and NATS changes that of no)") &&
+          !Catch::Contains("by the program nats"));
+  nlohmann::json memory = wanted_settings(names, 3);
+  memory["allow_direct"] = false;
+  memory["storage"] = "memory";
+  CHECK_THAT(other_settings(memory, names, 3).value_or(""), Catch::Contains("storage is \"memory\""));
+  memory["storage"] = "file";
+  CHECK_THAT(other_settings(memory, names, 3).value_or(""),
+             Catch::Contains("allow_direct is false and should be true; change it by the program nats"));
+}
+
 TEST_CASE("each setting that differs is named with what it is and should be") {
   const StreamNames names{"TALUS_x", "talus.x.log", "talus.x.tail"};
   const nlohmann::json wanted = wanted_settings(names, 3);

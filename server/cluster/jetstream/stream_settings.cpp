@@ -1,5 +1,9 @@
 #include "cluster/jetstream/stream_settings.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "cluster/jetstream/json_member.h"
@@ -9,6 +13,8 @@ namespace {
 
 constexpr std::int64_t kMaxAgeNs = 7LL * 24 * 3600 * 1'000'000'000;
 constexpr std::int64_t kMaxBytes = 16LL << 30;
+/// Settings that no update of a stream changes, or takes back.
+constexpr std::array<std::string_view, 4> kFixed{"mirror", "storage", "retention", "sealed"};
 
 /// Formats as ASCII on one line, with a length limit.
 std::string shown(const nlohmann::json& value) {
@@ -42,6 +48,12 @@ nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas)
 
 std::vector<SettingDifference> differences(const nlohmann::json& present, const nlohmann::json& wanted) {
   std::vector<SettingDifference> found;
+  // By which it is another's stream, whatever else differs.
+  for (const char* const name : {"mirror", "sources", "subject_transform"}) {
+    if (present.contains(name) && !present[name].is_null()) {
+      found.push_back({name, shown(present[name]), "null"});
+    }
+  }
   for (const auto& [name, should] : wanted.items()) {
     // NATS omits false values.
     const nlohmann::json is =
@@ -52,11 +64,6 @@ std::vector<SettingDifference> differences(const nlohmann::json& present, const 
   for (const char* const name : {"sealed", "allow_rollup_hdrs", "no_ack"}) {
     if (json_member<bool>(present, name)) found.push_back({name, "true", "false"});
   }
-  for (const char* const name : {"mirror", "sources", "subject_transform"}) {
-    if (present.contains(name) && !present[name].is_null()) {
-      found.push_back({name, shown(present[name]), "null"});
-    }
-  }
   return found;
 }
 
@@ -64,6 +71,13 @@ std::optional<std::string> other_settings(const nlohmann::json& present, const S
                                           std::uint64_t replicas) {
   const auto others = differences(present, wanted_settings(names, replicas));
   if (others.empty()) return std::nullopt;
+  const auto fixed = std::ranges::find_first_of(others, kFixed, {}, &SettingDifference::name);
+  if (fixed != others.end()) {
+    return fmt::format(
+        "{} is there with other settings: {}, and NATS changes that of no stream; name other NATS servers in "
+        "cluster.nats, or delete the stream if it holds no edits",
+        names.stream, to_string(*fixed));
+  }
   return fmt::format("{} is there with other settings: {}; change {} by the program nats", names.stream,
                      to_string(others.front()),
                      others.front().name == "num_replicas" ? "cluster.replicas, or it" : "it");
