@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 #include <asio/co_spawn.hpp>
+#include <asio/execution/context.hpp>
 #include <asio/post.hpp>
+#include <asio/query.hpp>
 #include <asio/read.hpp>
 #include <asio/redirect_error.hpp>
 #include <asio/steady_timer.hpp>
@@ -19,6 +21,7 @@
 #include <talus/protocol/endpoint.h>
 #include "limits/memory/memory_reservation.h"
 #include "net/descriptors.h"
+#include "net/io_turns.h"
 #include "net/proxy_header.h"
 #include "player/session/reply_frames.h"
 #include "player/session/retry_after.h"
@@ -45,7 +48,7 @@ void drop_input(tcp::socket& socket) {
 
 }  // namespace
 
-struct Handshaker::PendingConnection {
+struct Handshaker::PendingConnection final : IoTurns::Waiter {
   PendingConnection(tcp::socket socket, const tcp::endpoint& from, ConnectionId number, tls::Context context,
                     Clock::time_point now, MemoryBudget& budget)
       : id{number},
@@ -56,6 +59,22 @@ struct Handshaker::PendingConnection {
         accepted{now},
         memory{budget, MemoryUse::sessions} {}
 
+  void take_turn() override {
+    if (turn == nullptr) return;  // it came too late
+    turns->charge(flow, IoTurns::kHandshakeStep);
+    std::exchange(turn, nullptr)->cancel();
+  }
+  /// Waits for a turn of the client's flow. Returns false if it came too late.
+  static asio::awaitable<bool> wait_for_turn(PendingPtr self) {
+    if (!self->turns->go_on(self->flow, IoTurns::kHandshakeStep)) {
+      asio::steady_timer comes{self->socket().get_executor(), asio::steady_timer::time_point::max()};
+      self->turn = &comes;
+      self->turns->wait(self->flow, self, comes.get_executor());
+      std::error_code cancelled;
+      co_await comes.async_wait(asio::redirect_error(asio::use_awaitable, cancelled));
+    }
+    co_return !self->late;
+  }
   /// The waiting coroutine counts it and closes.
   void end(bool gives_way) {
     if (done) return;  // an expired timer cannot be cancelled
@@ -63,6 +82,7 @@ struct Handshaker::PendingConnection {
     gave_way = gives_way;
     std::error_code ignored;
     socket().cancel(ignored);
+    if (turn != nullptr) std::exchange(turn, nullptr)->cancel();
   }
   [[nodiscard]] tcp::socket& socket() { return secured ? secured->transport().socket() : stream->socket(); }
 
@@ -78,6 +98,9 @@ struct Handshaker::PendingConnection {
   bool through_proxy = false;               // its peer, a proxy, sent no PROXY header
   std::optional<std::uint16_t> proxy_port;  // the proxy's port
   std::optional<FlowShares::Part> place;    // among the handshakes in flight
+  IoTurns* turns = nullptr;                 // of the socket's thread, while TLS begins
+  FlowId flow{};
+  asio::steady_timer* turn = nullptr;  // cancelled when its turn comes
   bool late = false;
   bool gave_way = false;  // to another flow's handshake; also late
   bool done = false;      // accepted or failed
@@ -198,7 +221,7 @@ asio::awaitable<void> Handshaker::shake_hands(PendingPtr pending) {
       pending->place->move_to(admission_.flow_of(counted_as(pending->client.address())));
       accepted = admit(*pending);
     }
-    if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(*pending);
+    if (accepted && pending->tls != nullptr) accepted = co_await begin_tls(pending);
   }
   deadline.cancel();
   if (accepted) accept(*pending);
@@ -241,10 +264,14 @@ asio::awaitable<bool> Handshaker::read_proxy_header(PendingConnection& pending) 
   co_return true;
 }
 
-asio::awaitable<bool> Handshaker::begin_tls(PendingConnection& pending) {
+asio::awaitable<bool> Handshaker::begin_tls(PendingPtr shared) {
+  PendingConnection& pending = *shared;
   pending.secured.emplace(*std::exchange(pending.stream, std::nullopt), pending.tls);
-  std::error_code failed;
-  co_await pending.secured->async_handshake(asio::redirect_error(asio::use_awaitable, failed));
+  pending.turns =
+      &asio::use_service<IoTurns>(asio::query(pending.socket().get_executor(), asio::execution::context));
+  pending.flow = flow_id_of(pending.slot->counted(), flows_.ids());
+  const std::error_code failed =
+      co_await pending.secured->handshake([&] { return PendingConnection::wait_for_turn(shared); });
   if (!failed && !pending.late) {
     metrics_.tls_handshakes.add();
     co_return true;

@@ -89,7 +89,7 @@ class Handshaker {
   [[nodiscard]] asio::awaitable<bool> read_proxy_header(PendingConnection& pending);
   /// Returns true if the first bytes begin a PROXY header. Consumes no bytes.
   [[nodiscard]] asio::awaitable<bool> sends_proxy_header(PendingConnection& pending);
-  [[nodiscard]] asio::awaitable<bool> begin_tls(PendingConnection& pending);
+  [[nodiscard]] asio::awaitable<bool> begin_tls(PendingPtr pending);
   /// Takes an admission slot, within the rate of the address. Returns false if the connection was refused.
   [[nodiscard]] bool admit(PendingConnection& pending);
   void accept(PendingConnection& pending);

@@ -1,8 +1,8 @@
 // Shares an io thread's time among flows, however many connections they have. What a client sends costs the
-// thread units, of a few microseconds each: a request by HTTP, or a frame, takes one, and large ones more. A
-// flow goes on at once until it has used kTurn units of the round. Then its connections wait in a queue of
-// their own, and flows with such a queue take turns: each goes on for kTurn units of the next round. What a
-// flow used beyond, it pays in further rounds.
+// thread units, of a few microseconds each: a request by HTTP, or a frame, takes one, and large ones more; a
+// step of a TLS handshake takes more than a turn. A flow goes on at once until it has used kTurn units of the
+// round. Then its connections wait in a queue of their own, and flows with such a queue take turns: each goes
+// on for kTurn units of the next round. What a flow used beyond, it pays in further rounds.
 //
 // So what comes from a client waits for one turn of each other flow at most, and a thread with one flow never
 // waits (deficit round robin; Shreedhar and Varghese, 1995).
@@ -29,7 +29,9 @@ class IoTurns final : public asio::execution_context::service {
 
   /// Units that a flow may use in a round; the last piece may exceed them.
   static constexpr std::uint64_t kTurn = 32;
-  /// Bytes of a frame, or of an answer that is not sent at once, that cost a unit.
+  /// Units of a step of a TLS handshake, which decrypts or signs.
+  static constexpr std::uint64_t kHandshakeStep = 2 * kTurn;
+  /// Bytes of frames, also of WebSocket's own, or of an answer that is not sent at once, that cost a unit.
   static constexpr std::size_t kFrameBytes = 128;
   static constexpr std::size_t kAnswerBytes = std::size_t{8} * 1024;
 

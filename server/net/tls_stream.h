@@ -13,6 +13,8 @@
 #include <asio/error.hpp>
 #include <asio/ip/tcp.hpp>
 #include <asio/post.hpp>
+#include <asio/redirect_error.hpp>
+#include <asio/use_awaitable.hpp>
 
 #include <talus/tls/session.h>
 
@@ -26,7 +28,7 @@ class TlsStream {
   static constexpr bool kWritesWhole = false;  // one record at a time
   static constexpr std::size_t kGatherFrom = SIZE_MAX;
 
-  /// Call async_handshake() first.
+  /// Call handshake() first.
   TlsStream(TcpStream stream, const tls::Context& context)
       : stream_{std::move(stream)}, tls_{context, tls::Role::server, stream_.socket().native_handle()} {
     stream_.socket().native_non_blocking(true);
@@ -35,9 +37,23 @@ class TlsStream {
   [[nodiscard]] executor_type get_executor() { return stream_.get_executor(); }
   [[nodiscard]] TcpStream& transport() { return stream_; }
 
-  template <typename Token>
-  auto async_handshake(Token&& token) {
-    return compose([](tls::Session& session) { return session.handshake(); }, std::forward<Token>(token));
+  /// Awaits `turn()` before each step, once the client has sent something; false ends the handshake.
+  template <typename Turn>
+  [[nodiscard]] asio::awaitable<std::error_code> handshake(Turn turn) {
+    asio::ip::tcp::socket& socket = stream_.socket();
+    auto wait_for = asio::ip::tcp::socket::wait_read;  // the client begins
+    for (;;) {
+      std::error_code failed;
+      co_await socket.async_wait(wait_for, asio::redirect_error(asio::use_awaitable, failed));
+      if (failed) co_return failed;
+      if (!co_await turn()) co_return asio::error::operation_aborted;
+      const tls::Step step = tls_.handshake();
+      if (step.result == tls::Step::Result::closed) co_return asio::error::eof;
+      if (!step.waits()) co_return step.error;
+      if (step.result == tls::Step::Result::wait_to_write) ++write_waits_;
+      wait_for = step.result == tls::Step::Result::wait_to_read ? asio::ip::tcp::socket::wait_read
+                                                                : asio::ip::tcp::socket::wait_write;
+    }
   }
 
   template <typename Buffers, typename Token>

@@ -444,7 +444,7 @@ const Trials& trials() {
       {"refusals being sent", {{kSessions, try_refused_sessions}, {kHttp, try_refused_http}}},
       {"memory: sessions, frames, WebSocket buffers, HTTP answers",
        {{kSessions, try_memory_of_sessions}, {kHttp, try_memory_of_answers}}},
-      {"io threads: frames, HTTP rounds", {{kSessions, try_frames}, {kHttp, try_http_rounds}}},
+      {"io threads: frames, HTTP rounds, handshakes", {{kSessions, try_frames}, {kHttp, try_http_rounds}}},
       {"io threads: Views", {{kSessions, try_views}}},
       {"generators: chunks, heights, map tiles",
        {{kSessions, try_generators_by_sessions}, {kHttp, try_generators_by_maps}}},

@@ -5,8 +5,10 @@
 #include <signal.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <deque>
 #include <exception>
 #include <semaphore>
 #include <thread>
@@ -14,6 +16,7 @@
 #include <talus/protocol/frame.h>
 #include <talus/protocol/limits.h>
 #include <talus/protocol/message.h>
+#include <talus/tls/session.h>
 #include <asio/co_spawn.hpp>
 #include <asio/detached.hpp>
 #include <asio/read.hpp>
@@ -69,10 +72,10 @@ asio::awaitable<void> echo(std::shared_ptr<AcceptedConnection> accepted) {
   }
 }
 
-/// A listening socket on loopback, with one thread behind it. The clock stands still.
+/// A listening socket on loopback, with one thread behind it, or none. The clock stands still.
 struct Bench {
   explicit Bench(const HandshakeSettings& chosen = settings(), bool with_tls = false,
-                 std::size_t max_per_address = 256)
+                 std::size_t max_per_address = 256, bool threaded = true)
       : admission{{2048, max_per_address}, clock},
         handshaker{chosen,
                    admission,
@@ -98,11 +101,11 @@ struct Bench {
       tls = loaded->context;
     }
     accept();
-    thread = std::thread{[this] { io.run(); }};
+    if (threaded) thread = std::thread{[this] { io.run(); }};
   }
   ~Bench() {
     io.stop();
-    thread.join();
+    if (thread.joinable()) thread.join();
   }
 
   void accept() {
@@ -184,6 +187,19 @@ struct TlsClient {
   asio::ssl::context context{asio::ssl::context::tls_client};
   asio::ssl::stream<tcp::socket&> stream;
   std::error_code failed;
+};
+
+/// A client by TLS that does not wait for answers.
+struct ImpatientTls {
+  ImpatientTls(Bench& bench, const char* from) : socket{bench.io, {asio::ip::make_address(from), 0}} {
+    socket.connect(bench.acceptor.local_endpoint());
+    socket.native_non_blocking(true);
+  }
+  void say_hello() { REQUIRE(session.handshake().waits()); }
+  [[nodiscard]] bool is_answered() const { return socket.available() > 0; }
+
+  tcp::socket socket;
+  tls::Session session{tls::new_context(tls::Role::client), tls::Role::client, socket.native_handle()};
 };
 
 std::string text_of(const protocol::Frame& frame) {
@@ -494,4 +510,18 @@ TEST_CASE("a PROXY header from another address is not a header, but the client's
   std::string said(kProxyTcp4.size(), ' ');
   asio::read(client.socket, asio::buffer(said));
   CHECK(said == kProxyTcp4);
+}
+
+TEST_CASE("a handshake waits for one of another address, however many that begins") {
+  Bench bench{settings(), true, 256, false};
+  std::deque<ImpatientTls> greedy;
+  for (int i = 0; i < 20; ++i) greedy.emplace_back(bench, "127.0.0.2");
+  ImpatientTls other{bench, "127.0.0.1"};
+  bench.io.poll();
+  for (ImpatientTls& each : greedy) each.say_hello();
+  other.say_hello();
+  const auto answered = [&] { return std::ranges::count_if(greedy, &ImpatientTls::is_answered); };
+  while (!other.is_answered()) bench.io.poll_one();
+  CHECK(answered() <= 2);
+  while (answered() < 20) bench.io.poll_one();
 }
