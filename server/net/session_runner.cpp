@@ -209,15 +209,15 @@ void SessionRunner::on_read(std::error_code failed, std::size_t bytes) {
     end_came_ = static_cast<bool>(failed);
     context_.session.metrics.received_bytes.add(bytes);
     filled_ += bytes;
-    read_ = true;
+    read_cost_ = 1 + stream_->own_bytes() / IoTurns::kFrameBytes;
     go_on_with_input();
   });
 }
 
 void SessionRunner::go_on_with_input() {
   if (!open_) return;
-  if (read_ && !may_go_on(input_turn_)) return;
-  read_ = false;
+  if (read_cost_ > 0 && !may_go_on(input_turn_, read_cost_)) return;
+  read_cost_ = 0;
   if (paused_while_ == nullptr) take_input();
   read();
 }

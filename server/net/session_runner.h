@@ -169,13 +169,13 @@ class SessionRunner final : public Peer,
   bool (SessionRunner::*paused_while_)() const = nullptr;
   bool resuming_ = false;
   bool reading_ = false;   // a read is in flight
-  bool read_ = false;      // and is not yet charged to the flow
   bool end_came_ = false;  // behind the input
   bool input_ended_ = false;
   bool output_ended_ = false;
   bool greeted_ = false;
   bool started_ = false;
   bool open_ = true;
+  std::uint64_t read_cost_ = 0;  // of the last read; 0: charged to the flow
   Clock::duration reset_check_;  // interval of polls for a reset
   Clock::time_point ask_at_{};   // whether the client is gone
   std::string end_reason_;       // if reading failed

@@ -59,6 +59,8 @@ class SessionStream {
   virtual void shutdown() = 0;
   virtual void close() = 0;
   [[nodiscard]] virtual std::size_t write_waits() const = 0;
+  /// Bytes of the last read that the stream's protocol kept to itself.
+  [[nodiscard]] virtual std::size_t own_bytes() const = 0;
 
  private:
   const Traits traits_;
@@ -104,6 +106,10 @@ class SessionStreamOf final : public SessionStream {
   void shutdown() override { stream_.shutdown(); }
   void close() override { stream_.close(); }
   [[nodiscard]] std::size_t write_waits() const override { return stream_.write_waits(); }
+  [[nodiscard]] std::size_t own_bytes() const override {
+    if constexpr (requires { stream_.own_bytes(); }) return stream_.own_bytes();
+    return 0;
+  }
 
  private:
   static constexpr bool kWritesNow = requires(S & stream) { stream.write_now(asio::const_buffer{}); };

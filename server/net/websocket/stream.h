@@ -89,6 +89,8 @@ class WebSocketStream {
     state_->turn.cancel();
   }
   [[nodiscard]] std::size_t write_waits() const { return state_->inner.write_waits(); }
+  /// Bytes of the last read that were no payload: heads and control frames.
+  [[nodiscard]] std::size_t own_bytes() const { return state_->own_bytes; }
 
  private:
   static constexpr std::size_t kMaxPieces = 16;
@@ -141,6 +143,7 @@ class WebSocketStream {
     asio::steady_timer turn;  // never expires; cancelled when a write ends; several may wait for it
     FrameReader reader{talus::websocket::Sender::client};
     std::vector<std::byte> unread;
+    std::size_t own_bytes = 0;
     bool writing = false;
     bool broken = false;  // nothing more can be written
     std::optional<CloseCode> close_waits;
@@ -175,6 +178,7 @@ class WebSocketStream {
                             state->unread.begin() + static_cast<std::ptrdiff_t>(bytes));
       }
       const std::size_t payload = state->reader.take({static_cast<std::byte*>(into.data()), bytes});
+      state->own_bytes = bytes - payload;
       const End why = state->reader.end();
       if (why != End::none && !state->close_sent) state->close_waits = close_code(why);
       State::write_control(state);
