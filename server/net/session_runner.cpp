@@ -192,10 +192,12 @@ void SessionRunner::read() {
             input_.begin() + static_cast<std::ptrdiff_t>(filled_), input_.begin());
   filled_ -= std::exchange(taken_, 0);
   if (!end_came_ && filled_ < input_.size()) {
+    watchdog_.reading_resumes();
     reading_ = true;
     stream_->read_some(asio::buffer(input_) + filled_, shared_from_this());
     return;
   }
+  watchdog_.reading_pauses();
   reset_check_ = kFirstResetCheck;
   ask_at_ = now() + kFirstQuestion;
   if (watch_waits_.deadline() > now() + reset_check_) watch_waits_.notify();
@@ -209,6 +211,7 @@ void SessionRunner::on_read(std::error_code failed, std::size_t bytes) {
     end_came_ = static_cast<bool>(failed);
     context_.session.metrics.received_bytes.add(bytes);
     filled_ += bytes;
+    if (paused_while_ != nullptr && bytes > 0) watchdog_.frame_came(now());  // maybe a Ping
     read_cost_ = 1 + stream_->own_bytes() / IoTurns::kFrameBytes;
     go_on_with_input();
   });
@@ -287,7 +290,6 @@ void SessionRunner::on_broken_frame(const protocol::FrameError& error) {
 void SessionRunner::pause_while(bool (SessionRunner::*too_much)() const) {
   if (!open_ || session_.closing() || !(this->*too_much)()) return;
   paused_while_ = too_much;
-  watchdog_.reading_pauses();
 }
 
 bool SessionRunner::stays_paused() const {
@@ -298,7 +300,7 @@ void SessionRunner::resume() {
   resuming_ = false;
   if (!open_ || stays_paused()) return;
   paused_while_ = nullptr;
-  watchdog_.reading_resumes(now());
+  watchdog_.frame_came(now());
   take_input();
   read();
 }

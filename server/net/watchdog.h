@@ -28,12 +28,9 @@ class Watchdog {
   void frame_came(Clock::time_point now) { last_frame_ = now; }
   void greeted() { greeted_ = true; }
   void token_ends(Clock::time_point at) { token_ends_ = at; }
-  /// A client cannot be idle while the server does not read.
+  /// A client cannot be idle while the server reads nothing. Call frame_came() with the end of that.
   void reading_pauses() { reading_paused_ = true; }
-  void reading_resumes(Clock::time_point now) {
-    reading_paused_ = false;
-    last_frame_ = now;
-  }
+  void reading_resumes() { reading_paused_ = false; }
   /// A write begins or has made progress.
   void writing(Clock::time_point now) { write_progress_ = now; }
   void written() { write_progress_.reset(); }

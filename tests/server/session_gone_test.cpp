@@ -214,4 +214,28 @@ TEST_CASE("a client that is silent is given up in time, whatever its session wai
   session.check_gone();
 }
 
+TEST_CASE("a client that is silent is given up in time, though what its session waits for does not come") {
+  const auto* const state = GENERATE(from_range(kStates));
+  const bool websocket = GENERATE(false, true);
+  CAPTURE(state, websocket);
+  Waiting session{state, websocket, false};
+  session.bench.advance(20s);
+  session.bench.advance(60s);
+  session.bench.advance(2s);
+  session.check_gone();
+}
+
+TEST_CASE("a client that says something is not silent, though what it says is not read before its answers") {
+  const bool websocket = GENERATE(false, true);
+  CAPTURE(websocket);
+  Waiting session{"an edit", websocket, false};
+  for (int i = 0; i < 20; ++i) {
+    session.bench.advance(40s);
+    session.say(ping());
+  }
+  CHECK_FALSE(session.client->closed);
+  session.answer_all();
+  CHECK_FALSE(session.client->closed);
+}
+
 }  // namespace talus::server::session_runner_test

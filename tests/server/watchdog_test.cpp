@@ -40,7 +40,8 @@ TEST_CASE("while nothing is read no session is idle") {
   dog.greeted();
   dog.reading_pauses();
   CHECK(dog.check(kStart + 1h) == Verdict::wait);
-  dog.reading_resumes(kStart + 1h);
+  dog.reading_resumes();
+  dog.frame_came(kStart + 1h);
   check_ends(dog, kStart + 1h, kStart + 1h + 60s, Verdict::silent);
 }
 
