@@ -129,6 +129,10 @@ struct StandingGround {
   [[nodiscard]] bool none(const std::optional<std::size_t>& rule) const {
     return rule && !places->has_share(*rule);
   }
+  /// Returns true if the share is known to be 0 along row z. REQUIRES !none(rule).
+  [[nodiscard]] bool none_along(const std::optional<std::size_t>& rule, int z) const {
+    return rule && places->is_none(*rule, z + around);
+  }
   /// 0 to kWholeShare. REQUIRES !none(rule).
   [[nodiscard]] std::int32_t share(const std::optional<std::size_t>& rule, int x, int z) const {
     return rule ? places->share_at(*rule, x + around, z + around) : kWholeShare;

@@ -120,16 +120,23 @@ OverlayRows Objects::overlay_rows(Lod lod) const {
   return rows;
 }
 
+/// A cell's coordinate along x, with its half of the hash, which all cells of that x share.
+struct Objects::CellX {
+  CellX(const ObjectKind& kind, std::int64_t cell)
+      : at{cell}, key{mix64(axis_key(kind.seed, Axis::x, cell))} {}
+  std::int64_t at;
+  std::uint64_t key;
+};
+
 /// The candidate of a cell; nullopt if its own draw excludes it everywhere.
-std::optional<Objects::Candidate> Objects::candidate(std::size_t kind, std::int64_t cell_x,
+std::optional<Objects::Candidate> Objects::candidate(std::size_t kind, const CellX& cell_x,
                                                      std::int64_t cell_z) const {
   const ObjectKind& of = kinds_[kind];
-  const std::uint64_t x_key = mix64(axis_key(of.seed, Axis::x, cell_x));
-  const std::uint64_t hash = mix64(x_key ^ std::rotl(axis_key(of.seed, Axis::z, cell_z), 32));
+  const std::uint64_t hash = mix64(cell_x.key ^ std::rotl(axis_key(of.seed, Axis::z, cell_z), 32));
   Candidate candidate{kind, 0, 0, hash};
   if (candidate.draw_q16() >= of.chance_q16) return std::nullopt;
   const std::int64_t room = of.spacing - kGap;
-  candidate.x = cell_x * of.spacing +
+  candidate.x = cell_x.at * of.spacing +
                 static_cast<std::int64_t>((hash & 0xFFFF) * static_cast<std::uint64_t>(room) >> 16);
   candidate.z = cell_z * of.spacing +
                 static_cast<std::int64_t>((hash >> 16 & 0xFFFF) * static_cast<std::uint64_t>(room) >> 16);
@@ -187,7 +194,7 @@ bool Objects::place_in_cells(const StandingGround& ground, std::int64_t rows, Pl
   at.row += rows;
   for (; rows > 0 && cz * of.spacing < south; ++cz, --rows) {
     for (std::int64_t cx = floor_div(west, of.spacing); cx * of.spacing < east; ++cx) {
-      const auto found = candidate(at.kind, cx, cz);
+      const auto found = candidate(at.kind, {of, cx}, cz);
       if (!found || found->x < west || found->x >= east || found->z < north || found->z >= south) continue;
       const int x = static_cast<int>((found->x >> level) - ground.region.x);
       const int z = static_cast<int>((found->z >> level) - ground.region.z);
@@ -214,7 +221,9 @@ bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, 
   const ObjectKind& of = kinds_[at.kind];
   const int level = ground.region.lod.value();
   const auto last = static_cast<int>(std::min<std::int64_t>(at.row + rows, ground.region.depth));
+  std::vector<CellX> cells;
   for (auto z = static_cast<int>(at.row); z < last; ++z) {
+    if (ground.none_along(of.share, z)) continue;
     for (int x = 0; x < ground.region.width; ++x) {
       const std::int32_t share = ground.share(of.share, x, z);
       if (share == 0 || !ground.carries(x, z, of.in_water)) continue;
@@ -223,11 +232,15 @@ bool Objects::place_by_columns(const StandingGround& ground, std::int64_t rows, 
                      static_cast<std::size_t>(x)];
       const std::int64_t base_x = (ground.region.x + x) << level;
       const std::int64_t base_z = (ground.region.z + z) << level;
+      cells.clear();
+      for (std::int64_t cx = floor_div(base_x - of.reach, of.spacing); cx * of.spacing <= base_x + of.reach;
+           ++cx) {
+        cells.emplace_back(of, cx);
+      }
       for (std::int64_t cz = floor_div(base_z - of.reach, of.spacing); cz * of.spacing <= base_z + of.reach;
            ++cz) {
-        for (std::int64_t cx = floor_div(base_x - of.reach, of.spacing); cx * of.spacing <= base_x + of.reach;
-             ++cx) {
-          const auto found = candidate(at.kind, cx, cz);
+        for (const CellX& cell : cells) {
+          const auto found = candidate(at.kind, cell, cz);
           if (!found || std::abs(found->x - base_x) > of.reach || std::abs(found->z - base_z) > of.reach)
             continue;
           PlacedObject object = found->at(boundary_row(ground.height_fx(x, z)), of.models.size());

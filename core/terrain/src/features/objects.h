@@ -53,7 +53,8 @@ class Objects final : public Feature {
 
  private:
   struct Candidate;
-  [[nodiscard]] std::optional<Candidate> candidate(std::size_t kind, std::int64_t cell_x,
+  struct CellX;
+  [[nodiscard]] std::optional<Candidate> candidate(std::size_t kind, const CellX& cell_x,
                                                    std::int64_t cell_z) const;
   [[nodiscard]] bool present(const Candidate& candidate, std::int32_t share) const;
   /// Places at most `rows` rows of candidates. False when no rows of the kind are left.

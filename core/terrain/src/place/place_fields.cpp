@@ -155,7 +155,7 @@ GroundTile::Values<Value> tile_values(const Row& row) {
   const auto first = row(0)[0];
   GroundTile::Values<Value> values{static_cast<Value>(first), nullptr};
   auto differs = static_cast<decltype(first + 0)>(0);
-  for (int z = 0; z < kGroundTileSide; ++z) {
+  for (int z = 0; z < kGroundTileSide && differs == 0; ++z) {
     const auto* const from = row(z);
     for (std::size_t k = 0; k < kSide; ++k) differs |= from[k] ^ first;
   }

@@ -47,6 +47,10 @@ class PlaceFields {
   [[nodiscard]] bool is_whole(std::size_t i, int z) const {
     return any_[i][static_cast<std::size_t>(z)] == Any::whole;
   }
+  /// Returns true if share i is known to be 0 along row z. Valid after thin_late().
+  [[nodiscard]] bool is_none(std::size_t i, int z) const {
+    return !is_at_points(i) && any_[i][static_cast<std::size_t>(z)] == Any::none;
+  }
   /// Returns true if share i may be more than 0 somewhere.
   [[nodiscard]] bool has_share(std::size_t i) const;
   /// Share i at column (x, z) of the region. REQUIRES has_share(i), after thin_late().
