@@ -25,6 +25,7 @@ struct PlainAt {
   const RegionRow& row;
   std::size_t i;
 
+  [[nodiscard]] HWY_INLINE PlainAt next() const { return {row, i + hn::Lanes(RegionTag{})}; }
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return hn::LoadU(RegionTag{}, row.*values + i);
   }
@@ -57,8 +58,14 @@ struct SlopedAt {
 struct CellsAt {
   using Number = RegionVector;
   const RegionCells& row;
-  std::size_t i;
+  std::size_t i;  // first column of a vector
+  std::size_t cell = i / kSampleStep;
 
+  /// REQUIRES that this vector is the first of its cell.
+  [[nodiscard]] HWY_INLINE CellsAt next() const {
+    constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
+    return {row, i + kLanes, cell + kLanes / kSampleStep};
+  }
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return cubic(row.rows.*values);
   }
@@ -72,7 +79,7 @@ struct CellsAt {
  private:
   [[nodiscard]] HWY_INLINE RegionVector cubic(const float* of) const {
     static_assert(hn::MaxLanes(RegionTag{}) <= kSampleStep);
-    const float* const c = of + i / kSampleStep;
+    const float* const c = of + cell;
     const auto t = hn::LoadU(RegionTag{}, row.fractions + i % kSampleStep);
     const auto inner = hn::Add(constant(c[2 * row.plane]), hn::Mul(t, constant(c[3 * row.plane])));
     return hn::Add(constant(c[0]), hn::Mul(t, hn::Add(constant(c[row.plane]), hn::Mul(t, inner))));

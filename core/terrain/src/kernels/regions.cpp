@@ -195,11 +195,12 @@ HWY_INLINE void compose_by(const Row& row, const RegionShape& shape, std::size_t
     store_details(at, mesa, details, i);
     store_height(at.height, shape, highest_fx, heights_fx + i);
   };
-  // Processors with vectors of 16 columns have enough registers for two.
+  // Two vectors of 8 columns read the same cells; processors with wider ones have enough registers for two.
   static_assert(2 * hn::MaxLanes(RegionTag{}) <= kPadding);
-  if (lanes == 16) {
+  if (lanes >= 8) {
     for (std::size_t i = 0; i < width; i += 2 * lanes) {
-      const TwoAt<At> two{{row, i}, {row, i + lanes}};
+      const At first{row, i};
+      const TwoAt<At> two{first, first.next()};
       const Country<Two> country = country_at(two);
       store_country({country.base.a, country.belt.a, country.mesa.a}, details, i);
       store_country({country.base.b, country.belt.b, country.mesa.b}, details, i + lanes);
