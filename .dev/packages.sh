@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # ./dev package: what people take who do not compile. Everything goes to out/packages.
 
-package_kinds=(deb portable sdk npm wheel crate arm64 windows)
+package_kinds=(deb portable sdk npm wheel crate arm64 image windows)
 package_usual=("${package_kinds[@]:0:6}")
 package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
 
@@ -66,6 +66,37 @@ package_arm64() {
   done
   debs aarch64 arm64 "${depends[@]}"
 }
+
+# docker/Dockerfile by buildah, on a Debian 12 that debootstrap makes as this machine's apt has it: no registry is asked. In
+# Docker's format, as OCI's has no health check.
+package_image() {
+  local out="$PWD/out/image" archive base=docker.io/library/debian:12-slim scratch
+  ((EUID == 0)) || die "package: the image needs root, for debootstrap and chroot"
+  deps containers
+  archive="out/packages/talus-image-$(package_version)-linux-$(uname -m).tar"
+  rm -rf --one-file-system "$out/root" "$out/context" "$archive.gz"
+  # What the repository has, and its commit.
+  mkdir -p "$out/context"
+  tracked '*' | tar -c --ignore-failed-read -T - | tar -x -C "$out/context"
+  [[ ! -e .git ]] || git rev-parse HEAD >"$out/context/.cmake/build_version/commit.txt"
+  # The base under the name that the Dockerfile asks for.
+  if ! own_buildah inspect --type image "$base" >/dev/null 2>&1; then
+    source tests/bare_debian.sh
+    aloud "making a bare Debian 12" bare_debian "$out/root" "$out/debootstrap.log"
+    rm -rf "$out/root/var/cache/apt"/{archives/*.deb,*.bin} "$out/root/var/lib/apt/lists"/*
+    scratch="$(own_buildah from scratch)"
+    own_buildah add --quiet "$scratch" "$out/root" / >/dev/null
+    own_buildah commit --quiet --rm "$scratch" "$base" >/dev/null
+    rm -rf --one-file-system "$out/root"
+  fi
+  aloud "building the image" own_buildah bud --isolation chroot --pull-never --layers --format docker \
+    --ignorefile docker/Dockerfile.dockerignore -f docker/Dockerfile -t localhost/talus "$out/context"
+  own_buildah push --quiet localhost/talus "docker-archive:$archive:talus:$(package_version)"
+  gzip "$archive"
+}
+
+# own_buildah ...: with a store of its own. What else this machine has built stays as it is, and goes unused.
+own_buildah() { buildah --root "$PWD/out/image/store" --runroot "$PWD/out/image/run" "$@"; }
 
 # talusd and the tools with every library that they need, the C library and its loader included. Static they cannot be: not
 # all of these libraries can, and a static C library would look up neither hosts nor users.

@@ -106,12 +106,10 @@ test_at_length() {
   stage "edits at three servers beside bare JetStream" edits_at_rate
   break_clusters
   stage "testing the files for many machines" tests/deployment/run.sh
-  deps containers
-  stage "building the image and starting it" tests/deployment/image.sh
   deps bindings image
   stage "building the client libraries alone in a bare Debian" tests/install/alone.sh
-  package --uncommitted
-  stage "installing every package and using it" tests/packages/run.sh
+  package --uncommitted "${package_usual[@]}" image
+  stage "installing every package and using it" tests/packages/run.sh "${package_usual[@]}" image
   sanitize address thread
   avx512
   fuzz 120

@@ -11,7 +11,7 @@ for kind in "${@:-deb portable sdk npm wheel crate}"; do
     case "$each" in
       deb) tests/packages/debs.sh "$packages" "$(dpkg --print-architecture)" ;;
       arm64) tests/packages/debs.sh "$packages" arm64 ;;
-      portable | sdk | npm | wheel | crate) "tests/packages/$each.sh" "$packages" "$talusd" ;;
+      portable | sdk | npm | wheel | crate | image) "tests/packages/$each.sh" "$packages" "$talusd" ;;
       *) die "'$each' is no kind of package" ;;
     esac
     say "$each took $((SECONDS - began)) s"

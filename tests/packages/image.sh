@@ -1,23 +1,14 @@
 #!/usr/bin/env bash
-# As root: builds the image of docker/Dockerfile by buildah, on a Debian 12 that debootstrap makes as this machine's apt has
-# it, and starts it as the image's own user with the image's own command. No registry is asked. Results go to out/image.
+# image.sh PACKAGES: as root, loads the image into a store of its own, and starts it as the image's own user with the image's own
+# command.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
-source tests/bare_debian.sh
-
-die() { printf 'image: %s\n' "$*" >&2; exit 1; }
-say() { printf '\033[1m==> %s\033[0m\n' "$*" >&2; }
-
-((EUID == 0)) || die "needs root, for debootstrap and chroot"
-for program in debootstrap buildah curl; do
+source "$(dirname "$0")/common.sh"
+archive="$(realpath "$(only_one "$1/talus-image-*.tar.gz")")"
+commit="$(git -C "$(dirname "$0")" rev-parse HEAD 2>/dev/null || true)"
+for program in buildah curl; do
   command -v "$program" >/dev/null || die "needs $program; ./dev deps containers installs it"
 done
-
-out="$PWD/out/image"
-mkdir -p "$out"
-exec 9>"$out/lock"
-flock -n 9 || die "another one runs in this folder"
-# A store of its own: what else this machine has built stays as it is, and goes unused.
+out="$(mktemp -d)"
 buildah() { command buildah --root "$out/store" --runroot "$out/run" "$@"; }
 container="" started=""
 # chroot hides no process: talusd is below the one that was started, and does not end with it.
@@ -25,30 +16,16 @@ below() { local child; for child in $(pgrep -P "$1"); do printf '%s\n' "$child";
 finish() {
   [[ -z "$started" ]] || { kill -TERM $(below "$started") "$started" 2>/dev/null; wait "$started" 2>/dev/null; } || true
   [[ -z "$container" ]] || buildah rm "$container" >/dev/null 2>&1 || true
-  rm -rf --one-file-system "$out/root"
+  umount --lazy "$out/store"/* 2>/dev/null || true
+  rm -rf --one-file-system "$out"
 }
 trap finish EXIT
-
-# The base under the name that the Dockerfile asks for, so that the Dockerfile is built as it is.
-base=docker.io/library/debian:12-slim
-if ! buildah inspect --type image "$base" >/dev/null 2>&1; then
-  say "making a bare Debian 12"
-  bare_debian "$out/root" "$out/debootstrap.log"
-  rm -rf "$out/root/var/cache/apt/archives"/*.deb
-  scratch="$(buildah from scratch)"
-  buildah add --quiet "$scratch" "$out/root" / >/dev/null
-  buildah commit --quiet --rm "$scratch" "$base" >/dev/null
-  rm -rf --one-file-system "$out/root"
-fi
-
-say "building the image of docker/Dockerfile (log: out/image/build.log)"
-buildah bud --isolation chroot --pull-never --layers --format docker --ignorefile docker/Dockerfile.dockerignore \
-  -f docker/Dockerfile -t localhost/talus . >"$out/build.log" 2>&1 ||
-  { tail -n 20 "$out/build.log" >&2; die "docker/Dockerfile does not build; all it said: $out/build.log"; }
+zcat "$archive" >"$out/image.tar"  # which docker load and podman load do themselves
+image="$(buildah pull --quiet "docker-archive:$out/image.tar")"
 
 # What the image says of itself: its user, its command, its health check, a word a line.
 said() {
-  buildah inspect --type image localhost/talus | python3 -c '
+  buildah inspect --type image "$image" | python3 -c '
 import json, sys
 config = json.load(sys.stdin)["Docker"]["config"]
 for key in sys.argv[1:]:
@@ -65,7 +42,7 @@ moved=()
 for word in "${command[@]}"; do moved+=("${word/0.0.0.0:*/127.0.0.1:0}"); done
 moved+=(--listen 127.0.0.1:0)
 say "starting it as its user: ${moved[*]}"
-container="$(buildah from --pull-never localhost/talus)"
+container="$(buildah from --pull-never "$image")"
 buildah run --isolation chroot "$container" -- "${moved[@]}" >"$out/talusd.log" 2>&1 &
 started=$!
 until grep -q '^HTTP and WebSocket on' "$out/talusd.log" && grep -q 'listening on' "$out/talusd.log"; do
@@ -78,6 +55,9 @@ address="$(sed -n 's/.*listening on //p' "$out/talusd.log" | head -n 1)"
 admin="$(sed -n 's/.*metrics and health on //p' "$out/talusd.log" | head -n 1)"
 web="$(sed -n 's/^HTTP and WebSocket on //p' "$out/talusd.log" | head -n 1)"
 
+version="$(buildah run --isolation chroot "$container" -- talusd --version)"
+[[ "$version" == *"(${commit:0:8})"* ]] || die "talusd --version: $version"
+
 say "its health check, its operators' port, the viewer, an edit"
 buildah run --isolation chroot "$container" -- "${health[@]/127.0.0.1:4780/$address}" >/dev/null ||
   die "the image's health check fails: ${health[*]}"
@@ -89,4 +69,4 @@ buildah run --isolation chroot "$container" -- "${health[@]/127.0.0.1:4780/$addr
 kill -TERM "$talusd"
 wait "$started" || die "talusd ended with $?"
 started=""
-say "docker/Dockerfile: builds, and runs as its user"
+say "$(basename "$archive"): runs as its user"
