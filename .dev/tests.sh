@@ -118,9 +118,11 @@ test_at_length() {
 
 damage_stores() {
   build release -DTALUS_TESTS=ON -- test_server_edits test_server_cluster
-  TALUS_POWER_CUTS=2000 TALUS_FLIPS=200 build/release/tests/server/test_server_edits "after power cuts*,a flipped bit in any file*"
-  # Of the faults, 5 in 12 are power cuts. TALUS_SEED is the first run's seed.
+  # TALUS_SEED is the first run's seed.
   local first="${TALUS_SEED:-$RANDOM}" run seed
+  say "TALUS_POWER_CUTS=2000 TALUS_FLIPS=200 TALUS_SEED=$first"
+  TALUS_POWER_CUTS=2000 TALUS_FLIPS=200 TALUS_SEED="$first" build/release/tests/server/test_server_edits "after power cuts*,a flipped bit in any file*"
+  # Of the faults, 5 in 12 are power cuts.
   for ((run = 1; run <= 30; ++run)); do
     seed="$((first + run - 1))"
     say "run $run of 30: TALUS_KILLS=160 TALUS_SEED=$seed"

@@ -2,7 +2,6 @@
 // edits of others, refusals, and chunks that leave and come back.
 #include <talus/client/prediction.h>
 
-#include <cstdlib>
 #include <deque>
 #include <map>
 #include <random>
@@ -16,6 +15,7 @@
 
 #include "failing_allocations.h"
 #include "peer.h"
+#include "seed_of_run.h"
 
 namespace talus::client {
 namespace {
@@ -111,11 +111,6 @@ struct Player {
     return store.find({chunk_holding(at, Lod{})->coord, Lod{}})->at(local_pos(at));
   }
 };
-
-std::uint64_t seed_of_run() {
-  const char* const given = std::getenv("TALUS_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
-}
 
 }  // namespace
 

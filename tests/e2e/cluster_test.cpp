@@ -15,6 +15,7 @@
 #include "nats_server.h"
 #include "player.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -22,11 +23,6 @@ using namespace talus::e2e;
 using namespace std::chrono_literals;
 
 namespace {
-
-std::uint64_t seed_of_run() {
-  const char* const given = std::getenv("TALUS_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
-}
 
 client::Options patient() {
   client::Options options;

@@ -12,6 +12,7 @@
 #include "player.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -39,11 +40,6 @@ client::Options patient() {
   options.reconnect.max_delay = 200ms;
   options.reconnect.max_attempts = 1'000;
   return options;
-}
-
-std::uint64_t seed_of_run() {
-  const char* const given = std::getenv("TALUS_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 
 #include "player.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "server_process.h"
 
 using namespace talus;
@@ -219,7 +220,7 @@ TEST_CASE("a second talusd, and a command that writes, are kept from a directory
 }
 
 TEST_CASE("backup, import, rebase and restore that are killed leave a sound store, and can be done again") {
-  const std::uint64_t seed = std::random_device{}();
+  const std::uint64_t seed = seed_of_run();
   CAPTURE(seed);
   std::mt19937_64 random{seed};
   const char* const given = std::getenv("TALUS_KILLS");
@@ -305,7 +306,9 @@ TEST_CASE("a killed pregen is continued, and its land equals the land of a serve
   for (const char* const flag : {"--world", settings.at("TALUS_WORLD").c_str(), "--share", "0.005"}) {
     killed.emplace_back(flag);
   }
-  std::mt19937_64 random{std::random_device{}()};
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
   for (int kill = 0; kill < 5; ++kill) {
     CHECK_FALSE(run_and_kill(
         killed, [&] { std::this_thread::sleep_for(std::chrono::milliseconds{50 + random() % 500}); }));

@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include "log_model.h"
+#include "seed_of_run.h"
 
 namespace talus::edits {
 namespace {
@@ -131,7 +132,7 @@ class LongLog {
 TEST_CASE("a million random entries in long logs do what the model says, however they are cut") {
   // TALUS_SEED repeats a log.
   const char* const said = std::getenv("TALUS_SEED");
-  const std::uint64_t first = said != nullptr ? std::stoull(said) : std::random_device{}();
+  const std::uint64_t first = seed_of_run();
   const std::uint64_t logs = said != nullptr ? 1 : kLogs;
   for (std::uint64_t log = 0; log < logs; ++log) {
     CAPTURE(first + log);

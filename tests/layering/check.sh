@@ -50,4 +50,8 @@ if find core protocol server client_sample tests docs -name node_modules -prune 
   echo "a thing lives with what it serves: no utils, common or helpers"
   failed=1
 fi
+if grep -rl random_device tests --include='*.cpp' --include='*.h' | grep -vx tests/seed_of_run.h; then
+  echo "a test's random numbers begin with seed_of_run(), so that TALUS_SEED repeats them"
+  failed=1
+fi
 exit "$failed"

@@ -13,6 +13,7 @@
 #include "cluster_node.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "shared_stream.h"
 
 namespace talus::server {
@@ -23,11 +24,6 @@ using edits::testing::base_of;
 using edits::testing::Model;
 using Kind = edits::EntryResult::Kind;
 using std::chrono::milliseconds;
-
-std::uint64_t seed_of_run() {
-  const char* const given = std::getenv("TALUS_SEED");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
-}
 
 /// A message that this talusd does not know, and that nobody has enabled.
 store::Bytes of_a_format_to_come() {

@@ -9,6 +9,7 @@
 
 #include "edits_of_tests.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 
 namespace talus::server {
 namespace {
@@ -35,7 +36,9 @@ TEST_CASE("a store that is opened again is as it was, and S is that of its chunk
   TestEditor editor;
   editor.attach(store);
   Model model;
-  std::mt19937_64 random{std::random_device{}()};
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
   for (int i = 0; i < 500; ++i) {
     const edits::Edit edit = random_edit(random);
     const auto applied = editor.edit(store, edit);

@@ -11,6 +11,7 @@
 #include "edit_store.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "unsafe_disk.h"
 
 namespace talus::server {
@@ -268,7 +269,7 @@ int cuts_from_environment(int normal) {
 }  // namespace
 
 TEST_CASE("after power cuts every acknowledged edit is present, never twice, never torn") {
-  const std::uint64_t seed = std::random_device{}();
+  const std::uint64_t seed = seed_of_run();
   CAPTURE(seed);
   const int cuts = cuts_from_environment(20);
   std::uint64_t acknowledged = 0;
@@ -286,7 +287,7 @@ TEST_CASE("after power cuts every acknowledged edit is present, never twice, nev
 }
 
 TEST_CASE("after power cuts slid material lies where it came to rest") {
-  const std::uint64_t seed = std::random_device{}();
+  const std::uint64_t seed = seed_of_run();
   CAPTURE(seed);
   PowerCuts store{seed, true,
                   std::make_shared<const edits::SettleRules>(
@@ -296,7 +297,9 @@ TEST_CASE("after power cuts slid material lies where it came to rest") {
 }
 
 TEST_CASE("without syncs power cuts lose acknowledged edits, and the test above sees it") {
-  PowerCuts store{std::random_device{}(), false};
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  PowerCuts store{seed, false};
   CHECK(store.run(20) != "");
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "seed_of_run.h"
 #include "session_bench.h"
 #include "views.h"
 
@@ -473,7 +474,7 @@ TEST_CASE("after any edits an idle client has its View as the source has it") {
   // TALUS_SEED repeats a run, or with TALUS_RUNS so many from that seed on.
   const char* const said_seed = std::getenv("TALUS_SEED");
   const char* const said_runs = std::getenv("TALUS_RUNS");
-  const std::uint64_t first = said_seed != nullptr ? std::stoull(said_seed) : std::random_device{}();
+  const std::uint64_t first = seed_of_run();
   const std::uint64_t runs = said_runs != nullptr ? std::stoull(said_runs) : said_seed != nullptr ? 1 : 7000;
   int broadcasts = 0;
   int wrong = 0;

@@ -19,6 +19,7 @@
 #include "commands/store/store_figures.h"
 #include "commands/store/transfer.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "whole_stores.h"
 
 namespace talus::server {
@@ -94,7 +95,7 @@ std::string hex(const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("exported and imported edits are the same, whichever wins if both have a voxel") {
-  const std::uint64_t seed = std::random_device{}();
+  const std::uint64_t seed = seed_of_run();
   CAPTURE(seed);
   std::mt19937_64 random{seed};
   for (int round = 0; round < 6; ++round) {

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <random>
 #include <string>
 #include <thread>
 
@@ -19,6 +18,7 @@
 #include "edits/log_syncer.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
+#include "seed_of_run.h"
 #include "unsafe_disk.h"
 
 namespace talus::server {
@@ -97,7 +97,7 @@ struct WriterBench {
   [[nodiscard]] bool all_acknowledged() const { return acknowledged() == head(); }
 
   ScratchDirectory scratch{ScratchDirectory::memory()};
-  std::shared_ptr<UnsafeDisk> disk = std::make_shared<UnsafeDisk>(std::random_device{}());
+  std::shared_ptr<UnsafeDisk> disk = std::make_shared<UnsafeDisk>(seed_of_run());
   std::unique_ptr<rocksdb::Env> environment = environment_of(disk);
   StoreWriterSettings settings;
   std::atomic<bool> woken{false};

@@ -1,0 +1,12 @@
+// The seed of a test's random numbers.
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+
+/// TALUS_SEED, which repeats a run, or a random one.
+inline std::uint64_t seed_of_run() {
+  const char* const given = std::getenv("TALUS_SEED");
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+}
