@@ -5,22 +5,30 @@
 
 #include <fmt/format.h>
 
+#include "runtime/reasons.h"
+
 namespace talus::server {
 
 Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, const LocalLog::State* own,
                        const MemoryBudget& memory) {
-  if (draining) return {false, "draining"};
-  if (shared != nullptr && !shared->ready) return {false, shared->not_ready};
+  Reasons reasons;
+  if (draining) reasons.add("draining");
+  if (shared != nullptr && !shared->ready) reasons.add(shared->not_ready);
   const auto read_only = shared != nullptr ? shared->read_only
                          : own != nullptr  ? own->read_only
                                            : std::optional<std::string>{};
   // The next start would not have what the store has now.
-  if (own != nullptr && own->gone) return {false, read_only.value_or("")};
+  if (own != nullptr && own->gone) reasons.add(read_only.value_or(""));
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
-    return {false, fmt::format("new connections are refused: this server's memory is all in use, {} bytes "
-                               "with its caches, and limits.memory_bytes is {}",
-                               memory.used(), memory.limit_bytes())};
+    reasons.add(
+        fmt::format("new connections are refused: this server's memory is all in use, {} bytes "
+                    "with its caches, and limits.memory_bytes is {}",
+                    memory.used(), memory.limit_bytes()));
+  }
+  if (!reasons.text().empty()) {
+    reasons.add(read_only.value_or(""));
+    return {false, reasons.text()};
   }
   // Still ready: chunks are served without the log, and otherwise a balancer would drop all servers at once.
   if (read_only) return {true, fmt::format("ready; no edits are taken: {}", *read_only)};

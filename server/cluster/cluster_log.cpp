@@ -8,6 +8,7 @@
 #include "cluster/log_reasons.h"
 #include "cluster/server_number.h"
 #include "edits/admission/log_admission.h"
+#include "runtime/reasons.h"
 
 namespace talus::server::cluster {
 namespace {
@@ -119,7 +120,6 @@ ClusterLog::State ClusterLog::status() const {
   status.republished = publisher_.republished();
   status.gaps = figures.gaps;
   status.false_messages = figures.false_messages;
-  const auto gone = store.gone ? store.read_only : std::nullopt;
   const std::lock_guard lock{mutex_};
   // In that case edits are rejected.
   const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
@@ -139,7 +139,7 @@ ClusterLog::State ClusterLog::status() const {
   } else if (!undecided_.empty()) {
     status.read_only = undecided_;
   } else if (store.read_only) {
-    status.read_only = std::move(store.read_only);
+    status.read_only = store.read_only;
   } else if (!places_known_ && !begins_without_log()) {
     status.read_only = trouble_.empty() ? "this server is looking for its place in the log" : trouble_;
   } else if (!unreadable_.empty()) {
@@ -152,21 +152,27 @@ ClusterLog::State ClusterLog::status() const {
         fmt::format("the log that this world's servers share cannot be reached or read, or has no quorum{}{}",
                     why.empty() ? "" : ": ", why);
   }
-  if (gone) {
-    status.not_ready = *gone;
-  } else if (!fault_.empty()) {
-    if (!all_are_stuck()) status.not_ready = fault_;
-  } else if (shorter_) {
-    status.not_ready = kShorter;
-  } else if (!end_.is_ready() && !begins_without_log()) {
-    const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
-    status.not_ready = !places_known_ || !heard_
-                           ? (trouble_.empty() ? "looking for its place in the log" : trouble_)
-                           : fmt::format("{} messages and {} s behind the log's end{}{}", end_.lag(),
-                                         behind.count(), trouble_.empty() ? "" : ": ", trouble_);
-  }
-  status.ready = status.not_ready.empty();
+  const bool is_behind = !end_.is_ready() && !begins_without_log();
+  status.ready = !store.gone && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
+  if (!status.ready) status.not_ready = reasons(store.read_only.value_or(""), is_behind);
   return status;
+}
+
+std::string ClusterLog::reasons(const std::string& of_store, bool is_behind) const {
+  Reasons all;
+  all.add(fault_);
+  all.add(of_store);
+  all.add(undecided_);
+  all.add(unreadable_);
+  if (shorter_) all.add(kShorter);
+  if (is_behind && places_known_ && heard_) {
+    const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
+    all.add(fmt::format("{} messages and {} s behind the log's end", end_.lag(), behind.count()));
+  } else if (is_behind && trouble_.empty()) {
+    all.add("looking for its place in the log");
+  }
+  if (is_behind) all.add(trouble_);
+  return all.text();
 }
 
 bool ClusterLog::all_are_stuck() const {

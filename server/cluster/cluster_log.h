@@ -91,7 +91,7 @@ class ClusterLog final : public EditLog {
     std::size_t waiting = 0;
     std::optional<std::string> read_only;  // why entries are rejected, in one line
     bool ready = false;                    // players may come here
-    std::string not_ready;                 // reason in one line
+    std::string not_ready;                 // all reasons in one line, the gravest first
     bool connected = false;
     std::string late;     // why edits of others are delayed by up to a second; empty if they are not
     bool quorum = false;  // the stream has a leader that answers
@@ -167,6 +167,9 @@ class ClusterLog final : public EditLog {
   /// True if, as far as is known, no server passes the message at which this one is stuck: other servers are
   /// no better, so players may stay here. Requires the mutex.
   [[nodiscard]] bool all_are_stuck() const;
+  /// Why this server is not ready, the gravest first; `of_store`: why the store takes no writes. Requires the
+  /// mutex.
+  [[nodiscard]] std::string reasons(const std::string& of_store, bool is_behind) const;
   /// True if the leader did not answer at the start, but the store has its place: chunks are served from the
   /// disk, as if the leader had been lost later, until it reports the end. Requires the mutex.
   [[nodiscard]] bool begins_without_log() const;

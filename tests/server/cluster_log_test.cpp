@@ -107,6 +107,29 @@ TEST_CASE("a server whose store was moved away applies nothing and is not ready 
   until([&] { return cluster.log(1).status().ready; });
 }
 
+TEST_CASE("a server whose store is broken and that is behind says both, the store first") {
+  ClusterInMemory cluster{2};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  cluster.until_applied();
+  cluster.nodes[1]->close();
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  cluster.nodes[1]->before_log = [&] { cluster.nodes[1]->disk().fill_after(0); };
+  REQUIRE(cluster.nodes[1]->open() == "");
+  cluster::ClusterLog::State status;
+  until([&] {
+    status = cluster.log(1).status();
+    return status.lag > 0 && status.not_ready.find("behind the log's end") != std::string::npos &&
+           status.not_ready.find("space") != std::string::npos;
+  });
+  CAPTURE(status.not_ready);
+  CHECK(status.not_ready.starts_with(status.read_only.value_or("?")));
+  cluster.nodes[1]->disk().empty();
+  cluster.until_applied();
+  until([&] { return cluster.log(1).status().ready; });
+}
+
 TEST_CASE("a server that starts while the log is away is ready with what it has, unless that is nothing") {
   ClusterInMemory cluster{2};
   cluster.nodes[0]->settings.poll_interval = 1ms;
