@@ -384,14 +384,19 @@ TEST_CASE("files of options that a kill left unfinished are deleted by the next 
   CHECK_FALSE(fs::exists(left));
 }
 
-TEST_CASE("files that talusd may not read are no reason to restore a backup") {
+TEST_CASE("what is no damage is no reason to restore a backup") {
   const auto advice = [](int error) {
     return std::string{store::remedy_for(rocksdb::Status::IOError("While open a file: /data/db/000008.sst",
                                                                   std::generic_category().message(error)))};
   };
   for (const int error : {EACCES, EPERM, EROFS}) CHECK_THAT(advice(error), Catch::Contains("read and write"));
   CHECK_THAT(advice(EMFILE), Catch::Contains("open files"));
-  CHECK_THAT(advice(EIO), Catch::Contains("restore a backup"));
+  CHECK_THAT(advice(EDQUOT), Catch::Contains("quota"));
+  CHECK_THAT(advice(EFBIG), Catch::Contains("file's size"));
+  for (const int error : {EIO, ENXIO, ENODEV, ETIMEDOUT, ESTALE}) {
+    CHECK_THAT(advice(error), Catch::StartsWith("its disk fails: check it"));
+  }
+  CHECK_THAT(advice(EINVAL), Catch::StartsWith("restore a backup"));
 }
 
 TEST_CASE("a directory that cannot be written is refused") {

@@ -369,4 +369,52 @@ TEST_CASE("with little free space edits are refused with the reason") {
         std::string::npos);
 }
 
+TEST_CASE(
+    "a disk that reads nothing is named, other chunks are edited, and once it reads again all is there") {
+  Trouble trouble{7};
+  REQUIRE(trouble.store.open() == "");
+  trouble.editor.attach(trouble.store);
+  for (int i = 0; i < 300; ++i) trouble.edit([] { FAIL("the disk is sound"); });
+  trouble.store.close();
+  trouble.store.state_settings.cache_bytes = 0;
+  REQUIRE(trouble.store.open() == "");
+  trouble.editor.attach(trouble.store);
+  trouble.disk->fail_reads(true);
+  const auto loaded = trouble.store.state().load({{0, 0, 0}, Lod{}});
+  REQUIRE_FALSE(loaded.has_value());
+  CHECK_THAT(loaded.error(), Catch::Contains("chunk (0, 0, 0)") && Catch::Contains(".sst") &&
+                                 Catch::Contains("Input/output error; its disk fails: check it"));
+  edits::Edit far;
+  far.writes.push_back({{32'000, 0, 0}, MaterialId{1}});
+  CHECK(trouble.editor.edit(trouble.store, far)->kind == Kind::done);
+  CHECK_FALSE(trouble.store.log().status().read_only.has_value());
+  trouble.disk->fail_reads(false);
+  trouble.check();
+}
+
+TEST_CASE("a disk that reads nothing while tables are merged stops edits until it reads, and loses nothing") {
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  for (std::uint64_t round = 0; round < 4; ++round) {
+    Trouble trouble{seed + round};
+    REQUIRE(trouble.store.open() == "");
+    trouble.editor.attach(trouble.store);
+    for (int i = 0; i < 300; ++i) {
+      if (trouble.random() % 20 == 0) trouble.disk->fail_reads(true);
+      trouble.edit([&] {
+        if (const auto reason = trouble.store.log().status().read_only) {
+          INFO(*reason);
+          CHECK(reason->find("is lost") == std::string::npos);
+        }
+        trouble.disk->fail_reads(trouble.random() % 4 != 0);
+      });
+    }
+    trouble.disk->fail_reads(false);
+    trouble.check();
+    trouble.store.close();
+    REQUIRE(trouble.store.open_without_log() == "");
+    trouble.check();
+  }
+}
+
 }  // namespace talus::server

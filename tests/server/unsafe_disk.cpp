@@ -1,8 +1,10 @@
 #include "unsafe_disk.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,32 @@ class AppendedFile final : public rocksdb::FSWritableFileOwnerWrapper {
   }
 
  private:
+  std::string path_;
+  UnsafeDisk& disk_;
+};
+
+class ReadFile final : public rocksdb::FSRandomAccessFileOwnerWrapper {
+ public:
+  ReadFile(std::unique_ptr<rocksdb::FSRandomAccessFile> file, std::string path, UnsafeDisk& disk)
+      : FSRandomAccessFileOwnerWrapper{std::move(file)}, path_{std::move(path)}, disk_{disk} {}
+
+  IOStatus Read(std::uint64_t offset, std::size_t bytes, const IOOptions& options, Slice* result,
+                char* scratch, IODebugContext* debug) const override {
+    if (disk_.reads_fail()) return failure();
+    return FSRandomAccessFileOwnerWrapper::Read(offset, bytes, options, result, scratch, debug);
+  }
+  IOStatus MultiRead(rocksdb::FSReadRequest* requests, std::size_t count, const IOOptions& options,
+                     IODebugContext* debug) override {
+    if (disk_.reads_fail()) return failure();
+    return FSRandomAccessFileOwnerWrapper::MultiRead(requests, count, options, debug);
+  }
+
+ private:
+  /// As RocksDB says it of a file of the system's.
+  [[nodiscard]] IOStatus failure() const {
+    return IOStatus::IOError("While pread: " + path_, std::generic_category().message(EIO));
+  }
+
   std::string path_;
   UnsafeDisk& disk_;
 };
@@ -212,6 +240,14 @@ IOStatus UnsafeDisk::ReopenWritableFile(const std::string&, const rocksdb::FileO
 IOStatus UnsafeDisk::ReuseWritableFile(const std::string&, const std::string&, const rocksdb::FileOptions&,
                                        std::unique_ptr<rocksdb::FSWritableFile>*, IODebugContext*) {
   return IOStatus::NotSupported("the test's disk");
+}
+
+IOStatus UnsafeDisk::NewRandomAccessFile(const std::string& path, const rocksdb::FileOptions& options,
+                                         std::unique_ptr<rocksdb::FSRandomAccessFile>* result,
+                                         IODebugContext* debug) {
+  auto status = FileSystemWrapper::NewRandomAccessFile(path, options, result, debug);
+  if (status.ok()) *result = std::make_unique<ReadFile>(std::move(*result), path, *this);
+  return status;
 }
 
 IOStatus UnsafeDisk::NewRandomRWFile(const std::string& path, const rocksdb::FileOptions& options,

@@ -42,6 +42,9 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   void mend() { syncs_left_ = kMany; }
   /// Since fail_sync_after().
   [[nodiscard]] std::int64_t failed_syncs() const { return std::max<std::int64_t>(0, -syncs_left_); }
+  /// All reads of open tables fail, as of bad sectors.
+  void fail_reads(bool fails) { reads_fail_ = fails; }
+  [[nodiscard]] bool reads_fail() const { return reads_fail_; }
   /// What the disk says that it has free; none: the truth.
   void say_free(std::optional<std::uint64_t> bytes) {
     free_ = bytes ? static_cast<std::int64_t>(*bytes) : -1;
@@ -57,6 +60,9 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   rocksdb::IOStatus ReuseWritableFile(const std::string&, const std::string&, const rocksdb::FileOptions&,
                                       std::unique_ptr<rocksdb::FSWritableFile>*,
                                       rocksdb::IODebugContext*) override;
+  rocksdb::IOStatus NewRandomAccessFile(const std::string& path, const rocksdb::FileOptions& options,
+                                        std::unique_ptr<rocksdb::FSRandomAccessFile>* result,
+                                        rocksdb::IODebugContext* debug) override;
   rocksdb::IOStatus NewRandomRWFile(const std::string& path, const rocksdb::FileOptions& options,
                                     std::unique_ptr<rocksdb::FSRandomRWFile>* result,
                                     rocksdb::IODebugContext* debug) override;
@@ -112,6 +118,7 @@ class UnsafeDisk final : public rocksdb::FileSystemWrapper, public std::enable_s
   std::atomic<std::int64_t> syncs_left_{kMany};
   std::atomic<std::int64_t> free_{-1};
   std::atomic<bool> off_{false};
+  std::atomic<bool> reads_fail_{false};
   std::mutex mutex_;
   std::condition_variable held_changed_;
   bool holds_ = false;

@@ -433,6 +433,9 @@ EditDatabase::Status EditDatabase::recover() {
     return {};
   }
   db_.reset();
+  if (!status.ok() && !status.IsNotFound()) {
+    return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
+  }
   const std::string what = fmt::format("after a disk error entry {} of its log is lost", meta_.head.position);
   if (!settings_.log_elsewhere || !status.ok() || !meta)
     return failure(fmt::format("{}; {}", what, kStoreLost));

@@ -74,7 +74,7 @@ std::size_t rocks_memory(rocksdb::DB& db) {
 }
 
 std::string_view remedy_for(const rocksdb::Status& status) {
-  if (status.IsNoSpace()) return "its disk is full: nothing is damaged; free space";
+  if (status.IsNoSpace()) return "its disk is full: nothing is damaged; free space or inodes";
   // RocksDB keeps only the text of an error number.
   const std::string text = status.ToString();
   const auto is = [&](std::initializer_list<int> errors) {
@@ -86,6 +86,11 @@ std::string_view remedy_for(const rocksdb::Status& status) {
     return "nothing is damaged; let talusd's user read and write all files of the data directory";
   }
   if (is({EMFILE, ENFILE})) return "nothing is damaged; raise the limit of open files";
+  if (is({EDQUOT})) return "its user's quota is full: nothing is damaged; raise the quota";
+  if (is({EFBIG})) return "nothing is damaged; raise the limit of a file's size (ulimit -f)";
+  if (is({EIO, ENXIO, ENODEV, ETIMEDOUT, ESTALE})) {
+    return "its disk fails: check it and the kernel's log; if it stays so, restore a backup on another disk";
+  }
   // As older versions of RocksDB say of a table or a manifest of a newer one.
   for (const std::string_view newer :
        {"unsupported format_version", "unknown checksum type", "unknown tag"}) {

@@ -49,9 +49,9 @@ StoreReader::Result<std::map<std::string, MaterialId>> StoreReader::materials() 
     if (sound) materials.emplace(*name, *material);
     return sound;
   });
-  if (status.ok() && sound) return materials;
-  return failure(
-      fmt::format("its table of materials is damaged: {}; {}", status.ToString(), remedy_for(status)));
+  if (!sound) return failure(fmt::format("its table of materials is damaged; {}", kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
+  return materials;
 }
 
 StoreReader::Result<std::deque<HistorySegment>> StoreReader::history(std::uint64_t flushed) const {
@@ -64,9 +64,9 @@ StoreReader::Result<std::deque<HistorySegment>> StoreReader::history(std::uint64
     if (sound) history.push_back(*segment);
     return sound;
   });
-  if (status.ok() && sound) return history;
-  return failure(
-      fmt::format("its table of history is damaged: {}; {}", status.ToString(), remedy_for(status)));
+  if (!sound) return failure(fmt::format("its table of history is damaged; {}", kStoreLost));
+  if (!status.ok()) return failure(fmt::format("{}; {}", status.ToString(), remedy_for(status)));
+  return history;
 }
 
 StoreReader::Status StoreReader::for_each_chunk(
