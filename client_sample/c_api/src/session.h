@@ -17,6 +17,8 @@
 #include <talus.h>
 #include <talus/client/client.h>
 
+#include "sockets.h"
+
 namespace talus::c_api {
 
 /// A queued event, to be returned as a talus_event.
@@ -77,6 +79,7 @@ class Session {
   template <typename Work>
   void remember(Work&& work) noexcept;
 
+  Sockets sockets_;
   asio::io_context io_;
   std::deque<QueuedEvent> queue_;
   std::optional<QueuedEvent> closed_;  // delivered after all queued events
