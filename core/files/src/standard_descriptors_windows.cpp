@@ -13,6 +13,15 @@ namespace {
 
 UINT console_code_page = 0;
 
+void restore_code_page() {
+  ::SetConsoleOutputCP(console_code_page);
+}
+
+BOOL WINAPI on_control(DWORD /*event*/) {
+  restore_code_page();
+  return FALSE;  // ends the process, which runs no function of atexit() then
+}
+
 }  // namespace
 
 void open_closed_standard_descriptors() {
@@ -26,7 +35,8 @@ void open_closed_standard_descriptors() {
   }
   console_code_page = ::GetConsoleOutputCP();
   if (console_code_page == 0 || ::SetConsoleOutputCP(CP_UTF8) == 0) return;
-  std::atexit([] { ::SetConsoleOutputCP(console_code_page); });
+  std::atexit(restore_code_page);
+  ::SetConsoleCtrlHandler(on_control, TRUE);
 }
 
 }  // namespace talus::files
