@@ -1,25 +1,33 @@
 # shellcheck shell=bash
 # Windows' programs, by mingw: their build, their tests in Wine, and the zip.
 
-build_windows() {
-  deps build cross
-  aloud "building libraries for Windows" .dev/windows_libraries.sh build/windows-libraries
-  build windows -- "$@"
-}
-
 windows_name() { printf 'talus-%s-windows-x86_64' "$(package_version)"; }
 
 # For games: libtalus, talus-gen and talus-client.
 package_windows() {
-  local name
+  local name component
   name="$(windows_name)"
-  build_windows talus-gen talus-client talus_c
+  deps build cross
+  aloud "building libraries for Windows" .dev/windows_libraries.sh build/windows-libraries
+  build windows -- talus-gen talus-client talus_c
   mkdir -p out/packages
   rm -rf "out/packages/$name" "out/packages/$name.zip"
-  local component
   for component in c_api windows; do
     cmake --install build/windows --strip --component "$component" --prefix "out/packages/$name" >&2
   done
+  cat >"out/packages/$name/README.txt" <<TEXT
+Talus $(package_version): libtalus for games, talus-gen and talus-client, for Windows 10 of 2019 and later (64 bits).
+
+    bin\talus-gen map --center 0,0 --size 512,512 -o map.png
+    bin\talus-client --connect HOST:4780 map --size 512,512 -o map.png
+
+include\talus.h documents every function of libtalus, and examples\fly.c is a whole program:
+
+    gcc -I include examples\fly.c lib\libtalus.dll.a -o bin\fly.exe
+
+Visual C++ makes its import library by  lib /def:lib\talus.def /machine:x64 /out:talus.lib
+Put bin\talus.dll beside your game: it needs no DLL but Windows' own. licences has the licences of the libraries inside.
+TEXT
   (cd out/packages && cmake -E tar cf "$name.zip" --format=zip "$name")
   rm -r "out/packages/$name"
 }
@@ -28,6 +36,5 @@ test_windows() {
   deps build test cross
   build release -DTALUS_TESTS=ON -- talusd talus-client talus-gen talus_fly talus_game
   package_windows
-  build_windows talus_fly talus_game
-  python3 -B tests/machines/windows.py --zip "out/packages/$(windows_name).zip"
+  python3 -B tests/machines/windows.py "out/packages/$(windows_name).zip"
 }

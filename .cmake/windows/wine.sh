@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs a Windows program without its own files in the home folder. Wine reads arguments and names of files by the locale.
+# Runs a Windows program, without files in the home folder and without Wine's offers to install more. Wine reads arguments and
+# names of files by the locale.
 WINEPREFIX="${WINEPREFIX:-/tmp/talus-wine-$(id -u)}"
-export WINEPREFIX WINEDEBUG=-all LC_ALL=C.UTF-8
+export WINEPREFIX WINEDEBUG=-all WINEDLLOVERRIDES=mscoree,mshtml= LC_ALL=C.UTF-8
 exec wine "$@"

@@ -24,14 +24,14 @@ GAME, FLY = "client_sample/c_api/talus_game", "client_sample/c_api/fly"
 
 
 class Machine:
-    def __init__(self, name, build, emulator="", suffix=""):
-        self.name, self.build, self.emulator, self.suffix = name, pathlib.Path(build), shlex.split(emulator), suffix
+    def __init__(self, name, build, emulator=""):
+        self.name, self.build, self.emulator = name, pathlib.Path(build), shlex.split(emulator)
 
-    def has(self, program):
-        return (self.build / (program + self.suffix)).exists()
+    def path(self, program):
+        return self.build / program
 
     def command(self, program, *words):
-        return [*self.emulator, str(self.build / (program + self.suffix)), *map(str, words)]
+        return [*self.emulator, str(self.path(program)), *map(str, words)]
 
     def run(self, program, *words, **options):
         done = subprocess.run(self.command(program, *words), capture_output=True, text=True, timeout=300, **options)
@@ -113,7 +113,7 @@ def played(server, client, world):
         # Each machine reads what the other has written.
         imported = set()
         for reader in {server, client}:
-            if not reader.has("server/talusd"):
+            if not reader.path("server/talusd").exists():
                 continue
             moved = scratch / f"moved-{reader.name}"
             reader.run("server/talusd", "store", "import", "--data", moved, "--world", world, file)

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Windows' talus-gen, talus-client and libtalus (in Wine) beside this machine's, against this machine's talusd: the same bytes
-by TCP and by TLS; names of files beyond ASCII; what is refused, and how; certificates that Windows trusts; the zip.
+"""The zip for Windows: what is in it, and its talus-gen, talus-client and talus.dll (in Wine) beside this machine's, against this
+machine's talusd: the same bytes by TCP and by TLS; names of files beyond ASCII; what is refused, and how; certificates that
+Windows trusts.
 
-windows.py [--windows BUILD] [--here BUILD] [--world FILE] [--zip FILE]"""
+windows.py [--here BUILD] [--world FILE] ZIP"""
 
 import argparse
 import hashlib
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -14,34 +16,62 @@ import sys
 import tempfile
 import zipfile
 
-from agree import CLIENT, HERE, Machine, bytes_of, certificate, compare, exported, played, refused, streamed
+from agree import CLIENT, FLY, GAME, HERE, Machine, bytes_of, certificate, compare, exported, played, refused, streamed
 
 WINE = HERE / ".cmake/windows/wine.sh"
 GEN = "core/tools/talus-gen"
+PROGRAMS = {CLIENT: "talus-client", GEN: "talus-gen", GAME: "game", FLY: "fly"}
+MINGW = "x86_64-w64-mingw32"
+WINDOWS_OWN = {"advapi32.dll", "crypt32.dll", "kernel32.dll", "mswsock.dll", "msvcrt.dll", "user32.dll", "ws2_32.dll"}
 
 
-def of_zip(file, folder):
-    """The programs of the package, and fly.c compiled with nothing but what is in it."""
-    with zipfile.ZipFile(file) as package:
-        package.extractall(folder)
-    (root,) = folder.iterdir()
-    subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-std=c99", "-I", root / "include", root / "examples/fly.c",
-                    root / "lib/libtalus.dll.a", "-o", root / "bin/fly.exe"], check=True)
-    return Machine("zip", root / "bin", str(WINE), ".exe")
+class Package(Machine):
+    """An unpacked zip, and games that are compiled with nothing but what is in it."""
+
+    def __init__(self, file, folder):
+        with zipfile.ZipFile(file) as package:
+            package.extractall(folder)
+        (root,) = folder.iterdir()
+        super().__init__("windows", root, str(WINE))
+        # Without the manifest their arguments would not be UTF-8.
+        manifest = folder / "program.o"
+        subprocess.run([f"{MINGW}-windres", "-I", WINE.parent, "-DTALUS_VERSION=0", "-DTALUS_NUMBERS=0", WINE.parent / "program.rc",
+                        "-O", "coff", "-o", manifest], check=True)
+        for source in (root / "examples/fly.c", HERE / "tests/machines/game.c", HERE / "tests/machines/load.c"):
+            subprocess.run([f"{MINGW}-gcc-posix", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-I", root / "include",
+                            source, manifest, root / "lib/libtalus.dll.a", "-lws2_32", "-o", self.path(source.stem)], check=True)
+
+    def path(self, program):
+        return self.build / "bin" / (PROGRAMS.get(program, program) + ".exe")
 
 
-def packaged(file, here, world):
-    """The package in a folder of its own."""
-    with tempfile.TemporaryDirectory(prefix="talus-windows.") as name:
-        folder = pathlib.Path(name)
-        package = of_zip(file, folder / "unpacked")
-        with here.served(world, folder / "data") as address:
-            at = ("--connect", address, "at", "0,0")
-            same = compare("the zip",
-                           {"fly": here.run("client_sample/c_api/fly", *address.rsplit(":", 1)), "at": here.run(CLIENT, *at)},
-                           {"fly": package.run("fly", *address.rsplit(":", 1)), "at": package.run("talus-client", *at)})
-        print(package.run("talus-gen", "--version").strip(), flush=True)
-    return same
+def expect(what, found, expected):
+    if found != expected:
+        sys.exit(f"{what}: {found}, not {expected}")
+
+
+def check_contents(package):
+    """What the package is made of, and that nothing else is needed."""
+    root = package.build
+    header = re.sub(r"^#.*", "", (root / "include/talus.h").read_text(), flags=re.MULTILINE)
+    declared = sorted(re.findall(r"TALUS_API [^(]*?(talus_\w+)\(", header))
+    tables = {file.name: subprocess.run([f"{MINGW}-objdump", "-p", file], check=True, capture_output=True, text=True).stdout
+              for file in (root / "bin").iterdir()}
+    expect("programs and libraries", sorted(tables), ["fly.exe", "game.exe", "load.exe", "talus-client.exe", "talus-gen.exe", "talus.dll"])
+    for name, table in tables.items():
+        needed = {library.lower() for library in re.findall(r"DLL Name: (\S+)", table)} - {"talus.dll"}
+        expect(f"{name} needs beside Windows' own", sorted(needed - WINDOWS_OWN), [])
+    exports = tables["talus.dll"].split("[Ordinal/Name Pointer] Table")[1].split("\n\n")[0]
+    expect("exports of talus.dll", re.findall(r"\] (\S+)$", exports, re.MULTILINE), declared)
+    expect("talus.def", sorted(re.findall(r"^ +(\S+) @", (root / "lib/talus.def").read_text(), re.MULTILINE)), declared)
+    package.run("load")
+    version = package.run(GEN, "--version").split()[1]
+    for name in ("talus-client.exe", "talus-gen.exe", "talus.dll"):
+        resources = subprocess.run([f"{MINGW}-windres", "-J", "coff", root / "bin" / name], check=True, capture_output=True, text=True)
+        expect(f"version of {name}", re.findall(r'"ProductVersion", "(.*)"', resources.stdout), [version])
+    for name in ("README.txt", "LICENSE", "licences/libssl-dev.txt", "worlds/default.toml"):
+        if not (root / name).is_file():
+            sys.exit(f"the package has no {name}")
 
 
 def named(machine, world):
@@ -118,19 +148,18 @@ def trusts_the_system(here, windows, world):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--here", default=HERE / "build/release", help="build folder of this machine")
-    parser.add_argument("--windows", default=HERE / "build/windows", help="build folder for Windows")
     parser.add_argument("--world", default=HERE / "core/worlds/default.toml", type=pathlib.Path)
-    parser.add_argument("--zip", type=pathlib.Path, help="the package, to be tried in a folder of its own")
+    parser.add_argument("zip", type=pathlib.Path, help="the package")
     options = parser.parse_args()
-    here, windows = Machine("here", options.here), Machine("windows", options.windows, str(WINE), ".exe")
-    same = compare("talus-gen", exported(here, options.world), exported(windows, options.world))
-    same &= compare("names of files", named(here, options.world), named(windows, options.world))
-    same &= compare("what is refused", refusals(here), refusals(windows))
-    same &= compare("talus-client by TCP", played(here, here, options.world), played(here, windows, options.world))
-    same &= compare("by TLS, and libtalus", streamed(here, here, options.world), streamed(here, windows, options.world))
-    trusts_the_system(here, windows, options.world)
-    if options.zip:
-        same &= packaged(options.zip, here, options.world)
+    with tempfile.TemporaryDirectory(prefix="talus-windows.") as folder:
+        here, windows = Machine("here", options.here), Package(options.zip, pathlib.Path(folder))
+        check_contents(windows)
+        same = compare("talus-gen", exported(here, options.world), exported(windows, options.world))
+        same &= compare("names of files", named(here, options.world), named(windows, options.world))
+        same &= compare("what is refused", refusals(here), refusals(windows))
+        same &= compare("talus-client by TCP", played(here, here, options.world), played(here, windows, options.world))
+        same &= compare("by TLS, and libtalus", streamed(here, here, options.world), streamed(here, windows, options.world))
+        trusts_the_system(here, windows, options.world)
     sys.exit(0 if same else 1)
 
 

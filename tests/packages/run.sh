@@ -12,6 +12,7 @@ for kind in "${@:-deb portable sdk npm wheel crate}"; do
       deb) tests/packages/debs.sh "$packages" "$(dpkg --print-architecture)" ;;
       arm64) tests/packages/debs.sh "$packages" arm64 ;;
       portable | sdk | npm | wheel | crate | image) "tests/packages/$each.sh" "$packages" "$talusd" ;;
+      windows) python3 -B tests/machines/windows.py "$(only_one "$packages/talus-*-windows-*.zip")" ;;
       *) die "'$each' is no kind of package" ;;
     esac
     say "$each took $((SECONDS - began)) s"
