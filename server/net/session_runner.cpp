@@ -192,12 +192,12 @@ void SessionRunner::read() {
             input_.begin() + static_cast<std::ptrdiff_t>(filled_), input_.begin());
   filled_ -= std::exchange(taken_, 0);
   if (!end_came_ && filled_ < input_.size()) {
-    watchdog_.reading_resumes();
+    unread_ = 0;
     reading_ = true;
     stream_->read_some(asio::buffer(input_) + filled_, shared_from_this());
     return;
   }
-  watchdog_.reading_pauses();
+  if (end_came_) watchdog_.may_be_silent();
   reset_check_ = kFirstResetCheck;
   ask_at_ = now() + kFirstQuestion;
   if (watch_waits_.deadline() > now() + reset_check_) watch_waits_.notify();
@@ -307,7 +307,6 @@ void SessionRunner::resume() {
 
 void SessionRunner::input_ended() {
   input_ended_ = true;
-  watchdog_.reading_pauses();  // the client has promised to be silent
   if (output_ended_) return end(kClosedByClient);
   session_.input_ended();
   pump();
@@ -441,6 +440,7 @@ void SessionRunner::watch() {
     if (!reading_) {
       if (stream_->peer_reset()) return end("the client reset the connection");
       ask_whether_gone();
+      look_at_unread();
     }
     switch (watchdog_.check(now())) {
       case Verdict::closed:
@@ -472,6 +472,13 @@ void SessionRunner::ask_whether_gone() {
   if (!input_ended_ && !stream_->peer_hung_up()) return;
   ask_at_ = now() + kLastResetCheck;
   dispatch([](Session& session) { session.ask_whether_gone(); });
+}
+
+void SessionRunner::look_at_unread() {
+  const std::size_t unread = stream_->unread();
+  // Maybe a Ping; or it has promised to send no more, behind what is not read yet.
+  if (unread > unread_ || stream_->peer_hung_up()) watchdog_.frame_came(now());
+  unread_ = unread;
 }
 
 std::size_t SessionRunner::pump() {

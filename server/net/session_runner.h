@@ -119,6 +119,8 @@ class SessionRunner final : public Peer,
   /// If the client has shut its sending side, and is sent nothing: sends it a frame without meaning. If it
   /// has closed the connection, its system resets it as an answer.
   void ask_whether_gone();
+  /// While nothing is read, a client that sends more is not silent.
+  void look_at_unread();
   /// Calls `call`. An exception ends only this connection.
   template <typename Call>
   void guard(Call&& call);
@@ -175,6 +177,7 @@ class SessionRunner final : public Peer,
   bool greeted_ = false;
   bool started_ = false;
   bool open_ = true;
+  std::size_t unread_ = 0;       // bytes, as last seen while nothing is read
   std::uint64_t read_cost_ = 0;  // of the last read; 0: charged to the flow
   Clock::duration reset_check_;  // interval of polls for a reset
   Clock::time_point ask_at_{};   // whether the client is gone

@@ -53,6 +53,8 @@ class SessionStream {
   [[nodiscard]] virtual bool peer_reset() = 0;
   /// Returns true if the peer will send nothing more, even if unread bytes remain.
   [[nodiscard]] virtual bool peer_hung_up() = 0;
+  /// Bytes that the peer has sent and that wait for a read, as far as the system says.
+  [[nodiscard]] virtual std::size_t unread() = 0;
   /// Returns true if the peer waits for say_end() after `failed`, the error of a read.
   [[nodiscard]] virtual bool answers(std::error_code failed) const = 0;
   virtual void say_end(UserPtr user) = 0;
@@ -94,6 +96,7 @@ class SessionStreamOf final : public SessionStream {
   }
   [[nodiscard]] bool peer_reset() override { return stream_.peer_reset(); }
   [[nodiscard]] bool peer_hung_up() override { return stream_.peer_hung_up(); }
+  [[nodiscard]] std::size_t unread() override { return stream_.unread(); }
   [[nodiscard]] bool answers([[maybe_unused]] std::error_code failed) const override {
     if constexpr (requires { S::answers(failed); }) return S::answers(failed);
     return false;

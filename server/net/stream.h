@@ -34,6 +34,8 @@ concept Stream = std::movable<S> &&
   { stream.peer_reset() } -> std::same_as<bool>;
   // True if the peer will send nothing more, even if unread bytes remain.
   { stream.peer_hung_up() } -> std::same_as<bool>;
+  // Bytes that wait for a read.
+  { stream.unread() } -> std::same_as<std::size_t>;
   // Number of times a write had to wait for the transport since the stream began. For streams whose
   // async_write_some takes only a part of the bytes although the transport would take all.
   { seen.write_waits() } -> std::same_as<std::size_t>;

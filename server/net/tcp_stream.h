@@ -49,6 +49,10 @@ class TcpStream {
   /// Returns true if the peer will send nothing more, even if unread bytes remain before its end.
   [[nodiscard]] bool peer_hung_up() { return peer_has(POLLRDHUP); }
   [[nodiscard]] bool peer_reset() { return peer_has(0); }
+  [[nodiscard]] std::size_t unread() {
+    std::error_code ignored;
+    return socket_.available(ignored);
+  }
 
   [[nodiscard]] asio::awaitable<void> say_end() { co_return; }
   void shutdown() {

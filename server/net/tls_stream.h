@@ -77,6 +77,7 @@ class TlsStream {
   }
 
   [[nodiscard]] bool peer_hung_up() { return stream_.peer_hung_up(); }
+  [[nodiscard]] std::size_t unread() { return stream_.unread(); }
   [[nodiscard]] bool peer_reset() { return stream_.peer_reset(); }
 
   [[nodiscard]] asio::awaitable<void> say_end();

@@ -28,9 +28,8 @@ class Watchdog {
   void frame_came(Clock::time_point now) { last_frame_ = now; }
   void greeted() { greeted_ = true; }
   void token_ends(Clock::time_point at) { token_ends_ = at; }
-  /// A client cannot be idle while the server reads nothing. Call frame_came() with the end of that.
-  void reading_pauses() { reading_paused_ = true; }
-  void reading_resumes() { reading_paused_ = false; }
+  /// The client has promised to send no more.
+  void may_be_silent() { may_be_silent_ = true; }
   /// A write begins or has made progress.
   void writing(Clock::time_point now) { write_progress_ = now; }
   void written() { write_progress_.reset(); }
@@ -58,7 +57,7 @@ class Watchdog {
   std::optional<Clock::time_point> write_progress_;  // while a write is in flight
   std::optional<Clock::time_point> closing_since_;
   bool greeted_ = false;
-  bool reading_paused_ = false;
+  bool may_be_silent_ = false;
 };
 
 /// Time from `now` to the end of a session whose token expires at `expires`, allowing for a clock difference

@@ -12,11 +12,14 @@
 #include <catch2/catch.hpp>
 
 #include "http_client.h"
+#include "messages.h"
 #include "nats_server.h"
 #include "player.h"
+#include "raw_client.h"
 #include "scratch_directory.h"
 #include "seed_of_run.h"
 #include "server_process.h"
+#include "worked_for.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -45,8 +48,9 @@ MaterialId solid(const client::WorldInfo& world) {
 class World {
  public:
   enum class As : std::uint8_t { nobody, user };
-  explicit World(std::size_t servers, As as = As::nobody)
-      : nats_{{.more = as == As::user ? nats_test::talusd_permissions() : std::string{}}} {
+  explicit World(std::size_t servers, As as = As::nobody, Settings more = {})
+      : more_{std::move(more)},
+        nats_{{.more = as == As::user ? nats_test::talusd_permissions() : std::string{}}} {
     // A store of one machine, which becomes that of the cluster.
     Settings alone = settings(0);
     alone.erase("TALUS_CLUSTER_NATS");
@@ -70,6 +74,7 @@ class World {
                       {"TALUS_ACCESS_WITHOUT_TOKEN", "read,edit"},
                       {"TALUS_CLUSTER_NATS", nats_.url_list()},
                       {"TALUS_CLUSTER_STORE", store_}};
+    settings.insert(more_.begin(), more_.end());
     if (!password_.empty()) {
       settings["TALUS_CLUSTER_USER"] = "talus";
       settings["TALUS_CLUSTER_PASSWORD_FILE"] = password_;
@@ -100,6 +105,7 @@ class World {
   }
 
   ScratchDirectory scratch_;
+  const Settings more_;
   std::string store_;
   std::string password_;  // its file
   nats_test::NatsServers nats_;
@@ -345,6 +351,53 @@ TEST_CASE("cut off from the log a server serves chunks, refuses edits, says so, 
   CHECK(doubtful->has_value());
   CHECK(player.put({at.x + 2, at.y, at.z}, solid(*info))->revision == 3);
   player.until([&] { return HttpClient{admin}.get("/-/ready").body == "ready\n"; });
+}
+
+TEST_CASE("a client that is silent while the log is away goes in its time, and its edits happen once") {
+  World world{1,
+              World::As::nobody,
+              {{"TALUS_LIMITS_IDLE_TIMEOUT_MS", "2000"}, {"TALUS_LIMITS_QUEUED_BYTES_PER_SESSION", "65536"}}};
+  const std::uint16_t admin = world.server(0).admin_port();
+  const auto until_ready = [&] {
+    while (HttpClient{admin}.get("/-/ready").body != "ready\n") std::this_thread::yield();
+  };
+  until_ready();
+  const auto attached = [&](RawClient& client, const wire::Hash128* editor) {
+    REQUIRE(client.send(
+        protocol::make_frame([&](auto& builder) { return wire::CreateAttach(builder, editor); })));
+    return client.expect_kind<wire::Attached>();
+  };
+  /// So large that the server reads nothing more from its client.
+  const auto large_edit = [](std::uint32_t id) {
+    return protocol::make_frame([&](auto& builder) {
+      std::vector<wire::VoxelWrite> writes;
+      for (std::int64_t x = 0; x < 1'000; ++x)
+        writes.emplace_back(wire::Voxel{x, 4'000, id}, std::uint16_t{2});
+      return wire::CreateEdit(builder, id, builder.CreateVectorOfStructs(writes), id);
+    });
+  };
+  RawClient silent = greeted(world.port(0));
+  const ReceivedFrame first = attached(silent, nullptr);
+  const wire::Hash128 editor = *first.as<wire::Attached>().editor();
+  for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().freeze(i);
+  for (const std::uint32_t id : {1U, 2U, 3U}) REQUIRE(silent.send(large_edit(id)));
+  await_metric(admin, "talus_memory_bytes{use=\"sessions\"}", [](double bytes) { return bytes == 0; });
+  CHECK(metric(admin, "talus_sessions{state=\"greeted\"}") == 0);
+  CHECK(metric(admin, "talus_edits_waiting{where=\"intake\"}") == 0);
+
+  for (std::size_t i = 0; i < world.nats().count(); ++i) world.nats().go_on(i);
+  until_ready();
+  RawClient again = greeted(world.port(0));
+  const ReceivedFrame second = attached(again, &editor);
+  CHECK(second.as<wire::Attached>().known());
+  const std::uint64_t decided = second.as<wire::Attached>().last_sequence();
+  for (const std::uint32_t id : {1U, 2U, 3U}) {
+    REQUIRE(again.send(large_edit(id)));
+    const ReceivedFrame answer = again.expect_kind<wire::EditResult>();
+    CHECK(answer.as<wire::EditResult>().changed() == 1'000);
+    CHECK(answer.as<wire::EditResult>().revision() == id);
+  }
+  CHECK(decided <= 3);
 }
 
 TEST_CASE("players whose server is killed get their answers from another, each edit once") {

@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include "cluster/jetstream/stream_names.h"
+#include "cluster/jetstream/stream_settings.h"
 #include "edits/model.h"
 #include "opened_stream.h"
 #include "scratch_directory.h"
@@ -312,6 +313,34 @@ TEST_CASE("a server that may not read the log's messages any more is cut off, un
   REQUIRE(append(write(2)));
   Servers::until([&] { return has_answers(3); });
   CHECK(node.log().status().head.revision == 2);
+}
+
+TEST_CASE("edits that a limit of the stream refuses are answered, and others go on when it is lifted") {
+  Servers cluster{2, {.servers = 1}};
+  Editors editors{cluster, 4, 2};
+  editors.run(100ms);
+  cluster.until_equal();
+  const std::size_t before = editors.done();
+  auto settings = jetstream::wanted_settings(kNames, 1);
+  settings["discard"] = "new";
+  settings["max_msgs"] = 1;
+  const std::string update = "$JS.API.STREAM.UPDATE." + kNames.stream;
+  nats_test::ask(cluster.nats(), update, settings.dump());
+  editors.run(10ms);  // until each that was taken is answered
+  CHECK(editors.done() == before);
+  Servers::until([&] { return cluster.node(0).log().status().read_only.has_value(); });
+  const auto status = cluster.node(0).log().status();
+  CHECK(status.ready);
+  CHECK_THAT(*status.read_only, Catch::Contains("maximum messages exceeded"));
+
+  nats_test::ask(cluster.nats(), update, jetstream::wanted_settings(kNames, 1).dump());
+  Servers::until([&] {
+    editors.run(10ms);
+    return editors.done() > before + 20;
+  });
+  CHECK(editors.fault() == "");
+  cluster.until_equal();
+  CHECK(cluster.node(0).log().status().head.revision == editors.done());
 }
 
 TEST_CASE("how long edits take over a log of three hosts", "[.figures]") {

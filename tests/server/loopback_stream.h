@@ -104,6 +104,7 @@ class LoopbackStream {
   }
 
   [[nodiscard]] bool peer_hung_up() const { return loopback_->hung_up; }
+  [[nodiscard]] std::size_t unread() const { return loopback_->to_server_.size(); }
   [[nodiscard]] bool peer_reset() const { return loopback_->reset; }
   [[nodiscard]] asio::awaitable<void> say_end() {
     loopback_->said_end = true;

@@ -217,8 +217,9 @@ TEST_CASE("a client that is silent is given up in time, whatever its session wai
 TEST_CASE("a client that is silent is given up in time, though what its session waits for does not come") {
   const auto* const state = GENERATE(from_range(kStates));
   const bool websocket = GENERATE(false, true);
-  CAPTURE(state, websocket);
-  Waiting session{state, websocket, false};
+  const bool much = GENERATE(false, true);
+  CAPTURE(state, websocket, much);
+  Waiting session{state, websocket, much};
   session.bench.advance(20s);
   session.bench.advance(60s);
   session.bench.advance(2s);
@@ -227,8 +228,9 @@ TEST_CASE("a client that is silent is given up in time, though what its session 
 
 TEST_CASE("a client that says something is not silent, though what it says is not read before its answers") {
   const bool websocket = GENERATE(false, true);
-  CAPTURE(websocket);
-  Waiting session{"an edit", websocket, false};
+  const bool much = GENERATE(false, true);
+  CAPTURE(websocket, much);
+  Waiting session{"an edit", websocket, much};
   for (int i = 0; i < 20; ++i) {
     session.bench.advance(40s);
     session.say(ping());

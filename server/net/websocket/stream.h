@@ -82,6 +82,7 @@ class WebSocketStream {
   }
   [[nodiscard]] bool peer_reset() { return state_->inner.peer_reset(); }
   [[nodiscard]] bool peer_hung_up() { return state_->inner.peer_hung_up(); }
+  [[nodiscard]] std::size_t unread() { return state_->inner.unread(); }
   void shutdown() { state_->inner.shutdown(); }
   void close() {
     state_->broken = true;
