@@ -7,7 +7,9 @@ windows.py [--here BUILD] [--world FILE] ZIP"""
 
 import argparse
 import hashlib
+import os
 import pathlib
+import pty
 import re
 import shutil
 import struct
@@ -96,6 +98,25 @@ def named(machine, world):
     return result
 
 
+def check_console(package):
+    """A name beyond ASCII is whole on a console."""
+    name = "kein-öl→.toml"
+    command = package.command(GEN, "hash", "--world", name, "--origin", "0,0", "--size", "32,32")
+    process, terminal = pty.fork()
+    if process == 0:
+        os.execv(command[0], command)
+    printed = b""
+    try:
+        while part := os.read(terminal, 4096):
+            printed += part
+    except OSError:  # it has ended
+        pass
+    os.waitpid(process, 0)
+    text = re.sub(r"\x1b\[[\d;?]*[A-Za-z]", "", printed.decode(errors="replace"))
+    if name not in text:
+        sys.exit(f"on a console: {text!r}, without {name}")
+
+
 # The system's own words for a host or a port follow the part that is compared.
 REFUSED = {
     "no such world": (GEN, "hash", "--world", "nowhere.toml", "--origin", "0,0", "--size", "32,32"),
@@ -154,6 +175,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="talus-windows.") as folder:
         here, windows = Machine("here", options.here), Package(options.zip, pathlib.Path(folder))
         check_contents(windows)
+        check_console(windows)
         same = compare("talus-gen", exported(here, options.world), exported(windows, options.world))
         same &= compare("names of files", named(here, options.world), named(windows, options.world))
         same &= compare("what is refused", refusals(here), refusals(windows))

@@ -4,7 +4,9 @@
 #include <io.h>
 
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <iostream>
 
 #include "talus/files/standard_descriptors.h"
 
@@ -22,6 +24,15 @@ BOOL WINAPI on_control(DWORD /*event*/) {
   return FALSE;  // ends the process, which runs no function of atexit() then
 }
 
+// To a console msvcrt writes each byte by itself, which would divide the characters of UTF-8.
+void write_whole_characters() {
+  if (::_isatty(1) != 0) {
+    std::setvbuf(stdout, nullptr, _IOFBF, BUFSIZ);
+    std::cout << std::unitbuf;
+  }
+  if (::_isatty(2) != 0) std::setvbuf(stderr, nullptr, _IOFBF, BUFSIZ);  // std::cerr flushes it
+}
+
 }  // namespace
 
 void open_closed_standard_descriptors() {
@@ -33,6 +44,7 @@ void open_closed_standard_descriptors() {
       ::_setmode(descriptor, _O_BINARY);
     }
   }
+  write_whole_characters();
   console_code_page = ::GetConsoleOutputCP();
   if (console_code_page == 0 || ::SetConsoleOutputCP(CP_UTF8) == 0) return;
   std::atexit(restore_code_page);
