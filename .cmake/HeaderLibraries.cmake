@@ -13,12 +13,12 @@ foreach(header IN LISTS needed)
   file(CREATE_LINK /usr/include/${header} ${headers}/${header} SYMBOLIC)
 endforeach()
 if(TALUS_WASM)  # for which Highway 1.0.3 looks bytes up one by one, and leaves the instruction out
-  file(REMOVE ${headers}/hwy)
-  file(COPY /usr/include/hwy DESTINATION ${headers})
-  file(READ ${headers}/hwy/ops/wasm_128-inl.h operations)
+  set(operations hwy/ops/wasm_128-inl.h)
+  file(READ /usr/include/${operations} text)
   string(REPLACE "#if 0\n  return Vec128<TI, NI>{wasm_i8x16_swizzle(" "#if 1\n  return Vec128<TI, NI>{wasm_i8x16_swizzle("
-    operations "${operations}")
-  file(WRITE ${headers}/hwy/ops/wasm_128-inl.h "${operations}")
+    text "${text}")
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/changed_headers/${operations} CONTENT "${text}" @ONLY)
+  include_directories(SYSTEM ${CMAKE_BINARY_DIR}/changed_headers)
 endif()
 include_directories(SYSTEM ${headers})
 foreach(library tl::expected tomlplusplus::tomlplusplus PkgConfig::highway PkgConfig::xxhash CLI11::CLI11
