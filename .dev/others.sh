@@ -18,6 +18,8 @@ bench() {
   [[ -n "$gate" ]] || (($#)) || targets+=(talusd talus-load talus-http-load talus-http-floor)
   build release -DTALUS_TESTS=ON -DTALUS_BENCH=ON -- "${targets[@]}"
   if [[ -n "$gate" ]]; then
+    deps aarch
+    node_tools
     count_instructions "$gate"
     return
   fi
@@ -48,26 +50,52 @@ bench_web() {
 
 # count_instructions check|write: the instructions of fixed work against tests/bench/instructions.txt.
 count_instructions() {
-  local known=tests/bench/instructions.txt stage count was failed=0 counted
+  local known=tests/bench/instructions.txt counted
   counted="$(mktemp)"
+  { count_here; count_neon; count_wasm; } >"$counted"
+  awk 'NR == FNR { was[$1] = $2; next }
+    {
+      printf "%-24s %14s instructions: %s\n", $1, $2, $1 in was ? sprintf("%+.2f %%", 100 * ($2 - was[$1]) / was[$1]) : "new"
+      if (!($1 in was) || $2 > 1.03 * was[$1]) failed = 1
+    }
+    END { exit failed }' "$known" "$counted" || [[ "$1" == write ]] ||
+    die "more than 3 % over $known; find out why, or ./dev bench --gate-write"
+  [[ "$1" != write ]] || cat "$counted" >"$known"
+  rm "$counted"
+}
+
+# count_stages PREFIX COMMAND...: a line for each stage of bench_work, which COMMAND runs and counts.
+count_stages() {
+  local prefix="$1" stage count
+  shift
   for stage in $(build/release/tests/bench/bench_work --list); do
-    # The counter knows no AVX-512, so the kernels are AVX2's everywhere.
-    count="$(TALUS_INSTRUCTION_SET=avx2 valgrind --tool=callgrind --callgrind-out-file=/dev/null \
-      --toggle-collect=talus_counted_work build/release/tests/bench/bench_work "$stage" 2>&1 |
-      sed -n 's/.*Collected : *//p')"
-    [[ -n "$count" ]] || die "bench_work $stage: valgrind counted nothing"
-    printf '%s %s\n' "$stage" "$count" >>"$counted"
-    was="$(awk -v stage="$stage" '$1 == stage { print $2 }' "$known" 2>/dev/null || true)"
-    printf '%-10s %14d instructions, %s in %s: %s\n' "$stage" "$count" "${was:-none}" "$known" \
-      "$(awk -v a="$count" -v b="${was:-0}" 'BEGIN { if (b) printf "%+.2f %%", 100 * (a - b) / b; else print "new" }')"
-    if [[ -z "$was" ]] || awk -v a="$count" -v b="$was" 'BEGIN { exit !(a > 1.03 * b) }'; then failed=1; fi
+    count="$("$@" "$stage" 2>&1 | sed -n 's/.*Collected : *//p')"
+    [[ -n "$count" ]] || die "bench_work $stage: nothing was counted by $1"
+    printf '%s %s\n' "$prefix$stage" "$count"
   done
-  if [[ "$1" == write ]]; then
-    mv "$counted" "$known"
-  else
-    rm "$counted"
-    ((!failed)) || die "more than 3 % over $known; find out why, or ./dev bench --gate-write"
-  fi
+}
+
+# The counter knows no AVX-512, so the kernels are AVX2's everywhere.
+count_here() {
+  TALUS_INSTRUCTION_SET=avx2 count_stages "" valgrind --tool=callgrind --callgrind-out-file=/dev/null \
+    --toggle-collect=talus_counted_work build/release/tests/bench/bench_work
+}
+
+count_neon() {
+  build golden-aarch64 -- bench_work
+  gcc -O2 -shared -fPIC -o build/counted_work.so tests/bench/counted_work.c
+  count_stages neon_ qemu-aarch64 -L /usr/aarch64-linux-gnu -plugin build/counted_work.so build/golden-aarch64/tests/bench/bench_work
+}
+
+# The modules that ./dev wasm made.
+count_wasm() {
+  local set counting=build/counted_world
+  for set in simd scalar; do
+    wasm2wat "client_sample/web/talus-js/wasm/talus-world$([[ "$set" == scalar ]] || printf -- -simd).wasm" |
+      awk -f tests/bench/count_wasm.awk >"$counting.wat"
+    wat2wasm "$counting.wat" -o "$counting.wasm"
+    node tests/bench/count_wasm.mjs "$counting.wasm" "wasm_${set}_"
+  done
 }
 
 lint() {
