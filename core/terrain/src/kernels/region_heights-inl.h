@@ -57,14 +57,15 @@ struct SlopedAt {
 /// Reads slow rows between their samples, to the bit as spread() writes them.
 struct CellsAt {
   using Number = RegionVector;
+  static constexpr auto kColumns = static_cast<std::size_t>(kSampleStep);  // of a cell
   const RegionCells& row;
   std::size_t i;  // first column of a vector
-  std::size_t cell = i / kSampleStep;
+  std::size_t cell = i / kColumns;
 
   /// REQUIRES that this vector is the first of its cell.
   [[nodiscard]] HWY_INLINE CellsAt next() const {
     constexpr std::size_t kLanes = hn::MaxLanes(RegionTag{});
-    return {row, i + kLanes, cell + kLanes / kSampleStep};
+    return {row, i + kLanes, cell + kLanes / kColumns};
   }
   [[nodiscard]] HWY_INLINE RegionVector load(const float* RegionRow::*values) const {
     return cubic(row.rows.*values);
@@ -80,7 +81,7 @@ struct CellsAt {
   [[nodiscard]] HWY_INLINE RegionVector cubic(const float* of) const {
     static_assert(hn::MaxLanes(RegionTag{}) <= kSampleStep);
     const float* const c = of + cell;
-    const auto t = hn::LoadU(RegionTag{}, row.fractions + i % kSampleStep);
+    const auto t = hn::LoadU(RegionTag{}, row.fractions + i % kColumns);
     const auto inner = hn::Add(constant(c[2 * row.plane]), hn::Mul(t, constant(c[3 * row.plane])));
     return hn::Add(constant(c[0]), hn::Mul(t, hn::Add(constant(c[row.plane]), hn::Mul(t, inner))));
   }
