@@ -108,8 +108,8 @@ test_at_length() {
   stage "testing the files for many machines" tests/deployment/run.sh
   deps bindings image
   stage "building the client libraries alone in a bare Debian" tests/install/alone.sh
-  package --uncommitted "${package_usual[@]}" image
-  stage "installing every package and using it" tests/packages/run.sh "${package_usual[@]}" image
+  package --uncommitted "${package_usual[@]}" arm64 image
+  stage "installing every package and using it" tests/packages/run.sh "${package_usual[@]}" arm64 image
   sanitize address thread
   avx512
   fuzz 120
