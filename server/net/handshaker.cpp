@@ -66,8 +66,13 @@ struct Handshaker::PendingConnection final : IoTurns::Waiter {
   }
   /// Waits for a turn of the client's flow. Returns false if it came too late.
   static asio::awaitable<bool> wait_for_turn(PendingPtr self) {
+    if (self->late) co_return false;
     if (!self->turns->go_on(self->flow, IoTurns::kHandshakeStep)) {
       asio::steady_timer comes{self->socket().get_executor(), asio::steady_timer::time_point::max()};
+      struct Forget {
+        PendingConnection& of;
+        ~Forget() { of.turn = nullptr; }
+      } const forget{*self};
       self->turn = &comes;
       self->turns->wait(self->flow, self, comes.get_executor());
       std::error_code cancelled;
@@ -288,6 +293,10 @@ asio::awaitable<bool> Handshaker::begin_tls(PendingPtr shared) {
   pending.slot.reset();  // before the socket closes, so that the client finds the slot free
   pending.secured->shutdown();
   drop_input(pending.socket());
+  // It may still be in line for a turn.
+  pending.secured.reset();
+  pending.place.reset();
+  pending.memory.hold(0);
   co_return false;
 }
 

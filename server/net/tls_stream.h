@@ -37,7 +37,8 @@ class TlsStream {
   [[nodiscard]] executor_type get_executor() { return stream_.get_executor(); }
   [[nodiscard]] TcpStream& transport() { return stream_; }
 
-  /// Awaits `turn()` before each step, once the client has sent something; false ends the handshake.
+  /// Before each step waits for the socket, then for `turn()`; ends with operation_aborted if that returns
+  /// false.
   template <typename Turn>
   [[nodiscard]] asio::awaitable<std::error_code> handshake(Turn turn) {
     asio::ip::tcp::socket& socket = stream_.socket();

@@ -4,6 +4,7 @@
 #include <linux/filter.h>
 #include <signal.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +29,7 @@
 #include "descriptors_left.h"
 #include "logged_lines.h"
 #include "net/descriptors.h"
+#include "net/io_turns.h"
 #include "net/stream.h"
 #include "runtime/manual_clock.h"
 #include "scratch_directory.h"
@@ -116,6 +118,15 @@ struct Bench {
     });
   }
 
+  /// Runs what the handshaker does, for a bench without a thread.
+  template <typename Condition>
+  void poll_until(Condition condition) {
+    const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes{2};
+    while (!condition()) {
+      REQUIRE(std::chrono::steady_clock::now() < give_up);
+      (void)io.poll_one();
+    }
+  }
   /// One line of access.blocked_file.
   void block(const std::string& who) {
     (void)lists.write("blocked", who + "\n");
@@ -521,7 +532,29 @@ TEST_CASE("a handshake waits for one of another address, however many that begin
   for (ImpatientTls& each : greedy) each.say_hello();
   other.say_hello();
   const auto answered = [&] { return std::ranges::count_if(greedy, &ImpatientTls::is_answered); };
-  while (!other.is_answered()) bench.io.poll_one();
+  bench.poll_until([&] { return other.is_answered(); });
   CHECK(answered() <= 2);
-  while (answered() < 20) bench.io.poll_one();
+  bench.poll_until([&] { return answered() == 20; });
+}
+
+TEST_CASE("a handshake that waits for its turn ends in time, and holds nothing then") {
+  HandshakeSettings hasty = settings();
+  hasty.timeout = std::chrono::milliseconds{50};
+  Bench bench{hasty, true, 256, false};
+  const FlowId flow = flow_id_of(asio::ip::make_address("127.0.0.2"), bench.flows.ids());
+  asio::use_service<IoTurns>(bench.io).charge(flow, std::uint64_t{1} << 50);
+  const auto free_descriptor = [] {
+    const int next = ::dup(0);
+    ::close(next);
+    return next;
+  };
+  const int before = free_descriptor();
+  {
+    ImpatientTls client{bench, "127.0.0.2"};
+    client.say_hello();
+    bench.poll_until([&] { return bench.metrics.tls_late.total() == 1; });
+  }
+  CHECK(bench.memory.used(MemoryUse::sessions) == 0);
+  CHECK(bench.admission.connections() == 0);
+  CHECK(free_descriptor() == before);
 }
