@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,22 +12,27 @@ namespace talus::server {
 
 Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, const LocalLog::State* own,
                        const MemoryBudget& memory) {
+  bool ready = true;
   Reasons reasons;
-  if (draining) reasons.add("draining");
-  if (shared != nullptr && !shared->ready) reasons.add(shared->not_ready);
+  const auto refuse = [&](std::string_view why) {
+    ready = false;
+    reasons.add(why);
+  };
+  if (draining) refuse("draining");
+  if (shared != nullptr && !shared->ready) refuse(shared->not_ready);
   const auto read_only = shared != nullptr ? shared->read_only
                          : own != nullptr  ? own->read_only
                                            : std::optional<std::string>{};
   // The next start would not have what the store has now.
-  if (own != nullptr && own->gone) reasons.add(read_only.value_or(""));
+  if (own != nullptr && own->gone) refuse(read_only.value_or(""));
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
-    reasons.add(
+    refuse(
         fmt::format("new connections are refused: this server's memory is all in use, {} bytes "
                     "with its caches, and limits.memory_bytes is {}",
                     memory.used(), memory.limit_bytes()));
   }
-  if (!reasons.text().empty()) {
+  if (!ready) {
     reasons.add(read_only.value_or(""));
     return {false, reasons.text()};
   }

@@ -141,7 +141,7 @@ ClusterLog::State ClusterLog::status() const {
   } else if (store.read_only) {
     status.read_only = store.read_only;
   } else if (!places_known_ && !begins_without_log()) {
-    status.read_only = trouble_.empty() ? "this server is looking for its place in the log" : trouble_;
+    status.read_only = trouble_.empty() ? kLooking : trouble_;
   } else if (!unreadable_.empty()) {
     status.read_only = unreadable_;
   } else if (shorter_) {
@@ -154,11 +154,13 @@ ClusterLog::State ClusterLog::status() const {
   }
   const bool is_behind = !end_.is_ready() && !begins_without_log();
   status.ready = !store.gone && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
-  if (!status.ready) status.not_ready = reasons(store.read_only.value_or(""), is_behind);
+  if (!status.ready)
+    status.not_ready = reasons(store.read_only.value_or(""), status.read_only.value_or(""), is_behind);
   return status;
 }
 
-std::string ClusterLog::reasons(const std::string& of_store, bool is_behind) const {
+std::string ClusterLog::reasons(const std::string& of_store, const std::string& read_only,
+                                bool is_behind) const {
   Reasons all;
   all.add(fault_);
   all.add(of_store);
@@ -169,8 +171,10 @@ std::string ClusterLog::reasons(const std::string& of_store, bool is_behind) con
     const auto behind = std::chrono::duration_cast<std::chrono::seconds>(end_.behind());
     all.add(fmt::format("{} messages and {} s behind the log's end", end_.lag(), behind.count()));
   } else if (is_behind && trouble_.empty()) {
-    all.add("looking for its place in the log");
+    all.add(kLooking);
   }
+  // Behind a reason that may end with it.
+  all.add(read_only);
   if (is_behind) all.add(trouble_);
   return all.text();
 }

@@ -11,6 +11,7 @@ namespace talus::server::cluster {
 
 inline constexpr const char* kMadeAnew = "the stream was made anew since this server read it";
 
+inline constexpr const char* kLooking = "this server is looking for its place in the log";
 inline constexpr const char* kShorter = "the log that this world's servers share seems to have lost its end";
 
 inline std::string not_applied(std::uint64_t sequence, std::string_view reason) {

@@ -13,8 +13,12 @@ namespace {
 
 constexpr std::int64_t kMaxAgeNs = 7LL * 24 * 3600 * 1'000'000'000;
 constexpr std::int64_t kMaxBytes = 16LL << 30;
-/// Settings that no update of a stream changes, or takes back.
-constexpr std::array<std::string_view, 4> kFixed{"mirror", "storage", "retention", "sealed"};
+/// Returns true for a setting that no update of a stream changes, or takes back.
+bool is_fixed(const SettingDifference& difference, const nlohmann::json& present) {
+  constexpr std::array<std::string_view, 3> kFixed{"mirror", "storage", "sealed"};
+  if (difference.name == "retention") return json_member<std::string>(present, "retention") == "workqueue";
+  return std::ranges::find(kFixed, difference.name) != kFixed.end();
+}
 
 /// Formats as ASCII on one line, with a length limit.
 std::string shown(const nlohmann::json& value) {
@@ -48,7 +52,7 @@ nlohmann::json wanted_settings(const StreamNames& names, std::uint64_t replicas)
 
 std::vector<SettingDifference> differences(const nlohmann::json& present, const nlohmann::json& wanted) {
   std::vector<SettingDifference> found;
-  // By which it is another's stream, whatever else differs.
+  // A stream with one of these is another's, whatever else differs.
   for (const char* const name : {"mirror", "sources", "subject_transform"}) {
     if (present.contains(name) && !present[name].is_null()) {
       found.push_back({name, shown(present[name]), "null"});
@@ -71,10 +75,11 @@ std::optional<std::string> other_settings(const nlohmann::json& present, const S
                                           std::uint64_t replicas) {
   const auto others = differences(present, wanted_settings(names, replicas));
   if (others.empty()) return std::nullopt;
-  const auto fixed = std::ranges::find_first_of(others, kFixed, {}, &SettingDifference::name);
+  const auto fixed = std::ranges::find_if(others, [&](const auto& each) { return is_fixed(each, present); });
   if (fixed != others.end()) {
     return fmt::format(
-        "{} is there with other settings: {}, and NATS changes that of no stream; name other NATS servers in "
+        "{} is there with other settings: {}, which NATS cannot change in a stream; name other NATS servers "
+        "in "
         "cluster.nats, or delete the stream if it holds no edits",
         names.stream, to_string(*fixed));
   }
