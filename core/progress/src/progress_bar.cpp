@@ -74,7 +74,9 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::clear() {
-  if (std::exchange(drawn_, false)) std::fputs("\r\x1b[K", place_.file);
+  if (!std::exchange(drawn_, false)) return;
+  std::fputs("\r\x1b[K", place_.file);
+  std::fflush(place_.file);
 }
 
 void ProgressBar::advance(std::uint64_t amount) {
@@ -99,6 +101,7 @@ void ProgressBar::show(double part, std::uint64_t count, const std::string& rema
   drawn_ = true;
   const std::string line = "\r" + label_ + " " + progress_line(part, count, seconds, unit_) + end + "\x1b[K";
   std::fputs(line.c_str(), place_.file);
+  std::fflush(place_.file);
 }
 
 }  // namespace talus
