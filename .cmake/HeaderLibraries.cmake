@@ -15,6 +15,9 @@ endforeach()
 if(TALUS_WASM)  # for which Highway 1.0.3 looks bytes up one by one, and leaves the instruction out
   set(operations hwy/ops/wasm_128-inl.h)
   file(READ /usr/include/${operations} text)
+  if(NOT text MATCHES "#if 0\n  return Vec128<TI, NI>{wasm_i8x16_swizzle")
+    message(FATAL_ERROR "/usr/include/${operations} is not Highway 1.0.3's: see how it looks bytes up, by wasm_i8x16_swizzle() or not")
+  endif()
   string(REPLACE "#if 0\n  return Vec128<TI, NI>{wasm_i8x16_swizzle(" "#if 1\n  return Vec128<TI, NI>{wasm_i8x16_swizzle("
     text "${text}")
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/changed_headers/${operations} CONTENT "${text}" @ONLY)

@@ -57,8 +57,12 @@ count_instructions() {
     {
       printf "%-24s %14s instructions: %s\n", $1, $2, $1 in was ? sprintf("%+.2f %%", 100 * ($2 - was[$1]) / was[$1]) : "new"
       if (!($1 in was) || $2 > 1.03 * was[$1]) failed = 1
+      delete was[$1]
     }
-    END { exit failed }' "$known" "$counted" || [[ "$1" == write ]] ||
+    END {
+      for (stage in was) { printf "%-24s was not counted\n", stage; failed = 1 }
+      exit failed
+    }' "$known" "$counted" || [[ "$1" == write ]] ||
     die "more than 3 % over $known; find out why, or ./dev bench --gate-write"
   [[ "$1" != write ]] || cat "$counted" >"$known"
   rm "$counted"

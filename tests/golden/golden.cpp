@@ -115,8 +115,10 @@ int main(int argc, char** argv) {
   }
   int every = 1;
   const std::string_view number = argc == 3 ? argv[2] : "1";
-  if (argc < 2 || argc > 3 ||
-      std::from_chars(number.data(), number.data() + number.size(), every).ec != std::errc{} || every < 1) {
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), every);
+  const bool writes = argc == 2 && std::string_view{argv[1]} == "--write";
+  if (argc < 2 || argc > 3 || read.ec != std::errc{} || read.ptr != number.data() + number.size() ||
+      every < 1) {
     return std::cerr << "usage: golden GOLDEN.TXT [N] | --write\n", 2;
   }
   std::ostringstream text;
@@ -146,7 +148,7 @@ int main(int argc, char** argv) {
   } else {
     text << kNotMade << '\n' << kNotMade << '\n';
   }
-  if (std::string{argv[1]} == "--write") return std::cout << text.str(), 0;
+  if (writes) return std::cout << text.str(), 0;
   const std::string expected = read_file(argv[1]);
   if (same(text.str(), expected)) {
     std::cout << "as in " << argv[1] << ", by " << to_string(instruction_set()) << '\n';
