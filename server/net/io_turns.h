@@ -4,8 +4,8 @@
 // round. Then its connections wait in a queue of their own, and flows with such a queue take turns: each goes
 // on for kTurn units of the next round. What a flow used beyond, it pays in further rounds.
 //
-// So what comes from a client waits for one turn of each other flow at most, and a thread with one flow never
-// waits (deficit round robin; Shreedhar and Varghese, 1995).
+// So what comes from a client waits for one turn of each other flow at most, or two after a step of its own
+// handshake, and a thread with one flow never waits (deficit round robin; Shreedhar and Varghese, 1995).
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class IoTurns final : public asio::execution_context::service {
   static constexpr std::uint64_t kTurn = 32;
   /// Units of a step of a TLS handshake, which decrypts or signs.
   static constexpr std::uint64_t kHandshakeStep = 2 * kTurn;
-  /// Bytes of frames, also of WebSocket's own, or of an answer that is not sent at once, that cost a unit.
+  /// Bytes that cost a unit: of frames, including WebSocket's own, or of an answer that is not sent at once.
   static constexpr std::size_t kFrameBytes = 128;
   static constexpr std::size_t kAnswerBytes = std::size_t{8} * 1024;
 

@@ -197,7 +197,7 @@ void SessionRunner::read() {
     stream_->read_some(asio::buffer(input_) + filled_, shared_from_this());
     return;
   }
-  if (end_came_) watchdog_.may_be_silent();
+  if (end_came_) watchdog_.expects_no_more();
   reset_check_ = kFirstResetCheck;
   ask_at_ = now() + kFirstQuestion;
   if (watch_waits_.deadline() > now() + reset_check_) watch_waits_.notify();
@@ -212,7 +212,7 @@ void SessionRunner::on_read(std::error_code failed, std::size_t bytes) {
     context_.session.metrics.received_bytes.add(bytes);
     filled_ += bytes;
     if (paused_while_ != nullptr && bytes > 0) watchdog_.frame_came(now());  // maybe a Ping
-    read_cost_ = 1 + stream_->own_bytes() / IoTurns::kFrameBytes;
+    read_cost_ += 1 + stream_->own_bytes() / IoTurns::kFrameBytes;
     go_on_with_input();
   });
 }
@@ -476,7 +476,8 @@ void SessionRunner::ask_whether_gone() {
 
 void SessionRunner::look_at_unread() {
   const std::size_t unread = stream_->unread();
-  // Maybe a Ping; or it has promised to send no more, behind what is not read yet.
+  // It may be a Ping. A client that has shut its sending side is not silent: its end lies behind unread
+  // input.
   if (unread > unread_ || stream_->peer_hung_up()) watchdog_.frame_came(now());
   unread_ = unread;
 }

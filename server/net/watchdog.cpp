@@ -30,7 +30,7 @@ Clock::time_point Watchdog::next(Clock::time_point now) const {
 
 Clock::time_point Watchdog::silence_ends(Clock::time_point now) const {
   if (!greeted_) return opened_ + timeouts_.handshake;
-  return (may_be_silent_ ? now : last_frame_) + timeouts_.idle;
+  return (expects_no_more_ ? now : last_frame_) + timeouts_.idle;
 }
 
 std::chrono::nanoseconds token_lifetime(std::chrono::sys_seconds expires, std::chrono::sys_seconds now) {

@@ -29,7 +29,7 @@ class Watchdog {
   void greeted() { greeted_ = true; }
   void token_ends(Clock::time_point at) { token_ends_ = at; }
   /// The client has promised to send no more.
-  void may_be_silent() { may_be_silent_ = true; }
+  void expects_no_more() { expects_no_more_ = true; }
   /// A write begins or has made progress.
   void writing(Clock::time_point now) { write_progress_ = now; }
   void written() { write_progress_.reset(); }
@@ -57,7 +57,7 @@ class Watchdog {
   std::optional<Clock::time_point> write_progress_;  // while a write is in flight
   std::optional<Clock::time_point> closing_since_;
   bool greeted_ = false;
-  bool may_be_silent_ = false;
+  bool expects_no_more_ = false;
 };
 
 /// Time from `now` to the end of a session whose token expires at `expires`, allowing for a clock difference

@@ -97,7 +97,7 @@ struct WriterBench {
   [[nodiscard]] bool all_acknowledged() const { return acknowledged() == head(); }
 
   ScratchDirectory scratch{ScratchDirectory::memory()};
-  std::shared_ptr<UnsafeDisk> disk = std::make_shared<UnsafeDisk>(seed_of_run());
+  std::shared_ptr<UnsafeDisk> disk = std::make_shared<UnsafeDisk>(1);
   std::unique_ptr<rocksdb::Env> environment = environment_of(disk);
   StoreWriterSettings settings;
   std::atomic<bool> woken{false};

@@ -38,7 +38,7 @@ TEST_CASE("after Hello each frame begins the idle time anew") {
 TEST_CASE("a client that has promised to send no more is not idle") {
   Watchdog dog{kTimeouts, kStart};
   dog.greeted();
-  dog.may_be_silent();
+  dog.expects_no_more();
   CHECK(dog.check(kStart + 1h) == Verdict::wait);
 }
 

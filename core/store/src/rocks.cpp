@@ -74,7 +74,7 @@ std::size_t rocks_memory(rocksdb::DB& db) {
 }
 
 std::string_view remedy_for(const rocksdb::Status& status) {
-  if (status.IsNoSpace()) return "its disk is full: nothing is damaged; free space or inodes";
+  if (status.IsNoSpace()) return "its disk is full: nothing is damaged; free some space, or inodes";
   // RocksDB keeps only the text of an error number.
   const std::string text = status.ToString();
   const auto is = [&](std::initializer_list<int> errors) {
