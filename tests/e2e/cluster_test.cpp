@@ -374,7 +374,7 @@ TEST_CASE("a client that is silent while the log is away goes in its time, and i
       if (!frame) {
         REQUIRE(
             client.send(protocol::make_frame([](auto& builder) { return wire::CreatePing(builder, 1); })));
-      } else if (frame->message().body_type() != wire::Body::Pong) {
+      } else if (frame->kind() != wire::Body::Pong) {
         (void)frame->as<wire::EditResult>();
         return *std::move(frame);
       }
