@@ -61,7 +61,9 @@ run_tests() {
   stage "testing in a browser" test_in_browser
   stage "the same voxels on ARM and in WebAssembly" golden aarch64 wasm-simd
   stage "building for address + undefined behaviour" build asan-ubsan -- sanitized_tests
-  stage "testing by address + undefined behaviour" tests_of asan-ubsan -j "$((2 * jobs))" -L 'sanitized|both'
+  # RapidCheck tries a property a hundred times by itself, as in ./dev sanitize.
+  RC_PARAMS="${RC_PARAMS-max_success=40}" stage "testing by address + undefined behaviour" \
+    tests_of asan-ubsan -j "$((2 * jobs))" -L 'sanitized|both'
   [[ "${1:-}" != --full ]] || test_at_length
 }
 
