@@ -17,8 +17,8 @@ INCLUDE = layout.BINDINGS.parent / "include"
 LIBRARY = pathlib.Path(os.environ["TALUS_LIBRARY"]).parent
 
 
-def run(*command, **more):
-    environment = {**os.environ, "LD_LIBRARY_PATH": str(LIBRARY), "PYTHONPATH": str(layout.BINDINGS), "PYTHONDONTWRITEBYTECODE": "1"}
+def run(*command, library=LIBRARY, **more):
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(library), "PYTHONPATH": str(layout.BINDINGS), "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=300, env=environment, **more)
 
 
@@ -102,6 +102,15 @@ class Flights(unittest.TestCase):
         self.assertEqual(ended.stdout, self.in_c)
         lost = run(*command, "127.0.0.1", "1")
         self.assertEqual((lost.returncode, lost.stderr), (1, "127.0.0.1:1: no server answers there: Connection refused\n"))
+        alone = run(*command, library="")
+        self.assertEqual((alone.returncode, alone.stdout), (1, ""))
+        self.assertRegex(alone.stderr, r"^libtalus is not found: copy libtalus\.so .*, or set LD_LIBRARY_PATH \(.*No such file.*\)\n$")
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(EXAMPLES, pathlib.Path(folder) / "examples")
+            (pathlib.Path(folder) / "bindings").symlink_to(layout.BINDINGS)
+            (pathlib.Path(folder) / "examples/libtalus.so").symlink_to(LIBRARY / "libtalus.so")
+            beside = run(command[0], f"{folder}/examples/{command[1].name}", "127.0.0.1", "1", library="")
+            self.assertEqual(beside.stderr, lost.stderr)
 
     def test_by_ctypes(self):
         self.flown(sys.executable, EXAMPLES / "fly.py")

@@ -19,6 +19,8 @@ export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig"
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
 gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/fly.c -o fly "${flags[@]}"
 mcs -warnaserror $examples/Fly.cs $bindings/Talus.cs -out:Fly.exe
+said="$(mono Fly.exe 2>&1)" && die "Fly.exe ran without libtalus"
+[[ "$said" == "libtalus is not found: copy libtalus.so "* && "$said" != *$'\n'* ]] || die "without libtalus Fly.exe said: $said"
 mkdir game
 cp $examples/game.cpp game/
 cat >game/CMakeLists.txt <<'CMAKE'

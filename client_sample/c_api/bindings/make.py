@@ -32,6 +32,7 @@ def cdef(text, _items):
 PYTHON_HEAD = '''"""libtalus by ctypes: load() has its functions. {made}."""
 
 import ctypes
+import os
 import sys
 
 {about}
@@ -44,8 +45,12 @@ class Sized(ctypes.Structure):
 '''
 PYTHON_FOOT = '''
 def load(path=None):
-    """The library: libtalus.so.1 or talus.dll, unless told otherwise."""
-    library = ctypes.CDLL(path or ("talus.dll" if sys.platform == "win32" else "libtalus.so.1"))
+    """The library at the path; otherwise beside this file or the program, or where the system finds it."""
+    beside, name = ("talus.dll", "talus.dll") if sys.platform == "win32" else ("libtalus.so", "libtalus.so.1")
+    # Absolute: otherwise Windows does not search a DLL's folder for what it needs.
+    folders = [os.path.dirname(os.path.abspath(each)) for each in (__file__, sys.argv[0])]
+    paths = [each for each in (os.path.join(folder, beside) for folder in folders) if os.path.exists(each)]
+    library = ctypes.CDLL(path or (paths + [name])[0])
     for name, result, *parameters in FUNCTIONS:
         function = getattr(library, name)
         function.restype, function.argtypes = result, parameters

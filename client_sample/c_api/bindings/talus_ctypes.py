@@ -1,6 +1,7 @@
 """libtalus by ctypes: load() has its functions. Made from talus.h by client_sample/c_api/bindings/make.py."""
 
 import ctypes
+import os
 import sys
 
 # libtalus: the Talus client library for C, and for every language that calls C.
@@ -463,8 +464,12 @@ FUNCTIONS = [
 
 
 def load(path=None):
-    """The library: libtalus.so.1 or talus.dll, unless told otherwise."""
-    library = ctypes.CDLL(path or ("talus.dll" if sys.platform == "win32" else "libtalus.so.1"))
+    """The library at the path; otherwise beside this file or the program, or where the system finds it."""
+    beside, name = ("talus.dll", "talus.dll") if sys.platform == "win32" else ("libtalus.so", "libtalus.so.1")
+    # Absolute: otherwise Windows does not search a DLL's folder for what it needs.
+    folders = [os.path.dirname(os.path.abspath(each)) for each in (__file__, sys.argv[0])]
+    paths = [each for each in (os.path.join(folder, beside) for folder in folders) if os.path.exists(each)]
+    library = ctypes.CDLL(path or (paths + [name])[0])
     for name, result, *parameters in FUNCTIONS:
         function = getattr(library, name)
         function.restype, function.argtypes = result, parameters

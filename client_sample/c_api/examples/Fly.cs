@@ -24,6 +24,8 @@ public static class Fly
         bool complete = false, heights = false;
         uint request;
 
+        uint version = Talus.talus_api_version();
+        if (version >> 16 != Talus.TALUS_API_MAJOR) throw new Exception("libtalus has interface " + (version >> 16) + ", not " + Talus.TALUS_API_MAJOR);
         Check(Talus.talus_create(out client));
         options.host = Talus.Allocate(host);
         options.token = Talus.Allocate(token);
@@ -84,6 +86,11 @@ public static class Fly
                 arguments.Length > 2 ? arguments[2] : "");
             return 0;
         }
+        catch (DllNotFoundException)
+        {
+            Console.Error.WriteLine("libtalus is not found: copy libtalus.so (Windows: talus.dll) beside this program, or set LD_LIBRARY_PATH");
+            return 1;
+        }
         catch (Exception error)
         {
             Console.Error.WriteLine(error.Message);
@@ -91,7 +98,7 @@ public static class Fly
         }
         finally
         {
-            Talus.talus_destroy(client);
+            if (client != IntPtr.Zero) Talus.talus_destroy(client);
         }
     }
 }

@@ -1,20 +1,32 @@
 -- fly.c by LuaJIT's FFI: luajit fly.lua [HOST [PORT [TOKEN]]]
 local ffi = require("ffi")
-local here = arg[0]:match("^.*/") or ""
+local here = arg[0]:match("^.*[/\\]") or ""
 ffi.cdef(assert(io.open(here .. "../bindings/talus.cdef.h")):read("*a"))
-local talus = ffi.load(ffi.os == "Windows" and "talus" or "libtalus.so.1")
 
 local function fail(message)
-  io.stderr:write(ffi.string(message), "\n")
+  io.stderr:write(message, "\n")
   os.exit(1)
 end
 
+local windows = ffi.os == "Windows"
+local found, talus = pcall(ffi.load, here .. (windows and "talus.dll" or "libtalus.so"))
+if not found then
+  found, talus = pcall(ffi.load, windows and "talus.dll" or "libtalus.so.1")
+end
+if not found then
+  fail("libtalus is not found: copy libtalus.so (Windows: talus.dll) beside this program, or set LD_LIBRARY_PATH (" .. talus .. ")")
+end
+
+local function last_error(client)
+  return ffi.string(talus.talus_last_error(client))
+end
+
 local slot = ffi.new("talus_client*[1]")
-if talus.talus_create(slot) ~= talus.TALUS_OK then fail(talus.talus_last_error(nil)) end
+if talus.talus_create(slot) ~= talus.TALUS_OK then fail(last_error(nil)) end
 local client = ffi.gc(slot[0], talus.talus_destroy)
 
 local function check(status)
-  if status < 0 then fail(talus.talus_last_error(client)) end
+  if status < 0 then fail(last_error(client)) end
   return status
 end
 
@@ -57,7 +69,7 @@ while not complete or not heights do
   elseif type == talus.TALUS_EVENT_VIEW_COMPLETE then
     complete = true
   elseif type == talus.TALUS_EVENT_CLOSED then
-    fail(event.message)
+    fail(ffi.string(event.message))
   end
 end
 print(("%s: %d chunks, %d of one material; in the others %d solid voxels"):format(ffi.string(world.server), chunks,

@@ -8,7 +8,10 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "bindings"))
 import talus_ctypes as c
 
-talus = c.load()
+try:
+    talus = c.load()
+except OSError as error:
+    sys.exit(f"libtalus is not found: copy libtalus.so (Windows: talus.dll) beside this program, or set LD_LIBRARY_PATH ({error})")
 client = ctypes.c_void_p()
 
 
