@@ -94,6 +94,8 @@ fn main() {
 RS
 (cd game && RUSTFLAGS="-D warnings" cargo build --quiet --offline --target-dir ../target) || die "the program does not compile"
 
+(cd talus && cargo test --quiet --offline --doc --target-dir ../target) || die "an example of its documentation does not compile"
+
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
 python3 -B "$layout" c >layout.c
 gcc layout.c -o layout "${flags[@]}"

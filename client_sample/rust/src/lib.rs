@@ -15,6 +15,7 @@
 //!         }
 //!         Event::Chunk(received) => println!("{:?}", received.key),
 //!         Event::ViewComplete => break,
+//!         Event::Closed(error) => return Err(error),
 //!         _ => {}
 //!     }
 //! }
