@@ -8,7 +8,7 @@ import sys
 BINDINGS = pathlib.Path(__file__).resolve().parents[2] / "client_sample/c_api/bindings"
 sys.path.insert(0, str(BINDINGS))
 from talus_header import Constants, Struct, read  # noqa: E402
-from make import rust_name  # noqa: E402
+from make import csharp_names, rust_name  # noqa: E402
 
 # A program around the lines; a line; what gives a struct's size, a field's offset and a constant.
 LANGUAGES = {
@@ -19,8 +19,9 @@ LANGUAGES = {
             'ffi.sizeof("{0}")', 'ffi.offsetof("{0}", "{1}")', "ffi.C.{0}"),
     "cffi": ('import cffi\nimport sys\nffi = cffi.FFI()\nffi.cdef(open(sys.argv[1]).read())\nlibrary = ffi.dlopen(None)\n{0}',
              'print("{0}", {1})\n', 'ffi.sizeof("{0}")', 'ffi.offsetof("{0}", "{1}")', "library.{0}"),
-    "csharp": ("using System;\nusing System.Runtime.InteropServices;\nstatic class Layout {{ static void Main() {{\n{0}}} }}\n",
-               'Console.WriteLine("{0} {{0}}", {1});\n', "Marshal.SizeOf(typeof(Talus.{0}))",
+    # C#'s sizeof() takes blittable structs only.
+    "csharp": ("using System;\nusing System.Runtime.InteropServices;\nstatic class Layout {{ static unsafe void Main() {{\n{0}}} }}\n",
+               'Console.WriteLine("{0} {{0}}", {1});\n', "sizeof(Talus.{0})",
                'Marshal.OffsetOf(typeof(Talus.{0}), "{1}")', "Talus.{0}"),
     "rust": ("use talus::raw::*;\nfn main() {{\n{0}}}\n", 'println!("{0} {{}}", {1});\n', "std::mem::size_of::<{0}>()",
              "{{ let it = {0}::default(); std::ptr::addr_of!(it.{1}) as usize - std::ptr::addr_of!(it) as usize }}", "{0}"),
@@ -34,7 +35,7 @@ def program(language):
         if isinstance(item, Struct):
             lines.append(line.format(item.name, size.format(item.name)))
             for field in item.fields:
-                name = rust_name(field.name) if language == "rust" else field.name
+                name = {"rust": rust_name(field.name), "csharp": csharp_names(field)[0]}.get(language, field.name)
                 lines.append(line.format(f"{item.name}.{field.name}", offset.format(item.name, name)))
         if isinstance(item, Constants):
             lines += [line.format(each.name, constant.format(each.name)) for each in item.members]

@@ -37,7 +37,7 @@ cmake --build game/build >build.log || { cat build.log; die "game.cpp does not c
 python3 -B "$layout" c >layout.c
 gcc layout.c -o layout "${flags[@]}"
 python3 -B "$layout" csharp >Layout.cs
-mcs -warnaserror Layout.cs $bindings/Talus.cs -out:Layout.exe
+mcs -unsafe -warnaserror Layout.cs $bindings/Talus.cs -out:Layout.exe
 cmp <(./layout) <(mono Layout.exe) || die "C# lays out otherwise than C"
 python3 -B "$layout" cffi >layout.py
 cmp <(./layout) <(/usr/bin/python3 layout.py $bindings/talus.cdef.h) || die "cffi lays out otherwise than C"

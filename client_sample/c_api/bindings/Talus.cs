@@ -195,7 +195,7 @@ public static class Talus
         /// <summary>base chunks</summary>
         public ushort vertical_radius;
         /// <summary>Levels 1 to 6, in base chunks, each wider than the finer ones; 0: no ring of this level.</summary>
-        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 6)] public ushort[] ring_radius;
+        public ushort ring_radius_1, ring_radius_2, ring_radius_3, ring_radius_4, ring_radius_5, ring_radius_6;
         /// <summary>0</summary>
         public uint reserved;
 

@@ -197,11 +197,13 @@ def summary(doc, indent):
     return comment(f"<summary>{text}</summary>", "///", indent) if doc else ""
 
 
+def csharp_names(field):
+    """An array is a field for each element: the struct stays blittable, so that calls copy nothing."""
+    return [f"{field.name}_{i + 1}" for i in range(field.type.length)] or [field.name]
+
+
 def csharp_field(field):
-    if field.type.length:
-        marshal = f"[MarshalAs(UnmanagedType.ByValArray, SizeConst = {field.type.length})] "
-        return f"{marshal}public {CSHARP_TYPES[field.type.base]}[] {field.name};"
-    return f"public {'IntPtr' if field.type.pointees_const else CSHARP_TYPES[field.type.base]} {field.name};"
+    return f"public {'IntPtr' if field.type.pointees_const else CSHARP_TYPES[field.type.base]} {', '.join(csharp_names(field))};"
 
 
 def csharp_parameter(parameter, following, structs):
