@@ -37,7 +37,7 @@ using System.Text;
 // longer. Strings are UTF-8 with a terminating zero. The library never returns NULL strings; it takes NULL as
 // the empty string.
 //
-// Tested on Linux on x86-64, and for Windows in Wine.
+// Tested on Linux on x86-64, on aarch64 and s390x in qemu, and for Windows in Wine.
 
 public static class Talus
 {
@@ -71,6 +71,8 @@ public static class Talus
     public const uint TALUS_CHUNK_SIZE = 32;
     /// <summary>voxels</summary>
     public const uint TALUS_CHUNK_VOLUME = 32768;
+    /// <summary>each 0 to 31, inside the chunk</summary>
+    public static int TALUS_VOXEL_INDEX(int x, int y, int z) { return (y * 32 + z) * 32 + x; }
     public const uint TALUS_DEFAULT_PORT = 4780;
 
     public const int TALUS_OK = 0;

@@ -7,7 +7,7 @@ import pathlib
 import re
 import sys
 
-from talus_header import Alias, COMMENT, Constants, Function, IGNORED, Opaque, Section, Struct, read
+from talus_header import Alias, COMMENT, Constants, Function, IGNORED, MACRO, Macro, Opaque, Section, Struct, read
 
 HERE = pathlib.Path(__file__).resolve().parent
 HEADER = HERE.parent / "include/talus.h"
@@ -21,7 +21,9 @@ def comment(doc, mark, indent=""):
 # ---- LuaJIT, cffi: the header itself, as both parse it ----
 
 
-def cdef(text, _items):
+def cdef(text, items):
+    macros = iter([item for item in items if isinstance(item, Macro)])
+    text = MACRO.sub(lambda _: "/* {0.name}({1}) is {0.formula}: {0.doc} */".format(each := next(macros), ", ".join(each.parameters)), text)
     text = re.sub(rf"#define (\w+) +(\d+)(?: +({COMMENT}))?", lambda it: f"enum {{ {it[1]} = {it[2]} }};" + f" {it[3]}" * bool(it[3]), text)
     text = re.sub(rf"(?m)^(?:{IGNORED.pattern})\n", "", text).replace("TALUS_API ", "")
     return f"/* {MADE}. */\n/* clang-format off */\n" + re.sub(r"\n{3,}", "\n\n", text.rstrip() + "\n")
@@ -81,6 +83,8 @@ def python(_text, items):
         if isinstance(item, Constants):
             out.append("\n" * bool(item.doc or len(item.members) > 1) + comment(item.doc, "#"))
             out += [comment(each.doc, "#") + f"{each.name} = {each.value}\n" for each in item.members]
+        if isinstance(item, Macro):
+            out.append(f'\n\ndef {item.name}({", ".join(item.parameters)}):\n    """{item.doc}"""\n    return {item.formula}\n\n\n')
         if isinstance(item, Struct):
             out.append(f"\n\nclass {item.name}(Sized):\n" + (f'    """{item.doc}"""\n\n' if item.doc else "") + "    _fields_ = [\n")
             for field in item.fields:
@@ -99,7 +103,7 @@ RUST_TYPES = {
     "float": "f32", "size_t": "usize", "char": "c_char",
 }
 RUST_HEAD = """// {made}.
-#![allow(non_camel_case_types)]
+#![allow(non_camel_case_types, non_snake_case)]
 
 use std::os::raw::c_char;
 
@@ -142,6 +146,9 @@ def rust(_text, items):
             out.append("\n" * bool(item.doc or len(item.members) > 1) + comment(item.doc, "//"))
             type_ = RUST_TYPES.get(item.type, item.type)
             out += [comment(each.doc, "///") + f"pub const {each.name}: {type_} = {each.value};\n" for each in item.members]
+        if isinstance(item, Macro):
+            parameters = ", ".join(f"{name}: usize" for name in item.parameters)
+            out.append(comment(item.doc, "///") + f"pub const fn {item.name}({parameters}) -> usize {{\n    {item.formula}\n}}\n")
         if isinstance(item, Opaque):
             out.append("\n" + comment(item.doc, "///") + f"#[repr(C)]\npub struct {item.name} {{\n    _opaque: [u8; 0],\n}}\n")
         if isinstance(item, Struct):
@@ -232,6 +239,9 @@ def csharp(_text, items):
             out.append("\n" * bool(item.doc or len(item.members) > 1) + comment(item.doc, "//", "    "))
             type_ = CSHARP_TYPES[item.type]
             out += [summary(each.doc, "    ") + f"    public const {type_} {each.name} = {each.value};\n" for each in item.members]
+        if isinstance(item, Macro):
+            parameters = ", ".join(f"int {name}" for name in item.parameters)
+            out.append(summary(item.doc, "    ") + f"    public static int {item.name}({parameters}) {{ return {item.formula}; }}\n")
         if isinstance(item, Struct):
             out.append("\n" + summary(item.doc, "    ") + f"    [StructLayout(LayoutKind.Sequential)]\n    public struct {item.name}\n    {{\n")
             out += [summary(each.doc, "        ") + f"        {csharp_field(each)}\n" for each in item.fields]
@@ -268,7 +278,7 @@ def main():
         elif not path.exists() or path.read_text() != made:
             stale.append(path.name)
     if stale:
-        sys.exit(f"not what talus.h makes: {', '.join(stale)}; make.py makes them")
+        sys.exit(f"stale: {', '.join(stale)}; run make.py")
 
 
 if __name__ == "__main__":

@@ -34,7 +34,7 @@
  * longer. Strings are UTF-8 with a terminating zero. The library never returns NULL strings; it takes NULL as
  * the empty string.
  *
- * Tested on Linux on x86-64, and for Windows in Wine. */
+ * Tested on Linux on x86-64, on aarch64 and s390x in qemu, and for Windows in Wine. */
 
 /* Version of this interface. A new minor version only adds; a new major version is another library,
  * libtalus.so.MAJOR. */
@@ -43,6 +43,7 @@ enum { TALUS_API_MINOR = 0 };
 
 enum { TALUS_CHUNK_SIZE = 32 }; /* voxels along each edge */
 enum { TALUS_CHUNK_VOLUME = 32768 }; /* voxels */
+/* TALUS_VOXEL_INDEX(x, y, z) is (y * 32 + z) * 32 + x: each 0 to 31, inside the chunk */
 enum { TALUS_DEFAULT_PORT = 4780 };
 
 typedef int32_t talus_status;

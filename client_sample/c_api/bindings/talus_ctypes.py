@@ -38,7 +38,7 @@ import sys
 # longer. Strings are UTF-8 with a terminating zero. The library never returns NULL strings; it takes NULL as
 # the empty string.
 #
-# Tested on Linux on x86-64, and for Windows in Wine.
+# Tested on Linux on x86-64, on aarch64 and s390x in qemu, and for Windows in Wine.
 
 
 class Sized(ctypes.Structure):
@@ -55,6 +55,13 @@ TALUS_API_MINOR = 0
 TALUS_CHUNK_SIZE = 32
 # voxels
 TALUS_CHUNK_VOLUME = 32768
+
+
+def TALUS_VOXEL_INDEX(x, y, z):
+    """each 0 to 31, inside the chunk"""
+    return (y * 32 + z) * 32 + x
+
+
 TALUS_DEFAULT_PORT = 4780
 
 TALUS_OK = 0

@@ -1,4 +1,4 @@
-"""talus.h as data. It is one plain header: what is not written as its declarations are is an error with its line."""
+"""talus.h as data. Any line it cannot parse is an error that names the line."""
 
 import re
 from typing import NamedTuple
@@ -32,6 +32,13 @@ class Constants(NamedTuple):
     doc: str
 
 
+class Macro(NamedTuple):
+    name: str
+    parameters: list[str]
+    formula: str  # the same in C, C#, Python and Rust
+    doc: str
+
+
 class Alias(NamedTuple):
     name: str
     of: str
@@ -57,8 +64,9 @@ class Function(NamedTuple):
 
 COMMENT = r"/\*.*?\*/"
 TYPE = r"(?:const )?\w+(?:\s*\*(?:\s*const\b)?)*"
-IGNORED = re.compile(r'#(?:if|ifdef|ifndef|elif|else|endif|include)\b.*|#define (?:TALUS_H|TALUS_API .*|\w+\(.*)|extern "C" \{|\}')
+IGNORED = re.compile(r'#(?:if|ifdef|ifndef|elif|else|endif|include)\b.*|#define (?:TALUS_H|TALUS_API .*)|extern "C" \{|\}')
 DEFINE = re.compile(rf"#define (\w+) +(\d+)(?: +({COMMENT}))?")
+MACRO = re.compile(rf"#define (\w+)\((\w+(?:, \w+)*)\) +\((.*)\)(?: +({COMMENT}))?")
 ALIAS = re.compile(r"typedef (\w+) (\w+);")
 OPAQUE = re.compile(r"typedef struct (\w+) \1;")
 STRUCT = re.compile(r"typedef struct (\w+) \{(.*?)\} \1;", re.S)
@@ -114,6 +122,9 @@ def declaration(text, position, doc, before):
     """What stands there, and where it ends."""
     if found := DEFINE.match(text, position):
         return Constants("uint32_t", [Constant(found[1], int(found[2]), plain(found[3]))], doc), found.end()
+    if found := MACRO.match(text, position):
+        formula = re.sub(r"(?<=\w)\*(?=\w)", " * ", re.sub(r"\((\w+)\)", r"\1", found[3]))
+        return Macro(found[1], found[2].split(", "), formula, plain(found[4])), found.end()
     if found := ENUM.match(text, position):
         constants = list(enumerators(found[1]))
         signed = "int32_t" if min(constant.value for constant in constants) < 0 else "uint32_t"
@@ -132,7 +143,7 @@ def declaration(text, position, doc, before):
         declared = [Variable(each.name, Type(each.type.base, (parameter.startswith("const "),)) if each.type.length else each.type)
                     for each, parameter in zip(declared, parameters)]
         return Function(found[2], type_of(found[1]), declared, doc), found.end()
-    raise ValueError(f"'{text[position:].splitlines()[0]}' is no constant, enum, typedef, struct or function of TALUS_API")
+    raise ValueError(f"'{text[position:].splitlines()[0]}' is no constant, macro, enum, typedef, struct or function of TALUS_API")
 
 
 def read(text):

@@ -32,7 +32,7 @@
  * longer. Strings are UTF-8 with a terminating zero. The library never returns NULL strings; it takes NULL as
  * the empty string.
  *
- * Tested on Linux on x86-64, and for Windows in Wine. */
+ * Tested on Linux on x86-64, on aarch64 and s390x in qemu, and for Windows in Wine. */
 #ifndef TALUS_H
 #define TALUS_H
 

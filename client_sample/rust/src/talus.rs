@@ -1,5 +1,5 @@
 // Made from talus.h by client_sample/c_api/bindings/make.py.
-#![allow(non_camel_case_types)]
+#![allow(non_camel_case_types, non_snake_case)]
 
 use std::os::raw::c_char;
 
@@ -37,7 +37,7 @@ use std::os::raw::c_char;
 // longer. Strings are UTF-8 with a terminating zero. The library never returns NULL strings; it takes NULL as
 // the empty string.
 //
-// Tested on Linux on x86-64, and for Windows in Wine.
+// Tested on Linux on x86-64, on aarch64 and s390x in qemu, and for Windows in Wine.
 
 // Version of this interface. A new minor version only adds; a new major version is another library,
 // libtalus.so.MAJOR.
@@ -47,6 +47,10 @@ pub const TALUS_API_MINOR: u32 = 0;
 pub const TALUS_CHUNK_SIZE: u32 = 32;
 /// voxels
 pub const TALUS_CHUNK_VOLUME: u32 = 32768;
+/// each 0 to 31, inside the chunk
+pub const fn TALUS_VOXEL_INDEX(x: usize, y: usize, z: usize) -> usize {
+    (y * 32 + z) * 32 + x
+}
 pub const TALUS_DEFAULT_PORT: u32 = 4780;
 
 pub type talus_status = i32;
