@@ -14,6 +14,6 @@ fn main() {
 }
 
 fn fail(why: &str) -> ! {
-    eprintln!("libtalus is not found, whose talus.pc pkg-config reads: {}", why.trim());
+    eprintln!("libtalus was not found by pkg-config; set PKG_CONFIG_PATH to the folder of talus.pc: {}", why.trim());
     std::process::exit(1)
 }

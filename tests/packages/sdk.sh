@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # sdk.sh PACKAGES TALUSD: unpacks the SDK in a new folder, compiles its examples in C (by pkg-config), in C++ (by CMake) and in C#
-# (by Mono), and runs them against talusd, and those for Python and LuaJIT. As root, for a network of its own: game.cpp takes the
+# (with Mono), and runs them against talusd, and those for Python and LuaJIT. As root, for a network of its own: game.cpp takes the
 # port that talusd has by default.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
@@ -56,4 +56,4 @@ own_network bash -euo pipefail -c '
   kill $server
   wait $server' sdk "$talusd" $examples
 grep -q '^ground at spawn: ' said && grep -qE '^[1-9][0-9]* chunks, [1-9][0-9]* bytes received$' said || die "the examples did not run"
-say "$(basename "$sdk"): C by pkg-config, C++ by CMake, C# by Mono, Python, LuaJIT"
+say "$(basename "$sdk"): C by pkg-config, C++ by CMake, C# with Mono, Python, LuaJIT"

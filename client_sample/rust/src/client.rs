@@ -3,7 +3,7 @@ use crate::{text, ChunkKey, Edit, Error, Event};
 use std::ffi::CString;
 use std::ptr;
 
-/// Of a connection. What is empty or 0 is libtalus' default.
+/// Connection options; empty or 0 selects libtalus's default.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     pub token: String,
@@ -23,11 +23,11 @@ pub struct Options {
 #[derive(Clone, Debug, Default)]
 pub struct View {
     pub centre: [i64; 3],
-    /// Of sight; 0: no preference.
+    /// Direction of sight; 0: no preference.
     pub direction: [f32; 3],
     pub horizontal_radius: u16,
     pub vertical_radius: u16,
-    /// Of levels 1 to 6; 0: no ring of this level.
+    /// Ring radii of levels 1 to 6; 0: no ring of this level.
     pub ring_radius: [u16; 6],
     /// Every row in which ground can lie, for worlds that have it.
     pub horizon: bool,

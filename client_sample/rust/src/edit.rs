@@ -32,7 +32,7 @@ impl Edit {
         self
     }
 
-    /// Valid as long as this is.
+    /// Valid while self lives.
     pub(crate) fn raw(&self) -> talus_edit {
         talus_edit {
             guard_voxels: self.guard_voxels.as_ptr().cast(),

@@ -23,7 +23,7 @@ pub struct ReceivedChunk {
     pub chunk: Chunk,
 }
 
-/// As talus.h documents the events of these names.
+/// See the events of the same names in talus.h.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Event {
