@@ -27,15 +27,26 @@ TOML
 cp talus/examples/fly.rs game/src/bin/
 python3 -B "$layout" rust >game/src/bin/layout.rs
 cat >game/src/bin/dig.rs <<'RS'
-use talus::{raw, Client, Edit, Error, Event, Options, ReceivedChunk, View, CHUNK_VOLUME};
+use talus::{raw, ChunkKey, Client, Edit, EditOutcome, Error, Event, Options, ReceivedChunk, View, CHUNK_VOLUME};
 
 /// The next answer to an edit, and the chunks that came before it.
-fn edited(client: &mut Client, edit: Edit, chunks: &mut Vec<ReceivedChunk>) -> Result<u32, Error> {
+fn edited(client: &mut Client, edit: Edit, chunks: &mut Vec<ReceivedChunk>) -> Result<EditOutcome, Error> {
     let sent = client.send_edit(&edit)?;
     loop {
         match client.poll(60_000)?.expect("an event within a minute") {
             Event::Edited { request, result } if request == sent => return result,
             Event::Chunk(received) => chunks.push(received),
+            Event::Closed(error) => return Err(error),
+            _ => {}
+        }
+    }
+}
+
+/// The answer to a request of a chunk.
+fn answer(client: &mut Client, asked: u32) -> Result<Option<ReceivedChunk>, Error> {
+    loop {
+        match client.poll(60_000)?.expect("an event within a minute") {
+            Event::ChunkAnswer { request, result } if request == asked => return result,
             Event::Closed(error) => return Err(error),
             _ => {}
         }
@@ -68,23 +79,48 @@ fn main() {
     assert_eq!(chunks.len(), 3);
     chunks.clear();
     let build = Edit::default().guard(spawn, 0).write(spawn, planks);
-    assert_eq!(edited(&mut client, build.clone(), &mut chunks).unwrap(), 1);
+    let built = edited(&mut client, build.clone(), &mut chunks).unwrap();
+    assert_eq!(built.changed, 1);
+    assert!(built.revision > 0);
     let conflict = edited(&mut client, build, &mut chunks).unwrap_err();
     assert_eq!(conflict.status, raw::TALUS_CONFLICT, "{conflict}");
+    assert_eq!(conflict.retry_after, std::time::Duration::ZERO);
     while chunks.is_empty() {
         if let Some(Event::Chunk(received)) = client.poll(60_000).unwrap() {
             chunks.push(received);
         }
     }
+    let [x, y, z] = spawn.map(|at| at.div_euclid(32) as i32);
+    let key = ChunkKey { x, y, z, level: 0 };
+    let asked = client.get_chunk(key, None).unwrap();
+    let received = answer(&mut client, asked).unwrap().expect("the chunk");
+    assert_eq!((received.key, received.revision), (key, built.revision));
+    let asked = client.get_chunk(key, Some(received.hash)).unwrap();
+    assert!(answer(&mut client, asked).unwrap().is_none(), "it is unchanged");
+    let asked = client.get_chunk(key, None).unwrap();
+    client.cancel(asked).unwrap();
+    if let Err(error) = answer(&mut client, asked) {
+        assert_eq!(error.status, raw::TALUS_CANCELLED);
+    }
+    let mut view = View { horizontal_radius: 8, ..View::default() };
+    view.fill_rings(256);
+    assert_eq!(view.ring_radius[5], 256);
+    let mut stats = raw::talus_stats::default();
+    assert_eq!(unsafe { raw::talus_get_stats(client.as_raw(), &mut stats) }, raw::TALUS_OK);
+    assert_eq!(stats.connections, 1);
+
     // A chunk outlives its client, and may be decoded elsewhere.
-    assert_eq!(edited(&mut client, Edit::default().fill(spawn, spawn, None), &mut Vec::new()).unwrap(), 1);
+    assert_eq!(edited(&mut client, Edit::default().fill(spawn, spawn, None), &mut Vec::new()).unwrap().changed, 1);
     drop(client);
     let changed = chunks.swap_remove(0);
     std::thread::spawn(move || {
         let mut voxels = [0; CHUNK_VOLUME];
         changed.chunk.decode(&mut voxels);
         let [x, y, z] = spawn.map(|at| at.rem_euclid(32) as usize);
-        assert_eq!(voxels[(y * 32 + z) * 32 + x], planks);
+        assert_eq!(voxels[raw::TALUS_VOXEL_INDEX(x, y, z)], planks);
+        let mut again = [0; CHUNK_VOLUME];
+        let status = unsafe { raw::talus_decode(changed.chunk.as_raw(), again.as_mut_ptr(), again.len()) };
+        assert_eq!((status, again), (raw::TALUS_OK, voxels));
         assert!(changed.revision > 0);
     })
     .join()

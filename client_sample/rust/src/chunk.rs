@@ -24,7 +24,12 @@ impl Chunk {
         Some(Self(chunk))
     }
 
-    /// Material ids, index (y * 32 + z) * 32 + x.
+    /// For functions of [`crate::raw`]; retain it to keep it longer than this.
+    pub fn as_raw(&self) -> *const talus_chunk {
+        self.0
+    }
+
+    /// Material ids, index `raw::TALUS_VOXEL_INDEX(x, y, z)`.
     pub fn decode(&self, voxels: &mut [u16; CHUNK_VOLUME]) {
         let status = unsafe { talus_decode(self.0, voxels.as_mut_ptr(), CHUNK_VOLUME) };
         // It was decoded when it came.

@@ -2,6 +2,7 @@ use crate::raw::*;
 use crate::{text, ChunkKey, Edit, Error, Event};
 use std::ffi::CString;
 use std::ptr;
+use std::time::Duration;
 
 /// Connection options; empty or 0 selects libtalus's default.
 #[derive(Clone, Debug, Default)]
@@ -31,6 +32,32 @@ pub struct View {
     pub ring_radius: [u16; 6],
     /// Every row in which ground can lie, for worlds that have it.
     pub horizon: bool,
+}
+
+impl View {
+    /// Sets `ring_radius`: rings of levels 1 to 6 from `horizontal_radius` out to `farthest` base chunks.
+    pub fn fill_rings(&mut self, farthest: u16) {
+        let mut raw = self.raw();
+        let status = unsafe { talus_fill_rings(&mut raw, farthest) };
+        assert_eq!(status, TALUS_OK, "libtalus could not set a View's rings");
+        self.ring_radius = raw.ring_radius;
+    }
+
+    fn raw(&self) -> talus_view {
+        talus_view {
+            flags: u32::from(self.horizon) * TALUS_VIEW_HORIZON,
+            centre_x: self.centre[0],
+            centre_y: self.centre[1],
+            centre_z: self.centre[2],
+            direction_x: self.direction[0],
+            direction_y: self.direction[1],
+            direction_z: self.direction[2],
+            horizontal_radius: self.horizontal_radius,
+            vertical_radius: self.vertical_radius,
+            ring_radius: self.ring_radius,
+            ..talus_view::default()
+        }
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -143,20 +170,7 @@ impl Client {
 
     /// Replaces the View. Cheap: every frame is fine.
     pub fn set_view(&mut self, view: &View) -> Result<(), Error> {
-        let raw = talus_view {
-            flags: u32::from(view.horizon) * TALUS_VIEW_HORIZON,
-            centre_x: view.centre[0],
-            centre_y: view.centre[1],
-            centre_z: view.centre[2],
-            direction_x: view.direction[0],
-            direction_y: view.direction[1],
-            direction_z: view.direction[2],
-            horizontal_radius: view.horizontal_radius,
-            vertical_radius: view.vertical_radius,
-            ring_radius: view.ring_radius,
-            ..talus_view::default()
-        };
-        let status = unsafe { talus_set_view(self.0, &raw) };
+        let status = unsafe { talus_set_view(self.0, &view.raw()) };
         self.check(status)
     }
 
@@ -186,6 +200,17 @@ impl Client {
         self.request(|client, request| unsafe { talus_ping(client, request) })
     }
 
+    /// Cancels a `get_chunk`. It is still answered: with `TALUS_CANCELLED`, or with the chunk if it was in flight.
+    pub fn cancel(&mut self, request: u32) -> Result<(), Error> {
+        let status = unsafe { talus_cancel(self.0, request) };
+        self.check(status)
+    }
+
+    /// For functions of [`crate::raw`]; it stays this client's.
+    pub fn as_raw(&self) -> *mut talus_client {
+        self.0
+    }
+
     fn request(&mut self, send: impl FnOnce(*mut talus_client, *mut u32) -> talus_status) -> Result<u32, Error> {
         let mut request = 0;
         let status = send(self.0, &mut request);
@@ -197,7 +222,7 @@ impl Client {
         if status >= 0 {
             return Ok(());
         }
-        Err(Error { status, message: unsafe { text(talus_last_error(self.0)) } })
+        Err(Error { status, message: unsafe { text(talus_last_error(self.0)) }, retry_after: Duration::ZERO })
     }
 }
 
@@ -205,5 +230,6 @@ fn contains_zero(string: &str) -> Error {
     Error {
         status: TALUS_INVALID_ARGUMENT,
         message: format!("{string:?} contains a zero, which ends strings of libtalus"),
+        retry_after: Duration::ZERO,
     }
 }

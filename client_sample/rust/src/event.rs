@@ -23,6 +23,14 @@ pub struct ReceivedChunk {
     pub chunk: Chunk,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EditOutcome {
+    /// Of the world after the edit.
+    pub revision: u64,
+    /// Voxels that the edit changed; 0: they already had these materials.
+    pub changed: u32,
+}
+
 /// See the events of the same names in talus.h.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -45,10 +53,9 @@ pub enum Event {
         request: u32,
         result: Result<Duration, Error>,
     },
-    /// How many voxels changed.
     Edited {
         request: u32,
-        result: Result<u32, Error>,
+        result: Result<EditOutcome, Error>,
     },
     Error(Error),
     Reconnecting(Error),
@@ -73,7 +80,8 @@ impl Event {
                 chunk,
             })
         };
-        let error = || Error { status: event.status, message: text(event.message) };
+        let retry_after = Duration::from_millis(event.retry_after_ms.into());
+        let error = || Error { status: event.status, message: text(event.message), retry_after };
         let failed = event.status < 0;
         match event.type_ {
             TALUS_EVENT_JOINED => Self::Joined,
@@ -92,7 +100,8 @@ impl Event {
                 Self::Pong { request, result: if failed { Err(error()) } else { Ok(round_trip) } }
             }
             TALUS_EVENT_EDITED => {
-                Self::Edited { request, result: if failed { Err(error()) } else { Ok(event.changed_voxels) } }
+                let outcome = EditOutcome { revision: event.revision, changed: event.changed_voxels };
+                Self::Edited { request, result: if failed { Err(error()) } else { Ok(outcome) } }
             }
             TALUS_EVENT_ERROR => Self::Error(error()),
             TALUS_EVENT_RECONNECTING => Self::Reconnecting(error()),

@@ -33,17 +33,20 @@ pub mod raw;
 pub use chunk::{Chunk, CHUNK_VOLUME};
 pub use client::{Client, Material, Options, View, World};
 pub use edit::Edit;
-pub use event::{ChunkKey, Event, ReceivedChunk};
+pub use event::{ChunkKey, EditOutcome, Event, ReceivedChunk};
 
 use std::ffi::CStr;
 use std::fmt;
 use std::os::raw::c_char;
+use std::time::Duration;
 
 /// A status below 0, and one line that says why.
 #[derive(Clone, Debug)]
 pub struct Error {
     pub status: raw::talus_status,
     pub message: String,
+    /// Delay that the server asks for; 0: no delay.
+    pub retry_after: Duration,
 }
 
 impl fmt::Display for Error {
