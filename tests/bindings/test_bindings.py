@@ -12,6 +12,7 @@ import unittest
 
 import layout
 
+HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = layout.BINDINGS.parent / "examples"
 INCLUDE = layout.BINDINGS.parent / "include"
 LIBRARY = pathlib.Path(os.environ["TALUS_LIBRARY"]).parent
@@ -81,7 +82,10 @@ class Flights(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         environment = {name: value for name, value in os.environ.items() if not name.startswith("TALUS_")}
-        cls.server = subprocess.Popen([os.environ["TALUSD"], "--listen", "127.0.0.1:0"], env=environment, text=True,
+        environment["TALUS_ACCESS_WITHOUT_TOKEN"] = "read,edit"
+        data = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(data.cleanup)
+        cls.server = subprocess.Popen([os.environ["TALUSD"], "--listen", "127.0.0.1:0", "--data", data.name], env=environment, text=True,
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         cls.addClassCleanup(cls.server.communicate)
         cls.addClassCleanup(cls.server.terminate)
@@ -117,6 +121,17 @@ class Flights(unittest.TestCase):
 
     def test_by_luajit(self):
         self.flown("luajit", EXAMPLES / "fly.lua")
+
+    def dug(self, *command):
+        ended = run(*command, self.address[1])
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertRegex(ended.stdout, r"^edited: 0 1\nedited: -29 0\nbuilt: (\d+) of \w+ \1\nknown: 0 True\ncancelled: True\n"
+                                       r"place: \d+ \w+ \w+ -?\d+\nedited: 0 1\nrings: \d+ \d+ \d+ \d+ \d+ 256 \d+\n$")
+        return ended.stdout
+
+    def test_ctypes_and_luajit_make_the_other_calls(self):
+        by_ctypes = self.dug(sys.executable, HERE / "dig.py")
+        self.assertEqual(self.dug("luajit", HERE / "dig.lua", layout.BINDINGS / "talus.cdef.h"), by_ctypes)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 sdk="$(realpath "$(only_one "$1/talus-sdk-*.tar.gz")")" talusd="$(realpath "$2")"
-layout="$(realpath "$(dirname "$0")/../bindings/layout.py")"
+tests="$(realpath "$(dirname "$0")/../bindings")"
 command -v mcs >/dev/null || die "needs Mono's C# compiler; ./dev deps bindings installs it"
 scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
@@ -21,6 +21,7 @@ gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/fly.c -o fly "${flags[@]}
 mcs -warnaserror $examples/Fly.cs $bindings/Talus.cs -out:Fly.exe
 said="$(mono Fly.exe 2>&1)" && die "Fly.exe ran without libtalus"
 [[ "$said" == "libtalus is not found: copy libtalus.so "* && "$said" != *$'\n'* ]] || die "without libtalus Fly.exe said: $said"
+mcs -warnaserror "$tests/Dig.cs" $bindings/Talus.cs -out:Dig.exe
 mkdir game
 cp $examples/game.cpp game/
 cat >game/CMakeLists.txt <<'CMAKE'
@@ -34,26 +35,28 @@ cmake -S game -B game/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_P
 cmake --build game/build >build.log || { cat build.log; die "game.cpp does not compile"; }
 
 # C# and cffi lay structs out as C does.
-python3 -B "$layout" c >layout.c
+python3 -B "$tests/layout.py" c >layout.c
 gcc layout.c -o layout "${flags[@]}"
-python3 -B "$layout" csharp >Layout.cs
+python3 -B "$tests/layout.py" csharp >Layout.cs
 mcs -unsafe -warnaserror Layout.cs $bindings/Talus.cs -out:Layout.exe
 cmp <(./layout) <(mono Layout.exe) || die "C# lays out otherwise than C"
-python3 -B "$layout" cffi >layout.py
+python3 -B "$tests/layout.py" cffi >layout.py
 cmp <(./layout) <(/usr/bin/python3 layout.py $bindings/talus.cdef.h) || die "cffi lays out otherwise than C"
 
 export -f wait_for_line die
 own_network bash -euo pipefail -c '
   export LD_LIBRARY_PATH=sdk/lib
-  "$1" >talusd.log 2>&1 &
+  TALUS_ACCESS_WITHOUT_TOKEN=read,edit "$1" --data data >talusd.log 2>&1 &
   server=$!
   wait_for_line talusd.log "listening on" $server
   timeout 120 ./fly | tee said
   for other in "mono Fly.exe" "python3 -B $2/fly.py" "luajit $2/fly.lua"; do
     cmp said <(timeout 120 $other) || die "$other says otherwise"
   done
+  PYTHONPATH=$4 timeout 120 python3 -B "$3/dig.py" 4780 >dug
+  cmp dug <(timeout 120 mono Dig.exe 4780) || die "C# digs otherwise than Python"
   timeout 120 game/build/game | tee -a said
   kill $server
-  wait $server' sdk "$talusd" $examples
+  wait $server' sdk "$talusd" $examples "$tests" $bindings
 grep -q '^ground at spawn: ' said && grep -qE '^[1-9][0-9]* chunks, [1-9][0-9]* bytes received$' said || die "the examples did not run"
 say "$(basename "$sdk"): C by pkg-config, C++ by CMake, C# with Mono, Python, LuaJIT"

@@ -511,6 +511,9 @@ public static class Talus
     /// <summary>Writes all voxels of a chunk, index TALUS_VOXEL_INDEX(x, y, z). `count` is TALUS_CHUNK_VOLUME.</summary>
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     public static extern int talus_decode(IntPtr chunk, [Out] ushort[] voxels, UIntPtr count);
+    /// <summary>Writes all voxels of a chunk, index TALUS_VOXEL_INDEX(x, y, z). `count` is TALUS_CHUNK_VOLUME.</summary>
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    public static extern int talus_decode(IntPtr chunk, IntPtr voxels, UIntPtr count);
     /// <summary>Keeps a chunk beyond its event; release it once per retain. Both ignore NULL.</summary>
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     public static extern void talus_chunk_retain(IntPtr chunk);

@@ -251,8 +251,12 @@ def csharp(_text, items):
         if isinstance(item, Function):
             parameters = [csharp_parameter(each, following, structs) for each, following in zip(item.parameters, [*item.parameters[1:], None])]
             result = "IntPtr" if item.result.pointees_const else CSHARP_TYPES[item.result.base]
-            out.append(summary(item.doc, "    ") + "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
-                       f"    public static extern {result} {item.name}({', '.join(parameters)});\n")
+            overloads = [", ".join(parameters)]
+            if "[Out]" in overloads[0]:  # into native memory
+                overloads.append(re.sub(r"\[Out\] \w+\[\]", "IntPtr", overloads[0]))
+            for overload in overloads:
+                out.append(summary(item.doc, "    ") + "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
+                           f"    public static extern {result} {item.name}({overload});\n")
     return "".join([*out, "}\n"])
 
 
