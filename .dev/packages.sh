@@ -156,6 +156,28 @@ package_sdk() {
   cp -r client_sample/c_api/examples "build/sdk-package/$name/share/talus/"
   cp tests/install/consumer/game.cpp "build/sdk-package/$name/share/talus/examples/"
   cp LICENSE "build/sdk-package/$name/"
+  cat >"build/sdk-package/$name/README.txt" <<TEXT
+Talus $(package_version): libtalus, the client library in C, and the client library in C++, for games on Debian 12 (x86-64).
+
+include/talus.h documents every function of libtalus. The examples fly around the spawn of a talusd on this machine. In
+this folder:
+
+    export PKG_CONFIG_PATH=\$PWD/lib/pkgconfig LD_LIBRARY_PATH=\$PWD/lib
+    gcc -std=c99 share/talus/examples/fly.c -o fly \$(pkg-config --cflags --libs talus) && ./fly
+    mcs share/talus/examples/Fly.cs share/talus/bindings/Talus.cs -out:Fly.exe && mono Fly.exe
+    luajit share/talus/examples/fly.lua
+    python3 share/talus/examples/fly.py
+
+Rust: unpack the crate, talus-$(package_version).crate, beside this folder; its README.txt goes on.
+
+C++: share/talus/examples/game.cpp, by CMake's find_package(talus) with this folder in CMAKE_PREFIX_PATH.
+
+Python programs want the wheel, talus_client-$(package_version)-py3-none-any.whl, which needs no libtalus; ctypes is for those
+without numpy.
+
+At run time libtalus needs libssl3, libhwy1, libxxhash0 and libstdc++6. A game may ship it as libtalus.so with these in
+one folder: it searches its own first.
+TEXT
   tar -C build/sdk-package --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"
 }
 

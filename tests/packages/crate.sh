@@ -11,7 +11,7 @@ trap '[[ -z "$server" ]] || kill "$server"; rm -rf "$scratch"' EXIT
 cd "$scratch"
 tar -xzf "$sdk" --strip-components=1 --one-top-level=sdk
 tar -xzf "$crate" --strip-components=1 --one-top-level=talus
-[[ -s talus/LICENSE ]] || die "it has no licence"
+[[ -s talus/LICENSE && -s talus/README.txt ]] || die "it has no LICENSE or no README.txt"
 
 export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig" LD_LIBRARY_PATH="$scratch/sdk/lib"
 mkdir -p game/src/bin
@@ -130,6 +130,8 @@ fn main() {
 RS
 (cd game && RUSTFLAGS="-D warnings" cargo build --quiet --offline --target-dir ../target) || die "the program does not compile"
 
+(cd talus && env -u PKG_CONFIG_PATH TALUS_LIB_DIR="$scratch/sdk/lib" cargo build --quiet --offline --example fly --target-dir ../target) ||
+  die "TALUS_LIB_DIR does not find libtalus"
 (cd talus && cargo test --quiet --offline --doc --target-dir ../target) || die "an example of its documentation does not compile"
 
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
