@@ -3,7 +3,8 @@
 install(TARGETS talus-client talus-gen RUNTIME COMPONENT windows)
 install(DIRECTORY core/worlds DESTINATION . COMPONENT windows)
 install(FILES LICENSE DESTINATION . COMPONENT windows)
-install(FILES client_sample/c_api/examples/fly.c DESTINATION examples COMPONENT windows)
+# Beside share/talus/bindings, where they look for them.
+install(DIRECTORY client_sample/c_api/examples/ DESTINATION share/talus/examples COMPONENT windows)
 foreach(package gcc-mingw-w64-x86-64-posix libasio-dev libcli11-dev libexpected-dev libflatbuffers-dev libglm-dev libhwy-dev
     libpng-dev libssl-dev libtomlplusplus-dev libxxhash-dev libz-mingw-w64-dev libzstd-dev mingw-w64-x86-64-dev
     nlohmann-json3-dev)

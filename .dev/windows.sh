@@ -21,11 +21,17 @@ Talus $(package_version): libtalus for games, talus-gen and talus-client, for Wi
     bin\talus-gen map --center 0,0 --size 512,512 -o map.png
     bin\talus-client --connect HOST:4780 map --size 512,512 -o map.png
 
-include\talus.h documents every function of libtalus, and examples\fly.c is a whole program:
+include\talus.h documents every function of libtalus; share\talus has bindings for C#, LuaJIT, Python and Rust.
+share\talus\examples has one program in four languages: fly.c, Fly.cs, fly.lua, fly.py.
 
-    gcc -I include examples\fly.c lib\libtalus.dll.a -o bin\fly.exe
+    gcc -I include share\talus\examples\fly.c lib\libtalus.dll.a -o bin\fly.exe
+    csc /platform:x64 /out:bin\fly_cs.exe share\talus\examples\Fly.cs share\talus\bindings\Talus.cs
+    copy bin\talus.dll share\talus\examples
+    luajit share\talus\examples\fly.lua
+    python share\talus\examples\fly.py
 
 Visual C++ makes its import library by  lib /def:lib\talus.def /machine:x64 /out:talus.lib
+The Rust crate finds the folder lib by TALUS_LIB_DIR. Python programs want the wheel; ctypes is for those without numpy.
 Put bin\talus.dll beside your game: it needs no DLL but Windows' own. licences has the licences of the libraries inside.
 TEXT
   (cd out/packages && cmake -E tar cf "$name.zip" --format=zip "$name")

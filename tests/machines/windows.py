@@ -41,7 +41,7 @@ class Package(Machine):
                         "-O", "coff", "-o", manifest], check=True)
         library = folder / "talus.lib"  # as Visual C++ makes it
         subprocess.run([f"{MINGW}-dlltool", "-d", root / "lib/talus.def", "-l", library], check=True)
-        for source, talus in ((root / "examples/fly.c", library), (HERE / "tests/machines/game.c", root / "lib/libtalus.dll.a"),
+        for source, talus in ((root / "share/talus/examples/fly.c", library), (HERE / "tests/machines/game.c", root / "lib/libtalus.dll.a"),
                               (HERE / "tests/machines/load.c", "-lws2_32")):
             subprocess.run([f"{MINGW}-gcc-posix", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-I", root / "include",
                             source, manifest, talus, "-o", self.path(source.stem)], check=True)
@@ -74,9 +74,14 @@ def check_contents(package):
     for name in ("talus-client.exe", "talus-gen.exe", "talus.dll"):
         resources = subprocess.run([f"{MINGW}-windres", "-J", "coff", root / "bin" / name], check=True, capture_output=True, text=True)
         expect(f"version of {name}", re.findall(r'"ProductVersion", "(.*)"', resources.stdout), [version])
-    for name in ("README.txt", "LICENSE", "licences/libssl-dev.txt", "worlds/default.toml"):
+    examples, bindings = ("fly.c", "Fly.cs", "fly.lua", "fly.py"), ("Talus.cs", "talus.cdef.h", "talus_ctypes.py")
+    for name in ("README.txt", "LICENSE", "licences/libssl-dev.txt", "worlds/default.toml",
+                 *(f"share/talus/examples/{name}" for name in examples), *(f"share/talus/bindings/{name}" for name in bindings)):
         if not (root / name).is_file():
             sys.exit(f"the package has no {name}")
+    for name in examples:
+        if name not in (root / "README.txt").read_text():
+            sys.exit(f"README.txt does not name {name}")
 
 
 def named(machine, world):
