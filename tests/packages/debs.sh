@@ -20,7 +20,8 @@ trap 'rm -rf --one-file-system "$root" "$scratch"' EXIT
 # users (Linux 6.7), which leaves this machine's own settings alone. A root that is a dash: the command runs here, and may
 # make one.
 in_foreign_root() {
-  if [[ -e /proc/sys/fs/binfmt_misc/qemu-aarch64 ]]; then
+  # Flag F: opened when it was registered, it also runs where a chroot does not have it.
+  if grep -qsx enabled /proc/sys/fs/binfmt_misc/qemu-aarch64 && grep -q '^flags:.*F' /proc/sys/fs/binfmt_misc/qemu-aarch64; then
     if [[ "$1" == - ]]; then bash -c "$2"; else in_root "$1" "$2"; fi
     return
   fi

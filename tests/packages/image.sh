@@ -5,7 +5,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 archive="$(realpath "$(only_one "$1/talus-image-*.tar.gz")")"
 commit="$(git -C "$(dirname "$0")" rev-parse HEAD 2>/dev/null || true)"
-for program in buildah curl; do
+for program in buildah curl pgrep python3; do
   command -v "$program" >/dev/null || die "needs $program; ./dev deps containers installs it"
 done
 out="$(mktemp -d)"
@@ -43,7 +43,7 @@ for word in "${command[@]}"; do moved+=("${word/0.0.0.0:*/127.0.0.1:0}"); done
 moved+=(--listen 127.0.0.1:0)
 say "starting it as its user: ${moved[*]}"
 container="$(buildah from --pull-never "$image")"
-buildah run --isolation chroot "$container" -- "${moved[@]}" >"$out/talusd.log" 2>&1 &
+buildah run --isolation chroot --env TALUS_ACCESS_WITHOUT_TOKEN=read,edit "$container" -- "${moved[@]}" >"$out/talusd.log" 2>&1 &
 started=$!
 until grep -q '^HTTP and WebSocket on' "$out/talusd.log" && grep -q 'listening on' "$out/talusd.log"; do
   kill -0 "$started" 2>/dev/null || { cat "$out/talusd.log" >&2; die "talusd did not start in the image"; }
@@ -64,7 +64,9 @@ buildah run --isolation chroot "$container" -- "${health[@]/127.0.0.1:4780/$addr
 [[ "$(curl -sS -o /dev/null -w '%{http_code}' "$admin/-/ready")" == 200 ]] || die "it is not ready"
 # No pipes into grep -q: it reads no more than it needs, and what writes to it then fails as well.
 [[ "$(curl -sS --fail "$web/")" == *"<html"* ]] || die "it does not serve the viewer"
-[[ $'\n'"$(curl -sS --fail "$admin/metrics")"$'\n' == *$'\n'"talus_edits_revision 0"$'\n'* ]] || die "it has no store of edits in its volume"
+buildah run --isolation chroot "$container" -- talus-client --connect "$address" edit --material planks -- 3,35,3 ||
+  die "its volume takes no edit"
+[[ $'\n'"$(curl -sS --fail "$admin/metrics")"$'\n' == *$'\n'"talus_edits_revision 1"$'\n'* ]] || die "its edit is not stored"
 
 kill -TERM "$talusd"
 wait "$started" || die "talusd ended with $?"
