@@ -79,6 +79,8 @@ package_image() {
   mkdir -p "$out/context"
   tracked '*' | tar -c --ignore-failed-read -T - | tar -x -C "$out/context"
   [[ ! -e .git ]] || git rev-parse HEAD >"$out/context/.cmake/build_version/commit.txt"
+  # What is given away has Debian's newest packages: neither base nor layers of an earlier build.
+  ((uncommitted)) || own_buildah rmi --all --force >/dev/null
   # The base under the name that the Dockerfile asks for.
   if ! own_buildah inspect --type image "$base" >/dev/null 2>&1; then
     source tests/bare_debian.sh
