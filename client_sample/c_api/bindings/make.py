@@ -50,7 +50,8 @@ def load(path=None):
     """The library at the path; otherwise beside this file or the program, or where the system finds it."""
     beside, name = ("talus.dll", "talus.dll") if sys.platform == "win32" else ("libtalus.so", "libtalus.so.1")
     # Absolute: otherwise Windows does not search a DLL's folder for what it needs.
-    folders = [os.path.dirname(os.path.abspath(each)) for each in (__file__, sys.argv[0])]
+    program = getattr(sys.modules["__main__"], "__file__", None) or __file__
+    folders = [os.path.dirname(os.path.abspath(each)) for each in (__file__, program)]
     paths = [each for each in (os.path.join(folder, beside) for folder in folders) if os.path.exists(each)]
     library = ctypes.CDLL(path or (paths + [name])[0])
     for name, result, *parameters in FUNCTIONS:
