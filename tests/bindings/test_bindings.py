@@ -83,6 +83,8 @@ class Flights(unittest.TestCase):
     def setUpClass(cls):
         environment = {name: value for name, value in os.environ.items() if not name.startswith("TALUS_")}
         environment["TALUS_ACCESS_WITHOUT_TOKEN"] = "read,edit"
+        # On a busy machine a client may stand still for long.
+        environment |= {f"TALUS_LIMITS_{limit}_TIMEOUT_MS": "300000" for limit in ("IDLE", "WRITE", "HANDSHAKE")}
         data = tempfile.TemporaryDirectory()
         cls.addClassCleanup(data.cleanup)
         cls.server = subprocess.Popen([os.environ["TALUSD"], "--listen", "127.0.0.1:0", "--data", data.name], env=environment, text=True,
