@@ -18,7 +18,6 @@
 #include "edits/log_syncer.h"
 #include "edits/model.h"
 #include "scratch_directory.h"
-#include "seed_of_run.h"
 #include "unsafe_disk.h"
 
 namespace talus::server {
