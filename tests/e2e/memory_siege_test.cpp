@@ -17,13 +17,11 @@
 #include <deque>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "certificates.h"
-#include "http_client.h"
 #include "messages.h"
 #include "raw_client.h"
 #include "scratch_directory.h"
@@ -135,20 +133,14 @@ class DeafClient {
   std::size_t sent_ = 0;
 };
 
-/// What a client who comes now hears first.
-wire::Body first_word(std::uint16_t port) {
-  // By WebSocket a server without memory to spare answers 503, which a RawClient takes for a fault.
-  if (tested_transport() == Transport::websocket) {
-    try {
-      if (HttpClient{port}.get("/v1/world").status == 503) return wire::Body::Error;
-    } catch (const std::system_error&) {
-      return wire::Body::NONE;
-    }
-  }
+/// What a client who comes now hears first; nothing where the server does not open its WebSocket.
+wire::Body first_word(std::uint16_t port) try {
   RawClient client{port};
   const bool sent = client.send(hello());
   const auto said = sent ? client.receive() : std::nullopt;
   return said ? said->kind() : wire::Body::NONE;
+} catch (const RawClient::NotOpened&) {
+  return wire::Body::NONE;
 }
 
 }  // namespace

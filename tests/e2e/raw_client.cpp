@@ -60,11 +60,18 @@ RawClient::RawClient(std::uint16_t port, std::uint32_t from, Transport transport
 void RawClient::open_websocket() {
   constexpr std::array<std::byte, websocket::kNonceBytes> kNonce{};  // nobody here would foretell it
   websocket_.emplace("127.0.0.1", "/v1/stream", kNonce);
-  REQUIRE(send_raw(std::as_bytes(std::span{websocket_->request()})));
+  const bool sent = send_raw(std::as_bytes(std::span{websocket_->request()}));
+  if (!sent) not_opened("the server closed the connection");
   while (!websocket_->is_open()) {
-    REQUIRE(fill(kPatienceMs));
-    REQUIRE_FALSE(ended_);
+    const bool something = fill(kPatienceMs);  // throws NotOpened, which is no failure
+    REQUIRE(something);
+    if (ended_ && !websocket_->failure()) not_opened("the server closed the connection");
   }
+}
+
+void RawClient::not_opened(const std::string& why) {
+  close();  // a constructor that throws has no destructor
+  throw NotOpened{why};
 }
 
 std::vector<std::byte> RawClient::wrapped(std::span<const std::byte> bytes) {
@@ -165,6 +172,9 @@ void RawClient::take(std::span<std::byte> came) {
   if (websocket_) {
     came = came.first(websocket_->take(came));
     ended_ = websocket_->failure().has_value();
+    if (ended_ && websocket_->failure()->kind == websocket::Failure::Kind::refused) {
+      not_opened(websocket_->failure()->text);
+    }
     if (ended_ && websocket_->failure()->kind != websocket::Failure::Kind::closed) {
       FAIL(websocket_->failure()->text);
     }

@@ -9,6 +9,8 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <talus/protocol/frame.h>
@@ -43,8 +45,13 @@ inline constexpr std::uint32_t kLoopback = 0x7F000001U;  // 127.0.0.1
 
 class RawClient {
  public:
+  /// The server does not open the WebSocket, as where it has no memory to spare; says what it answered.
+  struct NotOpened : std::runtime_error {
+    using std::runtime_error::runtime_error;
+  };
+
   /// Connects to 127.0.0.1, from an address of the loopback network: 127.0.0.1 unless another is given. By
-  /// WebSocket `port` is that of the server's HTTP.
+  /// WebSocket `port` is that of the server's HTTP, and it throws NotOpened.
   explicit RawClient(std::uint16_t port, std::uint32_t from = kLoopback,
                      Transport transport = tested_transport());
   ~RawClient();
@@ -87,6 +94,7 @@ class RawClient {
 
  private:
   void open_websocket();
+  [[noreturn]] void not_opened(const std::string& why);
   /// `bytes` in messages and fragments of many sizes, behind what the WebSocket itself has to say.
   [[nodiscard]] std::vector<std::byte> wrapped(std::span<const std::byte> bytes);
   void take(std::span<std::byte> bytes);
