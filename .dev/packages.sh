@@ -166,7 +166,7 @@ this folder:
 
     export PKG_CONFIG_PATH=\$PWD/lib/pkgconfig LD_LIBRARY_PATH=\$PWD/lib
     gcc -std=c99 share/talus/examples/fly.c -o fly \$(pkg-config --cflags --libs talus) && ./fly
-    mcs share/talus/examples/Fly.cs share/talus/bindings/Talus.cs -out:Fly.exe && mono Fly.exe
+    mcs share/talus/examples/Fly.cs share/talus/bindings/Talus*.cs -out:Fly.exe && mono Fly.exe
     luajit share/talus/examples/fly.lua
     python3 share/talus/examples/fly.py
 

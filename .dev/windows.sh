@@ -25,7 +25,7 @@ include\talus.h documents every function of libtalus; share\talus has bindings f
 share\talus\examples has one program in four languages: fly.c, Fly.cs, fly.lua, fly.py.
 
     gcc -I include share\talus\examples\fly.c lib\libtalus.dll.a -o bin\fly.exe
-    csc /platform:x64 /out:bin\fly_cs.exe share\talus\examples\Fly.cs share\talus\bindings\Talus.cs
+    csc /platform:x64 /out:bin\fly_cs.exe share\talus\examples\Fly.cs share\talus\bindings\Talus*.cs
     copy bin\talus.dll share\talus\examples
     luajit share\talus\examples\fly.lua
     python share\talus\examples\fly.py

@@ -18,10 +18,13 @@ examples=sdk/share/talus/examples bindings=sdk/share/talus/bindings
 export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig"
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
 gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/fly.c -o fly "${flags[@]}"
-mcs -warnaserror $examples/Fly.cs $bindings/Talus.cs -out:Fly.exe
+mcs -langversion:7 -warnaserror $examples/Fly.cs $bindings/Talus*.cs -out:Fly.exe
 said="$(mono Fly.exe 2>&1)" && die "Fly.exe ran without libtalus"
 [[ "$said" == "libtalus is not found: copy libtalus.so "* && "$said" != *$'\n'* ]] || die "without libtalus Fly.exe said: $said"
-mcs -warnaserror "$tests/Dig.cs" $bindings/Talus.cs -out:Dig.exe
+mcs -langversion:7 -warnaserror "$tests/Dig.cs" $bindings/Talus*.cs -out:Dig.exe
+mcs -langversion:7 -warnaserror "$tests/Owners.cs" $bindings/Talus*.cs -out:Owners.exe
+mkdir counting
+gcc -shared -fPIC -Wall -Wextra -Werror "$tests/owners.c" -o counting/libtalus.so -Wl,--no-as-needed "${flags[@]}"
 mkdir game
 cp $examples/game.cpp game/
 cat >game/CMakeLists.txt <<'CMAKE'
@@ -54,6 +57,7 @@ own_network bash -euo pipefail -c '
     die "what README.txt says does not work: C, C#, LuaJIT, Python"
   PYTHONPATH=$3 timeout 120 python3 -B "$2/dig.py" 4780 >dug
   cmp dug <(timeout 120 mono Dig.exe 4780) || die "C# digs otherwise than Python"
+  LD_LIBRARY_PATH=counting:sdk/lib timeout 120 mono --debug Owners.exe 4780 || die "C# leaks, or frees twice"
   timeout 120 game/build/game | tee -a said
   kill $server
   wait $server' sdk "$talusd" "$tests" $bindings
