@@ -15,6 +15,9 @@ only_one() {
 # own_network COMMAND...: without a network, and with ports of its own.
 own_network() { unshare --net bash -c 'ip link set lo up && exec "$@"' own_network "$@"; }
 
+# end [PID]: ends this process, if there is one. For a trap: it does not fail, and what the process wrote is whole afterwards.
+end() { [[ -z "${1:-}" ]] || { kill "$1" && wait "$1"; } 2>/dev/null || true; }
+
 # wait_for_line FILE PATTERN PID: until the file has such a line. Fails if the process ends before.
 wait_for_line() {
   until grep -qs "$2" "$1"; do

@@ -7,7 +7,7 @@ crate="$(realpath "$(only_one "$1/talus-*.crate")")" sdk="$(realpath "$(only_one
 layout="$(realpath "$(dirname "$0")/../bindings/layout.py")"
 scratch="$(mktemp -d)"
 server=""
-trap '[[ -z "$server" ]] || kill "$server"; rm -rf "$scratch"' EXIT
+trap 'end "$server"; rm -rf "$scratch"' EXIT
 cd "$scratch"
 tar -xzf "$sdk" --strip-components=1 --one-top-level=sdk
 tar -xzf "$crate" --strip-components=1 --one-top-level=talus

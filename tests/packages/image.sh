@@ -3,23 +3,27 @@
 # command.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
-archive="$(realpath "$(only_one "$1/talus-image-*.tar.gz")")"
+if [[ "$1" != --inside ]]; then
+  out="$(mktemp -d)"
+  inside=""
+  # Everything inside ends with its first process: whichever step fails, no talusd, no buildah and no mount is left.
+  trap '[[ -z "$inside" ]] || { pkill -KILL -P "$inside"; wait "$inside"; } 2>/dev/null || true; rm -rf --one-file-system "$out"' EXIT
+  unshare --mount --pid --fork --kill-child --mount-proc "$0" --inside "$out" "$1" &
+  inside=$!
+  wait "$inside"
+  inside=""
+  exit
+fi
+out="$2"
+archive="$(realpath "$(only_one "$3/talus-image-*.tar.gz")")"
 commit="$(git -C "$(dirname "$0")" rev-parse HEAD 2>/dev/null || true)"
 for program in buildah curl pgrep python3; do
   command -v "$program" >/dev/null || die "needs $program; ./dev deps containers installs it"
 done
-out="$(mktemp -d)"
+export TMPDIR="$out"
 buildah() { command buildah --root "$out/store" --runroot "$out/run" "$@"; }
-container="" started=""
 # chroot hides no process: talusd is below the one that was started, and does not end with it.
 below() { local child; for child in $(pgrep -P "$1"); do printf '%s\n' "$child"; below "$child"; done; }
-finish() {
-  [[ -z "$started" ]] || { kill -TERM $(below "$started") "$started" 2>/dev/null; wait "$started" 2>/dev/null; } || true
-  [[ -z "$container" ]] || buildah rm "$container" >/dev/null 2>&1 || true
-  umount --lazy "$out/store"/* 2>/dev/null || true
-  rm -rf --one-file-system "$out"
-}
-trap finish EXIT
 zcat "$archive" >"$out/image.tar"  # which docker load and podman load do themselves
 image="$(buildah pull --quiet "docker-archive:$out/image.tar")"
 
@@ -70,5 +74,4 @@ buildah run --isolation chroot "$container" -- talus-client --connect "$address"
 
 kill -TERM "$talusd"
 wait "$started" || die "talusd ended with $?"
-started=""
 say "$(basename "$archive"): runs as its user"

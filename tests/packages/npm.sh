@@ -6,7 +6,7 @@ source "$(dirname "$0")/common.sh"
 package="$(realpath "$(only_one "$1/talus-client-*.tgz")")" talusd="$(realpath "$2")"
 scratch="$(mktemp -d)"
 server=""
-trap '[[ -z "$server" ]] || kill "$server"; rm -rf "$scratch"' EXIT
+trap 'end "$server"; rm -rf "$scratch"' EXIT
 cd "$scratch"
 
 "$talusd" --listen 127.0.0.1:0 >talusd.log 2>&1 &

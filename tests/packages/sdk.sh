@@ -46,11 +46,12 @@ cmp <(./layout) <(mono Layout.exe) || die "C# lays out otherwise than C"
 python3 -B "$tests/layout.py" cffi >layout.py
 cmp <(./layout) <(/usr/bin/python3 layout.py $bindings/talus.cdef.h) || die "cffi lays out otherwise than C"
 
-export -f wait_for_line die
+export -f wait_for_line die end
 own_network bash -euo pipefail -c '
   export LD_LIBRARY_PATH=sdk/lib
   TALUS_ACCESS_WITHOUT_TOKEN=read,edit "$1" --data data >talusd.log 2>&1 &
   server=$!
+  trap "end $server" EXIT
   wait_for_line talusd.log "listening on" $server
   timeout 120 ./fly | tee said
   cmp <(cat said said said said) <(cd sdk && sed -n "s/^    //p" README.txt | timeout 300 bash -euo pipefail) ||
@@ -59,6 +60,7 @@ own_network bash -euo pipefail -c '
   cmp dug <(timeout 120 mono Dig.exe 4780) || die "C# digs otherwise than Python"
   LD_LIBRARY_PATH=counting:sdk/lib timeout 120 mono --debug Owners.exe 4780 || die "C# leaks, or frees twice"
   timeout 120 game/build/game | tee -a said
+  trap - EXIT
   kill $server
   wait $server' sdk "$talusd" "$tests" $bindings
 grep -q '^ground at spawn: ' said && grep -qE '^[1-9][0-9]* chunks, [1-9][0-9]* bytes received$' said || die "the examples did not run"

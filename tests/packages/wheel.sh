@@ -6,7 +6,7 @@ wheel="$(realpath "$(only_one "$1/talus_client-*.whl")")" talusd="$(realpath "$2
 [[ "$wheel" == *-py3-none-any.whl ]] || die "$wheel is for some machines only, and has nothing that is"
 scratch="$(mktemp -d)"
 server=""
-trap '[[ -z "$server" ]] || kill "$server"; rm -rf "$scratch"' EXIT
+trap 'end "$server"; rm -rf "$scratch"' EXIT
 cd "$scratch"
 /usr/bin/python3 -m venv venv
 venv/bin/pip install --quiet --disable-pip-version-check "$wheel"
