@@ -45,8 +45,6 @@ Settings unlimited(Settings more = {}) {
   more.merge(Settings{{"TALUS_LIMITS_CONNECTIONS_PER_ADDRESS", "2048"},
                       {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_PER_SECOND", "1000000"},
                       {"TALUS_LIMITS_HANDSHAKES_PER_ADDRESS_BURST", "1000000"},
-                      {"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
-                      {"TALUS_LIMITS_IDLE_TIMEOUT_MS", "3600000"},
                       {"TALUS_LOG_LEVEL", "error"}});
   return more;
 }

@@ -83,10 +83,16 @@ bool read_to_end(int out, int err, ProgramResult& ended, int patience_ms = kPati
   return true;
 }
 
+/// No test's client is late on a busy machine, unless the test is about that.
+const Settings kPatience{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
+                         {"TALUS_LIMITS_IDLE_TIMEOUT_MS", "3600000"},
+                         {"TALUS_LIMITS_WRITE_TIMEOUT_MS", "3600000"}};
+
 ChildProcess start_server(Settings settings, std::vector<std::string> flags) {
   settings.emplace("TALUS_THREADS_IO", "2");  // so that connections are dealt, also on a small machine
-  const bool says_world = std::find(flags.begin(), flags.end(), "--world") != flags.end() ||
-                          std::find(flags.begin(), flags.end(), "--config") != flags.end();
+  const bool says_config = std::find(flags.begin(), flags.end(), "--config") != flags.end();
+  if (!says_config) settings.insert(kPatience.begin(), kPatience.end());
+  const bool says_world = says_config || std::find(flags.begin(), flags.end(), "--world") != flags.end();
   if (kSanitized && !says_world) settings.insert(kClassicWorld);  // served_world.h
   if (!settings.contains("TALUS_LISTEN")) flags.insert(flags.end(), {"--listen", "127.0.0.1:0"});
   const bool says_http = std::find(flags.begin(), flags.end(), "--http") != flags.end();

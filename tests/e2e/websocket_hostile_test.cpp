@@ -94,7 +94,7 @@ TEST_CASE("a WebSocket frame that cannot be right ends its connection, and no ot
 }
 
 TEST_CASE("a WebSocket frame of 2^63 - 1 bytes takes no memory, and its bytes count as any others") {
-  Bench bench{{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "60000"}}};
+  Bench bench;
   std::list<RawClient> waiting;
   bench.check_flat(50, [&] {
     RawClient& bad = waiting.emplace_back(socket_of(bench.port));

@@ -1,4 +1,5 @@
 // Stores that cannot go on with the shared log, or are wrong: what their servers do.
+#include <atomic>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -169,8 +170,10 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
     REQUIRE(cluster.nodes[1]->database().put(older));
   };
   bool refused = false;
+  std::atomic<bool> told_that_it_takes = true;
   cluster.nodes[1]->on_takes = [&] {
-    if (!cluster.nodes[1]->is_open() || cluster.log(1).takes_entries()) return;
+    told_that_it_takes = cluster.log(1).takes_entries();
+    if (told_that_it_takes) return;
     // Before it stops for good, when it is not ready for the same reason.
     const auto status = cluster.log(1).status();
     const auto says = [](const std::string& why) {
@@ -180,6 +183,7 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   };
   REQUIRE(cluster.nodes[1]->open() == "");
   cluster.until_applied();
+  until([&] { return told_that_it_takes && cluster.log(1).takes_entries(); });
   REQUIRE(answers.apply(cluster.log(0), write_at(3, 7)).has_value());
   until([&] { return cluster.lost_of(1).has_value(); });
   CHECK(cluster.lost_of(1) == StoreLoss::wrong_state);
