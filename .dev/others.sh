@@ -79,10 +79,13 @@ count_stages() {
   done
 }
 
-# The counter knows no AVX-512, so the kernels are AVX2's everywhere.
+# The counter knows no AVX-512, so the kernels are AVX2's everywhere, and then SSE4's, which have NEON's width.
 count_here() {
-  TALUS_INSTRUCTION_SET=avx2 count_stages "" valgrind --tool=callgrind --callgrind-out-file=/dev/null \
-    --toggle-collect=talus_counted_work build/release/tests/bench/bench_work
+  local set
+  for set in avx2 sse4; do
+    TALUS_INSTRUCTION_SET="$set" count_stages "$([[ "$set" == avx2 ]] || printf %s_ "$set")" valgrind --tool=callgrind \
+      --callgrind-out-file=/dev/null --toggle-collect=talus_counted_work build/release/tests/bench/bench_work
+  done
 }
 
 count_neon() {
