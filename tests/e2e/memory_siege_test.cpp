@@ -2,7 +2,6 @@
 //
 // What is measured is the peak of the resident set that the system keeps, so nothing between two looks is
 // missed. Sanitizers keep memory of their own, so nothing is measured under them.
-#include <openssl/ssl.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -27,6 +26,7 @@
 #include "scratch_directory.h"
 #include "server_process.h"
 #include "siege.h"
+#include "tls_client.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -75,19 +75,6 @@ class Growth {
   const ServerProcess& server_;
   const std::size_t idle_;
 };
-
-/// A client's first bytes of TLS.
-std::string client_hello() {
-  const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context{SSL_CTX_new(TLS_client_method()),
-                                                                  &SSL_CTX_free};
-  const std::unique_ptr<SSL, decltype(&SSL_free)> tls{SSL_new(context.get()), &SSL_free};
-  BIO* const out = BIO_new(BIO_s_mem());
-  SSL_set_bio(tls.get(), BIO_new(BIO_s_mem()), out);  // it owns them
-  SSL_connect(tls.get());
-  std::string bytes(BIO_ctrl_pending(out), '\0');
-  REQUIRE(BIO_read(out, bytes.data(), static_cast<int>(bytes.size())) == static_cast<int>(bytes.size()));
-  return bytes;
-}
 
 /// Pings without end.
 protocol::Frame many_pings() {

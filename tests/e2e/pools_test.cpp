@@ -2,7 +2,10 @@
 // then a client of another address.
 #include "../../server/limits/pools.h"
 
+#include <array>
+#include <asio/buffer.hpp>
 #include <asio/local/stream_protocol.hpp>
+#include <asio/read.hpp>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <deque>
@@ -101,8 +104,14 @@ void try_handshakes(const std::function<std::uint16_t(ServerProcess&)>& greedy_p
                         {"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
                         {"TALUS_LIMITS_HANDSHAKES_IN_FLIGHT", "8"}},
                        kWithHttp};
-  std::deque<RawClient> greedy;
-  for (int i = 0; i < 8; ++i) greedy.emplace_back(greedy_port(server), kGreedy, Transport::tcp);
+  const std::string begins = client_hello();
+  std::deque<HttpClient> greedy;  // as sockets
+  for (int i = 0; i < 8; ++i) {
+    HttpClient& half_done = greedy.emplace_back(greedy_port(server), kGreedy);
+    half_done.send(begins);
+    std::array<char, 1> answer{};  // then the server waits for the client's part
+    asio::read(half_done.socket(), asio::buffer(answer));
+  }
   for (const std::uint16_t port : {greedy_port(server), server.port(), server.https_port()}) {
     REQUIRE_FALSE(TlsClient{port}.failure());
   }

@@ -2,10 +2,23 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <memory>
 
 #include <asio/write.hpp>
 
 namespace talus::e2e {
+
+std::string client_hello() {
+  const std::unique_ptr<SSL_CTX, decltype(&SSL_CTX_free)> context{SSL_CTX_new(TLS_client_method()),
+                                                                  &SSL_CTX_free};
+  const std::unique_ptr<SSL, decltype(&SSL_free)> tls{SSL_new(context.get()), &SSL_free};
+  BIO* const out = BIO_new(BIO_s_mem());
+  SSL_set_bio(tls.get(), BIO_new(BIO_s_mem()), out);  // it owns them
+  SSL_connect(tls.get());
+  std::string bytes(BIO_ctrl_pending(out), '\0');
+  REQUIRE(BIO_read(out, bytes.data(), static_cast<int>(bytes.size())) == static_cast<int>(bytes.size()));
+  return bytes;
+}
 
 TlsClient::TlsClient(std::uint16_t port, const std::string& before, int version) {
   socket_.connect({asio::ip::address_v4::loopback(), port});

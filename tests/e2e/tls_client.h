@@ -14,6 +14,9 @@
 
 namespace talus::e2e {
 
+/// A client's first bytes of TLS.
+[[nodiscard]] std::string client_hello();
+
 class TlsClient {
  public:
   /// Connects to 127.0.0.1, sends `before` as it is, and shakes hands.
