@@ -25,6 +25,7 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, 
                                            : std::optional<std::string>{};
   // The next start would not have what the store has now.
   if (own != nullptr && own->gone) refuse(read_only.value_or(""));
+  if (own != nullptr && !own->stuck.empty()) refuse(own->stuck);
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
     refuse(

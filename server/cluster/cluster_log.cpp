@@ -25,8 +25,8 @@ ClusterLog::ClusterLog(Parts parts, Settings settings)
     : parts_{std::move(parts)},
       settings_{std::move(settings)},
       identity_{parts_.database.meta().store_id, parts_.database.meta().fingerprint},
-      writer_{parts_.database, parts_.state, settings_.store, parts_.on_changed,
-              [this] { parts_.stream.wake(); }},
+      writer_{parts_.database, parts_.state,      parts_.clock,
+              settings_.store, parts_.on_changed, [this] { parts_.stream.wake(); }},
       publisher_{{parts_.stream, parts_.clock, identity_, server_number(parts_.database.path()),
                   settings_.settles,
                   [this] {
@@ -153,17 +153,18 @@ ClusterLog::State ClusterLog::status() const {
                     why.empty() ? "" : ": ", why);
   }
   const bool is_behind = !end_.is_ready() && !begins_without_log();
-  status.ready = !store.gone && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
-  if (!status.ready)
-    status.not_ready = reasons(store.read_only.value_or(""), status.read_only.value_or(""), is_behind);
+  status.ready =
+      !store.gone && store.stuck.empty() && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
+  if (!status.ready) status.not_ready = reasons(store, status.read_only.value_or(""), is_behind);
   return status;
 }
 
-std::string ClusterLog::reasons(const std::string& of_store, const std::string& read_only,
+std::string ClusterLog::reasons(const StoreWriter::State& store, const std::string& read_only,
                                 bool is_behind) const {
   Reasons all;
   all.add(fault_);
-  all.add(of_store);
+  all.add(store.read_only.value_or(""));
+  all.add(store.stuck);
   all.add(undecided_);
   all.add(unreadable_);
   if (shorter_) all.add(kShorter);

@@ -167,9 +167,9 @@ class ClusterLog final : public EditLog {
   /// True if, as far as is known, no server passes the message at which this one is stuck: other servers are
   /// no better, so players may stay here. Requires the mutex.
   [[nodiscard]] bool all_are_stuck() const;
-  /// Why this server is not ready, the gravest first; `of_store`: why the store takes no writes; `read_only`:
-  /// why entries are rejected. Requires the mutex.
-  [[nodiscard]] std::string reasons(const std::string& of_store, const std::string& read_only,
+  /// Why this server is not ready, the gravest first; `read_only`: why entries are rejected. Requires the
+  /// mutex.
+  [[nodiscard]] std::string reasons(const StoreWriter::State& store, const std::string& read_only,
                                     bool is_behind) const;
   /// True if the leader did not answer at the start, but the store has its place: chunks are served from the
   /// disk, as if the leader had been lost later, until it reports the end. Requires the mutex.

@@ -28,7 +28,7 @@ LocalLog::LocalLog(store::EditDatabase& database, EditState& state, const Clock&
       clock_{clock},
       dates_{clock},
       queue_{settings.queue},
-      writer_{database, state, settings, std::move(on_changed)} {
+      writer_{database, state, clock, settings, std::move(on_changed)} {
   thread_ = std::thread{[this] { run(); }};
 }
 
@@ -55,7 +55,8 @@ tl::expected<void, EditError> LocalLog::append(LogEntry entry, Callback done) {
 LocalLog::State LocalLog::status() const {
   StoreWriter::State status = writer_.status();
   const std::lock_guard lock{mutex_};
-  return {status.head, queue_.size(), std::move(status.read_only), status.gone, clock_jumps_};
+  return {status.head, queue_.size(), std::move(status.read_only),
+          status.gone, clock_jumps_,  std::move(status.stuck)};
 }
 
 void LocalLog::run() {

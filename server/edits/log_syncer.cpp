@@ -6,8 +6,8 @@
 
 namespace talus::server {
 
-LogSyncer::LogSyncer(store::EditDatabase& database, std::function<void()> on_ended)
-    : database_{database}, on_ended_{std::move(on_ended)} {
+LogSyncer::LogSyncer(store::EditDatabase& database, const Clock& clock, std::function<void()> on_ended)
+    : database_{database}, on_ended_{std::move(on_ended)}, pending_{clock} {
   thread_ = std::thread{[this] {
     block_signals();
     run();
@@ -58,7 +58,7 @@ void LogSyncer::run() {
     run_ = begun_;
     SyncResult ended{run_, written_, {}};
     lock.unlock();
-    ended.done = database_.sync_log();
+    ended.done = pending_.run([&] { return database_.sync_log(); });
     lock.lock();
     if (!ended.done && ended.number <= forgotten_) continue;
     // An error is kept whatever other syncs report: the database is reopened then.

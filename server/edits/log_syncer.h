@@ -10,14 +10,17 @@
 
 #include <talus/store/edit_database.h>
 
+#include "edits/pending_write.h"
+#include "runtime/clock.h"
+
 namespace talus::server {
 
 /// For the thread that writes the database.
 class LogSyncer {
  public:
-  /// `database`, of a shared log, outlives this. `on_ended` is called on the syncer's thread when
+  /// `database`, of a shared log, and `clock` outlive this. `on_ended` is called on the syncer's thread when
   /// take_ended() has something.
-  explicit LogSyncer(store::EditDatabase& database, std::function<void()> on_ended = {});
+  LogSyncer(store::EditDatabase& database, const Clock& clock, std::function<void()> on_ended = {});
   /// Waits for the current sync.
   ~LogSyncer();
   LogSyncer(const LogSyncer&) = delete;
@@ -37,12 +40,15 @@ class LogSyncer {
   void forget_errors();
   /// Blocks until take_ended() has a result. REQUIRES: a sync was begun whose result it has not returned.
   void wait();
+  /// How long the current sync has waited for the disk. Any thread.
+  [[nodiscard]] Clock::duration sync_age() const { return pending_.age(); }
 
  private:
   void run();
 
   store::EditDatabase& database_;
   const std::function<void()> on_ended_;
+  PendingWrite pending_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t begun_ = 0;  // the newest

@@ -7,15 +7,17 @@
 
 namespace talus::server {
 
-StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
-                         OnChanged on_changed, std::function<void()> wake)
+StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const Clock& clock,
+                         const StoreWriterSettings& settings, OnChanged on_changed,
+                         std::function<void()> wake)
     : database_{database},
       state_{state},
       settings_{settings},
       on_changed_{std::move(on_changed)},
+      pending_write_{clock},
       flusher_{state, database, [this] { return is_put_synced(); }},
       watch_{database.path()} {
-  if (database_.has_log_elsewhere()) syncer_.emplace(database_, std::move(wake));
+  if (database_.has_log_elsewhere()) syncer_.emplace(database_, clock, std::move(wake));
   const TimePoint now = std::chrono::steady_clock::now();
   next_flush_ = now + settings_.flush_interval;
   next_check_ = now + settings_.retry_interval;
@@ -24,8 +26,20 @@ StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const 
 }
 
 StoreWriter::State StoreWriter::status() const {
+  std::string stuck = disk_is_stuck();
   const std::lock_guard lock{mutex_};
-  return status_;
+  State status = status_;
+  status.stuck = std::move(stuck);
+  return status;
+}
+
+std::string StoreWriter::disk_is_stuck() const {
+  const Clock::duration age =
+      std::max(pending_write_.age(), syncer_ ? syncer_->sync_age() : Clock::duration{});
+  if (age <= kDiskPatience) return {};
+  return fmt::format(
+      "edits {}: the store has not answered a write for {} s, and edits wait for it: check its disk",
+      database_.path().string(), std::chrono::duration_cast<std::chrono::seconds>(age).count());
 }
 
 edits::Batch& StoreWriter::begin(std::int64_t date_ms) {
@@ -46,7 +60,8 @@ std::vector<EditLog::Callback> StoreWriter::take_done() {
 
 bool StoreWriter::write() {
   if (gone_) return false;
-  if (auto written = database_.append(pending_->batch, pending_->place); !written) {
+  auto written = pending_write_.run([&] { return database_.append(pending_->batch, pending_->place); });
+  if (!written) {
     refuse(std::move(written.error()));
     return false;
   }
@@ -91,7 +106,7 @@ void StoreWriter::poll() {
 void StoreWriter::sync() {
   if (syncer_) {
     (void)syncer_->begin();
-  } else if (auto synced = database_.sync(); !synced) {
+  } else if (auto synced = pending_write_.run([&] { return database_.sync(); }); !synced) {
     refuse(std::move(synced.error()));
   }
 }
@@ -135,7 +150,8 @@ void StoreWriter::flush_some() {
     if (state_.head().position == database_.meta().flushed) return;
     flusher_.start();
   }
-  if (auto stepped = flusher_.step(); !stepped) refuse(std::move(stepped.error()));
+  if (auto stepped = pending_write_.run([&] { return flusher_.step(); }); !stepped)
+    refuse(std::move(stepped.error()));
 }
 
 void StoreWriter::flush_all() {
@@ -145,7 +161,7 @@ void StoreWriter::flush_all() {
     wait_for_sync();
     if (broken_) return;
     // Values that cannot be written are in the log's records, and the next start reads them.
-    if (!flusher_.step()) return;
+    if (!pending_write_.run([&] { return flusher_.step(); })) return;
   }
   (void)database_.settle();
 }
@@ -177,7 +193,7 @@ void StoreWriter::refuse(std::string reason) {
 }
 
 void StoreWriter::retry() {
-  if (auto recovered = database_.recover(); !recovered) {
+  if (auto recovered = pending_write_.run([&] { return database_.recover(); }); !recovered) {
     refuse(std::move(recovered.error()));
     return;
   }

@@ -19,6 +19,8 @@
 #include "edits/edit_state.h"
 #include "edits/flusher.h"
 #include "edits/log_syncer.h"
+#include "edits/pending_write.h"
+#include "runtime/clock.h"
 
 namespace talus::server {
 
@@ -36,17 +38,21 @@ class StoreWriter {
   /// Called after the answers of a batch, with every chunk that it changed.
   using OnChanged = std::function<void(std::span<const ChunkChange>)>;
 
-  /// `database` and `state`, which is of that database, outlive this, and from here on only this changes
-  /// them. `wake`, for a shared log: called on any thread when poll() is due earlier than next_poll()
-  /// returned.
-  StoreWriter(store::EditDatabase& database, EditState& state, const StoreWriterSettings& settings,
-              OnChanged on_changed, std::function<void()> wake = {});
+  /// A disk that keeps a write waiting longer than this is taken for stuck.
+  static constexpr std::chrono::seconds kDiskPatience{5};
+
+  /// `database`, `state`, which is of that database, and `clock` outlive this, and from here on only this
+  /// changes the first two. `wake`, for a shared log: called on any thread when poll() is due earlier than
+  /// next_poll() returned.
+  StoreWriter(store::EditDatabase& database, EditState& state, const Clock& clock,
+              const StoreWriterSettings& settings, OnChanged on_changed, std::function<void()> wake = {});
 
   struct State {
     edits::Head head;
     store::StreamPlace stream;
     std::optional<std::string> read_only;  // why writes fail, in one line
     bool gone = false;                     // the store's files were deleted or replaced
+    std::string stuck;                     // that the disk is stuck, in one line; empty if it is not
   };
   /// Any thread.
   [[nodiscard]] State status() const;
@@ -106,11 +112,13 @@ class StoreWriter {
   void refuse(std::string reason);
   void retry();
   void publish();
+  [[nodiscard]] std::string disk_is_stuck() const;
 
   store::EditDatabase& database_;
   EditState& state_;
   const StoreWriterSettings settings_;
   const OnChanged on_changed_;
+  PendingWrite pending_write_;
   std::optional<LogSyncer> syncer_;  // for a shared log; otherwise each batch is synced at once
   std::uint64_t synced_to_ = 0;      // the last successful sync
   std::uint64_t flush_sync_ = 0;     // the sync that the flusher waits for; 0 if it does not wait

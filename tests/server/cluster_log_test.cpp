@@ -107,6 +107,24 @@ TEST_CASE("a server whose store was moved away applies nothing and is not ready 
   until([&] { return cluster.log(1).status().ready; });
 }
 
+TEST_CASE("a server whose disk does not end a sync for more than 5 s is not ready until it does") {
+  ClusterInMemory cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  until([&] { return cluster.log(0).status().ready; });
+  ClusterNode& node = *cluster.nodes[0];
+  node.disk().hold_syncs(true);
+  REQUIRE(answers.apply(cluster.log(0), write_at(1, 5)).has_value());
+  node.disk().await_held_sync();
+  node.clock.later = 6s;
+  CHECK_FALSE(cluster.log(0).status().ready);
+  CHECK_THAT(cluster.log(0).status().not_ready,
+             Catch::Contains("the store has not answered a write for 6 s"));
+  node.disk().hold_syncs(false);
+  until([&] { return cluster.log(0).status().ready; });
+}
+
 TEST_CASE("a server whose store is broken and that is behind says both, the store first") {
   ClusterInMemory cluster{2};
   cluster.open();

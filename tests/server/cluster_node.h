@@ -2,6 +2,7 @@
 // power any number of times.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -48,7 +49,8 @@ class ClusterNode {
   /// The machine's.
   struct WrongClock final : Clock {
     std::chrono::seconds ahead{0};
-    [[nodiscard]] time_point now() const override { return right.now(); }
+    std::atomic<std::chrono::seconds> later{};
+    [[nodiscard]] time_point now() const override { return right.now() + later.load(); }
     [[nodiscard]] std::chrono::sys_seconds wall() const override { return right.wall() + ahead; }
     [[nodiscard]] std::chrono::nanoseconds thread_cpu() const override { return right.thread_cpu(); }
     SystemClock right;

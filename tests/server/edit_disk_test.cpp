@@ -14,6 +14,7 @@
 #include <catch2/catch.hpp>
 
 #include "edits_of_tests.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 #include "seed_of_run.h"
 #include "unsafe_disk.h"
@@ -350,6 +351,28 @@ TEST_CASE("a store whose files were deleted or replaced takes no edits until the
   store.close();
   REQUIRE(store.open_without_log() == "");
   CHECK(store.state().editor(editor.id)->last_sequence == editor.sequence);
+}
+
+TEST_CASE("a write that the disk does not end for more than 5 s is named, until it ends") {
+  Trouble trouble{1};
+  ManualClock clock;
+  trouble.store.clock = &clock;
+  trouble.store.log_settings.flush_interval = std::chrono::hours{1};
+  REQUIRE(trouble.store.open() == "");
+  trouble.editor.attach(trouble.store);
+  trouble.disk->hold_syncs(true);
+  ++trouble.editor.sequence;
+  const LogEntry entry = trouble.editor.entry(random_edit(trouble.random));
+  std::thread waits{[&] { CHECK(trouble.store.apply(entry).has_value()); }};
+  trouble.disk->await_held_sync();
+  clock.advance(std::chrono::seconds{5});
+  CHECK(trouble.store.log().status().stuck == "");
+  clock.advance(std::chrono::seconds{1});
+  CHECK_THAT(trouble.store.log().status().stuck,
+             Catch::Contains("edits: the store has not answered a write for 6 s"));
+  trouble.disk->hold_syncs(false);
+  waits.join();
+  CHECK(trouble.store.log().status().stuck == "");
 }
 
 TEST_CASE("with little free space edits are refused with the reason") {

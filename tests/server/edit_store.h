@@ -35,6 +35,8 @@ class EditStore {
   EditStateSettings state_settings;
   LocalLogSettings log_settings;
   LocalLog::OnChanged on_changed;
+  /// Of the log; the system's unless a test has its own.
+  const Clock* clock = &system_clock_;
 
   /// The error, or nothing.
   [[nodiscard]] std::string open() {
@@ -43,7 +45,7 @@ class EditStore {
     return {};
   }
   void open_log() {
-    log_ = std::make_unique<LocalLog>(*database_, *state_, clock_, log_settings, on_changed);
+    log_ = std::make_unique<LocalLog>(*database_, *state_, *clock, log_settings, on_changed);
   }
   [[nodiscard]] std::string open_without_log() {
     // As a DataDirectory reads it, where the store became another.
@@ -89,7 +91,7 @@ class EditStore {
   }
 
  private:
-  SystemClock clock_;
+  SystemClock system_clock_;
   std::unique_ptr<store::EditDatabase> database_;
   std::unique_ptr<EditState> state_;
   std::unique_ptr<LocalLog> log_;

@@ -17,6 +17,7 @@
 
 #include "edits/log_syncer.h"
 #include "edits/model.h"
+#include "runtime/manual_clock.h"
 #include "scratch_directory.h"
 #include "unsafe_disk.h"
 
@@ -55,7 +56,7 @@ struct WriterBench {
     auto read = EditState::open(*database, {});
     REQUIRE(read.has_value());
     state = *std::move(read);
-    writer.emplace(*database, *state, settings, nullptr, [this] { woken = true; });
+    writer.emplace(*database, *state, clock, settings, nullptr, [this] { woken = true; });
   }
   void cut_power() {
     disk->cut_after(0);
@@ -98,6 +99,7 @@ struct WriterBench {
   ScratchDirectory scratch{ScratchDirectory::memory()};
   std::shared_ptr<UnsafeDisk> disk = std::make_shared<UnsafeDisk>(1);
   std::unique_ptr<rocksdb::Env> environment = environment_of(disk);
+  ManualClock clock;
   StoreWriterSettings settings;
   std::atomic<bool> woken{false};
   std::unique_ptr<store::EditDatabase> database;
@@ -194,9 +196,26 @@ TEST_CASE("a sync that fails after the writer broke does not delay its next atte
   CHECK(written.writer->read_only() == reason);
 }
 
+TEST_CASE("a sync that the disk does not end for more than 5 s is named, until it ends") {
+  WriterBench written{with_intervals(1h, 0ms)};
+  REQUIRE(written.store(write_of(1)));
+  written.disk->hold_syncs(true);
+  written.writer->poll();
+  written.disk->await_held_sync();
+  written.clock.advance(5s);
+  CHECK(written.writer->status().stuck == "");
+  written.clock.advance(2s);
+  CHECK(written.writer->status().stuck == "edits " + (written.scratch / "edits").string() +
+                                              ": the store has not answered a write for 7 s, and edits "
+                                              "wait for it: check its disk");
+  written.disk->hold_syncs(false);
+  written.await_end_of_sync();
+  CHECK(written.writer->status().stuck == "");
+}
+
 TEST_CASE("errors of syncs that began before the database was opened again are not reported") {
   WriterBench written{with_intervals(1h, 1h)};
-  LogSyncer syncer{*written.database};
+  LogSyncer syncer{*written.database, written.clock};
   written.disk->hold_syncs(true);
   REQUIRE(syncer.begin() == 1);
   written.disk->await_held_sync();
