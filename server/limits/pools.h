@@ -37,7 +37,7 @@ inline constexpr std::array kPools{
          "a session whose client is 5 s behind 16 KiB/s, else one of the flow with most, if it has two, else "
          "one 1 s behind"},
     Pool{"io threads: frames, HTTP rounds, handshakes", kSessions | kHttp, "`threads.io`",
-         "turns of 32 requests, 4 KiB of frames, 256 KiB of answers or half a handshake step", ""},
+         "turns of 32 requests, 4 KiB of input, 256 KiB of answers or half a handshake step", ""},
     Pool{"io threads: Views", kSessions, "a quarter of each", "turns by time", ""},
     Pool{"generators: chunks, heights, map tiles", kSessions | kHttp, "`threads.generator`", "turns by time",
          "a piece, if it may wait"},

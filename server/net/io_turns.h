@@ -31,9 +31,13 @@ class IoTurns final : public asio::execution_context::service {
   static constexpr std::uint64_t kTurn = 32;
   /// Units of a step of a TLS handshake, which decrypts or signs.
   static constexpr std::uint64_t kHandshakeStep = 2 * kTurn;
-  /// Bytes that cost a unit: of frames, including WebSocket's own, or of an answer that is not sent at once.
-  static constexpr std::size_t kFrameBytes = 128;
+  /// Bytes that cost a unit: of input, or of an answer that is not sent at once.
+  static constexpr std::size_t kInputBytes = 128;
   static constexpr std::size_t kAnswerBytes = std::size_t{8} * 1024;
+  /// Units of a frame, a request's head, or a read with so many bytes of WebSocket's own.
+  [[nodiscard]] static constexpr std::uint64_t input_cost(std::size_t bytes) {
+    return 1 + bytes / kInputBytes;
+  }
 
   /// A connection that may wait for a turn of its flow, once at a time.
   class Waiter {

@@ -212,7 +212,7 @@ void SessionRunner::on_read(std::error_code failed, std::size_t bytes) {
     context_.session.metrics.received_bytes.add(bytes);
     filled_ += bytes;
     if (paused_while_ != nullptr && bytes > 0) watchdog_.frame_came(now());  // maybe a Ping
-    read_cost_ += 1 + stream_->own_bytes() / IoTurns::kFrameBytes;
+    read_cost_ += IoTurns::input_cost(stream_->own_bytes());
     go_on_with_input();
   });
 }
@@ -261,7 +261,7 @@ void SessionRunner::take_frames() {
       session_.holds_input(frames_.held_bytes());
       if (!frames_.has_frame()) continue;
     }
-    if (!may_go_on(input_turn_, 1 + frames_.frame().size() / IoTurns::kFrameBytes)) return;
+    if (!may_go_on(input_turn_, IoTurns::input_cost(frames_.frame().size()))) return;
     const Clock::time_point came = now();
     watchdog_.frame_came(came);
     slot_->progress(came);

@@ -192,6 +192,26 @@ TEMPLATE_TEST_CASE("a request is answered after a turn of another client, whiche
   CHECK(answered - web.answered.begin() <= 2 * kTurn);
 }
 
+TEMPLATE_TEST_CASE("requests with large heads cost their client turns by their bytes", "", LoopbackStream,
+                   EagerLoopbackStream) {
+  Web<TestType> web;
+  std::vector<std::shared_ptr<Loopback>> greedy;
+  for (int i = 0; i < 20; ++i) greedy.push_back(web.connect());
+  const auto probe = web.connect();
+  const bool repeated = GENERATE(false, true);  // the parser compares a short head with the one before
+  std::string large = get("/?g");
+  large.insert(large.size() - 2, "X: " + std::string(repeated ? 900 : 4'000, 'x') + "\r\n");
+  const std::ptrdiff_t in_a_turn = repeated ? 5 : 1;
+  std::string flood;
+  for (int i = 0; i < 20; ++i) flood += large;
+  for (const auto& each : greedy) each->send(flood);
+  probe->send(get("/?p"));
+  web.io.poll();
+  CHECK(std::count(web.answered.begin(), web.answered.end(), 'g') == 20 * 20);
+  const auto answered = std::find(web.answered.begin(), web.answered.end(), 'p');
+  CHECK(answered - web.answered.begin() <= 2 * in_a_turn);
+}
+
 TEMPLATE_TEST_CASE("large answers are written in turns of their clients", "", LoopbackStream,
                    EagerLoopbackStream) {
   Web<TestType> web;

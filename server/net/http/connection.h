@@ -218,7 +218,7 @@ class Connection final : public IoTurns::Waiter, public std::enable_shared_from_
         return finishing_ && !parser_.mid_request() ? Next::end : Next::input;
       }
       flow_ = handler_->flow_of(parser_.request());
-      if (!turns_.go_on(flow_)) return Next::turn;
+      if (!turns_.go_on(flow_, IoTurns::input_cost(parser_.head_bytes()))) return Next::turn;
       response_ = respond_now(parser_.request());
       if (!response_) return Next::response;
       if (const Next next = take_response(); next != Next::request) return next;

@@ -334,6 +334,10 @@ const Request& RequestParser::request() const {
   return state_->request;
 }
 
+std::size_t RequestParser::head_bytes() const {
+  return state_->head_bytes;
+}
+
 void RequestParser::pop() {
   state_->begin();
 }

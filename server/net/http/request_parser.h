@@ -36,6 +36,8 @@ class RequestParser {
   [[nodiscard]] bool mid_request() const;
   /// Only if has_request().
   [[nodiscard]] const Request& request() const;
+  /// Size of that request as it was sent.
+  [[nodiscard]] std::size_t head_bytes() const;
   /// Drops the request; the next one begins.
   void pop();
 
