@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "net/address_text.h"
+
 namespace talus::server {
 
 asio::ip::address counted_as(const asio::ip::address& address) {
-  if (address.is_v4()) return address;
-  const asio::ip::address_v6 v6 = address.to_v6();
-  if (v6.is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, v6);
-  auto bytes = v6.to_bytes();
+  const asio::ip::address own = unmapped(address);
+  if (own.is_v4()) return own;
+  auto bytes = own.to_v6().to_bytes();
   std::fill(bytes.begin() + 8, bytes.end(), std::uint8_t{0});
   return asio::ip::address_v6{bytes};
 }

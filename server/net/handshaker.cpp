@@ -20,6 +20,7 @@
 
 #include <talus/protocol/endpoint.h>
 #include "limits/memory/memory_reservation.h"
+#include "net/address_text.h"
 #include "net/descriptors.h"
 #include "net/io_turns.h"
 #include "net/proxy_header.h"
@@ -34,7 +35,7 @@ using asio::ip::tcp;
 using std::chrono::milliseconds;
 
 std::string to_text(const tcp::endpoint& endpoint) {
-  return to_string(protocol::Endpoint{endpoint.address().to_string(), endpoint.port()});
+  return to_string(protocol::Endpoint{address_text(endpoint.address()), endpoint.port()});
 }
 
 /// Drops input that arrived after a failed handshake: closing with unread bytes would reset the connection

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "net/address_text.h"
 #include "player/session/retry_after.h"
 #include "web/documents.h"
 #include "web/forwarded_for.h"
@@ -152,12 +153,12 @@ Admission::Slot Requester::take_slot() {
 
 ConnectionInfo Requester::session_info() const {
   ConnectionInfo info = connection_;
-  if (info.through_proxy && caller_) info.address = caller_->slot.address().to_string();
+  if (info.through_proxy && caller_) info.address = address_text(caller_->slot.address());
   return info;
 }
 
 std::string Requester::address() const {
-  return caller_ ? caller_->slot.address().to_string() : connection_.address;
+  return caller_ ? address_text(caller_->slot.address()) : connection_.address;
 }
 
 http::Response Requester::refuse(const SessionRates::Refusal& refusal) const {

@@ -37,6 +37,19 @@ TEST_CASE("slots run out and come back, in all and for each address") {
   CHECK(admission.enter(here).has_value());
 }
 
+TEST_CASE("an IPv4 address shares its slots and rates with itself mapped into IPv6") {
+  const ManualClock clock;
+  Admission admission{{10, 2}, clock};
+  const auto address = asio::ip::make_address("192.0.2.1");
+  const auto mapped = asio::ip::make_address("::ffff:192.0.2.1");
+  const auto first = admission.enter(address);
+  const auto second = admission.enter(mapped);
+  REQUIRE(second.has_value());
+  CHECK(first->rates() == second->rates());
+  CHECK_FALSE(admission.enter(address).has_value());
+  CHECK_FALSE(admission.enter(mapped).has_value());
+}
+
 TEST_CASE("connections of one address share its rates, also over a time without any") {
   ManualClock clock;
   Admission admission{{10, 10, std::chrono::hours{1}}, clock};

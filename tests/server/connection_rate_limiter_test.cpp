@@ -44,6 +44,13 @@ TEST_CASE("addresses of one IPv6 /64 network share a rate") {
   CHECK(takes(limiter, asio::ip::make_address("2001:db8:0:1::2"), kNow));
 }
 
+TEST_CASE("an IPv4 address shares a rate with itself mapped into IPv6") {
+  ConnectionRateLimiter limiter{10, 5, 1};
+  (void)taken(limiter, kHere, kNow, 20);
+  CHECK_FALSE(takes(limiter, asio::ip::make_address("::ffff:192.0.2.1"), kNow));
+  CHECK(takes(limiter, asio::ip::make_address("::ffff:192.0.2.2"), kNow));
+}
+
 TEST_CASE("a client that waits for the given time is accepted, and not before") {
   ConnectionRateLimiter limiter{10, 1, 1};
   REQUIRE(takes(limiter, kHere, kNow));

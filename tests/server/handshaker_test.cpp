@@ -77,7 +77,8 @@ asio::awaitable<void> echo(std::shared_ptr<AcceptedConnection> accepted) {
 /// A listening socket on loopback, with one thread behind it, or none. The clock stands still.
 struct Bench {
   explicit Bench(const HandshakeSettings& chosen = settings(), bool with_tls = false,
-                 std::size_t max_per_address = 256, bool threaded = true)
+                 std::size_t max_per_address = 256, bool threaded = true,
+                 const char* listens_at = "127.0.0.1")
       : admission{{2048, max_per_address}, clock},
         handshaker{chosen,
                    admission,
@@ -93,7 +94,8 @@ struct Bench {
                      auto held = std::make_shared<AcceptedConnection>(std::move(accepted));
                      asio::co_spawn(io, secured ? echo<TlsStream>(held) : echo<TcpStream>(held),
                                     [this](const std::exception_ptr&) { left.release(); });
-                   }} {
+                   }},
+        acceptor{io, {asio::ip::make_address(listens_at), 0}} {
     ::signal(SIGPIPE, SIG_IGN);
     if (with_tls) {
       const ScratchDirectory scratch;
@@ -149,7 +151,7 @@ struct Bench {
   MemoryBudget memory{std::uint64_t{256} << 20};
   Handshaker handshaker;
   asio::io_context io{1};
-  tcp::acceptor acceptor{io, {asio::ip::address_v4::loopback(), 0}};
+  tcp::acceptor acceptor;
   ConnectionId last_id = 0;
   std::thread thread;
 };
@@ -232,6 +234,13 @@ protocol::Frame only_frame(const std::string& bytes) {
 TEST_CASE("a plain client comes in, under its own address") {
   Bench bench;
   Client client{bench};
+  CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
+}
+
+TEST_CASE("an IPv4 client of an IPv6 listener comes in under its IPv4 address") {
+  Bench bench{settings(), false, 256, true, "::ffff:127.0.0.1"};
+  Client client{bench};
+  REQUIRE(client.socket.local_endpoint().address().is_v6());
   CHECK_THAT(client.line(), Catch::StartsWith("127.0.0.1:"));
 }
 

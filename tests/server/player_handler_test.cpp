@@ -136,6 +136,7 @@ TEST_CASE("a proxy's requests count for the clients that it names") {
   const auto a = wait_for_chunk(5);
   const auto b = wait_for_chunk(6);
   CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 503);
+  CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: ::ffff:192.0.2.1\r\n").status == 503);
   CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: 192.0.2.2\r\n").status == 200);
   site.answer_all();
   CHECK(site.ask(*client, "/v1/world", "X-Forwarded-For: 192.0.2.1\r\n").status == 200);
@@ -444,6 +445,16 @@ TEST_CASE("each refused origin is logged once, up to a limit") {
   CHECK(lines->count() == before + 1);
   for (int i = 0; i < 200; ++i) ask("https://c" + std::to_string(i) + ".example");
   CHECK(lines->count() == before + web::RefusedOrigins::kMax);
+}
+
+TEST_CASE("an IPv4 client whose proxy writes its address as IPv6 is logged by its IPv4 address") {
+  const auto lines = std::make_shared<LoggedLines>();
+  PlayerSite site;
+  site.runner.log = lines;
+  site.through_proxy = true;
+  site.settings.proxies = *Networks::parse("127.0.0.1");
+  (void)site.ask("/v1/world", "X-Forwarded-For: ::ffff:192.0.2.1\r\nOrigin: https://b.example\r\n");
+  CHECK_THAT(lines->text(), Catch::Contains("conn 1 192.0.2.1: pages of origin"));
 }
 
 TEST_CASE("a token of this server that is refused for a claim says which") {
