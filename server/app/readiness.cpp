@@ -20,12 +20,12 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, 
   };
   if (draining) refuse("draining");
   if (shared != nullptr && !shared->ready) refuse(shared->not_ready);
-  const auto read_only = shared != nullptr ? shared->read_only
-                         : own != nullptr  ? own->read_only
-                                           : std::optional<std::string>{};
+  auto read_only = shared != nullptr ? shared->read_only
+                   : own != nullptr  ? own->read_only
+                                     : std::optional<std::string>{};
+  if (own != nullptr && !read_only && !own->stuck.empty()) read_only = own->stuck;
   // The next start would not have what the store has now.
   if (own != nullptr && own->gone) refuse(read_only.value_or(""));
-  if (own != nullptr && !own->stuck.empty()) refuse(own->stuck);
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
   if (!memory.takes_connections()) {
     refuse(
