@@ -15,7 +15,7 @@ bench() {
   done
   deps build test bench
   local targets=(bench_terrain bench_voxel bench_wanted bench_work)
-  [[ -n "$gate" ]] || (($#)) || targets+=(talusd talus-load talus-http-load talus-http-floor)
+  [[ -n "$gate" ]] || (($#)) || targets+=(talusd talus-gen talus-load talus-http-load talus-http-floor)
   build release -DTALUS_TESTS=ON -DTALUS_BENCH=ON -- "${targets[@]}"
   if [[ -n "$gate" ]]; then
     deps aarch
@@ -45,6 +45,8 @@ bench_web() {
   say "the decoder in TypeScript beside the native one"
   node_tools
   client_sample/web/talus-js/bench/run.sh build/release || failed=1
+  say "the viewer's first picture and frames"
+  test_in_browser --bench || failed=1
   ((!failed)) || die "over the marks of docs/SPEED.md, \"By HTTP, and by WebSocket\" and \"In a browser\"; a machine with other work says little"
 }
 

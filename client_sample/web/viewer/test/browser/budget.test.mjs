@@ -1,10 +1,12 @@
-// What a view costs: time to the first terrain and to all of it, triangles, draw calls, processor time a frame.
+// What a view costs: time to the first terrain and to all of it, triangles, draw calls, processor time a frame. Times are
+// judged by ./dev bench alone, on a machine without other work.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { filled, launch, newPage, noProblems, stats } from './browser.mjs';
 import { startSite } from './talusd.mjs';
 
+const judgesTimes = Boolean(process.env.TALUS_BENCH);
 const world = (name) => fileURLToPath(new URL(`../../../../../core/worlds/${name}.toml`, import.meta.url));
 
 test('from the address to the first terrain, and to all of it', async (t) => {
@@ -23,6 +25,7 @@ test('from the address to the first terrain, and to all of it', async (t) => {
   }
   for (const { 'talus:first': first, 'talus:complete': complete } of times)
     t.diagnostic(`first terrain submitted after ${Math.round(first)} ms, all of radius 8 after ${Math.round(complete)} ms`);
+  if (!judgesTimes) return;
   const best = (name) => Math.min(...times.map((marks) => marks[name]));
   // A machine that is busy with other things says nothing: the best of three counts.
   assert.ok(best('talus:first') <= 1000, 'first terrain within 1 s');
@@ -123,6 +126,6 @@ for (const name of ['default', 'classic'])
       // All that is done until the next frame counts, land that comes among it.
       times.push([way, spread(whole).p95]);
     }
-    for (const [way, p95] of times) assert.ok(p95 <= 6, `${way}: p95 ${p95.toFixed(1)} ms of processor time a frame, all between two frames`);
+    for (const [way, p95] of times) assert.ok(!judgesTimes || p95 <= 6, `${way}: p95 ${p95.toFixed(1)} ms of processor time a frame, all between two frames`);
     noProblems(page);
   });
