@@ -7,6 +7,7 @@
 
 #include <asio/post.hpp>
 
+#include "net/address_text.h"
 #include "net/admission.h"
 
 namespace talus::server {
@@ -67,7 +68,7 @@ void AdminServer::on_connection(asio::ip::tcp::socket socket) {
   std::error_code gone;
   const asio::ip::address peer = socket.remote_endpoint(gone).address();
   const auto handler = std::make_shared<OperatorHandler>(
-      answers_, gone ? "an address that is gone" : peer.to_string(), socket.get_executor());
+      answers_, gone ? "an address that is gone" : address_text(peer), socket.get_executor());
   handler->set_connection(
       connections_.add(TcpStream{std::move(socket)}, handler, counted_as(peer).to_string()));
 }

@@ -10,6 +10,11 @@
 
 namespace talus::server {
 
+std::string edits_trouble(const std::optional<std::string>& read_only, const std::string& disk_wait) {
+  if (read_only) return fmt::format("no edits are taken: {}", *read_only);
+  return disk_wait.empty() ? "" : fmt::format("edits wait: {}", disk_wait);
+}
+
 Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, const LocalLog::State* own,
                        const MemoryBudget& memory) {
   bool ready = true;
@@ -20,10 +25,9 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, 
   };
   if (draining) refuse("draining");
   if (shared != nullptr && !shared->ready) refuse(shared->not_ready);
-  auto read_only = shared != nullptr ? shared->read_only
-                   : own != nullptr  ? own->read_only
-                                     : std::optional<std::string>{};
-  if (own != nullptr && !read_only && !own->stuck.empty()) read_only = own->stuck;
+  const auto read_only = shared != nullptr ? shared->read_only
+                         : own != nullptr  ? own->read_only
+                                           : std::optional<std::string>{};
   // The next start would not have what the store has now.
   if (own != nullptr && own->gone) refuse(read_only.value_or(""));
   // New players would be refused. The gate reopens well below its closing level, so this does not flap.
@@ -38,7 +42,10 @@ Readiness readiness_of(bool draining, const cluster::ClusterLog::State* shared, 
     return {false, reasons.text()};
   }
   // Still ready: chunks are served without the log, and otherwise a balancer would drop all servers at once.
-  if (read_only) return {true, fmt::format("ready; no edits are taken: {}", *read_only)};
+  const std::string disk_wait = shared != nullptr ? shared->disk_wait : own != nullptr ? own->disk_wait : "";
+  if (const auto trouble = edits_trouble(read_only, disk_wait); !trouble.empty()) {
+    return {true, fmt::format("ready; {}", trouble)};
+  }
   if (shared != nullptr && !shared->late.empty()) {
     return {true, fmt::format("ready; other servers' edits arrive up to a second late: {}", shared->late)};
   }

@@ -181,12 +181,12 @@ std::string Server::metrics_text() {
                         at.late.empty(), at.false_messages};
     }
     const LocalLog::State log = edits_->status();
+    const bool is_troubled = !edits_trouble(log.read_only, log.disk_wait).empty();
     const EditState& state = edits_->state();
     const store::HistorySpan history = edits_->history();
-    gauges.edits = {
-        log.head.revision,         edits_->preparing(),     log.waiting,          state.editor_count(),
-        log.read_only.has_value(), state.index().bytes(),   state.index_limit(),  history.bytes,
-        history_limit_bytes_,      history.since_ms / 1000, log.clock_jumps.count};
+    gauges.edits = {log.head.revision,    edits_->preparing(),     log.waiting,          state.editor_count(),
+                    is_troubled,          state.index().bytes(),   state.index_limit(),  history.bytes,
+                    history_limit_bytes_, history.since_ms / 1000, log.clock_jumps.count};
   }
   std::vector<std::string_view> error_codes{""};  // code 0, "none", is not an error
   for (std::size_t code = 1; code <= static_cast<std::size_t>(wire::ErrorCode::MAX); ++code) {
@@ -470,17 +470,17 @@ void Server::watch_edits() {
   memory_.set(MemoryUse::edits, edits_->state().bytes());
   memory_.set(MemoryUse::store, edits_->store_bytes());
   chunks_.count_columns();
-  LocalLog::State status = edits_->status();
+  const LocalLog::State status = edits_->status();
   watch_clock(status.clock_jumps);
-  auto& read_only = status.read_only;
+  std::string trouble = edits_trouble(status.read_only, status.disk_wait);
   // A member of a cluster looks for its place in the log when it starts.
-  if (!std::exchange(edits_watched_, true) || read_only == edits_read_only_) return;
-  if (read_only) {
-    log_->error("no edits are taken: {}", *read_only);
-  } else {
+  if (!std::exchange(edits_watched_, true) || trouble == edits_trouble_) return;
+  if (trouble.empty()) {
     log_->info("edits are taken again");
+  } else {
+    log_->error("{}", trouble);
   }
-  edits_read_only_ = std::move(read_only);
+  edits_trouble_ = std::move(trouble);
 }
 
 void Server::watch_clock(const BatchDates::Jumps& jumps) {

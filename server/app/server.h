@@ -168,8 +168,8 @@ class Server {
   Clock::time_point edits_checked_at_{};
   std::size_t edit_cache_bytes_ = 0;  // its capacity; 0: not changed yet
   bool edits_watched_ = false;
-  std::optional<std::string> edits_read_only_;  // as last logged
-  std::uint64_t clock_jumps_ = 0;               // as last logged
+  std::string edits_trouble_;      // as last logged
+  std::uint64_t clock_jumps_ = 0;  // as last logged
   std::function<bool()> end_wanted_;
   ConnectionId last_id_ = 0;
   std::unique_ptr<CheckpointService> checkpoints_;  // null: there is no store

@@ -134,7 +134,7 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
 LocalLog::State WorldEdits::status() const {
   if (local_ != nullptr) return local_->status();
   cluster::ClusterLog::State status = shared_->status();
-  return {status.head, status.waiting, std::move(status.read_only), false, {}, {}};
+  return {status.head, status.waiting, std::move(status.read_only), false, {}, std::move(status.disk_wait)};
 }
 
 void WorldEdits::join(const terrain::World& world, ChunkSource& chunks, Metrics& metrics, bool settles) {

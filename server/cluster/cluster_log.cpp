@@ -124,6 +124,7 @@ ClusterLog::State ClusterLog::status() const {
   // In that case edits are rejected.
   const bool silent = end_.silent_since() && SteadyClock::now() - *end_.silent_since() > LogEnd::kSilent;
   status.connected = figures.connected;
+  status.disk_wait = store.disk_wait;
   status.late = std::move(figures.late);
   status.quorum = heard_ && !silent && takes;
   status.differs = differs_;
@@ -153,8 +154,7 @@ ClusterLog::State ClusterLog::status() const {
                     why.empty() ? "" : ": ", why);
   }
   const bool is_behind = !end_.is_ready() && !begins_without_log();
-  status.ready =
-      !store.gone && store.stuck.empty() && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
+  status.ready = !store.gone && (fault_.empty() ? !shorter_ && !is_behind : all_are_stuck());
   if (!status.ready) status.not_ready = reasons(store, status.read_only.value_or(""), is_behind);
   return status;
 }
@@ -164,7 +164,7 @@ std::string ClusterLog::reasons(const StoreWriter::State& store, const std::stri
   Reasons all;
   all.add(fault_);
   all.add(store.read_only.value_or(""));
-  all.add(store.stuck);
+  all.add(store.disk_wait);
   all.add(undecided_);
   all.add(unreadable_);
   if (shorter_) all.add(kShorter);

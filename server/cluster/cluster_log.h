@@ -93,8 +93,9 @@ class ClusterLog final : public EditLog {
     bool ready = false;                    // players may come here
     std::string not_ready;                 // all reasons in one line, the gravest first
     bool connected = false;
-    std::string late;     // why edits of others are delayed by up to a second; empty if they are not
-    bool quorum = false;  // the stream has a leader that answers
+    std::string disk_wait;  // that writes wait for the disk, in one line; empty if they do not
+    std::string late;       // why edits of others are delayed by up to a second; empty if they are not
+    bool quorum = false;    // the stream has a leader that answers
     bool differs = false;
     std::uint64_t lag = 0;  // messages
     std::uint64_t sequence = 0;

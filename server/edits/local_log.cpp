@@ -56,7 +56,7 @@ LocalLog::State LocalLog::status() const {
   StoreWriter::State status = writer_.status();
   const std::lock_guard lock{mutex_};
   return {status.head, queue_.size(), std::move(status.read_only),
-          status.gone, clock_jumps_,  std::move(status.stuck)};
+          status.gone, clock_jumps_,  std::move(status.disk_wait)};
 }
 
 void LocalLog::run() {

@@ -44,7 +44,7 @@ class LocalLog final : public EditLog {
     std::optional<std::string> read_only;  // why no entries are accepted, in one line
     bool gone = false;                     // the store's files were deleted or replaced
     BatchDates::Jumps clock_jumps;
-    std::string stuck;  // that the store's disk is stuck, in one line; empty if it is not
+    std::string disk_wait;  // that writes wait for the disk, in one line; empty if they do not
   };
   /// Any thread.
   [[nodiscard]] State status() const;

@@ -26,20 +26,19 @@ StoreWriter::StoreWriter(store::EditDatabase& database, EditState& state, const 
 }
 
 StoreWriter::State StoreWriter::status() const {
-  std::string stuck = disk_is_stuck();
+  std::string disk_wait = disk_wait_text();
   const std::lock_guard lock{mutex_};
   State status = status_;
-  status.stuck = std::move(stuck);
+  status.disk_wait = std::move(disk_wait);
   return status;
 }
 
-std::string StoreWriter::disk_is_stuck() const {
+std::string StoreWriter::disk_wait_text() const {
   const Clock::duration age =
       std::max(pending_write_.age(), syncer_ ? syncer_->sync_age() : Clock::duration{});
   if (age <= kDiskPatience) return {};
-  return fmt::format(
-      "edits {}: the store has not answered a write for {} s, and edits wait for it: check its disk",
-      database_.path().string(), std::chrono::duration_cast<std::chrono::seconds>(age).count());
+  return fmt::format("edits {}: a write has waited for the disk for over {} s; check the disk",
+                     database_.path().string(), kDiskPatience.count());
 }
 
 edits::Batch& StoreWriter::begin(std::int64_t date_ms) {
@@ -193,7 +192,7 @@ void StoreWriter::refuse(std::string reason) {
 }
 
 void StoreWriter::retry() {
-  if (auto recovered = pending_write_.run([&] { return database_.recover(); }); !recovered) {
+  if (auto recovered = database_.recover(); !recovered) {
     refuse(std::move(recovered.error()));
     return;
   }

@@ -38,7 +38,7 @@ class StoreWriter {
   /// Called after the answers of a batch, with every chunk that it changed.
   using OnChanged = std::function<void(std::span<const ChunkChange>)>;
 
-  /// A disk that keeps a write waiting longer than this is taken for stuck.
+  /// A write that waits longer than this for the disk is reported.
   static constexpr std::chrono::seconds kDiskPatience{5};
 
   /// `database`, `state`, which is of that database, and `clock` outlive this, and from here on only this
@@ -52,7 +52,7 @@ class StoreWriter {
     store::StreamPlace stream;
     std::optional<std::string> read_only;  // why writes fail, in one line
     bool gone = false;                     // the store's files were deleted or replaced
-    std::string stuck;                     // that the disk is stuck, in one line; empty if it is not
+    std::string disk_wait;                 // that writes wait for the disk, in one line; empty if they do not
   };
   /// Any thread.
   [[nodiscard]] State status() const;
@@ -112,7 +112,7 @@ class StoreWriter {
   void refuse(std::string reason);
   void retry();
   void publish();
-  [[nodiscard]] std::string disk_is_stuck() const;
+  [[nodiscard]] std::string disk_wait_text() const;
 
   store::EditDatabase& database_;
   EditState& state_;

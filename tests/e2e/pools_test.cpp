@@ -101,7 +101,6 @@ void try_handshakes(const std::function<std::uint16_t(ServerProcess&)>& greedy_p
   const TestCertificate own = make_certificate(1);
   ServerProcess server{{{"TALUS_TLS_CERTIFICATE", scratch.write("certificate.pem", own.certificate)},
                         {"TALUS_TLS_KEY", scratch.write("key.pem", own.key)},
-                        {"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
                         {"TALUS_LIMITS_HANDSHAKES_IN_FLIGHT", "8"}},
                        kWithHttp};
   const std::string begins = client_hello();

@@ -172,7 +172,7 @@ void RawClient::take(std::span<std::byte> came) {
   if (websocket_) {
     came = came.first(websocket_->take(came));
     ended_ = websocket_->failure().has_value();
-    if (ended_ && websocket_->failure()->kind == websocket::Failure::Kind::refused) {
+    if (ended_ && websocket_->failure()->status == 503) {
       not_opened(websocket_->failure()->text);
     }
     if (ended_ && websocket_->failure()->kind != websocket::Failure::Kind::closed) {

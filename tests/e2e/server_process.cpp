@@ -83,7 +83,8 @@ bool read_to_end(int out, int err, ProgramResult& ended, int patience_ms = kPati
   return true;
 }
 
-/// No test's client is late on a busy machine, unless the test is about that.
+/// No test's client is late on a busy machine, unless the test is about that. Variables override a test's
+/// --config file, so such a server has its own.
 const Settings kPatience{{"TALUS_LIMITS_HANDSHAKE_TIMEOUT_MS", "3600000"},
                          {"TALUS_LIMITS_IDLE_TIMEOUT_MS", "3600000"},
                          {"TALUS_LIMITS_WRITE_TIMEOUT_MS", "3600000"}};

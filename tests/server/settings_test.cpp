@@ -403,9 +403,11 @@ TEST_CASE("a server that is alone says why it takes no edits, and is not ready o
   CHECK_FALSE(readiness_of(false, nullptr, &log, memory).ready);
   CHECK(readiness_of(false, nullptr, &log, memory).text == "db was deleted");
   log = {};
-  log.stuck = "a write waits";
+  log.disk_wait = "a write waits";
   CHECK(readiness_of(false, nullptr, &log, memory).ready);
-  CHECK(readiness_of(false, nullptr, &log, memory).text == "ready; no edits are taken: a write waits");
+  CHECK(readiness_of(false, nullptr, &log, memory).text == "ready; edits wait: a write waits");
+  log.read_only = "the disk is full";
+  CHECK(readiness_of(false, nullptr, &log, memory).text == "ready; no edits are taken: the disk is full");
 }
 
 TEST_CASE("a server to which the log's messages do not come by themselves is ready, and says why") {

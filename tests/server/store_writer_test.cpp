@@ -203,14 +203,14 @@ TEST_CASE("a sync that the disk does not end for more than 5 s is named, until i
   written.writer->poll();
   written.disk->await_held_sync();
   written.clock.advance(5s);
-  CHECK(written.writer->status().stuck == "");
+  CHECK(written.writer->status().disk_wait == "");
   written.clock.advance(2s);
-  CHECK(written.writer->status().stuck == "edits " + (written.scratch / "edits").string() +
-                                              ": the store has not answered a write for 7 s, and edits "
-                                              "wait for it: check its disk");
+  CHECK(written.writer->status().disk_wait ==
+        "edits " + (written.scratch / "edits").string() +
+            ": a write has waited for the disk for over 5 s; check the disk");
   written.disk->hold_syncs(false);
   written.await_end_of_sync();
-  CHECK(written.writer->status().stuck == "");
+  CHECK(written.writer->status().disk_wait == "");
 }
 
 TEST_CASE("errors of syncs that began before the database was opened again are not reported") {

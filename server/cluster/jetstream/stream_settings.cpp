@@ -79,8 +79,8 @@ std::optional<std::string> other_settings(const nlohmann::json& present, const S
   if (fixed != others.end()) {
     return fmt::format(
         "{} is there with other settings: {}, which NATS cannot change in a stream; name other NATS servers "
-        "in cluster.nats, or delete the stream if it holds no edits; if it holds some, stop all servers and "
-        "give the store that is furthest a new stream by \"talusd store fork\"",
+        "in cluster.nats, or delete the stream if it holds no edits; if it holds some, make a new one "
+        "(CLUSTER.md, \"A new stream\")",
         names.stream, to_string(*fixed));
   }
   return fmt::format("{} is there with other settings: {}; change {} by the program nats", names.stream,

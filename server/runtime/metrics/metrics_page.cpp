@@ -167,7 +167,7 @@ const std::array kRows{
               "Size of the index at which only chunks edited before may be edited.",
               gauge, {}, of_edits<&RuntimeGauges::Edits::index_limit_bytes>},
     MetricRow{"talus_edits_read_only",
-              "1 while no edits are taken, as the store or the cluster's log cannot be written.",
+              "1 while no edits are taken or they wait, as the store or the cluster's log cannot be written.",
               gauge, {}, edits_read_only},
     MetricRow{"talus_edits_clock_jumps_total",
               "Jumps of this machine's clock by over a minute: ahead, or behind the date of the last edit.",
