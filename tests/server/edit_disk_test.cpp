@@ -354,8 +354,8 @@ TEST_CASE("a store whose files were deleted or replaced takes no edits until the
 }
 
 TEST_CASE("a write that the disk does not end for more than 5 s is named, until it ends") {
-  Trouble trouble{1};
   ManualClock clock;
+  Trouble trouble{1};
   trouble.store.clock = &clock;
   trouble.store.log_settings.flush_interval = std::chrono::hours{1};
   REQUIRE(trouble.store.open() == "");
