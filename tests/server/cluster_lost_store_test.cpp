@@ -183,7 +183,8 @@ TEST_CASE("a server that cannot read a chunk takes no edits, and then needs anot
   };
   REQUIRE(cluster.nodes[1]->open() == "");
   cluster.until_applied();
-  until([&] { return told_that_it_takes && cluster.log(1).takes_entries(); });
+  until(
+      [&] { return told_that_it_takes && cluster.log(1).takes_entries() && cluster.log(1).status().ready; });
   REQUIRE(answers.apply(cluster.log(0), write_at(3, 7)).has_value());
   until([&] { return cluster.lost_of(1).has_value(); });
   CHECK(cluster.lost_of(1) == StoreLoss::wrong_state);
