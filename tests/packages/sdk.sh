@@ -22,6 +22,8 @@ mcs -langversion:7 -warnaserror $examples/Fly.cs $bindings/Talus*.cs -out:Fly.ex
 said="$(mono Fly.exe 2>&1)" && die "Fly.exe ran without libtalus"
 [[ "$said" == "libtalus is not found: copy libtalus.so "* && "$said" != *$'\n'* ]] || die "without libtalus Fly.exe said: $said"
 mcs -langversion:7 -warnaserror "$tests/Dig.cs" $bindings/Talus*.cs -out:Dig.exe
+mcs -langversion:7 -warnaserror "$tests/Fields.cs" $bindings/Talus*.cs -out:Fields.exe
+mono --debug Fields.exe || die "a class in C# has other values than its struct"
 mcs -langversion:7 -warnaserror "$tests/Owners.cs" $bindings/Talus*.cs -out:Owners.exe
 mkdir counting
 gcc -shared -fPIC -Wall -Wextra -Werror "$tests/owners.c" -o counting/libtalus.so -Wl,--no-as-needed "${flags[@]}"

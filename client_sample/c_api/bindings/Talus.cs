@@ -166,8 +166,9 @@ public static class Talus
         /// or disconnects, the next is tried, then around again.</summary>
         public IntPtr more_servers;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_connect_options));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_connect_options Create() { return new talus_connect_options { size = (uint)Marshal.SizeOf(typeof(talus_connect_options)) }; }
+        public static talus_connect_options Create() { return new talus_connect_options { size = Size }; }
     }
 
     /// <summary>TLS 1.3; the server's certificate is checked</summary>
@@ -201,8 +202,9 @@ public static class Talus
         /// <summary>0</summary>
         public uint reserved;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_view));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_view Create() { return new talus_view { size = (uint)Marshal.SizeOf(typeof(talus_view)) }; }
+        public static talus_view Create() { return new talus_view { size = Size }; }
     }
 
     // Flag of talus_view: rings include every row in which ground can lie. Requires talus_world.has_horizon.
@@ -246,8 +248,9 @@ public static class Talus
         /// <summary>0</summary>
         public uint reserved;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_world));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_world Create() { return new talus_world { size = (uint)Marshal.SizeOf(typeof(talus_world)) }; }
+        public static talus_world Create() { return new talus_world { size = Size }; }
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -263,8 +266,9 @@ public static class Talus
         /// <summary>valid as long as the world's pointers: see talus_get_world()</summary>
         public IntPtr name;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_material));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_material Create() { return new talus_material { size = (uint)Marshal.SizeOf(typeof(talus_material)) }; }
+        public static talus_material Create() { return new talus_material { size = Size }; }
     }
 
     public const uint TALUS_GAS = 0;
@@ -306,8 +310,9 @@ public static class Talus
         /// <summary>0</summary>
         public uint reserved;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_edit));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_edit Create() { return new talus_edit { size = (uint)Marshal.SizeOf(typeof(talus_edit)) }; }
+        public static talus_edit Create() { return new talus_edit { size = Size }; }
     }
     /// <summary>the paste's air is written too; otherwise it is skipped</summary>
     public const uint TALUS_PASTE_AIR = 1;
@@ -336,8 +341,9 @@ public static class Talus
         public ulong bad_chunks;
         public ulong connections;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_stats));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_stats Create() { return new talus_stats { size = (uint)Marshal.SizeOf(typeof(talus_stats)) }; }
+        public static talus_stats Create() { return new talus_stats { size = Size }; }
     }
 
     // Event types and their fields. New minor versions may add types: ignore unknown ones.
@@ -412,8 +418,9 @@ public static class Talus
         /// <summary>0</summary>
         public uint reserved;
 
+        private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_event));
         /// <summary>With its size; the other fields are 0.</summary>
-        public static talus_event Create() { return new talus_event { size = (uint)Marshal.SizeOf(typeof(talus_event)) }; }
+        public static talus_event Create() { return new talus_event { size = Size }; }
     }
 
     // ---- The library ----
@@ -519,4 +526,109 @@ public static class Talus
     public static extern void talus_chunk_retain(IntPtr chunk);
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     public static extern void talus_chunk_release(IntPtr chunk);
+}
+
+/// <summary>TALUS_OK and so on; errors are below 0.</summary>
+public enum TalusStatus
+{
+    Ok = 0,
+    /// <summary>talus_poll(): no event in time</summary>
+    NoEvent = 1,
+    /// <summary>NULL, a wrong size or count, an unknown flag, an index beyond a list</summary>
+    InvalidArgument = -1,
+    /// <summary>the connection is closed</summary>
+    OutOfMemory = -2,
+    /// <summary>a fault of the library; the connection is closed</summary>
+    Internal = -3,
+    /// <summary>by this build of the library, or by the server</summary>
+    Unsupported = -4,
+    /// <summary>call talus_disconnect() first</summary>
+    AlreadyConnected = -5,
+    /// <summary>more than 2^18 events are queued; poll them first</summary>
+    TooManyEvents = -6,
+    /// <summary>the name does not resolve, or nothing listens there</summary>
+    Unreachable = -16,
+    /// <summary>the server rejects this client: version, token, too many connections</summary>
+    Refused = -17,
+    /// <summary>TLS: the server's certificate was not accepted</summary>
+    Untrusted = -18,
+    /// <summary>the connection broke, or the server closed it</summary>
+    Disconnected = -19,
+    /// <summary>no answer in time while connecting, or silence afterwards</summary>
+    TimedOut = -20,
+    /// <summary>after a reconnect the server had another world</summary>
+    WorldChanged = -21,
+    /// <summary>the server violated the protocol</summary>
+    BrokenProtocol = -22,
+    /// <summary>a chunk failed to decode, or does not match its hash</summary>
+    BadChunk = -23,
+    /// <summary>a coordinate, radius or list exceeds the world's or the server's limits</summary>
+    OutOfRange = -24,
+    /// <summary>the server asks for a retry after `retry_after_ms`</summary>
+    Overloaded = -25,
+    /// <summary>talus_cancel() came before the answer</summary>
+    Cancelled = -26,
+    /// <summary>the server could not answer; a retry may succeed</summary>
+    ServerFailed = -27,
+    /// <summary>called before JOINED, or after CLOSED or talus_disconnect()</summary>
+    NotConnected = -28,
+    /// <summary>a guard of the edit does not hold; nothing was applied</summary>
+    Conflict = -29,
+    /// <summary>the edit was not applied, but a later one was</summary>
+    NotApplied = -30,
+    /// <summary>The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
+    /// knows the editor.</summary>
+    OutcomeUnknown = -31,
+}
+
+/// <summary>Flags of a connection.</summary>
+[Flags]
+public enum TalusConnectFlags
+{
+    None = 0,
+    /// <summary>TLS 1.3; the server's certificate is checked</summary>
+    Tls = 1,
+    /// <summary>the certificate is not checked: any server is accepted</summary>
+    TlsNoVerify = 2,
+    /// <summary>ws://host:port/v1/stream; `port` is talusd's HTTP port, or a proxy's</summary>
+    Websocket = 4,
+}
+
+/// <summary>Phase of a material.</summary>
+public enum TalusPhase
+{
+    Gas = 0,
+    Liquid = 1,
+    Solid = 2,
+}
+
+/// <summary>TALUS_EVENT_JOINED and so on. New minor versions may add types: ignore unknown ones.</summary>
+public enum TalusEventType
+{
+    /// <summary>The server accepted the client; talus_get_world() is available.</summary>
+    Joined = 1,
+    /// <summary>A chunk of the View arrived or changed: x, y, z, level, revision, hash, chunk, uniform_material.</summary>
+    Chunk = 2,
+    /// <summary>A chunk delivered by CHUNK left the View: x, y, z, level.</summary>
+    ChunkLeft = 3,
+    /// <summary>All chunks of the newest View arrived, except any reported by ERROR.</summary>
+    ViewComplete = 4,
+    /// <summary>Answer to talus_get_chunk(): request, status, and the fields of CHUNK.</summary>
+    ChunkAnswer = 5,
+    /// <summary>Answer to talus_get_heights() or talus_get_places(): request, status, column_count, heights_fx; looks,
+    /// values.</summary>
+    Heights = 6,
+    /// <summary>Answer to talus_ping(): request, status, round_trip_ns.</summary>
+    Pong = 7,
+    /// <summary>An error that the connection survives, such as a bad chunk or a refused View: status, message.</summary>
+    Error = 8,
+    /// <summary>The connection broke, and the client is reconnecting: status, message.</summary>
+    Reconnecting = 9,
+    /// <summary>Reconnected to the same world. CHUNK follows for all chunks of the View; open requests are sent again.</summary>
+    Reconnected = 10,
+    /// <summary>Answer to talus_send_edit(), once the edit is stored or rejected: request, status; revision of the world
+    /// after it, changed_voxels.</summary>
+    Edited = 12,
+    /// <summary>The last event: the connection ended or was never established: status, message.</summary>
+    Closed = 11,
 }

@@ -17,8 +17,8 @@ public struct TalusHash : IEquatable<TalusHash>
     public override int GetHashCode() { return Low.GetHashCode(); }
 }
 
-/// <summary>One owner of a chunk's immutable voxels; any thread may use it. The next Poll() disposes of an event's chunk: to keep one
-/// longer, Retain() it, and Dispose() of what that returns.</summary>
+/// <summary>One owner of a chunk's immutable voxels, from TalusEvent.Retain(); any thread may use it. Dispose() of it; the finalizer is
+/// only a net.</summary>
 public sealed class TalusChunk : SafeHandle
 {
     /// <summary>Adds an owner to those that the chunk has.</summary>
@@ -51,14 +51,15 @@ public sealed class TalusChunk : SafeHandle
         }
     }
 
-    /// <summary>All voxels, index Talus.TALUS_VOXEL_INDEX(x, y, z); room for Talus.TALUS_CHUNK_VOLUME of them.</summary>
+    /// <summary>As TalusEvent.Decode().</summary>
     public void Decode(ushort[] voxels)
     {
+        if (voxels == null) throw new ArgumentNullException("voxels");
         bool held = false;
         try
         {
             Hold(ref held);
-            TalusException.Check(Talus.talus_decode(handle, voxels, (UIntPtr)(voxels == null ? 0 : voxels.Length)), IntPtr.Zero);
+            TalusException.Check(Talus.talus_decode(handle, voxels, (UIntPtr)(uint)voxels.Length), IntPtr.Zero);
         }
         finally
         {
@@ -66,14 +67,14 @@ public sealed class TalusChunk : SafeHandle
         }
     }
 
-    /// <summary>The same into native memory, such as a NativeArray's. It must have room for `count` voxels: nothing checks that.</summary>
+    /// <summary>As TalusEvent.Decode(): nothing checks that there is room for `count` voxels.</summary>
     public void Decode(IntPtr voxels, int count)
     {
         bool held = false;
         try
         {
             Hold(ref held);
-            TalusException.Check(Talus.talus_decode(handle, voxels, (UIntPtr)(ulong)Math.Max(count, 0)), IntPtr.Zero);
+            TalusException.Check(Talus.talus_decode(handle, voxels, (UIntPtr)(uint)Math.Max(count, 0)), IntPtr.Zero);
         }
         finally
         {
@@ -84,9 +85,7 @@ public sealed class TalusChunk : SafeHandle
     /// <summary>Until DangerousRelease() no Dispose() of another thread frees the voxels.</summary>
     void Hold(ref bool held)
     {
-        if (IsClosed)
-            throw new ObjectDisposedException("TalusChunk",
-                "disposed of, or its client polled again; Retain() a chunk to keep it longer than its event");
+        if (IsClosed) throw new ObjectDisposedException("TalusChunk", "disposed of; Retain() another owner to keep the voxels longer");
         DangerousAddRef(ref held);
     }
 }

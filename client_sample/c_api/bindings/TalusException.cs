@@ -1,22 +1,22 @@
 using System;
 
-/// <summary>A status below 0, such as Talus.TALUS_REFUSED, and libtalus's line that says why.</summary>
+/// <summary>An error of libtalus: its line that says why, and the status's name, such as TALUS_REFUSED.</summary>
 public sealed class TalusException : Exception
 {
-    public readonly int Status;
+    public readonly TalusStatus Status;
     /// <summary>Delay that the server asks for; 0: no delay.</summary>
     public readonly uint RetryAfterMs;
 
-    public TalusException(int status, string message, uint retryAfterMs = 0) : base(message)
+    public TalusException(TalusStatus status, string message, uint retryAfterMs = 0)
+        : base(message + " (" + Talus.Text(Talus.talus_status_name((int)status)) + ")")
     {
         Status = status;
         RetryAfterMs = retryAfterMs;
     }
 
     /// <summary>Throws if the status of a call is an error. Without a client: IntPtr.Zero.</summary>
-    internal static int Check(int status, IntPtr client)
+    internal static void Check(int status, IntPtr client)
     {
-        if (status < 0) throw new TalusException(status, Talus.Text(Talus.talus_last_error(client)));
-        return status;
+        if (status < 0) throw new TalusException((TalusStatus)status, Talus.Text(Talus.talus_last_error(client)));
     }
 }

@@ -7,21 +7,18 @@ public sealed class TalusMaterial
     public readonly string Name;
     /// <summary>0xRRGGBB, sRGB.</summary>
     public readonly uint Colour;
-    /// <summary>Talus.TALUS_GAS, TALUS_LIQUID or TALUS_SOLID.</summary>
-    public readonly uint Phase;
+    public readonly TalusPhase Phase;
 
-    internal TalusMaterial(IntPtr client, uint index)
+    internal TalusMaterial(ref Talus.talus_material raw)
     {
-        var raw = Talus.talus_material.Create();
-        TalusException.Check(Talus.talus_get_material(client, index, ref raw), client);
         Id = (ushort)raw.id;
         Name = Talus.Text(raw.name);
         Colour = raw.colour;
-        Phase = raw.phase;
+        Phase = (TalusPhase)raw.phase;
     }
 }
 
-/// <summary>The server's description of its world: a copy. After TALUS_EVENT_RECONNECTED there may be a newer one.</summary>
+/// <summary>The server's description of its world: a copy. After a Reconnected event there may be a newer one.</summary>
 public sealed class TalusWorld
 {
     /// <summary>Equal fingerprints: equal voxels everywhere.</summary>
@@ -40,7 +37,7 @@ public sealed class TalusWorld
     public readonly uint MaxViewChunks;
     /// <summary>In one GetHeights() or GetPlaces().</summary>
     public readonly uint MaxColumns;
-    /// <summary>Views may have Talus.TALUS_VIEW_HORIZON.</summary>
+    /// <summary>Views may have TalusView.Horizon.</summary>
     public readonly bool HasHorizon;
     public readonly TalusMaterial[] Materials;
     /// <summary>Biomes, by TalusEvent.Looks; the first, "", is no biome.</summary>
@@ -48,10 +45,8 @@ public sealed class TalusWorld
     /// <summary>Quantities that GetPlaces() takes.</summary>
     public readonly string[] Fields;
 
-    internal TalusWorld(IntPtr client)
+    internal TalusWorld(ref Talus.talus_world raw, TalusMaterial[] materials, string[] looks, string[] fields)
     {
-        var raw = Talus.talus_world.Create();
-        TalusException.Check(Talus.talus_get_world(client, ref raw), client);
         Fingerprint = new TalusHash(raw.fingerprint_low, raw.fingerprint_high);
         Store = new TalusHash(raw.store_low, raw.store_high);
         MinY = raw.min_y;
@@ -65,11 +60,26 @@ public sealed class TalusWorld
         MaxViewChunks = raw.max_view_chunks;
         MaxColumns = raw.max_columns;
         HasHorizon = raw.has_horizon != 0;
-        Materials = new TalusMaterial[raw.material_count];
-        for (uint i = 0; i < raw.material_count; ++i) Materials[i] = new TalusMaterial(client, i);
-        Looks = new string[raw.look_count];
-        for (uint i = 0; i < raw.look_count; ++i) Looks[i] = Talus.Text(Talus.talus_look_name(client, i));
-        Fields = new string[raw.field_count];
-        for (uint i = 0; i < raw.field_count; ++i) Fields[i] = Talus.Text(Talus.talus_field_name(client, i));
+        Materials = materials;
+        Looks = looks;
+        Fields = fields;
+    }
+
+    internal static TalusWorld Of(IntPtr client)
+    {
+        var raw = Talus.talus_world.Create();
+        TalusException.Check(Talus.talus_get_world(client, ref raw), client);
+        var materials = new TalusMaterial[raw.material_count];
+        var material = Talus.talus_material.Create();
+        for (uint i = 0; i < raw.material_count; ++i)
+        {
+            TalusException.Check(Talus.talus_get_material(client, i, ref material), client);
+            materials[i] = new TalusMaterial(ref material);
+        }
+        var looks = new string[raw.look_count];
+        for (uint i = 0; i < raw.look_count; ++i) looks[i] = Talus.Text(Talus.talus_look_name(client, i));
+        var fields = new string[raw.field_count];
+        for (uint i = 0; i < raw.field_count; ++i) fields[i] = Talus.Text(Talus.talus_field_name(client, i));
+        return new TalusWorld(ref raw, materials, looks, fields);
     }
 }

@@ -200,6 +200,24 @@ public static class Talus
 """
 
 
+# By the first constant: the enum's name, what its members' names leave out, and what it is.
+CSHARP_ENUMS = {
+    "TALUS_OK": ("TalusStatus", "TALUS_", "TALUS_OK and so on; errors are below 0."),
+    "TALUS_TLS": ("TalusConnectFlags", "TALUS_", "Flags of a connection."),
+    "TALUS_GAS": ("TalusPhase", "TALUS_", "Phase of a material."),
+    "TALUS_EVENT_JOINED": ("TalusEventType", "TALUS_EVENT_", "TALUS_EVENT_JOINED and so on. New minor versions may add types: ignore unknown ones."),
+}
+
+
+def csharp_enum(constants, name, prefix, doc):
+    flags = name.endswith("Flags")
+    lines = [f"\n{summary(doc, '')}" + "[Flags]\n" * flags + f"public enum {name}\n{{\n" + "    None = 0,\n" * flags]
+    for each in constants.members:
+        member = "".join(word.capitalize() for word in each.name[len(prefix):].split("_"))
+        lines.append(summary(each.doc, "    ") + f"    {member} = {each.value},\n")
+    return "".join([*lines, "}\n"])
+
+
 def summary(doc, indent):
     text = html.escape(doc, quote=False)
     return comment(f"<summary>{text}</summary>", "///", indent) if doc else ""
@@ -246,8 +264,9 @@ def csharp(_text, items):
         if isinstance(item, Struct):
             out.append("\n" + summary(item.doc, "    ") + f"    [StructLayout(LayoutKind.Sequential)]\n    public struct {item.name}\n    {{\n")
             out += [summary(each.doc, "        ") + f"        {csharp_field(each)}\n" for each in item.fields]
-            out.append("\n        /// <summary>With its size; the other fields are 0.</summary>\n"
-                       f"        public static {item.name} Create() {{ return new {item.name} {{ size = (uint)Marshal.SizeOf(typeof({item.name})) }}; }}\n"
+            out.append(f"\n        private static readonly uint Size = (uint)Marshal.SizeOf(typeof({item.name}));\n"
+                       "        /// <summary>With its size; the other fields are 0.</summary>\n"
+                       f"        public static {item.name} Create() {{ return new {item.name} {{ size = Size }}; }}\n"
                        "    }\n")
         if isinstance(item, Function):
             parameters = [csharp_parameter(each, following, structs) for each, following in zip(item.parameters, [*item.parameters[1:], None])]
@@ -258,7 +277,8 @@ def csharp(_text, items):
             for overload in overloads:
                 out.append(summary(item.doc, "    ") + "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
                            f"    public static extern {result} {item.name}({overload});\n")
-    return "".join([*out, "}\n"])
+    enums = {item.members[0].name: item for item in items if isinstance(item, Constants)}
+    return "".join([*out, "}\n", *(csharp_enum(enums[first], *how) for first, how in CSHARP_ENUMS.items())])
 
 
 BINDINGS = {

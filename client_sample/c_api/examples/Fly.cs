@@ -6,52 +6,51 @@ public static class Fly
 {
     static void Run(TalusClient client, TalusOptions options)
     {
-        var view = Talus.talus_view.Create();
+        var view = new TalusView { HorizontalRadius = 8, VerticalRadius = 4 };
+        var next = new TalusEvent(); // written by each Poll()
         var voxels = new ushort[Talus.TALUS_CHUNK_VOLUME];
         ulong chunks = 0, uniform = 0, solid = 0;
         bool complete = false, heights = false;
         string server = "";
-        TalusEvent next;
 
         client.Connect(options);
-        view.horizontal_radius = 8;
-        view.vertical_radius = 4;
 
-        while (!complete || !heights)
+        while (client.IsOpen && (!complete || !heights))
         {
-            if (!client.Poll(10000, out next)) continue;
+            if (!client.Poll(10000, next)) continue;
             switch (next.Type)
             {
-                case Talus.TALUS_EVENT_JOINED:
+                case TalusEventType.Joined:
                     TalusWorld world = client.GetWorld();
                     server = world.Server;
-                    view.centre_x = world.SpawnX;
-                    view.centre_y = world.SpawnY;
-                    view.centre_z = world.SpawnZ;
+                    view.CentreX = world.SpawnX;
+                    view.CentreY = world.SpawnY;
+                    view.CentreZ = world.SpawnZ;
                     client.SetView(view);
                     client.GetHeights(new[] { world.SpawnX, world.SpawnZ });
                     break;
-                case Talus.TALUS_EVENT_CHUNK:
+                case TalusEventType.Chunk:
                     ++chunks;
                     if (next.UniformMaterial >= 0)
                     {
                         ++uniform; // nothing to mesh inside
                         break;
                     }
-                    next.Chunk.Decode(voxels); // next.Chunk.Retain() would keep it longer than this event
+                    next.Decode(voxels); // next.Retain() would keep the chunk longer than this event
                     foreach (ushort voxel in voxels) if (voxel > 1) ++solid; // 0 is air, 1 water
                     break;
-                case Talus.TALUS_EVENT_HEIGHTS:
+                case TalusEventType.Heights:
                     next.ThrowIfFailed();
                     double ground = next.HeightsFx[0] / 256.0;
                     Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "ground at spawn: {0:F2} voxels", ground));
                     heights = true;
                     break;
-                case Talus.TALUS_EVENT_VIEW_COMPLETE:
+                case TalusEventType.ViewComplete:
                     complete = true;
                     break;
-                case Talus.TALUS_EVENT_CLOSED:
-                    throw new TalusException(next.Status, next.Message);
+                case TalusEventType.Closed:
+                    next.ThrowIfFailed();
+                    break;
             }
         }
         Console.WriteLine("{0}: {1} chunks, {2} of one material; in the others {3} solid voxels", server, chunks, uniform, solid);
