@@ -75,7 +75,8 @@ def check_contents(package):
         resources = subprocess.run([f"{MINGW}-windres", "-J", "coff", root / "bin" / name], check=True, capture_output=True, text=True)
         expect(f"version of {name}", re.findall(r'"ProductVersion", "(.*)"', resources.stdout), [version])
     examples = ("fly.c", "Fly.cs", "fly.lua", "fly.py")
-    bindings = ("Talus.cs", "TalusClient.cs", "talus.cdef.h", "talus_ctypes.py")
+    csharp = sorted(file.name for file in (HERE / "client_sample/c_api/bindings").glob("*.cs"))
+    bindings = ("TalusClient.cs", *csharp, "talus.cdef.h", "talus_ctypes.py")
     for name in ("README.txt", "LICENSE", "licences/libssl-dev.txt", "worlds/default.toml",
                  *(f"share/talus/examples/{name}" for name in examples), *(f"share/talus/bindings/{name}" for name in bindings)):
         if not (root / name).is_file():

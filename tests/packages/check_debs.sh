@@ -22,8 +22,8 @@ has talusd /usr/bin/talusd /etc/talus/talusd.toml /usr/lib/systemd/system/talusd
   /usr/share/doc/talus/{OPERATIONS,CHANGELOG}.md /usr/share/doc/talusd/copyright
 has talus-tools /usr/bin/talus-gen /usr/bin/talus-client /usr/bin/talus-load
 has libtalus1 /usr/lib/libtalus.so.1
-has libtalus-dev /usr/lib/libtalus.so /usr/include/talus.h /usr/share/talus/bindings/{Talus,TalusClient}.cs /usr/lib/pkgconfig/talus.pc \
-  /usr/include/talus/client/client.h /usr/lib/cmake/talus/talus-config.cmake /usr/lib/libtalus_client.a
+mapfile -t csharp < <(cd "$(dirname "$0")/../../client_sample/c_api/bindings" && printf '/usr/share/talus/bindings/%s\n' TalusClient.cs *.cs)
+has libtalus-dev /usr/lib/libtalus.so /usr/include/talus.h "${csharp[@]}" /usr/lib/pkgconfig/talus.pc /usr/include/talus/client/client.h /usr/lib/cmake/talus/talus-config.cmake /usr/lib/libtalus_client.a
 [[ "$(ls "$made"/*.deb | wc -l)" == 4 ]] || fail "not four packages: $(ls "$made")"
 twice="$(for file in "$made"/*.deb; do dpkg-deb --fsys-tarfile "$file" | tar -t; done | grep -v '/$' | sort | uniq -d)"
 [[ -z "$twice" ]] || fail "in two packages: $twice"
