@@ -31,7 +31,8 @@ endforeach()
 foreach(package cli11 nlohmann_json)  # what find_package() finds
   file(WRITE ${CMAKE_FIND_PACKAGE_REDIRECTS_DIR}/${package}-config.cmake "")
 endforeach()
-target_compile_definitions(tomlplusplus::tomlplusplus INTERFACE TOML_HEADER_ONLY=1)
+target_compile_definitions(tomlplusplus::tomlplusplus INTERFACE TOML_HEADER_ONLY=1
+  $<$<BOOL:${TALUS_WASM}>:TOML_FLOAT_CHARCONV=1>)  # by .cmake/wasi.h
 target_compile_definitions(PkgConfig::xxhash INTERFACE XXH_INLINE_ALL)
 # g++ 12 sees a copy before the buffer of XXH3_update(), which it inlines.
 target_compile_options(PkgConfig::xxhash INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>)

@@ -42,6 +42,7 @@ target_compile_options(talus_flags INTERFACE
   # There g++ does not align the stack for AVX (GCC bug 54412).
   $<$<AND:$<PLATFORM_ID:Windows>,$<CXX_COMPILER_ID:GNU>>:-Wa,-muse-unaligned-vector-move>
   $<$<BOOL:${TALUS_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${TALUS_WASM}>:-fno-rtti>
   # Without unity sources g++ 12 inlines libstdc++'s vectors and variants otherwise, and reports these where nothing is
   # wrong: they are printed, and are not errors.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_DISABLE_PRECOMPILE_HEADERS}>>:-Wno-error=array-bounds;-Wno-error=stringop-overflow;-Wno-error=maybe-uninitialized>")
@@ -103,12 +104,22 @@ function(talus_brief_sources)
   set_source_files_properties(${ARGV} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1> SKIP_PRECOMPILE_HEADERS ON)
 endfunction()
 
+# talus_once(SOURCE...): sources that run once, when a world is read. For WebAssembly they are made small, each by itself.
+function(talus_once)
+  if(TALUS_WASM)
+    set_source_files_properties(${ARGV} PROPERTIES COMPILE_OPTIONS -Oz)
+  endif()
+endfunction()
+
 # talus_optimise(TARGET LEVEL): its level in a release build: 3 for what is hot, as it is by default; 2 for what mostly waits
 # for the network; g for what runs once, or waits for a disk or a terminal: it compiles in a sixth less time than 1.
 # A quick build has less than 3 and 2: -O1 that inlines small functions compiles in three quarters of the time of -O2. How
 # much slower talusd runs by it was not measured. -O0 takes as long to compile as -Og.
 function(talus_optimise target level)
   set(options -O${level})
+  if(TALUS_WASM AND level STREQUAL "g")
+    set(options -Oz)
+  endif()
   if(talus_quick)
     set(options_3 -O1 $<$<CXX_COMPILER_ID:GNU>:-finline-small-functions> $<$<CXX_COMPILER_ID:GNU>:-findirect-inlining>)
     set(options_2 -Og)

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -69,7 +68,7 @@ class Lava final : public Feature {
  public:
   explicit Lava(std::vector<LavaKind> kinds) : kinds_{std::move(kinds)} {}
 
-  void write_canonical_form(std::ostream& form) const override {
+  void write_canonical_form(TextWriter& form) const override {
     for (const LavaKind& kind : kinds_) {
       form << "lava " << to_integer(kind.material) << " low_fx " << kind.low_fx << " high_fx " << kind.high_fx
            << " spacing " << kind.spacing << " radius " << kind.radius << " half_fx " << kind.half_fx

@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -35,6 +34,7 @@
 #include "place/place_fields.h"
 #include "spec/places_section.h"
 #include "spec/table_reader.h"
+#include "spec/text_writer.h"
 
 namespace talus::terrain {
 
@@ -163,7 +163,7 @@ class Feature {
   /// Writes everything that decides a voxel as lines of text, in the numbers used to compute it, so that
   /// equal voxels have equal text. Excludes names and colours. It must not change for a world that is in use:
   /// the fingerprint is its hash.
-  virtual void write_canonical_form(std::ostream& form) const = 0;
+  virtual void write_canonical_form(TextWriter& form) const = 0;
 
   /// Columns of H around a region that its survey and its carver read at a level.
   [[nodiscard]] virtual int halo(Lod /*lod*/) const { return 0; }

@@ -18,7 +18,18 @@ constexpr std::size_t class_of_digit(char digit) {
   return static_cast<std::size_t>(value);
 }
 
-constexpr std::array<VolumeIntervals, kTables> kIntervals = [] {
+// The three tables that follow are constants everywhere but in a WebAssembly module, which would bring 12 kB
+// of them compressed: it makes them when it starts.
+#ifdef __wasm__
+#define TALUS_TABLE const
+void at_start() {}  // not constexpr: what calls it is no constant
+#else
+#define TALUS_TABLE constexpr
+constexpr void at_start() {}
+#endif
+
+TALUS_TABLE std::array<VolumeIntervals, kTables> kIntervals = [] {
+  at_start();
   std::array<VolumeIntervals, kTables> all{};
   for (std::size_t t = 0; t < kTables; ++t) {
     for (std::size_t c = 0; c < kVolumeContexts; ++c) {
@@ -29,7 +40,8 @@ constexpr std::array<VolumeIntervals, kTables> kIntervals = [] {
   return all;
 }();
 
-constexpr auto kSymbols = [] {
+TALUS_TABLE auto kSymbols = [] {
+  at_start();
   std::array<VolumeSymbols, kTables> all{};
   for (std::size_t t = 0; t < kTables; ++t) {
     for (std::size_t c = 0; c < kVolumeContexts; ++c) {
@@ -63,7 +75,8 @@ constexpr std::uint16_t cost_of(std::uint32_t size) {
 
 /// Costs by table, for each context and symbol.
 using TableCosts = std::array<std::uint16_t, kTables>;
-constexpr auto kCosts = [] {
+TALUS_TABLE auto kCosts = [] {
+  at_start();
   std::array<TableCosts, kVolumeContexts * 4> costs{};
   for (std::size_t c = 0; c < kVolumeContexts; ++c) {
     for (std::uint8_t symbol = 0; symbol < 4; ++symbol) {
@@ -74,6 +87,8 @@ constexpr auto kCosts = [] {
   }
   return costs;
 }();
+
+#undef TALUS_TABLE
 
 /// Returns the table that takes the fewest bits for every eighth coded voxel of each batch.
 std::size_t best_table(const VolumeEvents& events) {

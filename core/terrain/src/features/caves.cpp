@@ -3,7 +3,6 @@
 #include "features/caves.h"
 
 #include <algorithm>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -89,7 +88,7 @@ std::unique_ptr<const Feature> read_caves(FeatureSection& section) {
 
 }  // namespace
 
-void Caves::write_canonical_form(std::ostream& form) const {
+void Caves::write_canonical_form(TextWriter& form) const {
   form << "caves periods " << plan_.tunnels.period << ' ' << plan_.chambers.period << ' '
        << plan_.climb.period << " low_fx " << plan_.low_fx << " climb_fx " << plan_.climb_fx << " half_width "
        << plan_.half_width_noise << " height_fx " << plan_.height_fx << " threshold " << plan_.threshold_noise

@@ -13,7 +13,7 @@ class Caves final : public Feature {
 
   [[nodiscard]] const CavePlan& plan() const { return plan_; }
 
-  void write_canonical_form(std::ostream& form) const override;
+  void write_canonical_form(TextWriter& form) const override;
   [[nodiscard]] int halo(Lod lod) const override;
   [[nodiscard]] bool carves() const override { return true; }
   [[nodiscard]] std::unique_ptr<Carver> make_carver(const World& world, InstructionSet set) const override;

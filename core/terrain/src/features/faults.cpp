@@ -2,7 +2,6 @@
 #include "features/faults.h"
 
 #include <algorithm>
-#include <ostream>
 
 #include <talus/terrain/lattice_hash.h>
 #include <talus/voxel/coords.h>
@@ -108,7 +107,7 @@ std::int32_t FaultField::lift_fx(std::int64_t index) const {
   return static_cast<std::int32_t>(((static_cast<std::int64_t>(draw) * throw_fx) >> 32) - throw_fx / 2);
 }
 
-void Faults::write_canonical_form(std::ostream& form) const {
+void Faults::write_canonical_form(TextWriter& form) const {
   for (const FaultField& faults : sets_) {
     form << "faults throw_fx " << faults.throw_fx << " spacing_q16 " << faults.spacing_q16 << " waviness_fx "
          << bits_of(faults.waviness_fx) << faults.strike << '\n';

@@ -35,7 +35,7 @@ class Faults final : public Feature {
   [[nodiscard]] const std::vector<FaultField>& sets() const { return sets_; }
 
   [[nodiscard]] Stage stage() const override { return Stage::strata; }
-  void write_canonical_form(std::ostream& form) const override;
+  void write_canonical_form(TextWriter& form) const override;
   [[nodiscard]] MaxLift max_lift() const override { return max_lift_; }
   [[nodiscard]] std::unique_ptr<Deformation> make_deformation(InstructionSet set) const override;
 

@@ -1,7 +1,6 @@
 // [folds]: strata bent into folds (docs/DESIGN.md, "Folds and faults").
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 #include <utility>
 #include <vector>
 
@@ -119,7 +118,7 @@ class Folds final : public Feature {
   Folds(const FoldField& field, MaxLift max_lift) : field_{field}, max_lift_{std::move(max_lift)} {}
 
   [[nodiscard]] Stage stage() const override { return Stage::strata; }
-  void write_canonical_form(std::ostream& form) const override {
+  void write_canonical_form(TextWriter& form) const override {
     form << "folds amplitude_fx " << bits_of(field_.amplitude_fx) << " period " << field_.noise.period
          << " octaves " << field_.noise.octaves << " shrink_q16 " << field_.shrink_q16 << field_.strike
          << '\n';

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <ostream>
 #include <string_view>
 
 #include <talus/terrain/boundary_row.h>
@@ -81,7 +80,7 @@ struct Objects::Candidate {
   }
 };
 
-void Objects::write_canonical_form(std::ostream& form) const {
+void Objects::write_canonical_form(TextWriter& form) const {
   for (const ObjectKind& kind : kinds_) {
     form << "object seed " << kind.seed << " spacing " << kind.spacing << " chance_q16 " << kind.chance_q16
          << " clumps " << static_cast<int>(kind.clumps) << " in_water " << (kind.in_water ? 1 : 0);

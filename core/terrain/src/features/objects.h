@@ -40,7 +40,7 @@ class Objects final : public Feature {
  public:
   Objects(std::vector<ObjectKind> kinds, RotatedNoise clumps) : kinds_{std::move(kinds)}, clumps_{clumps} {}
 
-  void write_canonical_form(std::ostream& form) const override;
+  void write_canonical_form(TextWriter& form) const override;
   [[nodiscard]] int halo(Lod lod) const override;
   [[nodiscard]] OverlayRows overlay_rows(Lod lod) const override;
   [[nodiscard]] bool stands() const override { return true; }

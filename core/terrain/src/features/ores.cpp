@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ostream>
 #include <string_view>
 
 #include <talus/terrain/boundary_row.h>
@@ -165,7 +164,7 @@ std::unique_ptr<const Feature> read_ores(FeatureSection& section) {
 
 }  // namespace
 
-void Ores::write_canonical_form(std::ostream& form) const {
+void Ores::write_canonical_form(TextWriter& form) const {
   for (const OreKind& ore : kinds_) {
     form << "ore " << to_integer(ore.material) << " shape " << static_cast<int>(ore.shape) << " low_fx "
          << ore.low_fx << " high_fx " << ore.high_fx << " size_fx " << ore.size_fx << " thickness_fx "

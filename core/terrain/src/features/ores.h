@@ -17,7 +17,7 @@ class Ores final : public Feature {
   /// In the order of the spec.
   [[nodiscard]] const std::vector<OreKind>& kinds() const { return kinds_; }
 
-  void write_canonical_form(std::ostream& form) const override;
+  void write_canonical_form(TextWriter& form) const override;
   [[nodiscard]] OverlayRows overlay_rows(Lod lod) const override;
   void add_overlays(const ChunkSite& site, const Field* survey,
                     std::vector<Overlay>& overlays) const override;

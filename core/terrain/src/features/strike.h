@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <ostream>
 
 #include "spec/angles.h"
+#include "spec/text_writer.h"
 #include "spec/units.h"
 
 namespace talus::terrain {
@@ -29,7 +29,7 @@ struct Strike {
 }
 
 /// Formats for canonical forms.
-inline std::ostream& operator<<(std::ostream& form, const Strike& strike) {
+inline TextWriter& operator<<(TextWriter& form, const Strike& strike) {
   return form << " strike_q16 " << strike.cos_q16 << ' ' << strike.sin_q16;
 }
 

@@ -3,10 +3,9 @@
 #include <bit>
 #include <cstddef>
 #include <initializer_list>
-#include <iomanip>
-#include <locale>
 #include <span>
-#include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #define XXH_STATIC_LINKING_ONLY
@@ -20,12 +19,13 @@
 #include "feature.h"
 #include "loose/aprons.h"
 #include "place/places.h"
+#include "spec/text_writer.h"
 #include "surface/regions/regions.h"
 
 namespace talus::terrain {
 namespace {
 
-void add_noise(const Surface& surface, SurfaceKind kind, std::ostream& form) {
+void add_noise(const Surface& surface, SurfaceKind kind, TextWriter& form) {
   form << "surface period " << surface.noise.period << '\n'
        << "surface octaves " << surface.noise.octaves << '\n'
        << "surface gain " << bits_of(surface.gain) << '\n'
@@ -37,7 +37,7 @@ void add_noise(const Surface& surface, SurfaceKind kind, std::ostream& form) {
   }
 }
 
-void add_spline(const char* name, const Spline& spline, std::ostream& form) {
+void add_spline(const char* name, const Spline& spline, TextWriter& form) {
   form << "regions " << name << ' ' << bits_of(spline.first_y());
   for (const Spline::Segment& s : spline.segments()) {
     for (const float number : {s.x, s.reciprocal, s.a, s.b, s.c}) form << ' ' << bits_of(number);
@@ -45,18 +45,18 @@ void add_spline(const char* name, const Spline& spline, std::ostream& form) {
   form << '\n';
 }
 
-void add_rotated(const char* name, const RotatedNoise& noise, std::ostream& form) {
+void add_rotated(const char* name, const RotatedNoise& noise, TextWriter& form) {
   form << "regions " << name << " seed " << noise.seed << " period " << noise.period << " octaves "
        << noise.octaves << " gain " << std::bit_cast<std::uint64_t>(noise.gain) << '\n';
 }
 
-void add_numbers(const char* name, std::initializer_list<float> numbers, std::ostream& form) {
+void add_numbers(const char* name, std::initializer_list<float> numbers, TextWriter& form) {
   form << "regions " << name;
   for (const float number : numbers) form << ' ' << bits_of(number);
   form << '\n';
 }
 
-void add_regions(const Regions& regions, std::ostream& form) {
+void add_regions(const Regions& regions, TextWriter& form) {
   const SlowFields& slow = regions.slow;
   const RegionShape& shape = regions.at_columns;
   const auto add_field = [&](const char* name, const SlowFields::Field& field) {
@@ -92,7 +92,7 @@ void add_regions(const Regions& regions, std::ostream& form) {
   add_numbers("units", {shape.sea_level, shape.subvoxels_a_unit, slow.units_a_column}, form);
 }
 
-void add_map(const PlacedMap& map, std::ostream& form) {
+void add_map(const PlacedMap& map, TextWriter& form) {
   const Field& heights = *map.heights_fx;
   std::vector<std::byte> scratch;
   const auto bytes = little_endian_bytes(std::span{heights.values}, scratch);
@@ -103,13 +103,13 @@ void add_map(const PlacedMap& map, std::ostream& form) {
        << static_cast<int>(map.outside) << " margin_q16 " << map.margin_q16 << '\n';
 }
 
-void add_features(const World& world, Feature::Stage stage, std::ostream& form) {
+void add_features(const World& world, Feature::Stage stage, TextWriter& form) {
   for (const auto& feature : world.features()) {
     if (feature->stage() == stage) feature->write_canonical_form(form);
   }
 }
 
-void add_places(const World& world, const Places& places, std::ostream& form) {
+void add_places(const World& world, const Places& places, TextWriter& form) {
   form << "places lapse " << bits_of(places.reciprocal_lapse) << '\n';
   for (const auto& rules : places.looks) {
     form << "looks " << rules.size() << '\n';
@@ -143,16 +143,16 @@ void add_places(const World& world, const Places& places, std::ostream& form) {
 }  // namespace
 
 std::string bits_of(float value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::hex << std::setw(8) << std::setfill('0') << std::bit_cast<std::uint32_t>(value);
-  return text.str();
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  std::string text;
+  for (int shift = 28; shift >= 0; shift -= 4) text += kDigits[bits >> shift & 15];
+  return text;
 }
 
 std::string World::canonical_form() const {
   const Surface surface = surface_of(spec_);
-  std::ostringstream form;
-  form.imbue(std::locale::classic());  // a host program's locale must not group the digits
+  TextWriter form;
   form << "talus world\n"
        << "generator " << to_integer(generator_version()) << '\n'
        << "seed " << spec_.seed << '\n';
@@ -184,7 +184,7 @@ std::string World::canonical_form() const {
          << " steps " << aprons.steps << " cliff_reach " << aprons.cliff_reach << '\n';
   }
   add_features(*this, Feature::Stage::voxels, form);
-  return form.str();
+  return std::move(form).take();
 }
 
 ContentHash hash_canonical_form(const std::string& form) {

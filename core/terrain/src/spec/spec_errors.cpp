@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ios>
-#include <locale>
-#include <sstream>
+#include <cstdlib>
 
 namespace talus::terrain {
 namespace {
@@ -25,25 +23,55 @@ std::string one_line(const std::string& message) {
   return line;
 }
 
+void multiply(std::string& digits, int factor) {
+  int carry = 0;
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+    carry += (*digit - '0') * factor;
+    *digit = static_cast<char>('0' + carry % 10);
+    carry /= 10;
+  }
+  if (carry != 0) digits.insert(digits.begin(), static_cast<char>('0' + carry));
+}
+
+struct Decimal {
+  std::string digits;
+  int power = 0;  // of ten, of the first digit
+};
+
+// Exact, then rounded to this many digits, half to even. Not by std::to_chars, whose tables of powers would
+// be a quarter of core/wasm, nor by a stream, whose locales would be a tenth.
+Decimal decimal_of(double number, std::size_t count) {
+  int exponent = 0;
+  auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(number, &exponent), 53));
+  if (whole == 0) return {"0", 0};
+  for (exponent -= 53; exponent < 0 && whole % 2 == 0; ++exponent) whole /= 2;
+  std::string digits = std::to_string(whole);
+  for (int i = 0; i < std::abs(exponent); ++i) multiply(digits, exponent < 0 ? 5 : 2);
+  int power = static_cast<int>(digits.size()) - 1 + std::min(exponent, 0);
+  if (digits.size() <= count) return {digits, power};
+  const bool half = digits[count] == '5' && digits.find_first_not_of('0', count + 1) == std::string::npos;
+  const bool up = half ? (digits[count - 1] - '0') % 2 != 0 : digits[count] >= '5';
+  digits.resize(count);
+  if (!up) return {digits, power};
+  const std::size_t last = digits.find_last_not_of('9');
+  if (last == std::string::npos) return {"1", power + 1};
+  digits.resize(last + 1);
+  ++digits[last];
+  return {digits, power};
+}
+
 }  // namespace
 
 std::string plain(double number) {
+  const std::string sign = std::signbit(number) ? "-" : "";
   // A power of two below 1/1000 is shown as a fraction.
   int exponent = 0;
   if (number > 0 && number < 1e-3 && std::frexp(number, &exponent) == 0.5 && exponent > -60) {
     return "1/" + std::to_string(std::uint64_t{1} << (1 - exponent));
   }
-  // Not by std::to_chars, whose tables of powers would be a quarter of core/wasm.
-  constexpr int kDigits = 12;  // hides the rounding of a product of two numbers
-  std::ostringstream rounded;
-  rounded.imbue(std::locale::classic());
-  rounded.precision(kDigits - 1);
-  rounded << std::scientific << number;
-  const std::string written = rounded.str();  // -1.23450000000e-05
-  if (!std::isfinite(number)) return written;
-  const std::string sign = written.front() == '-' ? "-" : "";
-  const int power = std::stoi(written.substr(written.find('e') + 1));
-  std::string digits = written.substr(sign.size(), 1) + written.substr(sign.size() + 2, kDigits - 1);
+  if (!std::isfinite(number)) return sign + (std::isnan(number) ? "nan" : "inf");
+  constexpr std::size_t kDigits = 12;  // hides the rounding of a product of two numbers
+  auto [digits, power] = decimal_of(std::abs(number), kDigits);
   digits.erase(std::max<std::size_t>(1, digits.find_last_not_of('0') + 1));
   const auto with_point = [&](std::size_t whole) {
     return digits.size() <= whole ? digits + std::string(whole - digits.size(), '0')

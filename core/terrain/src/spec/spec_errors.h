@@ -2,14 +2,15 @@
 #pragma once
 
 #include <concepts>
-#include <locale>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <talus/terrain/world.h>
+
+#include "spec/text_writer.h"
 
 namespace talus::terrain {
 
@@ -18,8 +19,7 @@ namespace talus::terrain {
 
 /// Concatenates the parts; formats floating-point numbers with plain().
 [[nodiscard]] std::string text_of(const auto&... parts) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());  // a host program's locale must not group the digits
+  TextWriter text;
   const auto add = [&](const auto& part) {
     if constexpr (std::floating_point<std::decay_t<decltype(part)>>) {
       text << plain(part);
@@ -28,7 +28,7 @@ namespace talus::terrain {
     }
   };
   (add(parts), ...);
-  return text.str();
+  return std::move(text).take();
 }
 
 class SpecErrors {

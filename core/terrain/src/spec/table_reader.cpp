@@ -1,6 +1,7 @@
 #include "spec/table_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -358,7 +359,9 @@ Colour TableReader::colour(const std::string& key) {
     return {};
   }
   const auto channel = [&](std::size_t at) {
-    return static_cast<std::uint8_t>(std::stoi(text->substr(at, 2), nullptr, 16));
+    std::uint8_t value = 0;
+    std::from_chars(text->data() + at, text->data() + at + 2, value, 16);
+    return value;
   };
   return {channel(1), channel(3), channel(5)};
 }
