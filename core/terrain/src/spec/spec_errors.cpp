@@ -71,7 +71,9 @@ std::string plain(double number) {
   }
   if (!std::isfinite(number)) return sign + (std::isnan(number) ? "nan" : "inf");
   constexpr std::size_t kDigits = 12;  // hides the rounding of a product of two numbers
-  auto [digits, power] = decimal_of(std::abs(number), kDigits);
+  auto rounded = decimal_of(std::abs(number), kDigits);
+  std::string& digits = rounded.digits;
+  const int power = rounded.power;
   digits.erase(std::max<std::size_t>(1, digits.find_last_not_of('0') + 1));
   const auto with_point = [&](std::size_t whole) {
     return digits.size() <= whole ? digits + std::string(whole - digits.size(), '0')
