@@ -3,13 +3,20 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
-
+#include <random>
 #include <string>
 
 #include <talus/terrain/world.h>
 
 #include "made_height_map.h"
+#include "seed_of_run.h"
 #include "spec/spec_errors.h"
 #include "worlds.h"
 #include "wrong_spec.h"
@@ -164,6 +171,26 @@ TEST_CASE("Numbers are written as a person writes them") {
   CHECK(plain(1e18) == "1e18");
   CHECK(plain(-2.5e-20) == "-2.5e-20");
   CHECK(plain(std::numeric_limits<double>::infinity()) == "inf");
+}
+
+TEST_CASE("Numbers are rounded to twelve digits, half to even, as printf rounds them") {
+  CHECK(plain(100000000000.5) == "100000000000");
+  CHECK(plain(100000000001.5) == "100000000002");
+  CHECK(plain(999999999999.5) == "1000000000000");
+  CHECK(plain(std::numeric_limits<double>::denorm_min()) == "4.94065645841e-324");
+  const std::uint64_t seed = seed_of_run();
+  CAPTURE(seed);
+  std::mt19937_64 random{seed};
+  for (int i = 0; i < 10'000; ++i) {
+    const auto number = std::bit_cast<double>(random());
+    if (!std::isfinite(number)) continue;
+    const std::string written = plain(number);
+    if (written.starts_with("1/")) continue;
+    std::array<char, 32> rounded{};
+    std::snprintf(rounded.data(), rounded.size(), "%.11e", number);
+    CAPTURE(written);
+    REQUIRE(std::strtod(written.c_str(), nullptr) == std::strtod(rounded.data(), nullptr));
+  }
 }
 
 TEST_CASE("Lines are the file's, with returns at their ends, comments and blank lines") {
