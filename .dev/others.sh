@@ -124,8 +124,18 @@ lint() {
 
 avx512() {
   no_arguments avx512 "$@"
-  deps build test emulator
+  deps build test
   build release -DTALUS_TESTS=ON -- test_terrain test_voxel talus_golden_O3
+  if grep -qw avx512bw /proc/cpuinfo && grep -qw avx512dq /proc/cpuinfo && grep -qw avx512vl /proc/cpuinfo; then
+    say "the kernels' tests by AVX-512, on this processor"
+    local -x TALUS_INSTRUCTION_SET=avx512
+    build/release/tests/terrain/test_terrain -w NoTests "*instruction set*"
+    build/release/tests/voxel/test_voxel -w NoTests "*instruction set*"
+    build/release/tests/golden/talus_golden_O3 tests/golden/golden.txt
+    return
+  fi
+  deps emulator
+  build release -DTALUS_TESTS=ON -- talus_golden_O0
   say "the kernels' tests by AVX-512, emulated"
   tests/emulator/avx512.sh
 }

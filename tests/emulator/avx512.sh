@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
 # The AVX-512 kernels on a processor without AVX-512: Debian's kernel and the tests of build/release in Bochs, which
-# emulates a Skylake-X. Shows that they give the right bits, not how fast. Takes about two minutes; output in build/avx512.
+# emulates a Skylake-X. Shows that they give the right bits, not how fast. Takes some minutes; output in build/avx512.
+#
+# Bochs 2.7 gives wrong bytes for `vpbroadcastb (memory), %zmm{%k}`, which a processor gives right and g++ makes of the
+# kernel that cuts a slice of a chunk from planes (core/voxel/src/kernels.cpp) unless told not to optimise. So that kernel's
+# test is left out, and golden is the one by -O0.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 repository="$PWD"
@@ -20,7 +24,7 @@ mkdir -p "$root"/{bin,proc,sys,dev,lib64,programs} "$root$repository"/{core,test
 cp /bin/busybox "$root/bin/busybox"
 ln -s busybox "$root/bin/sh"
 cp build/release/tests/terrain/test_terrain build/release/tests/voxel/test_voxel \
-  build/release/tests/golden/talus_golden_O3 "$root/programs"
+  build/release/tests/golden/talus_golden_O0 "$root/programs"
 for program in "$root"/programs/*; do ldd "$program" | grep -oE '/lib[^ ]+'; done | sort -u | while read -r library; do
   mkdir -p "$root${library%/*}"
   cp -L "$library" "$root$library"
@@ -38,11 +42,12 @@ export LD_BIND_NOW=1  # the emulator trips over the state that lazy binding save
 failed=0
 for tests in test_terrain test_voxel; do
   echo "== \$tests"
-  /programs/\$tests -w NoTests "*instruction set*" --use-colour no || failed=1
+  /programs/\$tests -w NoTests '"*instruction set*"~"slices are put together*"' --use-colour no || failed=1
 done
-echo "== talus_golden_O3"
-/programs/talus_golden_O3 "$repository/tests/golden/golden.txt" || failed=1
+echo "== talus_golden_O0"
+/programs/talus_golden_O0 "$repository/tests/golden/golden.txt" 16 || failed=1
 [ \$failed = 0 ] && echo "ALL AS EXPECTED BY AVX-512"
+sleep 2  # until all of it is on the line
 poweroff -f
 INIT
 chmod +x "$root/init"
