@@ -53,7 +53,7 @@ run() {
   : >out/talusd.log
   local flags=()
   [[ -f build/release/web/index.html ]] && flags=(--web build/release/web)
-  TALUS_LISTEN="$listen" TALUS_HTTP_LISTEN="$http" build/release/server/talusd "${flags[@]}" >out/talusd.log 2>&1 &
+  TALUS_LISTEN="$listen" TALUS_HTTP_LISTEN="$http" TALUS_PUBLISH="${TALUS_PUBLISH:-public}" build/release/server/talusd "${flags[@]}" >out/talusd.log 2>&1 &
   local server=$!
   trap 'trap - EXIT; kill -TERM $(jobs -p) 2>/dev/null || true; wait; exit 0' INT TERM
   trap 'kill -TERM $(jobs -p) 2>/dev/null || true' EXIT

@@ -195,6 +195,7 @@ for ((i = 0; i < servers; ++i)); do
 listen = "127.0.0.1:$(server_port $i 0)"
 admin = "127.0.0.1:$(server_port $i 1)"
 data = "$scratch/talus-$i"
+publish = "public"
 proxies = "$proxy"
 TOML
     settings talusd

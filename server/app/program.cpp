@@ -105,8 +105,9 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
   if (const auto member = check_member(config); !member) return fail(member.error());
-  const auto world = load_world(config.world);
-  if (!world) return fail(world.error());
+  const auto served = load_served_world(config);
+  if (!served) return fail(served.error());
+  const std::shared_ptr<const talus::terrain::World>& world = served->world;
   const auto account = configured_account(config);
   if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
@@ -129,12 +130,14 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     auto read = web::Site::read(config.http.web);
     if (!read) return fail(fmt::format("http.web: {}", read.error()));
     site = *std::move(read);
-    if (const auto enough = check_memory(config, site->bytes()); !enough) return fail(enough.error());
   }
-  const std::uint64_t site_bytes = site == nullptr ? 0 : site->bytes();
+  const std::uint64_t site_bytes = files_bytes(site.get(), served->published.get());
+  if (const auto enough = check_memory(config, site_bytes); !enough) return fail(enough.error());
   if (command.check_only) {
-    for (const std::string& warning : startup_warnings(command, keys->warnings, tls))
+    for (const std::string& warning : startup_warnings(command, keys->warnings, tls, *served))
       fmt::print(stderr, "{}", program_line(config.log.format, LogLevel::warn, warning));
+    if (served->published != nullptr)
+      fmt::print(stderr, "{}", program_line(config.log.format, LogLevel::info, kPublicationNote));
     fmt::print("ok\n");
     if (std::fflush(stdout) != 0) return fail("standard output: cannot write to it");
     return 0;
@@ -153,7 +156,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   auto listeners = open_listeners(config, clock, log);
   if (!listeners) return fail(listeners.error());
   // Only binding addresses and reading keys may need root. No thread runs yet.
-  auto data = drop_privileges_and_open_data(config, *account, (*world)->fingerprint());
+  auto data = drop_privileges_and_open_data(config, *account, world->fingerprint());
   if (!data) return fail(data.error());
   std::unique_ptr<WorldEdits> edits;
   const auto lost = std::make_shared<LostStore>(config.data, !config.cluster.peers.empty(), log);
@@ -162,7 +165,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     const auto progress = std::make_shared<JoinProgress>();
     if (listeners->operators != nullptr) listeners->operators->start(joining_answers(progress));
     auto prepared = prepare_member(
-        config.cluster, *cluster, **data, (*world)->fingerprint(),
+        config.cluster, *cluster, **data, world->fingerprint(),
         [&](std::uint64_t done, std::uint64_t total) {
           progress->done = done;
           progress->total = total;
@@ -179,18 +182,18 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     auto opened = without_signals([&] {
       const talus::store::HistoryLimits history{config.edits.history_bytes,
                                                 std::chrono::days{config.edits.history_days}};
-      return WorldEdits::open(config.data, **world, (*data)->store_id(), clock, log,
+      return WorldEdits::open(config.data, *world, (*data)->store_id(), clock, log,
                               edit_state_settings(config, site_bytes), history,
                               store_memory(config, site_bytes), std::move(shared));
     });
     if (!opened) return fail(opened.error());
     edits = *std::move(opened);
-    note_world(config, **world, *log);
+    note_world(config, *world, *log);
     const auto fits = check_index_memory(config, edits->state().index().bytes(), site_bytes);
     if (!fits) return fail(fits.error());
   }
   std::unique_ptr<ColumnCache> columns;
-  if (const auto settings = column_cache_settings(config, (*world)->fingerprint())) {
+  if (const auto settings = column_cache_settings(config, world->fingerprint())) {
     auto opened = without_signals([&] { return ColumnCache::open(*settings, log, clock); });
     // Only a cache: players are served without it.
     if (opened) {
@@ -203,7 +206,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   const std::string web_address = listeners->web_address;
   const std::string operators_address = listeners->operators_address;
   Server server{config,
-                *world,
+                *served,
                 edits ? edits->store_id() : talus::ContentHash{},
                 access,
                 tls,
@@ -215,10 +218,12 @@ int serve(const Command& command, const ReadSettings& read_settings) {
                 std::move(edits),
                 std::move(columns)};
 
-  for (const std::string& warning : startup_warnings(command, of_keys, tls)) log->warn("{}", warning);
+  for (const std::string& warning : startup_warnings(command, of_keys, tls, *served))
+    log->warn("{}", warning);
+  if (served->published != nullptr) log->info("{}", kPublicationNote);
   if (!*data) log->info("edits are not taken: the data directory is not set; give --data DIRECTORY");
-  log->info("world {}, generator {} with {} kernels", to_string((*world)->fingerprint()),
-            to_integer((*world)->generator_version()), to_string(talus::instruction_set()));
+  log->info("world {}, generator {} with {} kernels", to_string(world->fingerprint()),
+            to_integer(world->generator_version()), to_string(talus::instruction_set()));
   if (tls && tls->valid_now) log->info("TLS with {}", tls->description);
   // Printed alone, at every log level: programs that start a server parse this line.
   fmt::print("listening on {}\n", address);

@@ -46,7 +46,8 @@ constexpr std::size_t kTopFlows = 10;
 // The main thread counts as hung after this long without housekeeping.
 constexpr std::chrono::seconds kMaxSilence{15};
 
-WorldInfo describe_world(const terrain::World& world, ContentHash store_id, const WorldEdits* edits) {
+WorldInfo describe_world(const ServedWorld& served, ContentHash store_id, const WorldEdits* edits) {
+  const terrain::World& world = *served.world;
   auto materials = world.materials();
   if (edits != nullptr) {
     materials.insert(materials.end(), edits->placeables().begin(), edits->placeables().end());
@@ -54,14 +55,15 @@ WorldInfo describe_world(const terrain::World& world, ContentHash store_id, cons
   return {world.fingerprint(),        store_id,
           std::move(materials),       terrain::height_range(world),
           terrain::find_spawn(world), "talusd " TALUS_VERSION,
-          world.look_names(),         terrain::place_names(world)};
+          world.look_names(),         terrain::place_names(world),
+          served.published,           served.published ? web::world_file_path(world.fingerprint()) : ""};
 }
 
 }  // namespace
 
-Server::Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
-               AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-               Logger log, ReadSettings read_settings, std::shared_ptr<const web::Site> site,
+Server::Server(const Config& config, ServedWorld world, ContentHash store_id, AccessControl& access,
+               std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock, Logger log,
+               ReadSettings read_settings, std::shared_ptr<const web::Site> site,
                std::unique_ptr<WorldEdits> edits, std::unique_ptr<ColumnCache> columns)
     : config_{config},
       history_limit_bytes_{config.edits.history_bytes},
@@ -70,12 +72,13 @@ Server::Server(const Config& config, std::shared_ptr<const terrain::World> world
       log_{std::move(log)},
       log_of_clients_{for_clients(log_)},
       access_{access},
-      terrain_{std::move(world)},
-      world_{describe_world(*terrain_, store_id, edits.get())},
+      terrain_{world.world},
+      world_{describe_world(world, store_id, edits.get())},
       generator_version_{static_cast<std::uint64_t>(to_integer(terrain_->generator_version()))},
       patch_size_{measured_patch_size(config, *terrain_, clock)},
       site_{std::move(site)},
-      site_bytes_{site_ == nullptr ? 0 : site_->bytes()},
+      world_files_{world.published ? std::make_shared<const web::WorldFiles>(world.published) : nullptr},
+      site_bytes_{files_bytes(site_.get(), world.published.get())},
       rates_{rate_limits(config, site_bytes_)},
       memory_{config.limits.memory_bytes, io_threads(config) + generator_threads(config)},
       admission_{admission_limits(config, site_bytes_), clock},
@@ -143,18 +146,19 @@ RunnerContextPtr Server::make_context(const Config& config) {
                   server.log_of_clients_,
                   std::move(place)} {}
   };
-  const auto kept = std::make_shared<const OwnedContext>(
-      session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time), runner_limits(config),
-      http_place(config), *this);
+  SessionLimits limits = session_limits(config, *terrain_, world_.spawn, patch_size_.tile_time);
+  limits.view_base = world_.published != nullptr;
+  const auto kept =
+      std::make_shared<const OwnedContext>(limits, runner_limits(config), http_place(config), *this);
   return {kept, &kept->context};
 }
 
 web::WebContextPtr Server::make_web_context(const Config& config, const RunnerContextPtr& runner) {
-  return std::make_shared<const web::WebContext>(
-      web::WebContext{runner, edits_.get(), web_settings(config), admission_,
-                      web_service(config, clock_, log_of_clients_), to_string(world_.fingerprint),
-                      to_string(world_.store_id), web_answers_, web_fetches_, recent_revisions_, site_,
-                      std::make_shared<web::WorldDocument>(world_, runner->session.limits, edits_.get())});
+  return std::make_shared<const web::WebContext>(web::WebContext{
+      runner, edits_.get(), web_settings(config), admission_, web_service(config, clock_, log_of_clients_),
+      to_string(world_.fingerprint), to_string(world_.store_id), web_answers_, web_fetches_,
+      recent_revisions_, site_,
+      std::make_shared<web::WorldDocument>(world_, runner->session.limits, edits_.get()), world_files_});
 }
 
 std::string Server::metrics_text() {

@@ -23,6 +23,7 @@
 #include "admin/admin_server.h"
 #include "app/listeners.h"
 #include "app/world_edits.h"
+#include "app/world_file.h"
 #include "chunks/chunks.h"
 #include "chunks/generation/patch_size.h"
 #include "cluster/checkpoint/checkpoint_service.h"
@@ -46,6 +47,7 @@
 #include "runtime/metrics/metrics.h"
 #include "web/site.h"
 #include "web/web_context.h"
+#include "web/world_files.h"
 
 namespace talus::server {
 
@@ -59,9 +61,9 @@ class Server {
   /// `edits`: the store's edits; null if edits are neither stored nor accepted. `columns`: disk cache of
   /// expensive columns; null if disabled. From here on signals wait for run(). Starts no thread before run(),
   /// except the threads of `edits`.
-  Server(const Config& config, std::shared_ptr<const terrain::World> world, ContentHash store_id,
-         AccessControl& access, std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock,
-         Logger log, ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
+  Server(const Config& config, ServedWorld world, ContentHash store_id, AccessControl& access,
+         std::optional<TlsIdentity> tls, Listeners listeners, const Clock& clock, Logger log,
+         ReadSettings read_settings = {}, std::shared_ptr<const web::Site> site = nullptr,
          std::unique_ptr<WorldEdits> edits = nullptr, std::unique_ptr<ColumnCache> columns = nullptr);
 
   /// Serves until SIGTERM or SIGINT, then until every answer is sent or shutdown.drain has passed. SIGHUP
@@ -131,7 +133,8 @@ class Server {
   const std::uint64_t generator_version_;
   const PatchSize patch_size_;
   const std::shared_ptr<const web::Site> site_;
-  const std::uint64_t site_bytes_;
+  const std::shared_ptr<const web::WorldFiles> world_files_;  // null: not published
+  const std::uint64_t site_bytes_;                            // and those of world_files_
   CurrentRates rates_;
   FlowUses flows_;
   Metrics metrics_;

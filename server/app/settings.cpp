@@ -65,6 +65,10 @@ SessionLimits session_limits(const Config& config, const terrain::World& world, 
           .edits = edit_rules(config, spawn)};
 }
 
+std::uint64_t files_bytes(const web::Site* site, const PublishedWorld* published) {
+  return (site == nullptr ? 0 : site->bytes()) + (published == nullptr ? 0 : published->bytes());
+}
+
 namespace {
 
 /// New editors per hour. A configured rate ignores the budget, because many players may share one address.

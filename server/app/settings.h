@@ -22,6 +22,7 @@
 #include "net/departures.h"
 #include "net/handshaker.h"
 #include "net/runner_context.h"
+#include "player/session/published_world.h"
 #include "player/session/session_limits.h"
 #include "runtime/clock.h"
 #include "web/web_context.h"
@@ -41,7 +42,9 @@ namespace talus::server {
 [[nodiscard]] EditRules edit_rules(const Config& config, VoxelPos spawn);
 [[nodiscard]] SessionLimits session_limits(const Config& config, const terrain::World& world, VoxelPos spawn,
                                            std::chrono::nanoseconds tile_time);
-/// `site_bytes`, here and below: size of the files that the server serves from memory.
+/// Size of the files that the server serves from memory; each may be null.
+[[nodiscard]] std::uint64_t files_bytes(const web::Site* site, const PublishedWorld* published);
+/// `site_bytes`, here and below: files_bytes().
 [[nodiscard]] RateLimits rate_limits(const Config& config, std::uint64_t site_bytes = 0);
 [[nodiscard]] RunnerLimits runner_limits(const Config& config);
 [[nodiscard]] HandshakeSettings handshake_settings(const Config& config);

@@ -54,7 +54,7 @@ void note_world(const Config& config, const terrain::World& world, LogWriter& lo
 }
 
 std::vector<std::string> startup_warnings(const Command& command, const std::vector<std::string>& of_keys,
-                                          const std::optional<TlsIdentity>& tls) {
+                                          const std::optional<TlsIdentity>& tls, const ServedWorld& world) {
   std::vector<std::string> warnings = command.warnings;
   warnings.insert(warnings.end(), of_keys.begin(), of_keys.end());
   const Config& config = command.config;
@@ -71,6 +71,12 @@ std::vector<std::string> startup_warnings(const Command& command, const std::vec
     warnings.push_back(
         fmt::format("{}: the user that talusd runs as cannot read it; a reload will keep the old one",
                     escaped(file.string(), 500)));
+  }
+  if (!world.withheld.empty()) {
+    warnings.push_back(
+        fmt::format("publish: the world is not published, as clients cannot make it without \"{}\", a height "
+                    "map over 1 MiB; set publish_files = true, or publish = \"none\"",
+                    escaped(world.withheld, 200)));
   }
   if (!config.http.web.empty() && !config.http.listen) {
     warnings.emplace_back("http.web: nothing is served without an address; give --http HOST:PORT");

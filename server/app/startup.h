@@ -11,6 +11,7 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/content_hash.h>
 
+#include "app/world_file.h"
 #include "config/command_line.h"
 #include "net/tls_context.h"
 #include "runtime/log/logger.h"
@@ -33,6 +34,7 @@ void note_world(const Config& config, const terrain::World& world, LogWriter& lo
 /// Returns warnings for the log about how the server was started.
 [[nodiscard]] std::vector<std::string> startup_warnings(const Command& command,
                                                         const std::vector<std::string>& of_keys,
-                                                        const std::optional<TlsIdentity>& tls);
+                                                        const std::optional<TlsIdentity>& tls,
+                                                        const ServedWorld& world);
 
 }  // namespace talus::server

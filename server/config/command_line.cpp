@@ -62,7 +62,8 @@ tl::expected<Command, Exit> read_command_line(int argc, const char* const* argv,
   app.add_option("--config", config_file, "settings in TOML, as in talusd.toml")->type_name("FILE");
   std::array flags{Flag{"world", "world", "FILE"},           Flag{"listen", "listen", "HOST:PORT"},
                    Flag{"http", "http.listen", "HOST:PORT"}, Flag{"web", "http.web", "DIR"},
-                   Flag{"admin", "admin", "HOST:PORT"},      Flag{"data", "data", "DIR"}};
+                   Flag{"admin", "admin", "HOST:PORT"},      Flag{"data", "data", "DIR"},
+                   Flag{"publish", "publish", "none|public"}};
   for (Flag& flag : flags) {
     const std::string fallback =
         flag.key == "listen" ? fmt::format("; default {}", to_string(Config{}.listen)) : std::string{};

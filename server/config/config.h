@@ -170,9 +170,11 @@ struct Http {
 struct Config {
   protocol::Endpoint listen{"0.0.0.0", kDefaultPort};
   std::optional<protocol::Endpoint> admin;
-  std::filesystem::path data;   // empty: nothing is stored on disk
-  std::filesystem::path world;  // empty: the built-in world
-  std::string user;             // empty: do not switch user
+  std::filesystem::path data;    // empty: nothing is stored on disk
+  std::filesystem::path world;   // empty: the built-in world
+  std::string publish = "none";  // "public": clients get the world's file
+  bool publish_files = false;    // height maps over kMaxSmallMapBytes too
+  std::string user;              // empty: do not switch user
   Access access;
   Edits edits;
   Networks proxies;  // must send a PROXY header

@@ -11,6 +11,7 @@ constexpr milliseconds kDay = std::chrono::hours{24};
 constexpr milliseconds kMinTimeout{10};
 constexpr std::uint64_t kMaxPerSecond = 0xFFFF'FFFF;  // limits/rates/token_bucket.h
 
+constexpr std::array<std::string_view, 2> kPublish{"none", "public"};
 constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
 constexpr std::array<std::string_view, 5> kRights{"read", "read,edit", "read,edit,admin", "read,edit,gateway",
@@ -56,6 +57,14 @@ const std::array kFields{
         PathTarget{[](Config& c) -> std::filesystem::path& { return c.data; }}},
     Field{"world", "file", "the world's spec, a TOML file; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
+    Field{"publish", "",
+          "public: everyone who may read chunks gets the world's file and the models that it names, so that "
+          "clients make chunks themselves and are sent edits alone; it gives away all that is generated, "
+          "such as ore and caves",
+          WordTarget{[](Config& c) -> std::string& { return c.publish; }, kPublish}},
+    Field{"publish_files", "switch",
+          "true: height maps over 1 MiB are published too; without them their worlds are not",
+          SwitchTarget{[](Config& c) -> bool& { return c.publish_files; }}},
     Field{"user", "user, as NAME, UID or UID:GID",
           "user to switch to after binding ports and reading keys, if started as root; empty: talusd stays "
           "root, with a warning",

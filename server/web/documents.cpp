@@ -82,19 +82,20 @@ std::string world_document(const WorldInfo& world, const SessionLimits& limits, 
                                                 material.colour.green, material.colour.blue)},
                          {"phase", phase_name(material.kind)}});
   }
-  const ordered_json document{{"server", world.server},
-                              {"fingerprint", to_string(world.fingerprint)},
-                              {"store_id", to_string(world.store_id)},
-                              {"codec", kCodecVersion},
-                              {"chunk_size", kChunkSize},
-                              {"levels", Lod::kMax + 1},
-                              {"min_y", world.heights.low},
-                              {"max_y", world.heights.high},
-                              {"spawn", {world.spawn.x, world.spawn.y, world.spawn.z}},
-                              {"materials", materials},
-                              {"looks", world.looks},
-                              {"fields", world.fields},
-                              {"limits", limits_object(limits, rates)}};
+  ordered_json document{{"server", world.server},
+                        {"fingerprint", to_string(world.fingerprint)},
+                        {"store_id", to_string(world.store_id)},
+                        {"codec", kCodecVersion},
+                        {"chunk_size", kChunkSize},
+                        {"levels", Lod::kMax + 1},
+                        {"min_y", world.heights.low},
+                        {"max_y", world.heights.high},
+                        {"spawn", {world.spawn.x, world.spawn.y, world.spawn.z}},
+                        {"materials", materials},
+                        {"looks", world.looks},
+                        {"fields", world.fields},
+                        {"limits", limits_object(limits, rates)}};
+  if (!world.world_file.empty()) document["world_file"] = world.world_file;
   return document.dump();
 }
 

@@ -18,6 +18,7 @@
 #include "web/heights_answers.h"
 #include "web/map_answers.h"
 #include "web/site_answer.h"
+#include "web/world_files.h"
 
 namespace talus::server::web {
 namespace {
@@ -145,9 +146,10 @@ Answer PlayerHandler::decide(const http::Request& request) {
   auto route = find_route(exchange_.path(), request.query(), shared_.limits.heights_per_request);
   if (!route) return error_response(route.error().status, ErrorCode::malformed, route.error().text);
   route_.emplace(*std::move(route));
-  const bool chunks =
-      std::holds_alternative<ChunkRoute>(*route_) || std::holds_alternative<ColumnsRoute>(*route_) ||
-      std::holds_alternative<EditsRoute>(*route_) || std::holds_alternative<MapRoute>(*route_);
+  const bool chunks = std::holds_alternative<ChunkRoute>(*route_) ||
+                      std::holds_alternative<ColumnsRoute>(*route_) ||
+                      std::holds_alternative<EditsRoute>(*route_) ||
+                      std::holds_alternative<MapRoute>(*route_) || std::holds_alternative<FileRoute>(*route_);
   // The token of a stream is in its Hello.
   if (!std::holds_alternative<StreamRoute>(*route_)) {
     if (auto wrong = requester_.check_token(request, chunks, exchange_.audience)) return wrong;
@@ -157,7 +159,8 @@ Answer PlayerHandler::decide(const http::Request& request) {
 
 void PlayerHandler::finish(const http::Request& request, http::Response& response) {
   exchange_.end();
-  exchange_.hold(response.content().size());  // until it is sent
+  // Until it is sent. A world's files are in memory anyway.
+  exchange_.hold(route_ && std::holds_alternative<FileRoute>(*route_) ? 0 : response.content().size());
   if (exchange_.is_for_players() &&
       !add_origin_fields(request, exchange_.audience, context_->settings.origins, response)) {
     log_refused_page(request.list("Origin"));
@@ -185,6 +188,7 @@ AnswerKind PlayerHandler::kind() const {
   if (std::holds_alternative<ColumnsRoute>(*route_)) return AnswerKind::columns;
   if (std::holds_alternative<EditsRoute>(*route_)) return AnswerKind::edits;
   if (std::holds_alternative<HeightsRoute>(*route_)) return AnswerKind::heights;
+  if (std::holds_alternative<FileRoute>(*route_)) return AnswerKind::file;
   return std::holds_alternative<MapRoute>(*route_) ? AnswerKind::map : AnswerKind::other;
 }
 

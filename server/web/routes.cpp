@@ -251,6 +251,13 @@ tl::expected<Route, RouteError> heights(std::string_view text, std::size_t max_c
   return route;
 }
 
+/// `name`: the rest of the path after "files/".
+tl::expected<Route, RouteError> world_file(std::string_view fingerprint, std::string_view name) {
+  auto decoded = http::percent_decoded(name);
+  if (decoded && !decoded->empty()) return FileRoute{fingerprint, *std::move(decoded)};
+  return wrong(404, "/v1/{fingerprint}/files/{name} is a file that the world's file names, percent-encoded");
+}
+
 }  // namespace
 
 std::string last_part_of(const ChunkRoute& route, std::uint64_t revision) {
@@ -285,6 +292,11 @@ tl::expected<Route, RouteError> find_route(std::string_view path, std::optional<
   if (parts.size() == 1 && parts[0] == "stream") return StreamRoute{};
   if (query) return wrong(404, "this path has no '?' at its end: caches would hold an answer twice");
   if (parts.size() > 1 && parts[1] == "map") return map_tile(parts);
+  if (parts.size() == 2 && parts[1] == "world.toml") return FileRoute{parts[0], {}};
+  if (parts.size() > 2 && parts[1] == "files") {
+    return world_file(parts[0],
+                      path.substr(kRoot.size() + parts[0].size() + std::string_view{"/files/"}.size()));
+  }
   if (parts.size() > 2 && parts[2] == "edits") return edited_region(parts);
   return chunks(parts);
 }

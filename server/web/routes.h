@@ -65,8 +65,13 @@ struct MapRoute {
   std::string_view fingerprint;
   map::Tile tile;
 };
-using Route =
-    std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, EditsRoute, HeightsRoute, MapRoute>;
+/// A file of a published world.
+struct FileRoute {
+  std::string_view fingerprint;
+  std::string name;  // in the world's spec; empty: the spec itself
+};
+using Route = std::variant<WorldRoute, StreamRoute, ChunkRoute, ColumnsRoute, EditsRoute, HeightsRoute,
+                           MapRoute, FileRoute>;
 
 struct RouteError {
   int status = 404;

@@ -19,6 +19,8 @@
 
 namespace talus::server::web {
 
+class WorldFiles;
+
 struct WebSettings {
   bool public_chunks = false;  // chunks need no token, and every cache may keep them
   AllowedOrigins origins;
@@ -40,6 +42,7 @@ struct WebContext {
   RecentRevisions& recent_revisions;    // of `edits`
   std::shared_ptr<const Site> site;     // null: not served
   std::shared_ptr<WorldDocument> world;
+  std::shared_ptr<const WorldFiles> world_files{};  // null: the world is not published
   std::shared_ptr<RefusedOrigins> refused_origins = std::make_shared<RefusedOrigins>();
 };
 using WebContextPtr = std::shared_ptr<const WebContext>;

@@ -21,6 +21,7 @@
 #include "scratch_directory.h"
 #include "served_world.h"
 #include "server_process.h"
+#include "world_of_a_map.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -250,6 +251,21 @@ TEST_CASE("the flag --check-config says ok, or what is wrong and where") {
   CHECK(ended.out == "ok\n");
   CHECK_THAT(one_line(run_talusd({"--check-config", "--config", wrong})),
              Catch::Contains(wrong + ":2: limits.conections") && Catch::Contains("limits.connections?"));
+}
+
+TEST_CASE("the flag --check-config says what a published world gives away, or why it is not published") {
+  const ScratchDirectory scratch;
+  const ProgramResult open = run_talusd({"--check-config", "--publish", "public"});
+  CHECK(open.status == 0);
+  CHECK_THAT(open.err, Catch::Contains("every ore and cave"));
+  CHECK(run_talusd({"--check-config"}).err.find("publish") == std::string::npos);
+  const std::string large = write_world_of_a_map(scratch, 725);
+  const ProgramResult withheld = run_talusd({"--check-config", "--publish", "public", "--world", large});
+  CHECK(withheld.status == 0);
+  CHECK_THAT(withheld.err, Catch::Contains("warning: publish: the world is not published") &&
+                               Catch::Contains("\"heights.npy\"") && Catch::Contains("publish_files = true"));
+  CHECK_THAT(one_line(run_talusd({"--check-config", "--publish", "all"})),
+             Catch::Contains("--publish: \"all\" is wrong; give one of \"none\", \"public\""));
 }
 
 TEST_CASE("why a server does not start is said in the log's format, and obeyed by no terminal") {

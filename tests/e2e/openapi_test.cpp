@@ -14,6 +14,7 @@
 #include "http_client.h"
 #include "scratch_directory.h"
 #include "server_process.h"
+#include "world_of_a_map.h"
 
 using namespace talus;
 using namespace talus::e2e;
@@ -260,7 +261,10 @@ class Provoker {
   ScratchDirectory scratch_;
   std::string secret_;
   std::string blocked_;
-  ServerProcess open_{{kClassicWorld, {"TALUS_DATA", (scratch_ / "data").string()}}, kWithHttp};
+  ServerProcess open_{{{"TALUS_WORLD", write_world_of_a_map(scratch_, 8)},
+                       {"TALUS_PUBLISH", "public"},
+                       {"TALUS_DATA", (scratch_ / "data").string()}},
+                      kWithHttp};
   ServerProcess with_secret_{{kClassicWorld, {"TALUS_ACCESS_SECRET_FILE", secret_}}, kWithHttp};
   ServerProcess with_block_{{kClassicWorld, {"TALUS_ACCESS_BLOCKED_FILE", blocked_}}, kWithHttp};
   ServerProcess slow_{
@@ -273,7 +277,7 @@ class Provoker {
 TEST_CASE("each path of openapi.json answers as it says, with each parameter, by each status that it lists") {
   Provoker provoker;
   const json world = provoker.world();
-  REQUIRE(document()["paths"].size() == 15);
+  REQUIRE(document()["paths"].size() == 17);
   for (const auto& [path, operations] : document()["paths"].items()) {
     REQUIRE(operations.size() == 1);  // HEAD is as GET
     const json& operation = operations.at("get");

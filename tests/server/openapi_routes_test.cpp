@@ -27,12 +27,13 @@ const json& document() {
   return kDocument;
 }
 
-/// Kind of the route, edge of a square (0: not a square), and true for land with edits.
+/// Kind of the route, edge of a square (0: not a square), and true for land with edits and named files.
 using Form = std::tuple<std::size_t, std::int32_t, bool>;
 
 Form form_of(const Route& route) {
   if (const auto* chunk = std::get_if<ChunkRoute>(&route))
     return {route.index(), 0, chunk->edition.has_value()};
+  if (const auto* file = std::get_if<FileRoute>(&route)) return {route.index(), 0, !file->name.empty()};
   const auto* columns = std::get_if<ColumnsRoute>(&route);
   if (columns == nullptr) return {route.index(), 0, false};
   return {route.index(), columns->square ? columns->edge : 0, columns->edition.has_value()};
@@ -43,6 +44,7 @@ std::set<Form> forms_in_code() {
   std::set<Form> forms;
   for (std::size_t kind = 0; kind < std::variant_size_v<Route>; ++kind) forms.insert({kind, 0, false});
   forms.insert({Route{ChunkRoute{}}.index(), 0, true});
+  forms.insert({Route{FileRoute{}}.index(), 0, true});
   const std::size_t columns = Route{ColumnsRoute{}}.index();
   for (const bool edited : {false, true}) {
     forms.insert({columns, 0, edited});

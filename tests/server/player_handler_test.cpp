@@ -28,6 +28,54 @@ TEST_CASE("the world is described, and its description has a tag") {
   CHECK(site.ask("/v1/world", "If-None-Match: " + answer.field("ETag") + "\r\n").status == 304);
 }
 
+TEST_CASE("the files of a published world are served as they are, for ever; of others there are none") {
+  const std::string base = "/v1/00000000000000020000000000000001/";
+  PlayerSite site;
+  for (const char* const path : {"world.toml", "files/a", "files/"}) {
+    const Answer answer = site.ask(base + path);
+    CHECK(answer.status == 404);
+    CHECK(answer.code() == site.ask(base + "no/path").code());
+  }
+  PlayerSite of_public;
+  of_public.world_files = std::make_shared<const web::WorldFiles>(std::make_shared<const PublishedWorld>(
+      PublishedWorld{"seed = 1\n", {{"a b+/\xC3\xA9.vox", std::string{"VOX \0", 5}}}}));
+  const Answer spec = of_public.ask(base + "world.toml");
+  CHECK(spec.status == 200);
+  CHECK(spec.body == "seed = 1\n");
+  CHECK(spec.field("Content-Type") == "application/toml");
+  CHECK(spec.field("Cache-Control") == "public, max-age=31536000, immutable");
+  CHECK(of_public.ask(base + "world.toml", "If-None-Match: " + spec.field("ETag") + "\r\n").status == 304);
+  CHECK(of_public.ask(base + "files/a%20b+/%c3%A9.vox").body == std::string{"VOX \0", 5});
+  for (const char* const path : {"files/", "files/a", "files/%zz", "files/a%20b%20/%c3%A9.vox"}) {
+    CHECK(of_public.ask(base + path).status == 404);
+  }
+  CHECK(of_public.ask(base + "world.toml?x=1").status == 400);
+  CHECK(of_public.ask("/v1/00000000000000020000000000000002/world.toml").code() == "out_of_range");
+}
+
+TEST_CASE("a published world's files need the token that its chunks need") {
+  const ScratchDirectory scratch;
+  PlayerSite site{with_secret(scratch)};
+  site.world_files = std::make_shared<const web::WorldFiles>(
+      std::make_shared<const PublishedWorld>(PublishedWorld{"seed = 1\n", {}}));
+  const std::string path = "/v1/00000000000000020000000000000001/world.toml";
+  CHECK(site.ask(path).status == 401);
+  const Answer answer = site.ask(path, kToken);
+  CHECK(answer.status == 200);
+  CHECK(answer.field("Cache-Control") == "private, no-store");
+}
+
+TEST_CASE("a client over its rate waits for a file, or is refused") {
+  PlayerSite site;
+  site.world_files = std::make_shared<const web::WorldFiles>(
+      std::make_shared<const PublishedWorld>(PublishedWorld{std::string(100'000, '#'), {}}));
+  site.rates.set({{{}, {1000, 1000}, {}}, {}, 1s});
+  const std::string path = "/v1/00000000000000020000000000000001/world.toml";
+  const auto client = site.connect();
+  CHECK(site.ask(*client, path).status == 200);
+  CHECK(site.ask(*client, path).status == 429);
+}
+
 TEST_CASE("a stream requested in HTTP/1.0 is refused: 426, and the connection closes") {
   PlayerSite site;
   const auto client = site.connect();

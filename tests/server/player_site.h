@@ -21,6 +21,7 @@
 #include "scripted_source.h"
 #include "session_limits_of_tests.h"
 #include "web/player_handler.h"
+#include "web/world_files.h"
 
 #include <asio/executor_work_guard.hpp>
 
@@ -149,6 +150,7 @@ struct PlayerSite {
   http::Service service{clock, runner.log, {}, 60s, 10s, 15s};
   web::WebSettings settings;
   std::shared_ptr<const web::Site> site;
+  std::shared_ptr<const web::WorldFiles> world_files;
   std::atomic<std::uint64_t> answers{0};
   std::atomic<std::uint64_t> fetches{0};
   web::RecentRevisions recent_revisions;
@@ -179,7 +181,8 @@ struct PlayerSite {
                           fetches,
                           recent_revisions,
                           site,
-                          std::make_shared<web::WorldDocument>(world, limits, has_store ? &land : nullptr)});
+                          std::make_shared<web::WorldDocument>(world, limits, has_store ? &land : nullptr),
+                          world_files});
     }
     auto client = std::make_shared<Loopback>(io);
     const auto address = asio::ip::address_v4::loopback();

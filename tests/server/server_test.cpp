@@ -44,7 +44,7 @@ std::string log_of_reload(const Config& config, const ReadSettings& read_setting
     auto listeners = open_listeners(config, clock, log);
     REQUIRE(listeners.has_value());
     Server server{config,
-                  std::make_shared<const terrain::World>(terrain::default_world()),
+                  ServedWorld{std::make_shared<const terrain::World>(terrain::default_world()), {}, {}},
                   ContentHash{},
                   access,
                   std::nullopt,
@@ -99,10 +99,11 @@ TEST_CASE("signals after the last client has left do not make the end a failure"
   {
     auto listeners = open_listeners(config, clock, log);
     REQUIRE(listeners.has_value());
-    Server server{config,        std::make_shared<const terrain::World>(terrain::default_world()),
-                  ContentHash{}, access,
-                  std::nullopt,  *std::move(listeners),
-                  clock,         log};
+    Server server{
+        config,        ServedWorld{std::make_shared<const terrain::World>(terrain::default_world()), {}, {}},
+        ContentHash{}, access,
+        std::nullopt,  *std::move(listeners),
+        clock,         log};
     ::raise(SIGTERM);
     server.run();
     // Caches may take long to go from here on.

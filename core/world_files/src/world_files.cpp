@@ -29,6 +29,10 @@ tl::expected<std::filesystem::path, std::string> path_of(const std::filesystem::
   return folder / path;
 }
 
+tl::expected<std::vector<terrain::VoxelModel>, std::string> models_of(std::span<const std::byte> bytes) {
+  return decode_vox(bytes);
+}
+
 }  // namespace
 
 tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesystem::path& file) {
@@ -37,22 +41,22 @@ tl::expected<terrain::HeightMap, std::string> read_height_map(const std::filesys
   return decode_height_map(std::as_bytes(std::span{*bytes}));
 }
 
-terrain::WorldFiles beside(const std::filesystem::path& world_file) {
-  const std::filesystem::path folder = world_file.parent_path();
-  using Models = tl::expected<std::vector<terrain::VoxelModel>, std::string>;
-  const auto load_map = [folder](const std::string& name) -> DecodeResult {
-    const auto file = path_of(folder, name);
-    if (!file) return refused(file.error());
-    return read_height_map(*file);
+terrain::WorldFiles beside(const std::filesystem::path& world_file, const TakeFile& take) {
+  const auto loader = [&]<class Result>(FileKind kind, std::size_t max_bytes,
+                                        Result (*decode)(std::span<const std::byte>)) {
+    return [folder = world_file.parent_path(), take, kind, max_bytes,
+            decode](const std::string& name) -> Result {
+      const auto file = path_of(folder, name);
+      if (!file) return refused(file.error());
+      auto bytes = files::read_regular_file(*file, max_bytes);
+      if (!bytes) return refused(bytes.error().reason);
+      Result decoded = decode(std::as_bytes(std::span{*bytes}));
+      if (decoded && take) take(kind, name, *std::move(bytes));
+      return decoded;
+    };
   };
-  const auto load_models = [folder](const std::string& name) -> Models {
-    const auto file = path_of(folder, name);
-    if (!file) return refused(file.error());
-    const auto bytes = files::read_regular_file(*file, kMaxModelFileBytes);
-    if (!bytes) return refused(bytes.error().reason);
-    return decode_vox(std::as_bytes(std::span{*bytes}));
-  };
-  return {load_map, load_models};
+  return {terrain::LoadHeightMap{loader(FileKind::height_map, kMaxHeightMapBytes, decode_height_map)},
+          terrain::LoadModels{loader(FileKind::model, kMaxModelFileBytes, models_of)}};
 }
 
 }  // namespace talus::world_files

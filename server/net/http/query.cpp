@@ -20,12 +20,15 @@ std::vector<std::string_view> split(std::string_view text, char by, std::size_t 
   return parts;
 }
 
-std::optional<std::string> form_decoded(std::string_view text) {
+namespace {
+
+/// Puts `plus` in place of each plus sign.
+std::optional<std::string> decoded_with(std::string_view text, char plus) {
   std::string decoded;
   decoded.reserve(text.size());
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] != '%') {
-      decoded += text[at] == '+' ? ' ' : text[at];
+      decoded += text[at] == '+' ? plus : text[at];
       continue;
     }
     unsigned char byte = 0;
@@ -37,6 +40,16 @@ std::optional<std::string> form_decoded(std::string_view text) {
     at += 2;
   }
   return decoded;
+}
+
+}  // namespace
+
+std::optional<std::string> percent_decoded(std::string_view text) {
+  return decoded_with(text, '+');
+}
+
+std::optional<std::string> form_decoded(std::string_view text) {
+  return decoded_with(text, ' ');
 }
 
 tl::expected<Query, std::string> Query::parse(std::string_view text) {

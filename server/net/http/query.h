@@ -13,6 +13,8 @@ namespace talus::server::http {
 /// Splits at `by` into at most `max_parts`; the last part has the rest.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char by, std::size_t max_parts);
 
+/// Replaces %XX by its byte; nullopt if two hexadecimal digits do not follow a %.
+[[nodiscard]] std::optional<std::string> percent_decoded(std::string_view text);
 /// Replaces %XX by its byte and + by a blank; nullopt if two hexadecimal digits do not follow a %.
 [[nodiscard]] std::optional<std::string> form_decoded(std::string_view text);
 

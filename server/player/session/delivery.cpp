@@ -31,7 +31,7 @@ void Delivery::cancel(const std::vector<std::uint32_t>& ids) {
       }
     } else if (const auto ticket = requests_.heights_ticket(id)) {
       context_.chunks.cancel_heights(mailbox_->owner(), *ticket);
-    } else {
+    } else if (requests_.file(id) == nullptr) {
       continue;  // answered already, or never asked
     }
     requests_.erase(id);
@@ -135,6 +135,7 @@ std::size_t Delivery::start_work() {
   const std::size_t unsent = outbox_.chunks(Outbox::Lane::view);
   held_back_ = unsent >= kMaxViewInFlight || (held_back_ && unsent > 0);
   ask_for_updates();
+  send_file_parts();
   while (has_room()) {
     if (requests_.has_unstarted() && (!view_may_start() || requests_hold_less())) {
       start_request(*requests_.next_unstarted());
@@ -147,6 +148,16 @@ std::size_t Delivery::start_work() {
   if (!credit_.may_send()) send_columns();
   if (const auto number = view_.completed()) replies_.view_complete(*number);
   return found_;
+}
+
+void Delivery::send_file_parts() {
+  while (outbox_.control_bytes() < kMaxColumnBytes) {
+    const auto id = requests_.next_file();
+    if (!id) return;
+    const PendingRequests::FileRequest& request = *requests_.file(*id);
+    replies_.file_part(*id, request.size, request.part);
+    requests_.erase(*id);
+  }
 }
 
 bool Delivery::requests_hold_less() const {

@@ -52,7 +52,8 @@ class Delivery {
   /// more than the chunks of a patch whose rows are not known yet (some 200), so that a second generator has
   /// work.
   static constexpr std::size_t kMaxViewAlone = 224;
-  /// Bytes of control frames above which no UniformColumn is added: control frames need no credit.
+  /// Bytes of control frames above which no UniformColumn or FilePart is added: control frames need no
+  /// credit.
   static constexpr std::size_t kMaxColumnBytes = std::size_t{16} * 1024;
   /// Expected bytes in the outbox of a chunk that waits for the source, until a larger one came.
   static constexpr std::size_t kExpectedChunkBytes = 4096;
@@ -97,6 +98,10 @@ class Delivery {
   }
   /// REQUIRES: no request `id` is pending.
   void request_heights(std::uint32_t id, HeightsQuery query);
+  /// REQUIRES: no request `id` is pending.
+  void request_file(std::uint32_t id, PendingRequests::FileRequest request) {
+    requests_.add_file(id, request);
+  }
   /// Answers the pending requests among `ids` by Error cancelled.
   void cancel(const std::vector<std::uint32_t>& ids);
 
@@ -151,6 +156,7 @@ class Delivery {
   [[nodiscard]] bool requests_hold_less() const;
 
   void start_request(std::uint32_t id);
+  void send_file_parts();
   /// Starts the nearest chunk of the View. If it is not in memory, also chunks that are made together with it
   /// and are hardly farther away.
   void start_view_chunk();

@@ -14,6 +14,11 @@ void PendingRequests::add_heights(std::uint32_t id, std::uint64_t ticket, std::s
   heights_bytes_ += bytes;
 }
 
+void PendingRequests::add_file(std::uint32_t id, FileRequest request) {
+  requests_.insert(id, request);
+  files_.push_back(id);
+}
+
 std::optional<std::uint32_t> PendingRequests::next_unstarted() {
   if (unstarted_.empty()) return std::nullopt;
   const std::uint32_t id = unstarted_.front();
@@ -32,14 +37,16 @@ void PendingRequests::erase(std::uint32_t id) {
   if (request == nullptr) return;
   if (const auto* const heights = std::get_if<HeightsRequest>(request)) heights_bytes_ -= heights->bytes;
   requests_.erase(id);
-  if (unstarted_.empty()) return;  // the usual case: most are started at once
-  const auto at = std::find(unstarted_.begin(), unstarted_.end(), id);
-  if (at != unstarted_.end()) unstarted_.erase(at);
+  for (auto* const queue : {&unstarted_, &files_}) {  // mostly empty: most are started at once
+    const auto at = std::find(queue->begin(), queue->end(), id);
+    if (at != queue->end()) queue->erase(at);
+  }
 }
 
 void PendingRequests::clear() {
   requests_.clear();
   unstarted_.clear();
+  files_.clear();
   heights_bytes_ = 0;
 }
 

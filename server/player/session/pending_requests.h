@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,6 +25,12 @@ class PendingRequests {
     std::optional<ContentHash> known;  // hash of the client's chunk
   };
 
+  /// A part of a file that outlives the session, and the size of the whole.
+  struct FileRequest {
+    std::string_view part;
+    std::uint64_t size = 0;
+  };
+
   [[nodiscard]] bool contains(std::uint32_t id) const { return requests_.find(id) != nullptr; }
   [[nodiscard]] std::size_t size() const { return requests_.size(); }
   [[nodiscard]] bool empty() const { return requests_.empty(); }
@@ -33,17 +40,30 @@ class PendingRequests {
   /// REQUIRES: no request `id` is pending. `bytes` is the memory of the request and its answer.
   void add_heights(std::uint32_t id, std::uint64_t ticket, std::size_t bytes);
 
+  /// REQUIRES: no request `id` is pending.
+  void add_file(std::uint32_t id, FileRequest request);
+
   [[nodiscard]] bool has_unstarted() const { return !unstarted_.empty(); }
   /// Starts and returns the oldest unstarted chunk request.
   [[nodiscard]] std::optional<std::uint32_t> next_unstarted();
 
-  /// Null if `id` is not pending or is a request for heights. Valid until the next change.
+  /// Null if `id` is not pending or is not a request for a chunk. Valid until the next change.
   [[nodiscard]] const ChunkRequest* chunk(std::uint32_t id) const {
     const auto* const request = requests_.find(id);
     return request == nullptr ? nullptr : std::get_if<ChunkRequest>(request);
   }
-  /// Nullopt if `id` is not pending or is a request for a chunk.
+  /// Nullopt if `id` is not pending or is not a request for heights.
   [[nodiscard]] std::optional<std::uint64_t> heights_ticket(std::uint32_t id) const;
+
+  /// Null if `id` is not pending or is not a request for a file. Valid until the next change.
+  [[nodiscard]] const FileRequest* file(std::uint32_t id) const {
+    const auto* const request = requests_.find(id);
+    return request == nullptr ? nullptr : std::get_if<FileRequest>(request);
+  }
+  /// The oldest request for a file.
+  [[nodiscard]] std::optional<std::uint32_t> next_file() const {
+    return files_.empty() ? std::nullopt : std::optional{files_.front()};
+  }
 
   /// The request was answered. No effect if `id` is not pending.
   void erase(std::uint32_t id);
@@ -53,7 +73,7 @@ class PendingRequests {
   [[nodiscard]] std::size_t heights_bytes() const { return heights_bytes_; }
   /// Memory of the requests themselves.
   [[nodiscard]] std::size_t bytes() const {
-    return requests_.bytes() + unstarted_.size() * sizeof(std::uint32_t);
+    return requests_.bytes() + (unstarted_.size() + files_.size()) * sizeof(std::uint32_t);
   }
 
  private:
@@ -62,8 +82,10 @@ class PendingRequests {
     std::size_t bytes = 0;
   };
 
-  IdMap<std::variant<ChunkRequest, HeightsRequest>> requests_;
-  std::deque<std::uint32_t> unstarted_;  // oldest first; each is in requests_
+  IdMap<std::variant<ChunkRequest, HeightsRequest, FileRequest>> requests_;
+  // Oldest first; each is in requests_.
+  std::deque<std::uint32_t> unstarted_;  // for chunks
+  std::deque<std::uint32_t> files_;
   std::size_t heights_bytes_ = 0;
 };
 

@@ -54,6 +54,9 @@ class Replies {
   void heights(std::uint32_t request_id, const HeightsResult& found) {
     outbox_.push_control(heights_frame(request_id, found));
   }
+  void file_part(std::uint32_t request_id, std::uint64_t size, std::string_view bytes) {
+    outbox_.push_control(file_part_frame(request_id, size, bytes));
+  }
   void attached(const EditorSession& editor, std::uint64_t voxels_per_second) {
     outbox_.push_control(attached_frame(editor, voxels_per_second));
   }

@@ -56,10 +56,11 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
         wire::CreateLimits(builder, limits.frame_bytes, limits.requests_in_flight, limits.heights_per_request,
                            limits.view_horizontal_radius, limits.view_vertical_radius, limits.view_chunks,
                            greeting.window_bytes, on_wire(limits.idle_timeout), session_rates, address_rates,
-                           /*view_horizon=*/true);
+                           /*view_horizon=*/true, limits.view_base);
     const auto server = builder.CreateString(world.server);
     const auto looks = builder.CreateVectorOfStrings(world.looks);
     const auto fields = builder.CreateVectorOfStrings(world.fields);
+    const auto world_file = world.world_file.empty() ? 0 : builder.CreateString(world.world_file);
 
     const wire::Hash128 fingerprint = on_wire(world.fingerprint);
     const wire::Hash128 store_id = on_wire(world.store_id);
@@ -78,6 +79,7 @@ protocol::Frame welcome_frame(const Greeting& greeting, const WorldInfo& world, 
     welcome.add_server(server);
     welcome.add_looks(looks);
     welcome.add_fields(fields);
+    welcome.add_world_file(world_file);
     return welcome.Finish();
   });
 }
@@ -145,6 +147,13 @@ protocol::Frame heights_frame(std::uint32_t request_id, const HeightsResult& fou
     const auto looks = found.looks.empty() ? 0 : builder.CreateVector(found.looks);
     const auto values = found.values.empty() ? 0 : builder.CreateVector(found.values);
     return wire::CreateHeights(builder, request_id, heights, looks, values);
+  });
+}
+
+protocol::Frame file_part_frame(std::uint32_t request_id, std::uint64_t size, std::string_view bytes) {
+  return protocol::make_frame([&](flatbuffers::FlatBufferBuilder& builder) {
+    const auto part = builder.CreateVector(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    return wire::CreateFilePart(builder, request_id, size, part);
   });
 }
 

@@ -40,6 +40,9 @@ namespace talus::server {
 [[nodiscard]] protocol::Frame column_frame(ChunkKey column, const std::vector<wire::UniformRun>& runs);
 [[nodiscard]] protocol::Frame view_complete_frame(std::uint32_t number);
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t request_id, const HeightsResult& found);
+/// `size` is the whole file's.
+[[nodiscard]] protocol::Frame file_part_frame(std::uint32_t request_id, std::uint64_t size,
+                                              std::string_view bytes);
 [[nodiscard]] protocol::Frame attached_frame(const EditorSession& editor, std::uint64_t voxels_per_second);
 [[nodiscard]] protocol::Frame edit_result_frame(std::uint32_t request_id, const edits::EditResult& result);
 [[nodiscard]] protocol::Frame pong_frame(std::uint64_t nonce);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <talus/protocol/limits.h>
+
 #include "player/session/heights_check.h"
 #include "player/session/view_check.h"
 
@@ -61,6 +63,9 @@ void Session::receive(std::span<const std::byte> frame) {
       break;
     case wire::Body::GetHeights:
       on(*verified.body_as_GetHeights());
+      break;
+    case wire::Body::GetFile:
+      on(*verified.body_as_GetFile());
       break;
     case wire::Body::Credit:
       on(*verified.body_as_Credit());
@@ -310,6 +315,27 @@ void Session::on(const wire::GetHeights& get) {
   auto query = check_heights(get, context_.limits, context_.world.fields.size());
   if (!query) return replies_.error(about_request(get.id()), query.error().code, query.error().text);
   delivery_.request_heights(get.id(), *std::move(query));
+}
+
+void Session::on(const wire::GetFile& get) {
+  if (get.id() == 0) return fail(ErrorCode::malformed, "GetFile.id is 0; ids begin at 1");
+  if (!admit_id(get.id()) || !admit_pending(get.id())) return;
+  const PublishedWorld* const published = context_.world.published.get();
+  if (published == nullptr) {
+    return replies_.error(about_request(get.id()), ErrorCode::unsupported, kNotPublished);
+  }
+  const std::string* const file =
+      published->find(get.name() == nullptr ? std::string_view{} : get.name()->string_view());
+  if (file == nullptr) {
+    return replies_.error(about_request(get.id()), ErrorCode::out_of_range,
+                          "the world's file names no such file");
+  }
+  if (get.offset() > file->size()) {
+    return replies_.error(about_request(get.id()), ErrorCode::out_of_range,
+                          fmt::format("offset {} is beyond the file's end, {}", get.offset(), file->size()));
+  }
+  const std::string_view rest = std::string_view{*file}.substr(static_cast<std::size_t>(get.offset()));
+  delivery_.request_file(get.id(), {rest.substr(0, protocol::kMaxFilePartBytes), file->size()});
 }
 
 void Session::on(const wire::Credit& credit) {

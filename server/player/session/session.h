@@ -163,6 +163,7 @@ class Session {
   [[nodiscard]] bool on(const wire::ChunkRequest& request, const AnsweredIds& answered);
   void on(const wire::Cancel& cancel);
   void on(const wire::GetHeights& get);
+  void on(const wire::GetFile& get);
   void on(const wire::Credit& credit);
   void on(const wire::Attach& attach);
   void on(const wire::Edit& edit);

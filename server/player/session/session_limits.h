@@ -21,7 +21,8 @@ struct SessionLimits {
   std::uint64_t window_bytes = 0;
   std::size_t queued_bytes = 0;  // chunks queued for the client; not in Welcome
   std::chrono::milliseconds idle_timeout{};
-  EditRules edits{};  // not in Welcome
+  bool view_base = false;  // the world is published
+  EditRules edits{};       // not in Welcome
 };
 
 }  // namespace talus::server

@@ -25,6 +25,9 @@ inline constexpr std::uint32_t kMaxHeightsPerRequest = 2048;
 /// Maximum fields of a GetHeights, so that the answer for the most columns fits a frame.
 inline constexpr std::uint32_t kMaxFieldsPerRequest = 16;
 
+/// Maximum bytes of a file in a FilePart.
+inline constexpr std::uint32_t kMaxFilePartBytes = 64U * 1024;
+
 /// Maximum bytes of a client's strings (token, name).
 inline constexpr std::uint32_t kMaxStringBytes = 4096;
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +39,13 @@ struct ModelBounds {
 [[nodiscard]] tl::expected<std::vector<terrain::VoxelModel>, std::string> decode_vox(
     std::span<const std::byte> bytes, const ModelBounds& bounds = {});
 
-/// For World::parse(): names in a spec are relative to the folder of the spec's file.
-[[nodiscard]] terrain::WorldFiles beside(const std::filesystem::path& world_file);
+/// The kinds of file that a spec names.
+enum class FileKind : std::uint8_t { height_map, model };
+/// Takes the bytes of a file, by its name in the spec, after it was decoded.
+using TakeFile = std::function<void(FileKind kind, const std::string& name, std::string&& bytes)>;
+
+/// For World::parse(): names in a spec are relative to the folder of the spec's file. `take`, if not empty,
+/// is given every file that was read.
+[[nodiscard]] terrain::WorldFiles beside(const std::filesystem::path& world_file, const TakeFile& take = {});
 
 }  // namespace talus::world_files
