@@ -29,6 +29,7 @@ talus_status status_of(client::ErrorKind kind) {
     case ErrorKind::unreachable:
       return TALUS_UNREACHABLE;
     case ErrorKind::refused:
+    case ErrorKind::cannot_generate:
       return TALUS_REFUSED;
     case ErrorKind::untrusted:
       return TALUS_UNTRUSTED;

@@ -147,6 +147,7 @@ Result<void> Core::set_view(const View& view) {
   wake();
   tell_left(mine);
   if (mine == generation_) bring_back(mine);
+  if (mine == generation_ && local_ != nullptr) local_->view_changed();
   return {};
 }
 

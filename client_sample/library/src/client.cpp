@@ -127,4 +127,8 @@ const Stats& Client::stats() const {
   return core_->stats();
 }
 
+bool Client::generates() const {
+  return core_->generates();
+}
+
 }  // namespace talus::client

@@ -29,7 +29,7 @@ void rethrow(const std::exception_ptr& thrown) {
 
 bool worth_retrying(const ClientError& error) {
   return error.kind != ErrorKind::refused && error.kind != ErrorKind::untrusted &&
-         error.kind != ErrorKind::world_changed;
+         error.kind != ErrorKind::world_changed && error.kind != ErrorKind::cannot_generate;
 }
 
 std::uint32_t in_flight_limit(const ServerLimits& limits) {
@@ -68,6 +68,8 @@ void Core::connect(std::string host, std::string port, ConnectHandler handler) {
   tracker_ = ViewTracker{options_.keep_bytes};
   uniform_chunks_.clear();
   left_to_tell_.clear();
+  stop_generation();
+  no_generation_.reset();
   (void)edits_.forget_editor();  // no edits are open
   // The lambda's frame keeps self alive until run() ends.
   asio::co_spawn(
@@ -92,6 +94,9 @@ asio::awaitable<void> Core::run(Generation mine, std::string host, std::string p
     if (mine != generation_) break;
     if (world && was_joined) {
       if (const auto accepted = accept_world(*world); !accepted) world = tl::unexpected{accepted.error()};
+    }
+    if (world) {
+      if (const auto checked = check_generation(*world); !checked) world = tl::unexpected{checked.error()};
     }
     std::optional<ClientError> why;
     bool broke = false;
@@ -188,7 +193,11 @@ Result<void> Core::accept_world(const WorldInfo& world) {
                                       {}}};
   }
   if (world.store_id != world_->store_id) {
-    tracker_.forget_revisions();
+    if (local_ != nullptr) {
+      tracker_.outdate_edited();
+    } else {
+      tracker_.forget_revisions();
+    }
     fail_edits(edits_.forget_editor(), kOutcomeUnknown);
   }
   if (world.store_id == ContentHash{}) {
@@ -221,6 +230,8 @@ void Core::start_session(const ConnectionPtr& connection) {
   credited_bytes_ = 0;
   view_to_send_ = tracker_.view().has_value() && check_kept_view().has_value();
   view_sent_ = false;
+  sent_base_ = false;
+  says_delivered_ = true;
   sent_shape_ = {};
   complete_to_tell_ = false;
   leaving_ = false;
@@ -228,6 +239,7 @@ void Core::start_session(const ConnectionPtr& connection) {
   pace_timer_ = options_.clock->make_timer(executor_);
   left_since_view_sent_.clear();
   close_reason_.reset();
+  begin_generation();
   const auto self = shared_from_this();
   // The lambdas' frames keep self alive; the coroutines end when the connection is closed.
   asio::co_spawn(
@@ -243,6 +255,7 @@ void Core::start_session(const ConnectionPtr& connection) {
 // Drops the state that belongs to the connection rather than to the client.
 void Core::end_session() {
   joined_ = false;
+  if (local_ != nullptr) local_->end_session();
   pace_timer_.reset();
   cancels_to_send_.clear();
   pings_to_send_.clear();
@@ -259,6 +272,7 @@ void Core::end_run(const ClientError& why) {
   ++generation_;
   running_ = false;
   joined_ = false;
+  stop_generation();
   // Event first: handlers of unanswered requests may close the client, and no event may follow that.
   const auto unanswered = requests_.take_all();
   const auto edits = edits_.take_all();
@@ -273,6 +287,7 @@ void Core::close() {
   ++generation_;
   running_ = false;
   joined_ = false;
+  stop_generation();
   cancels_to_send_.clear();
   pings_to_send_.clear();
   pace_timer_.reset();
@@ -382,10 +397,16 @@ bool Core::waits_for_pace() const {
 void Core::compose_view(std::vector<std::byte>& out) {
   if (!view_to_send_ || !pace_.take(options_.clock->now())) return;
   view_to_send_ = false;
-  const bool first = !std::exchange(view_sent_, true);
+  view_sent_ = true;
   if (++view_number_ == 0) ++view_number_;  // 0 is not a valid number
-  append(out, view_frame(*tracker_.view(), view_number_,
-                         tracker_.known(known_per_frame(world_->limits.frame_bytes), first)));
+  sent_base_ = generates();
+  auto known = tracker_.known(known_per_frame(world_->limits.frame_bytes), says_delivered_);
+  if (sent_base_) {
+    std::erase_if(known, [](const ReceivedChunk& chunk) { return chunk.revision == 0; });
+    local_->announced(known);
+  }
+  says_delivered_ = false;
+  append(out, view_frame(*tracker_.view(), view_number_, known, sent_base_));
   sent_shape_ = tracker_.shape();
   complete_to_tell_ = false;
   left_since_view_sent_.clear();
@@ -421,6 +442,10 @@ void Core::compose_requests(std::vector<std::byte>& out) {
     const Request& request = requests_.at(id);
     if (const auto* heights = std::get_if<HeightsRequest>(&request)) {
       append(out, heights_frame(id, *heights, *world_));
+      continue;
+    }
+    if (const auto* file = std::get_if<FileRequest>(&request)) {
+      append(out, file_frame(id, *file));
       continue;
     }
     chunks.push_back(wire_request(id, std::get<ChunkRequest>(request)));

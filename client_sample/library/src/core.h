@@ -17,6 +17,7 @@
 #include <talus/protocol/message.h>
 
 #include "connection.h"
+#include "local_chunks.h"
 #include "open_edits.h"
 #include "request_pace.h"
 #include "requests.h"
@@ -48,7 +49,7 @@ inline const ClientError kOutcomeUnknown{ErrorKind::outcome_unknown,
 using ConnectHandler = std::function<void(Result<WorldInfo>)>;
 using PingHandler = std::function<void(Result<std::chrono::nanoseconds>)>;
 
-class Core : public std::enable_shared_from_this<Core> {
+class Core : public std::enable_shared_from_this<Core>, public LocalChunks::Host {
  public:
   Core(asio::any_io_executor executor, Options options, Events events);
 
@@ -68,6 +69,8 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] bool connected() const { return joined_; }
   [[nodiscard]] const WorldInfo* world() const { return world_ ? &*world_ : nullptr; }
   [[nodiscard]] const Stats& stats() const { return stats_; }
+  /// True if the View's chunks are made here.
+  [[nodiscard]] bool generates() const { return local_ != nullptr && local_->active(); }
 
  private:
   using ConnectionPtr = std::shared_ptr<Connection>;
@@ -98,6 +101,7 @@ class Core : public std::enable_shared_from_this<Core> {
   [[nodiscard]] Result<void> handle_column(const wire::UniformColumn& column);
   void add(HeightsRequest request);
   [[nodiscard]] Result<void> handle_heights(const wire::Heights& heights);
+  [[nodiscard]] Result<void> handle_file_part(const wire::FilePart& part);
   [[nodiscard]] Result<void> handle_error(const wire::Error& error);
   [[nodiscard]] Result<void> handle_broadcast(const wire::EditBroadcast& edit);
   [[nodiscard]] Result<void> handle_attached(const wire::Attached& attached);
@@ -119,6 +123,21 @@ class Core : public std::enable_shared_from_this<Core> {
   void tell_left(Generation mine);
   void bring_back(Generation mine);
   void report(const ClientError& error);
+
+  // Chunks made here: generation.cpp.
+  /// Fails if Options::generate is `always` and chunks cannot be made in this world.
+  [[nodiscard]] Result<void> check_generation(const WorldInfo& world) const;
+  void begin_generation();
+  void stop_generation();
+  /// Returns true if the broadcast was taken for a chunk that is to be made.
+  [[nodiscard]] Result<bool> add_to_made(const ChunkKey& key, const wire::EditBroadcast& edit);
+  void ask(Request request) override;
+  [[nodiscard]] const ViewTracker& tracker() const override { return tracker_; }
+  void deliver_local(const ReceivedChunk& chunk, bool made) override;
+  void world_opened(const std::shared_ptr<const WorldFiles>& fetched) override;
+  void cannot_generate(const std::string& why) override;
+  void made_some() override { tell_complete(); }
+  Stats& counts() override { return stats_; }
   [[nodiscard]] Result<ReceivedChunk> uniform(ChunkKey key, MaterialId material, std::uint64_t revision);
 
   // Everything that may be sent now, as bytes.
@@ -159,6 +178,10 @@ class Core : public std::enable_shared_from_this<Core> {
   std::uint32_t view_number_ = 0;                      // number of that View; never reused
   std::uint32_t completed_number_ = 0;                 // last View that the server reported complete
   bool complete_to_tell_ = false;                      // for the last View sent
+  std::shared_ptr<LocalChunks> local_;                 // null: chunks are not made here
+  std::optional<ClientError> no_generation_;           // why, if it was given up since connect()
+  bool sent_base_ = false;                             // the last View sent has its base here
+  bool says_delivered_ = false;                        // the next View's known chunks include delivered ones
   std::unordered_set<ChunkKey> left_since_view_sent_;  // left the View after it was last sent, or arrived
                                                        // after leaving: the server still counts them
   std::unordered_set<ChunkKey> left_to_tell_;  // delivered by on_chunk, not yet reported by on_left_view

@@ -133,7 +133,9 @@ Result<void> Core::handle_broadcast(const wire::EditBroadcast& edit) {
   const auto key = read_key(edit.key());
   if (!key) return tl::unexpected{key.error()};
   edits_.saw(edit.revision());
-  if (!tracker_.was_delivered(*key)) return {};
+  const auto made = add_to_made(*key, edit);
+  if (!made) return tl::unexpected{made.error()};
+  if (*made || !tracker_.was_delivered(*key)) return {};
   const auto held = tracker_.held(*key);
   if (held && edit.revision() <= held->revision) return {};
   if (!held || edit.runs() == nullptr || edit.previous_revision() > held->revision) {

@@ -72,7 +72,8 @@ ServerLimits read_limits(const wire::Limits& limits) {
           std::chrono::milliseconds{limits.idle_timeout_ms()},
           read_rates(limits.session_rates()),
           read_rates(limits.address_rates()),
-          limits.view_horizon()};
+          limits.view_horizon(),
+          limits.view_base()};
 }
 
 }  // namespace
@@ -155,15 +156,19 @@ Result<ReceivedChunk> read_chunk(ChunkKey key, const wire::Chunk& message) {
   return ReceivedChunk{key, message.revision(), promised, std::make_shared<const Chunk>(std::move(*chunk))};
 }
 
-Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk, const wire::EditBroadcast& edit) {
+Result<std::vector<Override>> read_runs(const ChunkKey& key, const wire::EditBroadcast& edit) {
   const auto bytes = edit.runs() == nullptr
                          ? std::span<const std::byte>{}
                          : std::as_bytes(std::span{edit.runs()->data(), edit.runs()->size()});
-  const auto voxels = edits::decode_runs(bytes);
-  if (!voxels) {
-    return tl::unexpected{broken_protocol("an EditBroadcast for chunk " + to_string(chunk.key) + ": " +
-                                          std::string{describe(voxels.error())})};
-  }
+  auto voxels = edits::decode_runs(bytes);
+  if (voxels) return *std::move(voxels);
+  return tl::unexpected{broken_protocol("an EditBroadcast for chunk " + to_string(key) + ": " +
+                                        std::string{describe(voxels.error())})};
+}
+
+Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk, const wire::EditBroadcast& edit) {
+  const auto voxels = read_runs(chunk.key, edit);
+  if (!voxels) return tl::unexpected{voxels.error()};
   auto edited = std::make_shared<const Chunk>(chunk.chunk->with_overrides(*voxels));
   const ContentHash hash = content_hash(*edited);
   return ReceivedChunk{chunk.key, edit.revision(), hash, std::move(edited)};

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include <talus/client/error.h>
 #include <talus/client/received_chunk.h>
@@ -18,6 +19,9 @@ namespace talus::client {
 
 /// Fails unless the coordinate is inside the world and its level exists.
 [[nodiscard]] Result<ChunkKey> read_key(const wire::ChunkKey* key);
+
+/// The voxels of `edit`; ErrorKind::broken_protocol if its runs are invalid. `key` is for the message.
+[[nodiscard]] Result<std::vector<Override>> read_runs(const ChunkKey& key, const wire::EditBroadcast& edit);
 
 /// Applies `edit`, made for this revision, to `chunk`; ErrorKind::broken_protocol if its runs are invalid.
 [[nodiscard]] Result<ReceivedChunk> read_broadcast(const ReceivedChunk& chunk,

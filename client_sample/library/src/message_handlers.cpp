@@ -20,6 +20,8 @@ Result<void> Core::handle(std::span<const std::byte> frame) {
       return handle_column(*m.body_as_UniformColumn());
     case wire::Body::Heights:
       return handle_heights(*m.body_as_Heights());
+    case wire::Body::FilePart:
+      return handle_file_part(*m.body_as_FilePart());
     case wire::Body::Error:
       return handle_error(*m.body_as_Error());
     case wire::Body::EditBroadcast:
@@ -287,6 +289,10 @@ Result<void> Core::handle_complete(const wire::ViewComplete& complete) {
   if (!view_sent_ || view_to_send_ || complete.number() != view_number_) return {};
   if (std::exchange(completed_number_, view_number_) == view_number_) return {};
   complete_to_tell_ = true;
+  if (sent_base_ && generates()) {
+    local_->all_edits_came();
+    return {};
+  }
   // Sent but missing: it was bad, or arrived while a View, refused later, did not cover it.
   for (const ChunkKey& key : tracker_.missing()) {
     if (!refetching_.contains(key)) refetch(key);
@@ -298,14 +304,20 @@ Result<void> Core::handle_complete(const wire::ViewComplete& complete) {
 // Chunks requested again are still missing: the View is complete only after them.
 void Core::tell_complete() {
   if (!complete_to_tell_ || view_to_send_ || !refetching_.empty() || !joined_) return;
+  if (sent_base_ && generates() && !local_->done()) return;
   complete_to_tell_ = false;
   if (events_.on_view_complete) events_.on_view_complete(View{*tracker_.view()});
 }
 
 void Core::deliver(const ReceivedChunk& chunk) {
+  const auto local = generates() ? local_ : nullptr;
+  const auto made = local && chunk.revision == 0 ? tracker_.generated_hash(chunk.key) : std::nullopt;
+  if (made == chunk.hash) return;  // sent before the View that has its base here
   // An answer and a chunk of the View may overtake each other.
   if (!tracker_.deliver(chunk)) return;
+  if (local) local->came(chunk.key, chunk.revision);
   if (events_.on_chunk) events_.on_chunk(chunk);
+  if (made && local->active()) local->differs(chunk.key);
 }
 
 }  // namespace talus::client

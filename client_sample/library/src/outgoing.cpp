@@ -36,7 +36,8 @@ protocol::Frame hello_frame(const Options& options) {
   });
 }
 
-protocol::Frame view_frame(const View& view, std::uint32_t number, const std::vector<ReceivedChunk>& known) {
+protocol::Frame view_frame(const View& view, std::uint32_t number, const std::vector<ReceivedChunk>& known,
+                           bool has_base) {
   return protocol::make_frame([&](auto& b) {
     const wire::Voxel centre{view.centre.x, view.centre.y, view.centre.z};
     const wire::Direction direction{view.direction.x, view.direction.y, view.direction.z};
@@ -52,7 +53,7 @@ protocol::Frame view_frame(const View& view, std::uint32_t number, const std::ve
     }
     const auto held_list = held.empty() ? 0 : b.CreateVectorOfStructs(held);
     return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, ring_list,
-                            held_list, number, view.horizon);
+                            held_list, number, view.horizon, has_base);
   });
 }
 
@@ -69,6 +70,13 @@ protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request, c
     const auto column_list = b.CreateVectorOfStructs(columns);
     const auto field_list = fields.empty() ? 0 : b.CreateVector(fields);
     return wire::CreateGetHeights(b, id, column_list, request.looks, field_list);
+  });
+}
+
+protocol::Frame file_frame(std::uint32_t id, const FileRequest& request) {
+  return protocol::make_frame([&](auto& b) {
+    const auto name = request.name.empty() ? 0 : b.CreateString(request.name);
+    return wire::CreateGetFile(b, id, name, request.offset);
   });
 }
 

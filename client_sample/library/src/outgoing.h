@@ -15,11 +15,13 @@
 namespace talus::client {
 
 [[nodiscard]] protocol::Frame hello_frame(const Options& options);
-/// `known`: held chunks of the View, which are not sent again if unchanged.
+/// `known`: held chunks of the View, which are not sent again if unchanged. `has_base`: chunks as generated
+/// are not sent.
 [[nodiscard]] protocol::Frame view_frame(const View& view, std::uint32_t number,
-                                         const std::vector<ReceivedChunk>& known = {});
+                                         const std::vector<ReceivedChunk>& known = {}, bool has_base = false);
 [[nodiscard]] protocol::Frame heights_frame(std::uint32_t id, const HeightsRequest& request,
                                             const WorldInfo& world);
+[[nodiscard]] protocol::Frame file_frame(std::uint32_t id, const FileRequest& request);
 [[nodiscard]] protocol::Frame get_chunks_frame(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel_frame(std::span<const std::uint32_t> ids);
 [[nodiscard]] protocol::Frame credit_frame(std::uint64_t total_bytes);

@@ -1,6 +1,7 @@
 // Unanswered requests, waiting for their turn or in flight.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -27,7 +28,18 @@ struct HeightsRequest {
   std::function<void(Result<ColumnPlaces>)> handler;
 };
 
-using Request = std::variant<ChunkRequest, HeightsRequest>;
+/// The part of a published file from `offset` on.
+struct FileRequest {
+  struct Part {
+    std::uint64_t size = 0;  // of the whole file
+    std::vector<std::byte> bytes;
+  };
+  std::string name;
+  std::uint64_t offset = 0;
+  std::function<void(Result<Part>)> handler;
+};
+
+using Request = std::variant<ChunkRequest, HeightsRequest, FileRequest>;
 
 class Requests {
  public:

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <talus/client/chunk_store.h>
@@ -29,13 +31,27 @@ class ViewTracker {
   [[nodiscard]] bool deliver(const ReceivedChunk& chunk);
   /// The server has another store, whose revisions are not comparable with earlier ones.
   void forget_revisions();
+  /// As well, where the server sends edits alone: edited chunks are out of date until they are delivered
+  /// again.
+  void outdate_edited();
 
-  /// Chunks of the View that were not delivered.
+  /// Chunks of the View that were not delivered, or are out of date.
   [[nodiscard]] std::vector<ChunkKey> missing() const;
+  /// True if no chunk is missing.
+  [[nodiscard]] bool complete() const {
+    return static_cast<std::int64_t>(delivered_.size()) == shape_.count() && outdated_.empty();
+  }
 
   [[nodiscard]] bool was_delivered(const ChunkKey& key) const { return delivered_.contains(key); }
+  /// True if the chunk was delivered and is not out of date.
+  [[nodiscard]] bool has_current(const ChunkKey& key) const {
+    return was_delivered(key) && !outdated_.contains(key);
+  }
+  /// The hash of a current chunk that was delivered as generated.
+  [[nodiscard]] std::optional<ContentHash> generated_hash(const ChunkKey& key) const;
 
-  /// The chunk if it is still in memory: kept after it left, or delivered and still held by the caller.
+  /// The chunk if it is current and still in memory: kept after it left, or delivered and still held by the
+  /// caller.
   [[nodiscard]] std::optional<ReceivedChunk> held(const ChunkKey& key) const;
   /// At most `max` held chunks of the View, without uniform ones. After a reconnect the server has sent
   /// nothing yet, so delivered chunks count too.
@@ -54,6 +70,7 @@ class ViewTracker {
   std::optional<View> view_;
   ViewShape shape_;
   std::unordered_map<ChunkKey, DeliveredChunk> delivered_;
+  std::unordered_set<ChunkKey> outdated_;  // of delivered_
   std::size_t keep_bytes_;
   ChunkStore kept_;
 };

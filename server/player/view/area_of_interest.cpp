@@ -13,10 +13,8 @@ ViewExtent extent_of(const View& view) {
   return {view.centre, view.horizontal_radius, view.vertical_radius, view.rings, view.horizon};
 }
 
-// Bits of a rank, from the highest: whole distance, angle, remainder of the distance, place.
+// The lowest bits of a rank; the others are the order's.
 constexpr int kPlaceBits = 24;
-constexpr int kRestBits = 8;
-constexpr int kAngleBits = 16;
 
 }  // namespace
 
@@ -29,9 +27,7 @@ std::uint64_t count_chunks(const View& view) {
   return talus::count_chunks(level_boxes(extent_of(view), WorldEdge::ignored));
 }
 
-AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre} {
-  const float length = glm::length(view.direction);
-  if (std::isfinite(length) && length > 0.0F) direction_ = view.direction / length;
+AreaOfInterest::AreaOfInterest(const View& view) : centre_{view.centre}, order_{view.centre, view.direction} {
   // A level's inner box has at most a quarter of the columns of the previous level, and at most one more row:
   // the inner boxes are at most half of the outer ones.
   std::uint64_t places = 0;
@@ -94,32 +90,12 @@ std::optional<ChunkKey> AreaOfInterest::next_column(ColumnCursor& cursor) const 
   return std::nullopt;
 }
 
-glm::i64vec3 AreaOfInterest::offset(ChunkKey key) const {
-  const std::int64_t size = std::int64_t{1} << key.lod.value();
-  const auto halves = [size](std::int64_t at, std::int64_t centre) {
-    return (2 * at + 1) * size - (2 * centre + 1);
-  };
-  // A horizon's rows may be as far away as the centre is from the world; the square must not overflow.
-  constexpr std::int64_t kFarthest = 1 << 16;
-  return {halves(key.coord.x, centre_.x), std::clamp(halves(key.coord.y, centre_.y), -kFarthest, kFarthest),
-          halves(key.coord.z, centre_.z)};
-}
-
 std::uint64_t AreaOfInterest::rank(ChunkKey key, Place place) const {
-  const glm::dvec3 to{offset(key)};
-  const double distance = glm::length(to);
-  const double cosine = distance > 0 ? std::clamp(glm::dot(direction_, to) / distance, -1.0, 1.0) : 1.0;
-
-  constexpr double kAngleSteps = (1 << (kAngleBits - 1)) - 1;
-  const auto angle = static_cast<std::uint64_t>((1.0 - cosine) * kAngleSteps);
-  const auto distance_fx = static_cast<std::uint64_t>(distance / 2 * (1 << kRestBits));
-  const std::uint64_t ring = distance_fx >> kRestBits;
-  const std::uint64_t rest = distance_fx & ((1 << kRestBits) - 1);
-  return (((ring << kAngleBits | angle) << kRestBits | rest) << kPlaceBits) | place;
+  return order_.rank(key) << kPlaceBits | place;
 }
 
 std::uint64_t AreaOfInterest::coarse_priority(ChunkKey key, Place place) const {
-  const glm::i64vec3 to = offset(key);
+  const glm::i64vec3 to = order_.offset(key);
   return static_cast<std::uint64_t>(to.x * to.x + to.y * to.y + to.z * to.z) << kPlaceBits | place;
 }
 
@@ -130,13 +106,13 @@ std::uint64_t AreaOfInterest::end_of_ring(std::uint64_t coarse_priority) {
 }
 
 bool AreaOfInterest::within(ChunkKey chunk, ChunkKey nearest, int base_chunks) const {
-  const double most = glm::length(glm::dvec3{offset(nearest)}) + 2.0 * base_chunks;
-  const glm::dvec3 to{offset(chunk)};
+  const double most = glm::length(glm::dvec3{order_.offset(nearest)}) + 2.0 * base_chunks;
+  const glm::dvec3 to{order_.offset(chunk)};
   return glm::dot(to, to) <= most * most;
 }
 
 bool AreaOfInterest::is_near(ChunkKey key) const {
-  const glm::i64vec3 to = offset(key);  // in half chunks
+  const glm::i64vec3 to = order_.offset(key);  // in half chunks
   return key.lod == Lod{} && std::max({std::abs(to.x), std::abs(to.y), std::abs(to.z)}) <= 2;
 }
 

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include <talus/voxel/coords.h>
+#include <talus/voxel/view_order.h>
 #include <talus/voxel/view_shape.h>
 
 namespace talus::server {
@@ -52,9 +53,7 @@ class AreaOfInterest {
   /// The rows that the View wants on the level of `key`.
   [[nodiscard]] ChunkRange rows_of(ChunkKey key) const { return level_of(key.lod)->box.y; }
 
-  /// Unique priority of a chunk, lower for chunks wanted sooner: by ring, which is the distance of the
-  /// centres in whole base chunks; then by the angle to the view direction; then by the exact distance.
-  /// Chunks of a horizon 2^15 or more base chunks above or below count as 2^15 away.
+  /// Unique priority of a chunk, lower for chunks wanted sooner: ViewOrder's rank, and the place.
   [[nodiscard]] std::uint64_t rank(ChunkKey key, Place place) const;
   /// Orders by distance only, at a tenth of the cost; rings follow one another as in rank().
   [[nodiscard]] std::uint64_t coarse_priority(ChunkKey key, Place place) const;
@@ -157,13 +156,11 @@ class AreaOfInterest {
   };
 
   [[nodiscard]] const Level* level_of(Lod lod) const;
-  /// From the View's centre to the chunk's, in half base chunks, so that it is an integer.
-  [[nodiscard]] glm::i64vec3 offset(ChunkKey key) const;
 
   std::vector<Level> levels_;
   Place places_ = 0;
   glm::i64vec3 centre_{};
-  glm::dvec3 direction_{};
+  ViewOrder order_;
 };
 
 }  // namespace talus::server

@@ -42,11 +42,20 @@
 // Requests, Views and pings above the server's advertised rates wait inside the client. If the server still
 // refuses one and gives a delay, the client repeats it after that delay.
 //
+// With Options::generate, and a server that publishes its world, the client makes the chunks of the View
+// itself, on the maker's threads, and receives edits alone. It fetches the world's file, compares
+// fingerprints, and until the world is open receives chunks as without. on_chunk and on_view_complete are the
+// same wherever a chunk is made. Some of the chunks made here are compared with the server's (kFirstProofs at
+// first, then one for kChunksPerProof made). If one differs, or the world cannot be opened, on_error says so
+// once, by ErrorKind::cannot_generate, and until the next connect() the server sends the chunks: all of the
+// View, also those made here.
+//
 // If the connection breaks or the server goes away, and Options::reconnect allows it, the client reconnects,
 // to the next of Options::more_servers if there are any. If that server asked for a delay before, the client
 // waits for it, at most kLongestRetryAfter. If the world has the same fingerprint, the current View and every
-// unanswered request are sent again, and on_chunk is called again for all chunks of the View; the caller sees
-// only on_disconnect and on_reconnect. Otherwise, or when attempts run out, every unanswered request fails.
+// unanswered request are sent again, and on_chunk is called again for all chunks of the View, except
+// unedited ones if the client makes chunks itself; the caller sees only on_disconnect and on_reconnect.
+// Otherwise, or when attempts run out, every unanswered request fails.
 #pragma once
 
 #include <chrono>
@@ -95,6 +104,9 @@ struct Events {
   std::function<void(const ClientError&)> on_error;
   /// An established connection was lost. `retrying`: the client is reconnecting.
   std::function<void(const ClientError&, bool retrying)> on_disconnect;
+  /// The world's files were fetched for Options::generate, and opened. Kept, they need not be fetched again
+  /// (Options::kept_files).
+  std::function<void(ContentHash fingerprint, const std::shared_ptr<const WorldFiles>&)> on_world_files;
   /// The connection is back, to the same world.
   std::function<void(const WorldInfo&)> on_reconnect;
 };
@@ -109,7 +121,16 @@ struct Stats {
   std::uint64_t kept_chunks = 0;     // chunks of a View that were already held and not sent again
   std::uint64_t bad_chunks = 0;      // failed to decode, or did not match their hash
   std::uint64_t connections = 0;
+  std::uint64_t made_chunks = 0;    // of Views, made here (Options::generate)
+  std::uint64_t proofs = 0;         // chunks made here that were compared with the server's
+  std::uint64_t failed_proofs = 0;  // and differed
+  std::uint64_t file_bytes = 0;     // of the world's files, received
 };
+
+/// Chunks compared with the server's after each connect and reconnect, and chunks made here for each further
+/// one.
+inline constexpr std::size_t kFirstProofs = 16;
+inline constexpr std::size_t kChunksPerProof = 1000;
 
 /// Identifies a request for cancel().
 enum class RequestId : std::uint32_t {};
@@ -183,6 +204,9 @@ class Client {
   void close();
 
   [[nodiscard]] const Stats& stats() const;
+
+  /// True while chunks of the View are made here.
+  [[nodiscard]] bool generates() const;
 
  private:
   std::shared_ptr<Core> core_;

@@ -26,6 +26,7 @@ enum class ErrorKind : std::uint8_t {
   conflict,         // a guard of the edit does not hold; nothing was applied
   not_applied,      // the edit was not applied, but a later one was
   outcome_unknown,  // the edit may have been applied: the server no longer knows the editor
+  cannot_generate,  // chunks cannot be made here (Options::generate)
 };
 
 struct ClientError {

@@ -1,13 +1,16 @@
-// Options of a client: connecting, reconnecting, TLS and WebSocket.
+// Options of a client: connecting, reconnecting, TLS, WebSocket, and chunks that are made here.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <talus/client/chunk_maker.h>
 #include <talus/client/clock.h>
 
 namespace talus::client {
@@ -48,6 +51,14 @@ struct ServerAddress {
   std::string port;
 };
 
+/// If the client makes the chunks of Views itself, where the server publishes its world
+/// (ServerLimits::view_base), so that edits alone are sent.
+enum class Generate : std::uint8_t {
+  never,
+  automatic,  // until the world is open, or if it cannot be made here, chunks are streamed
+  always,     // if the world cannot be made here, the connection ends by ErrorKind::cannot_generate
+};
+
 struct Options {
   std::string token;                          // issued by the server's operator; empty: no token
   std::string client_name = "talus::client";  // for the server's log
@@ -68,6 +79,11 @@ struct Options {
   /// first the one given to connect(), then these, then around again. Not needed if a balancer, or a name
   /// with several addresses, covers all servers.
   std::vector<ServerAddress> more_servers;
+  Generate generate = Generate::never;
+  std::shared_ptr<ChunkMaker> maker;  // for `generate`; clients may share one
+  /// Returns the files of the world with this fingerprint if the caller kept them (Events::on_world_files),
+  /// or null: they are fetched from the server. They may be any files: another world is not used.
+  std::function<std::shared_ptr<const WorldFiles>(ContentHash fingerprint)> kept_files;
   Clock* clock = &system_clock();  // must outlive the client; tests pass a manual one
 };
 

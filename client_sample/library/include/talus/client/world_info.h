@@ -43,6 +43,7 @@ struct ServerLimits {
   std::optional<Rates> session_rates;  // empty if not reported
   std::optional<Rates> address_rates;  // shared by all connections from this client's address
   bool view_horizon = false;           // true if Views may have a horizon
+  bool view_base = false;              // true if the world is published: clients may make chunks themselves
 };
 
 struct WorldInfo {
