@@ -3,9 +3,9 @@
 #include <thread>
 #include <utility>
 
+#include <talus/local/settle_rules.h>
 #include <talus/store/store_identity.h>
 
-#include "app/settle_rules.h"
 #include "cluster/jetstream/jetstream_log.h"
 #include "cluster/jetstream/stream_admin.h"
 #include "cluster/join/prepare_store.h"
@@ -64,7 +64,7 @@ ClusterTools cluster_tools() {
     }
     return open_shared_log(settings, *keys, store_id, make_logger("off", "text"));
   };
-  tools.settle_rules = settle_rules;
+  tools.settle_rules = local::settle_rules;
   return tools;
 }
 

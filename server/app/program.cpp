@@ -19,6 +19,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <talus/local/settle_rules.h>
 
 #include "admin/top_command.h"
 #include "app/cluster_member.h"
@@ -29,7 +30,6 @@
 #include "app/process_signals.h"
 #include "app/server.h"
 #include "app/settings.h"
-#include "app/settle_rules.h"
 #include "app/startup.h"
 #include "app/world_edits.h"
 #include "app/world_file.h"
@@ -278,7 +278,7 @@ tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem:
   if (!world) return tl::make_unexpected(world.error());
   cluster::Genesis genesis;
   genesis.identity = {store_id, (*world)->fingerprint()};
-  genesis.settles = settle_rules(**world);
+  genesis.settles = local::settle_rules(**world);
   return genesis;
 }
 

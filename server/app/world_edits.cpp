@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include <talus/edits/materials.h>
+#include <talus/local/settle_rules.h>
 #include <talus/store/read_only_store.h>
 #include <talus/terrain/extraction.h>
 
 #include "app/bound_materials.h"
-#include "app/settle_rules.h"
 #include "edits/admission/log_admission.h"
 #include "runtime/signals.h"
 
@@ -27,7 +27,7 @@ constexpr std::chrono::seconds kLogAway{10};
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
                            bool settles) {
   EditIntake::Rules rules{terrain::height_range(world), {}, nullptr};
-  if (settles) rules.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
+  if (settles) rules.settles = std::make_shared<const edits::SettleRules>(local::settle_rules(world));
   for (const auto* const materials : {&world.materials(), &placeables}) {
     for (const terrain::Material& material : *materials) rules.materials.push_back(material.id);
   }
@@ -120,7 +120,7 @@ void WorldEdits::start_shared_log(SharedLog shared, const terrain::World& world)
   joins_ = shared.joins;
   cluster::ClusterLog::Settings settings;
   settings.store = writer_settings_;
-  settings.settles = std::make_shared<const edits::SettleRules>(settle_rules(world));
+  settings.settles = std::make_shared<const edits::SettleRules>(local::settle_rules(world));
   cluster::ClusterLog::Parts parts{*stream_, *database_, *state_, clock_, logger_, tell_feed()};
   parts.on_takes = [this] {
     if (EditIntake* const intake = waits_for_log_.load()) intake->resume();

@@ -1,9 +1,9 @@
-#include "app/settle_rules.h"
+#include <talus/local/settle_rules.h>
 
 #include <cstdint>
 #include <map>
 
-namespace talus::server {
+namespace talus::local {
 
 edits::SettleRules settle_rules(const terrain::World& world) {
   static_assert(edits::SettleRule::kUnit == terrain::kSubvoxels);
@@ -22,4 +22,4 @@ edits::SettleRules settle_rules(const terrain::World& world) {
   return rules;
 }
 
-}  // namespace talus::server
+}  // namespace talus::local
