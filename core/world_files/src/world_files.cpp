@@ -59,4 +59,16 @@ terrain::WorldFiles beside(const std::filesystem::path& world_file, const TakeFi
           terrain::LoadModels{loader(FileKind::model, kMaxModelFileBytes, models_of)}};
 }
 
+BytesOfFile bytes_beside(const std::filesystem::path& world_file) {
+  return [folder = world_file.parent_path()](
+             const std::string& name) -> tl::expected<std::vector<std::byte>, std::string> {
+    const auto file = path_of(folder, name);
+    if (!file) return refused(file.error());
+    const auto text = files::read_regular_file(*file, kMaxHeightMapBytes);
+    if (!text) return refused(text.error().reason);
+    const auto bytes = std::as_bytes(std::span{*text});
+    return std::vector<std::byte>{bytes.begin(), bytes.end()};
+  };
+}
+
 }  // namespace talus::world_files

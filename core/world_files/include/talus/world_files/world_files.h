@@ -48,4 +48,9 @@ using TakeFile = std::function<void(FileKind kind, const std::string& name, std:
 /// is given every file that was read.
 [[nodiscard]] terrain::WorldFiles beside(const std::filesystem::path& world_file, const TakeFile& take = {});
 
+/// Returns the bytes of a file by its name in a spec, or why there are none, in one line.
+using BytesOfFile = std::function<tl::expected<std::vector<std::byte>, std::string>(const std::string& name)>;
+/// The files of beside(), not decoded.
+[[nodiscard]] BytesOfFile bytes_beside(const std::filesystem::path& world_file);
+
 }  // namespace talus::world_files

@@ -1,0 +1,151 @@
+#include <talus/saves/save.h>
+
+#include <string>
+#include <utility>
+
+#include <talus/terrain/world.h>
+
+#include "database.h"
+
+namespace talus::saves {
+namespace {
+
+using Kind = SaveError::Kind;
+
+edits::MaterialIds materials_of(const local::World& world) {
+  edits::MaterialIds ids;
+  for (const terrain::Material& material : world.materials()) ids.emplace(material.name, material.id);
+  std::size_t index = 0;
+  for (const terrain::Placeable& placeable : world.placeables()) {
+    ids.emplace(placeable.name, local::placeable_id(index++));
+  }
+  return ids;
+}
+
+}  // namespace
+
+tl::expected<WorldSource, local::SpecProblem> read_world(std::span<const std::byte> toml,
+                                                         const local::FileReader& files) {
+  WorldSource source;
+  local::FileReader recorded;
+  if (files) {
+    recorded = [&](const std::string& name) {
+      auto bytes = files(name);
+      if (bytes) source.saved.files[name] = *bytes;
+      return bytes;
+    };
+  }
+  auto world = local::open_world(toml, recorded);
+  if (!world) return tl::unexpected{std::move(world.error())};
+  source.world = *std::move(world);
+  source.saved.spec.assign(reinterpret_cast<const char*>(toml.data()), toml.size());
+  source.saved.generator = terrain::to_integer(source.world->generator_version());
+  source.saved.fingerprint = to_string(source.world->fingerprint());
+  source.saved.materials = materials_of(*source.world);
+  return source;
+}
+
+Result<std::shared_ptr<const local::World>> world_of(const SaveFile& file) {
+  const SavedWorld& saved = file.world();
+  const int newest = terrain::to_integer(terrain::kNewestGeneratorVersion);
+  const auto other_version = [&](int here) {
+    return refused(file.path(), Kind::other,
+                   "its world is of generator version " + std::to_string(saved.generator) +
+                       ", and this program makes version " + std::to_string(here) +
+                       " of it; use the release of Talus that made it");
+  };
+  if (saved.generator > newest) return other_version(newest);
+  const auto read = [&](const std::string& name) -> tl::expected<std::vector<std::byte>, std::string> {
+    const auto found = saved.files.find(name);
+    if (found == saved.files.end()) return tl::unexpected<std::string>{"is not in the save"};
+    return found->second;
+  };
+  auto world = local::open_world(std::as_bytes(std::span{saved.spec}), read);
+  if (!world) {
+    return refused(file.path(), Kind::other,
+                   "this program refuses its world: " + world.error().message +
+                       "; use the release of Talus that made it");
+  }
+  const int here = terrain::to_integer((*world)->generator_version());
+  if (here != saved.generator) return other_version(here);
+  const std::string fingerprint = to_string((*world)->fingerprint());
+  if (fingerprint != saved.fingerprint) {
+    return refused(file.path(), Kind::other,
+                   "its world has the fingerprint " + saved.fingerprint +
+                       ", and this program makes another, " + fingerprint +
+                       "; use the release of Talus that made it");
+  }
+  return *std::move(world);
+}
+
+Save::Save(SaveFile file, std::shared_ptr<const local::World> world, local::Edits edits,
+           std::uint64_t revision)
+    : file_{std::move(file)}, world_{std::move(world)}, edits_{std::move(edits)}, revision_{revision} {}
+
+Result<Save> Save::create(const std::filesystem::path& file, const WorldSource& source, local::Edits edits,
+                          std::uint64_t revision) {
+  SavedWorld saved = source.saved;
+  saved.settles = edits.settings().settles;
+  auto made = SaveFile::create(file, saved);
+  if (!made) return tl::unexpected{std::move(made.error())};
+  Save save{*std::move(made), source.world, std::move(edits), revision};
+  for (const ChunkCoord chunk : save.edits_.changed_chunks()) save.changed_.insert(chunk);
+  if (auto done = save.commit(); !done) return tl::unexpected{std::move(done.error())};
+  return save;
+}
+
+Result<Save> Save::open(const std::filesystem::path& file, Access access) {
+  auto opened = SaveFile::open(file, access);
+  if (!opened) return tl::unexpected{std::move(opened.error())};
+  auto world = world_of(*opened);
+  if (!world) return tl::unexpected{std::move(world.error())};
+  const auto placeables = local::placeable_ids(**world, opened->world().materials);
+  if (!placeables) return refused(file, Kind::damaged, "its materials have no ids left");
+  local::Edits edits{{opened->world().settles, *placeables}};
+  std::string fault;
+  const auto read = opened->for_each_chunk([&](ChunkCoord chunk, std::span<const std::byte> runs) {
+    const auto restored = edits.restore(**world, chunk, runs);
+    if (!restored) fault = restored.error().message;
+    return restored.has_value();
+  });
+  if (!read) return tl::unexpected{read.error()};
+  if (fault.empty() && edits.hash() != opened->state().hash) {
+    fault = "the hash of its edits is " + edits::to_string(edits.hash()) + " and should be " +
+            edits::to_string(opened->state().hash);
+  }
+  if (!fault.empty()) {
+    return refused(file, Kind::damaged, "is damaged, " + fault + "; take a copy of it from before");
+  }
+  const std::uint64_t revision = opened->state().revision;
+  return Save{*std::move(opened), *std::move(world), std::move(edits), revision};
+}
+
+tl::expected<local::EditOutcome, edits::EditError> Save::apply(local::Workspace& workspace,
+                                                               const edits::Edit& edit) {
+  auto outcome = edits_.apply(workspace, edit);
+  if (outcome && outcome->changed > 0) {
+    ++revision_;
+    for (const ChunkKey& key : outcome->chunks) {
+      if (key.lod == Lod{}) changed_.insert(key.coord);
+    }
+  }
+  return outcome;
+}
+
+Result<void> Save::commit() {
+  const SaveState state{revision_, edits_.hash()};
+  if (changed_.empty() && state == file_.state()) return {};
+  auto done = file_.begin();
+  for (const ChunkCoord chunk : changed_) {
+    if (done) done = file_.put(chunk, edits_.overrides(chunk));
+  }
+  if (done) done = file_.commit(state);
+  if (!done) {
+    file_.roll_back();
+    return done;
+  }
+  changed_.clear();
+  return {};
+}
+
+}  // namespace talus::saves
