@@ -103,12 +103,13 @@ Result<Save> Save::open(const std::filesystem::path& file, Access access) {
   if (!placeables) return refused(file, Kind::damaged, "its materials have no ids left");
   local::Edits edits{{opened->world().settles, *placeables}};
   std::string fault;
-  const auto read = opened->for_each_chunk([&](ChunkCoord chunk, std::span<const std::byte> runs) {
-    const auto restored = edits.restore(**world, chunk, runs);
+  while (fault.empty()) {
+    const auto chunk = opened->next_chunk();
+    if (!chunk) return tl::unexpected{chunk.error()};
+    if (!*chunk) break;
+    const auto restored = edits.restore(**world, (*chunk)->chunk, (*chunk)->runs);
     if (!restored) fault = restored.error().message;
-    return restored.has_value();
-  });
-  if (!read) return tl::unexpected{read.error()};
+  }
   if (fault.empty() && edits.hash() != opened->state().hash) {
     fault = "the hash of its edits is " + edits::to_string(edits.hash()) + " and should be " +
             edits::to_string(opened->state().hash);

@@ -133,6 +133,7 @@ Result<SavedWorld> read_world_of(Database& database) {
   }
   if (read) {
     read = for_each_row(database, "SELECT id, name FROM materials", [&](const Statement& row) {
+      if (row.number(0) < 0 || row.number(0) > std::numeric_limits<std::uint16_t>::max()) return;
       world.materials.emplace(row.text(1), MaterialId{static_cast<std::uint16_t>(row.number(0))});
     });
   }
@@ -214,6 +215,7 @@ struct SaveFile::Parts {
   SavedWorld world;
   SaveState state;
   Access access = Access::write;
+  std::optional<Statement> chunks;
   std::optional<Statement> put;
   std::optional<Statement> remove;
   std::optional<Statement> set_state;
@@ -284,26 +286,29 @@ const fs::path& SaveFile::path() const {
   return parts_->database->file();
 }
 
-Result<void> SaveFile::for_each_chunk(
-    const std::function<bool(ChunkCoord, std::span<const std::byte>)>& visit) const {
+Result<std::optional<SavedChunk>> SaveFile::next_chunk() {
   const auto fits = [](std::int64_t number) {
     return number >= std::numeric_limits<std::int32_t>::min() &&
            number <= std::numeric_limits<std::int32_t>::max();
   };
-  auto rows = parts_->database->prepare("SELECT x, y, z, runs FROM chunks ORDER BY x, z, y");
-  if (!rows) return tl::unexpected{rows.error()};
-  while (true) {
-    const auto row = rows->step();
-    if (!row) return tl::unexpected{row.error()};
-    if (!*row) return {};
-    if (!fits(rows->number(0)) || !fits(rows->number(1)) || !fits(rows->number(2))) {
-      return damaged(path(), "it has a chunk outside of the world");
-    }
-    const ChunkCoord chunk{static_cast<std::int32_t>(rows->number(0)),
-                           static_cast<std::int32_t>(rows->number(1)),
-                           static_cast<std::int32_t>(rows->number(2))};
-    if (!visit(chunk, rows->bytes(3))) return {};
+  if (!parts_->chunks) {
+    auto rows = parts_->database->prepare("SELECT x, y, z, runs FROM chunks ORDER BY x, z, y");
+    if (!rows) return tl::unexpected{rows.error()};
+    parts_->chunks.emplace(*std::move(rows));
   }
+  const Statement& row = *parts_->chunks;
+  const auto found = parts_->chunks->step();
+  if (!found) return tl::unexpected{found.error()};
+  if (!*found) return std::nullopt;
+  if (!fits(row.number(0)) || !fits(row.number(1)) || !fits(row.number(2))) {
+    return damaged(path(), "it has a chunk outside of the world");
+  }
+  SavedChunk chunk{{static_cast<std::int32_t>(row.number(0)), static_cast<std::int32_t>(row.number(1)),
+                    static_cast<std::int32_t>(row.number(2))},
+                   {}};
+  const auto runs = row.bytes(3);
+  chunk.runs.assign(runs.begin(), runs.end());
+  return chunk;
 }
 
 Result<void> SaveFile::begin() {

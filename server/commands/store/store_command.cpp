@@ -39,6 +39,7 @@ tl::expected<void, std::string> complete(Flags& flags, const Environment& enviro
   if (flags.data.empty()) flags.data = settings.config.data.string();
   if (flags.world.empty()) flags.world = settings.config.world.string();
   flags.cluster = settings.config.cluster;
+  flags.settles = settings.config.edits.settle;
   return {};
 }
 
@@ -114,12 +115,20 @@ int store_command(int argc, const char* const* argv, const Environment& environm
   restoring->add_flag("--replace", flags.replace,
                       "move a store in the data directory aside, to replaced-N in it");
   add("compact", "rewrites the files without replaced or deleted data", store_commands::compact_store);
-  add("export", "all edits into one file that any talusd reads", store_commands::export_file)
+  CLI::App* const exporting =
+      add("export", "all edits into one file that any talusd reads", store_commands::export_file);
+  exporting
       ->add_option("FILE", flags.path, "the file; one that is there is replaced once the new one is whole")
       ->required();
+  exporting->add_flag(
+      "--save", flags.save,
+      "as a save for one player without a server, with the world in it; loose material settles in "
+      "it if edits.settle is on");
+  add_world(exporting);
   CLI::App* const importing =
       add("import",
-          "adds the edits of a file that export wrote to the store; if the directory holds no store, makes "
+          "adds the edits of a file that export wrote, or of a player's save, to the store; if the directory "
+          "holds no store, makes "
           "one of them, of the file's world. The store gets a new id, and its history stays in replaced-N",
           store_commands::import_file);
   importing->add_option("FILE", flags.path, "the file")->required();

@@ -27,6 +27,7 @@
 #include "commands/store/rename.h"
 #include "commands/store/reports.h"
 #include "commands/store/rollback.h"
+#include "commands/store/save_export.h"
 #include "commands/store/store_figures.h"
 #include "commands/store/subjects.h"
 #include "commands/store/transfer.h"
@@ -328,7 +329,8 @@ void remove_made(const store::DataDirectory& directory, std::span<const fs::path
 Answer export_file(const Flags& flags, const Outside&) {
   const auto opened = OpenedStore::open(flags.data);
   if (!opened) return tl::unexpected{opened.error()};
-  const auto exported = export_edits(opened->store(), flags.path);
+  const auto exported = flags.save ? export_save(opened->store(), flags.world, flags.settles, flags.path)
+                                   : export_edits(opened->store(), flags.path);
   if (!exported) return tl::unexpected{exported.error()};
   return fmt::format("{}: {} in {}\n", flags.path, counted(exported->voxels, "voxel"),
                      counted(exported->chunks, "chunk"));

@@ -37,6 +37,8 @@ struct Flags {
   bool dry_run = false;       // rollback: only reports what it would do
   bool keep = false;          // import: the store wins for voxels in both; otherwise the file
   std::string world;          // the world's file; empty: built-in
+  bool save = false;          // export: as a save of a single player
+  bool settles = false;       // talusd's setting edits.settle
   bool drop_unknown = false;  // rebase: drops voxels of materials that the new world lacks
   std::string from, to;       // rename: names of a material
   bool keep_id = false;       // leave-cluster: the store keeps the cluster's id

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <talus/files/atomic_file.h>
-#include <talus/files/file_layer.h>
 #include <talus/progress/progress_bar.h>
 #include <talus/store/edit_database.h>
 #include <talus/store/regular_files.h>
@@ -20,6 +19,7 @@
 #include <talus/terrain/generator.h>
 #include <talus/voxel/material_name.h>
 
+#include "commands/store/edit_source.h"
 #include "commands/store/opened_store.h"
 #include "commands/store/portable_file.h"
 #include "commands/store/store_figures.h"
@@ -51,36 +51,6 @@ class FreeIds {
  private:
   const std::set<MaterialId>& taken_;
   std::uint32_t next_ = edits::kFirstBound;
-};
-
-/// Reads a file sequentially in large pieces.
-class InputFile {
- public:
-  explicit InputFile(const fs::path& path)
-      : file_{files::system_files().open_to_read(path, files::FileLayer::WaitPolicy::never)} {}
-  ~InputFile() {
-    if (file_) files::system_files().close(*file_);
-  }
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-
-  tl::expected<std::size_t, std::string> read(std::span<std::byte> into) {
-    if (!file_) return tl::unexpected{"cannot be read: " + file_.error().message()};
-    std::size_t done = 0;
-    while (done < into.size()) {
-      const auto got = files::system_files().read(*file_, into.subspan(done));
-      if (!got) return tl::unexpected{"cannot be read: " + got.error().message()};
-      if (*got == 0) break;
-      done += *got;
-    }
-    bytes_ += done;
-    return done;
-  }
-  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-
- private:
-  files::FileLayer::Result<int> file_;
-  std::uint64_t bytes_ = 0;
 };
 
 /// Rejects names that a world may not use: the log lacks room for long ones, and names are printed unescaped.
@@ -222,10 +192,10 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
                                                 const terrain::World* world) {
   std::error_code code;
   const std::uint64_t file_bytes = fs::file_size(file, code);
-  InputFile input{file};
-  auto opened = PortableReader::open([&](std::span<std::byte> into) { return input.read(into); });
+  const auto opened = open_edits(file, now_ms);
   if (!opened) return of_file(file, opened.error());
-  PortableReader& reader = *opened;
+  EditSource& reader = **opened;
+  if (reader.world() != nullptr) world = reader.world();
   const PortableHeader& header = reader.header();
   if (const auto named = check_names_of_file(header.materials); !named) return of_file(file, named.error());
   std::unique_ptr<store::ReadOnlyStore> store;
@@ -270,7 +240,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
     auto chunk = reader.next();
     if (!chunk) return of_file(file, chunk.error());
     next = *std::move(chunk);
-    progress.advance(input.bytes() - std::exchange(shown, input.bytes()));
+    progress.advance(reader.bytes_read() - std::exchange(shown, reader.bytes_read()));
     if (!next) return {};
     for (Override& voxel : next->voxels) {
       const auto at = materials.to.find(voxel.material);

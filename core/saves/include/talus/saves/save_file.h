@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +41,11 @@ struct SaveState {
   bool operator==(const SaveState&) const = default;
 };
 
+struct SavedChunk {
+  ChunkCoord chunk;
+  std::vector<std::byte> runs;
+};
+
 enum class Access : std::uint8_t { read, write };
 
 /// An open save. Not thread-safe. With Access::write no other process can open it, with Access::read none can
@@ -59,9 +64,9 @@ class SaveFile {
   [[nodiscard]] const SaveState& state() const;
   [[nodiscard]] const std::filesystem::path& path() const;
 
-  /// Visits the chunks by rising x, z, y, until `visit` returns false. `runs` are not checked.
-  [[nodiscard]] Result<void> for_each_chunk(
-      const std::function<bool(ChunkCoord, std::span<const std::byte> runs)>& visit) const;
+  /// Reads the chunks one after another by rising x, z, y; nullopt after the last, then again from the first.
+  /// Their runs are not checked.
+  [[nodiscard]] Result<std::optional<SavedChunk>> next_chunk();
 
   /// Chunks put from here on are written together by commit(), durably, or not at all: after an error, or if
   /// the process is killed before commit() returned, the save is as before.
