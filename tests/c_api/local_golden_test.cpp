@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <talus/terrain/extraction.h>
+#include <talus/terrain/generator.h>
 #include <talus/voxel/content_hash.h>
 
 #include "golden_worlds.h"

@@ -46,14 +46,26 @@ inline talus_world_info info_of(const LocalWorld& world) {
 inline const std::string kFlat = R"(
 seed = 7
 resolution = 4
+strata_wavelength = 16
 [surface]
 wavelength = 64
+octaves = 3
+gain = 1
+exponent = 1
 amplitude = 16
 [[stratified]]
 name = "stone"
 colour = "#808080"
 depth = 0
 thickness = 4
+roughness = 0
+[[eroded]]
+name = "soil"
+colour = "#604020"
+weight = 1
+thickness = 0.25
+angle_of_repose = 35
+max_slope = 60
 [[placeable]]
 name = "planks"
 colour = "#8a6b3d"

@@ -39,20 +39,20 @@ talus_status write_voxel(const Workspace& workspace, std::int64_t x, std::int64_
 TEST_CASE("a world tells what it has") {
   const LocalWorld world = open_world(kFlat);
   const talus_world_info info = info_of(world);
-  CHECK(info.material_count == 4);
+  CHECK(info.material_count == 5);
   CHECK(info.min_y == 0);
   CHECK(info.max_y > 16);
   CHECK(info.spawn_y > 0);
   CHECK(info.flags == 0);
   talus_material material{};
   material.size = sizeof material;
-  REQUIRE(talus_world_get_material(world.get(), 3, &material) == TALUS_OK);
+  REQUIRE(talus_world_get_material(world.get(), 4, &material) == TALUS_OK);
   CHECK(material.name == std::string{"planks"});
   CHECK(material.id == 256);
   CHECK(material.colour == 0x8a6b3d);
   CHECK(material.phase == TALUS_SOLID);
-  CHECK(talus_world_get_material(world.get(), 4, &material) == TALUS_INVALID_ARGUMENT);
-  CHECK_THAT(talus_local_error(), Catch::Equals("talus_world_get_material: index is 4; there are 4"));
+  CHECK(talus_world_get_material(world.get(), 5, &material) == TALUS_INVALID_ARGUMENT);
+  CHECK_THAT(talus_local_error(), Catch::Equals("talus_world_get_material: index is 5; there are 5"));
 }
 
 TEST_CASE("heights are those of the voxels") {
@@ -62,7 +62,7 @@ TEST_CASE("heights are those of the voxels") {
   REQUIRE(talus_heights(world.get(), -1, 5, 3, 2, 0, heights, 6) == TALUS_OK);
   for (int i = 0; i < 6; ++i) {
     const std::int64_t top = ((heights[i] + 127) >> 8) - 1;
-    CHECK(voxel_at(workspace, -1 + i % 3, top, 5 + i / 3) == 2);
+    CHECK(voxel_at(workspace, -1 + i % 3, top, 5 + i / 3) > 1);
     CHECK(voxel_at(workspace, -1 + i % 3, top + 1, 5 + i / 3) == 0);
   }
   CHECK(talus_heights(world.get(), 0, 0, 3, 2, 0, heights, 5) == TALUS_INVALID_ARGUMENT);

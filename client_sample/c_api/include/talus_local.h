@@ -65,8 +65,12 @@ typedef struct talus_world_options {
   void* user;                /* for read_file */
 } talus_world_options;
 
-/* Loose material, such as sand, falls and slides after an edit, as on a server with edits.settle. */
-enum { TALUS_SETTLES = 1 };
+/* Flags of talus_world_options, the first alone, and of talus_world_info. */
+enum {
+  TALUS_SETTLES = 1,  /* loose material falls and slides after an edit, as on a server with edits.settle */
+  TALUS_HAS_SAVE = 2, /* a save keeps the edits */
+  TALUS_UNSAVED = 4   /* there are edits that talus_save_commit() has not kept */
+};
 
 typedef struct talus_world_info {
   uint32_t size;
@@ -79,8 +83,6 @@ typedef struct talus_world_info {
   uint32_t material_count;           /* talus_world_get_material() */
   uint32_t generator_version;
 } talus_world_info;
-
-enum { TALUS_HAS_SAVE = 2, TALUS_UNSAVED = 4 /* edits that talus_save_commit() has not kept */ };
 
 /* A chunk by its coordinates, in chunks of its level. */
 typedef struct talus_chunk_key {
