@@ -8,5 +8,5 @@ for (const file of readdirSync('dist', { recursive: true })) {
   if (!file.endsWith('.d.ts')) continue;
   mkdirSync(dirname(join(folder, file)), { recursive: true });
   const text = readFileSync(join('dist', file), 'utf8');
-  writeFileSync(join(folder, file), text.replace(/\b([A-Z]\w*Array)<ArrayBuffer(Like)?>/g, '$1'));
+  writeFileSync(join(folder, file), text.replace(/\b([A-Z]\w*Array)<ArrayBuffer(Like)?>/g, '$1').replaceAll("'../../wasm/", "'../../../wasm/"));
 }

@@ -17,6 +17,7 @@
 #include <talus/local/local.h>
 #include <talus/map/tile_painting.h>
 #include <talus/terrain/extraction.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/world.h>
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/codec.h>
@@ -95,6 +96,15 @@ const ChunkAnswer* answer(const Chunk& chunk, std::uint32_t what) {
 const Bytes* answer(Bytes bytes) {
   instance().bytes = bytes;
   return &instance().bytes;
+}
+
+/// The numbers so far, then level, x, y and z of each chunk.
+const Bytes* answer_with(std::span<const ChunkKey> chunks) {
+  std::vector<std::int32_t>& numbers = instance().numbers;
+  for (const ChunkKey& key : chunks) {
+    numbers.insert(numbers.end(), {key.lod.value(), key.coord.x, key.coord.y, key.coord.z});
+  }
+  return answer(bytes_of(std::span<const std::int32_t>{numbers}));
 }
 
 }  // namespace
@@ -200,10 +210,38 @@ TALUS_EXPORT(talus_edit) const Bytes* talus_edit(const double* numbers, std::uin
   if (!outcome) return refused(outcome.error().message);
   all.numbers = {outcome->conflict ? static_cast<std::int32_t>(*outcome->conflict) : -1,
                  static_cast<std::int32_t>(outcome->changed)};
-  for (const ChunkKey& key : outcome->chunks) {
-    all.numbers.insert(all.numbers.end(), {key.lod.value(), key.coord.x, key.coord.y, key.coord.z});
-  }
-  return answer(bytes_of(std::span<const std::int32_t>{all.numbers}));
+  return answer_with(outcome->chunks);
+}
+
+/// The edits of a chunk of level 0 as runs (core/edits/FORMAT.md). Null: talus_problem().
+TALUS_EXPORT(talus_overrides)
+const Bytes* talus_overrides(std::int32_t x, std::int32_t y, std::int32_t z) {
+  const auto key = key_of(0, x, y, z);
+  if (!key) return nullptr;
+  instance().payload = instance().edits.overrides(key->coord);
+  return answer(bytes_of(std::span<const std::byte>{instance().payload}));
+}
+
+/// Replaces a chunk's edits by runs: level, x, y and z of each chunk that changed. Null: talus_problem().
+TALUS_EXPORT(talus_restore)
+const Bytes* talus_restore(std::int32_t x, std::int32_t y, std::int32_t z, const std::byte* runs,
+                           std::uint32_t size) {
+  Instance& all = instance();
+  const auto key = key_of(0, x, y, z);
+  if (!key) return nullptr;
+  const auto changed = all.edits.restore(*all.world, key->coord, {runs, size});
+  if (!changed) return refused(changed.error().message);
+  all.numbers.clear();
+  return answer_with(*changed);
+}
+
+/// The voxel for a player's feet: x, y, z. Null: talus_problem().
+TALUS_EXPORT(talus_spawn) const Bytes* talus_spawn() {
+  static std::array<double, 3> numbers;
+  if (!instance().world) return refused("no world is open");
+  const VoxelPos feet = terrain::find_spawn(*instance().world);
+  numbers = {static_cast<double>(feet.x), static_cast<double>(feet.y), static_cast<double>(feet.z)};
+  return answer(bytes_of(std::span<const double>{numbers}));
 }
 
 /// The same of a payload that a server sent.

@@ -5,6 +5,9 @@
 /** Whether WebAssembly has vectors of 128 bits here, which all browsers since 2023 have. */
 export function hasSimd(): boolean;
 
+/** The package's module, compiled once: for OpenOptions.module of instances in other workers. */
+export function compiledModule(simd?: boolean): Promise<WebAssembly.Module>;
+
 export interface OpenOptions {
   /** Files that the world names: height maps as .npy, models as .vox. */
   files?: Record<string, Uint8Array>;
@@ -85,6 +88,7 @@ export class WorldError extends Error {
   readonly line: number;
   readonly column: number;
   readonly key: string;
+  constructor(kind: WorldErrorKind, message: string, place?: { line?: number; column?: number; key?: string; cause?: unknown });
 }
 
 /** Every call but open() blocks until it is done: use it in a worker. An instance has one world and memory of its own. */
@@ -121,6 +125,13 @@ export class World {
     writes?: readonly VoxelWrite[];
     fills?: readonly { first: Voxel; last: Voxel; material: number | 'generated'; only?: number }[];
   }): { changed: number; chunks: Required<ChunkKey>[] };
+  /** All edits of a chunk of level 0, as bytes of core/edits/FORMAT.md, "Runs". */
+  overrides(chunk: { x: number; y: number; z: number }): Uint8Array;
+  /** Replaces them; returns the chunks of all levels that may have changed. Throws kind 'range' if the bytes are no such
+   *  runs, or have a material that this world has not. */
+  restore(chunk: { x: number; y: number; z: number }, runs: Uint8Array): Required<ChunkKey>[];
+  /** The base voxel for a player's feet, as a server of this world has it: some tenths of a second of work. */
+  spawn(): Voxel;
   /** The ground of columns in 1/256 voxel, z slowest: the top of solid material without objects. At most 2,048 a side. */
   heights(columns: Area): Int32Array;
   /** A tile of the map as talusd paints it: 256 x 256 pixels of red, green and blue. */

@@ -26,8 +26,7 @@ export const hasSimd = () => WebAssembly.validate(WITH_SIMD);
 
 const compiled = new Map();
 
-/** The package's module, compiled once. */
-async function ownModule(simd) {
+export async function compiledModule(simd = hasSimd()) {
   if (!compiled.has(simd)) {
     const url = simd ? new URL('./talus-world-simd.wasm', import.meta.url) : new URL('./talus-world.wasm', import.meta.url);
     const promise = load(url);
@@ -39,7 +38,8 @@ async function ownModule(simd) {
 
 async function load(url) {
   if (url.protocol === 'file:') {
-    const { readFile } = await import(/* @vite-ignore */ 'node:fs/promises');
+    const files = 'node:fs/promises'; // a name that bundlers for browsers do not follow
+    const { readFile } = await import(/* @vite-ignore */ files);
     return WebAssembly.compile(await readFile(url));
   }
   const answer = await fetch(url);
@@ -60,7 +60,7 @@ export class World {
     if (!(pages >= FIRST_PAGES && pages <= PAGE)) {
       throw new WorldError('range', `memoryBytes: ${memoryBytes} is out of range; ${FIRST_PAGES * PAGE} to ${PAGE * PAGE}`);
     }
-    const code = module === undefined ? await ownModule(simd) : module instanceof WebAssembly.Module ? module : await WebAssembly.compile(module);
+    const code = module === undefined ? await compiledModule(simd) : module instanceof WebAssembly.Module ? module : await WebAssembly.compile(module);
     const world = new World();
     await world.#start(code, pages);
     world.#open(typeof toml === 'string' ? encoder.encode(toml) : toml, files, groundBytes);
@@ -120,9 +120,24 @@ export class World {
     const [conflict, changed, ...keys] = new Int32Array(this.#copy(answer).buffer);
     this.#call('talus_release', at);
     if (conflict >= 0) throw new WorldError('conflict', `guard ${conflict} does not hold; nothing was changed`);
-    const chunks = [];
-    for (let i = 0; i < keys.length; i += 4) chunks.push({ lod: keys[i], x: keys[i + 1], y: keys[i + 2], z: keys[i + 3] });
-    return { changed, chunks };
+    return { changed, chunks: keysOf(keys) };
+  }
+
+  overrides({ x, y, z }) {
+    return this.#copy(this.#answer('range', 'talus_overrides', x, y, z));
+  }
+
+  restore({ x, y, z }, runs) {
+    const { at, size } = this.#given(runs);
+    const answer = this.#answer('range', 'talus_restore', x, y, z, at, size);
+    const chunks = keysOf(new Int32Array(this.#copy(answer).buffer));
+    this.#call('talus_release', at);
+    return chunks;
+  }
+
+  spawn() {
+    const [x, y, z] = new Float64Array(this.#copy(this.#answer('range', 'talus_spawn')).buffer);
+    return { x, y, z };
   }
 
   decode(payload, what) {
@@ -212,6 +227,12 @@ export class World {
       hash: hex(view, 24),
     };
   }
+}
+
+function keysOf(numbers) {
+  const keys = [];
+  for (let i = 0; i < numbers.length; i += 4) keys.push({ lod: numbers[i], x: numbers[i + 1], y: numbers[i + 2], z: numbers[i + 3] });
+  return keys;
 }
 
 const flags = ({ voxels = true, payload = false, hash = false } = {}) => (voxels ? VOXELS : 0) | (payload ? PAYLOAD : 0) | (hash ? HASH : 0);
