@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# ./dev run and ./dev cluster.
+# ./dev demo, ./dev run and ./dev cluster.
 
 # check_address VARIABLE: refuses a value that is not HOST:PORT.
 check_address() {
@@ -10,6 +10,17 @@ check_address() {
 
 # taken HOST:PORT: returns true if something listens there.
 taken() { (exec 8<>"/dev/tcp/${1%:*}/${1##*:}") 2>/dev/null; }
+
+demo() {
+  (($# <= 1)) || wrong_use "demo: '$2' is not an argument; it takes a port"
+  local port="${1:-8080}"
+  [[ "$port" =~ ^[1-9][0-9]{0,4}$ ]] && ((port <= 65535)) || wrong_use "demo: '$port' is not a port from 1 to 65535"
+  command -v python3 >/dev/null || die "demo: python3 serves the files, and is not there: apt-get install python3"
+  ! taken "127.0.0.1:$port" || die "demo: something listens at 127.0.0.1:$port already; ./dev demo PORT takes another port"
+  mkdir -p out
+  say "the viewer, until Ctrl-C: http://127.0.0.1:$port/"
+  exec python3 -m http.server --bind 127.0.0.1 --directory client_sample/web/viewer/dist "$port" >out/demo.log 2>&1
+}
 
 build_programs() {
   say "building release: talusd talus-client talus_viewer"

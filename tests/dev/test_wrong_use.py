@@ -37,7 +37,7 @@ def dev(*words, **environment):
 
 
 class Commands(unittest.TestCase):
-    COMMANDS = ["run", "cluster", "test", "bench", "lint", "sanitize", "clang", "golden", "wasm", "package", "coverage", "first-picture", "avx512", "fuzz", "deps"]
+    COMMANDS = ["demo", "run", "cluster", "test", "bench", "lint", "sanitize", "clang", "golden", "wasm", "package", "coverage", "first-picture", "avx512", "fuzz", "deps"]
 
     def test_the_usage_has_every_command_and_no_other(self):
         usage = dev("--help").stdout
@@ -61,7 +61,7 @@ class Commands(unittest.TestCase):
             self.assertIn("--sideways", said)
 
     def test_one_argument_too_many(self):
-        for words in [["run", "8", "9"], ["test", "--full", "e2e"], ["lint", "--fix", "now"], ["clang", "--all", "now"], ["golden", "x86-64", "now"], ["fuzz", "1", "2"]]:
+        for words in [["demo", "8080", "9"], ["run", "8", "9"], ["test", "--full", "e2e"], ["lint", "--fix", "now"], ["clang", "--all", "now"], ["golden", "x86-64", "now"], ["fuzz", "1", "2"]]:
             self.assertIn(f"'{words[-1]}'", self.refused(*words))
 
     def test_run_reads_its_world_and_addresses_before_it_compiles(self):
