@@ -8,7 +8,13 @@ const server = process.env.TALUS_HTTP ?? 'http://127.0.0.1:4781';
 
 export default defineConfig({
   base: './',
-  resolve: { alias: { talus: here('../talus-js/src/index.ts') }, dedupe: ['flatbuffers'] },
+  resolve: {
+    alias: [
+      { find: /^talus$/, replacement: here('../talus-js/src/index.ts') },
+      { find: /^talus\/local$/, replacement: here('../talus-js/src/local/index.ts') },
+    ],
+    dedupe: ['flatbuffers'],
+  },
   worker: { format: 'es' },
   build: {
     target: 'es2022',

@@ -1,6 +1,6 @@
 // The viewer's page: connects its parts. Each frame: the player's intent, the body's step, the engine's picture.
+import { findServer } from './connection/find_server';
 import { mark } from './connection/marks';
-import { Server } from './connection/server';
 import { Session, type Trouble } from './connection/session';
 import { TokenStore } from './connection/token';
 import { Keyboard } from './controls/keyboard';
@@ -11,6 +11,8 @@ import { Builder } from './edit/builder';
 import { EditBar } from './edit/edit_bar';
 import { editCommands, undoByHabit } from './edit/hands';
 import type { Engine, Vector } from './engine/engine';
+import type { Here } from './here/here';
+import { worldIn } from './here/world_link';
 import { Loop } from './loop';
 import { Address } from './place/address';
 import { capOf, capped, thisDevice } from './place/device';
@@ -28,6 +30,7 @@ import { SharePanel } from './ui/share_panel';
 import { SLICE_FARTHEST, SlicePanel } from './ui/slice_panel';
 import { TokenDialog } from './ui/token_dialog';
 import { TrafficPanel } from './ui/traffic_panel';
+import { WorldsPanel } from './ui/worlds_panel';
 import { FIELD_OF_VIEW, rayThrough, VoxelCard } from './ui/voxel_card';
 
 const device = thisDevice();
@@ -43,7 +46,9 @@ const settings: Settings = capped(mend(kept, fromLink(location.hash)), cap);
 const isReduced = () => settings.reducedMotion ?? isReducedBySystem.matches;
 
 const tokens = new TokenStore();
-const server = new Server(location.href, () => tokens.token);
+const server = await findServer(location.href, () => tokens.token);
+const isHere = server.source !== null;
+const world = worldIn(location.hash);
 const player = new Player();
 const { body } = player;
 const address = new Address();
@@ -72,7 +77,10 @@ function follow(link: Partial<Place>): void {
   }
 }
 
-addEventListener('hashchange', () => follow(readLink(location.hash)));
+addEventListener('hashchange', () => {
+  if (worldIn(location.hash) !== world) location.reload();
+  else follow(readLink(location.hash));
+});
 addEventListener('pagehide', () => {
   if (traveller.isPlaced) address.write(place());
 });
@@ -128,9 +136,9 @@ bordersField.addEventListener('change', () => change({ chunkBorders: bordersFiel
 
 const toStage = () => stage.focus({ preventScroll: true });
 const panels = new Panels(toStage);
-const hud = new Hud();
+const hud = new Hud(isHere);
 const hint = new Hint(toStage);
-const traffic = new TrafficPanel();
+const traffic = new TrafficPanel(isHere);
 const voxel = new VoxelCard();
 const slice = new SlicePanel(
   () => ({ x: body.position[0], z: body.position[2], yaw: body.yaw, seen: seenAhead() }),
@@ -181,7 +189,9 @@ const notices = new Notices({
   byHttp: () => change({ transport: 'http' }),
   askToken: (why) => tokenDialog.ask(why),
   toSpawn: () => traveller.toSpawn(),
+  openDefault: () => location.assign(location.pathname),
 });
+if (isHere) new WorldsPanel(server as Here, (why) => notices.notKept(why));
 
 const session = new Session(stage, settings, server, tokens, isReduced, {
   opened(opened) {
@@ -197,7 +207,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
     applyBorders();
     if (!traveller.isPlaced) follow(startingPlace());
     hud.opening('The land is on its way', null);
-    say(find('help-world'), `${opened.world.server}, world ${opened.world.fingerprint}`);
+    say(find('help-world'), `${isHere ? 'Made in this page' : opened.world.server}, world ${opened.world.fingerprint}`);
   },
   closing() {
     engine = null;
@@ -213,6 +223,7 @@ const session = new Session(stage, settings, server, tokens, isReduced, {
       away: 'Server away',
       token: 'No access',
       refused: 'Refused',
+      'no-world': 'No world',
       'no-socket': 'No connection',
       'no-webgl': 'No 3D',
       'graphics-lost': 'No graphics',
@@ -385,8 +396,8 @@ setTime(hours);
 applyMotion();
 applyBorders();
 showFocusToTabs();
-hud.opening('Connecting', null);
-hud.status('Connecting', 'busy');
+hud.opening(isHere ? 'Making the world' : 'Connecting', null);
+hud.status(isHere ? 'Opening' : 'Connecting', 'busy');
 toStage();
 loop.start();
 void session.open();

@@ -1,4 +1,5 @@
 // The page's own HTTP requests: server status, heights, map tiles.
+import type { Client } from 'talus';
 import { bestHeading, outlookRequest } from '../place/outlook';
 
 export interface ServerWorld {
@@ -8,11 +9,13 @@ export interface ServerWorld {
 }
 
 /** Reason for a missing answer, in words for users. */
-export type Obstacle = { kind: 'away' | 'token' | 'blocked' | 'other'; text: string };
+export type Obstacle = { kind: 'away' | 'token' | 'blocked' | 'no-world' | 'other'; text: string };
 
 export class Server {
   /** The page's own folder, so that a proxy may serve everything below a path. */
   readonly base: string;
+  /** Makes the world's chunks; null: the server sends them. */
+  readonly source: (() => Client) | null = null;
 
   constructor(
     page: string,
@@ -47,6 +50,18 @@ export class Server {
     const answer = await this.fetch(outlookRequest(x, z));
     if (!answer.ok) throw new Error(await reasonOf(answer));
     return bestHeading(((await answer.json()) as { heights: number[] }).heights);
+  }
+
+  /** False if the page's host is certainly no Talus server, but a folder of files. */
+  async isThere(): Promise<boolean> {
+    try {
+      const answer = await this.fetch('v1/world', { signal: AbortSignal.timeout(10_000), cache: 'no-store' });
+      if (answer.status === 401 || answer.status === 429 || answer.status >= 500) return true;
+      const said = (await answer.json()) as object;
+      return 'fingerprint' in said || 'error' in said;
+    } catch (error) {
+      return !(error instanceof SyntaxError);
+    }
   }
 
   /** Called after a failure: the obstacle between this page and the world; null: none any more. */

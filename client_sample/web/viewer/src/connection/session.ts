@@ -8,6 +8,7 @@ export type Trouble =
   | { kind: 'away'; text: string; retryAt: number | null }
   | { kind: 'token'; text: string }
   | { kind: 'refused'; text: string }
+  | { kind: 'no-world'; text: string }
   | { kind: 'no-socket'; text: string }
   | { kind: 'no-webgl'; text: string }
   | { kind: 'graphics-lost' };
@@ -78,6 +79,7 @@ export class Session {
         canvas,
         url: this.server.base.replace(/\/$/, ''),
         transport: this.settings.transport,
+        ...(this.server.source === null ? {} : { source: this.server.source }),
         ...(token === null ? {} : { token }),
         radius: this.settings.radius,
         horizon: this.settings.horizon,
@@ -160,7 +162,7 @@ export class Session {
   }
 
   #blocked({ kind, text }: Obstacle): void {
-    if (kind === 'token') return this.#trouble({ kind, text });
+    if (kind === 'token' || kind === 'no-world') return this.#trouble({ kind, text });
     if (kind !== 'away') return this.#trouble({ kind: 'refused', text });
     const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.#failures++);
     this.#retry = setTimeout(() => void this.open(), delay);

@@ -1,12 +1,14 @@
 // The engine's interface. Lengths are base voxels ("blocks"); axes are x east, y up, z south. yaw 0 looks north (-z)
 // and increases towards the east; pitch is upwards; both in radians.
-import type { World } from 'talus';
+import type { Client, World } from 'talus';
 
 export interface EngineOptions {
   readonly canvas: HTMLCanvasElement;
   /** Origin of the server's HTTP port, such as location.origin; determines the WebSocket's address. */
   readonly url: string;
   readonly transport: 'websocket' | 'http';
+  /** Gives the chunks in place of a server at `url`. */
+  readonly source?: () => Client;
   readonly token?: string;
   /** Level 0, in chunks. */
   readonly radius: number;

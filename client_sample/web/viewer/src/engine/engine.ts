@@ -239,7 +239,7 @@ export class Engine {
 
   /** Reason why edits are impossible here, in words for users; null: they may be tried. */
   get whyNoEdits(): string | null {
-    if (this.options.transport === 'http') return 'By HTTP one only looks. The settings have WebSocket, which takes edits.';
+    if (this.options.transport === 'http' && this.options.source === undefined) return 'By HTTP one only looks. The settings have WebSocket, which takes edits.';
     if (this.info === null) return 'The world is not here yet.';
     return /^0*$/.test(this.info.storeId) ? 'This server keeps no edits: it has no place to store them.' : null;
   }

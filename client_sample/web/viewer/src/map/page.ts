@@ -1,5 +1,6 @@
 // The map's own page: works without WebGL, and links to the viewer.
-import { Server, type Obstacle } from '../connection/server';
+import { findServer } from '../connection/find_server';
+import type { Obstacle } from '../connection/server';
 import { TokenStore } from '../connection/token';
 import { readLink, writeLink, type Place } from '../place/place';
 import { find, showFocusToTabs } from '../ui/dom';
@@ -10,7 +11,7 @@ const FIRST_ZOOM = 9;
 const RETRY_MS = 2000;
 
 const tokens = new TokenStore();
-const server = new Server(location.href, () => tokens.token);
+const server = await findServer(location.href, () => tokens.token);
 const link = readLink(location.hash);
 const toViewer = (hash: string) => location.assign(new URL('./' + hash, server.base).href);
 
@@ -29,6 +30,7 @@ const dialog = new TokenDialog(tokens, () => location.reload());
 const WORDS: Record<Obstacle['kind'], (text: string) => string> = {
   away: () => 'The server is away. Trying again.',
   token: () => 'The server asks for a token.',
+  'no-world': (text) => `This link opens no world: ${text}.`,
   blocked: (text) => `The server refuses: ${text}.`,
   other: (text) => `This is no Talus server: ${text}.`,
 };

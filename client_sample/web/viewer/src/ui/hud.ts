@@ -12,6 +12,9 @@ export function share(stats: Stats): number | null {
 }
 
 export class Hud {
+  /** `isHere`: chunks are made by the page, not received. */
+  constructor(private readonly isHere: boolean) {}
+
   readonly #opening = find('opening');
   readonly #toMode = find('hint').querySelector('.to-mode')!;
 
@@ -42,7 +45,7 @@ export class Hud {
     if (stats.state === 'connecting') return this.status('Connecting', 'busy');
     if (stats.state === 'complete') return this.status('All here', 'good');
     const done = share(stats);
-    const what = stats.chunksWanted > 0 && stats.chunks >= stats.chunksWanted ? 'Drawing' : 'Receiving';
+    const what = stats.chunksWanted > 0 && stats.chunks >= stats.chunksWanted ? 'Drawing' : this.isHere ? 'Making' : 'Receiving';
     this.status(done === null ? what : `${what} ${Math.floor(done * 100)} %`, 'busy');
   }
 

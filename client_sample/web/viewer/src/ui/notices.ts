@@ -9,6 +9,7 @@ export interface Answers {
   byHttp: () => void;
   askToken: (why: string) => void;
   toSpawn: () => void;
+  openDefault: () => void;
 }
 
 export class Notices {
@@ -22,7 +23,7 @@ export class Notices {
   trouble(trouble: Trouble | null): void {
     this.#retryAt = null;
     if (trouble === null) {
-      if (this.#box.dataset.kind !== 'world') this.hide();
+      if (!['world', 'not-kept'].includes(this.#box.dataset.kind ?? '')) this.hide();
       return;
     }
     switch (trouble.kind) {
@@ -40,6 +41,9 @@ export class Notices {
         break;
       case 'refused':
         this.#show('refused', 'The server refuses', trouble.text, [['Try again', this.answers.again]]);
+        break;
+      case 'no-world':
+        this.#show('no-world', 'This link opens no world', trouble.text, [['Open the default world', this.answers.openDefault]]);
         break;
       case 'no-socket':
         this.#show('no-socket', 'The land does not come', trouble.text, [
@@ -65,6 +69,10 @@ export class Notices {
       ['Go to its spawn', () => (this.answers.toSpawn(), this.hide())],
       ['Stay', () => this.hide()],
     ]);
+  }
+
+  notKept(why: string): void {
+    this.#show('not-kept', 'This browser keeps no edits here', why, [['Play on', () => this.hide()]]);
   }
 
   hide(): void {

@@ -34,6 +34,9 @@ export class TrafficPanel {
   #bytes = 0;
   #byteRate = 0;
 
+  /** `isHere`: nothing is received, but made by the page. */
+  constructor(private readonly isHere: boolean) {}
+
   /** Called four times a second, even if the panel is closed: the chart covers the last minute. */
   update(stats: Stats, now: number, framesPerSecond: number, isOpen: boolean): void {
     const second = Math.floor(now / 1000);
@@ -48,7 +51,7 @@ export class TrafficPanel {
     const { latency, frameCpu } = stats;
     this.#row('View', STATES[stats.state]);
     this.#row('Chunks', `${count(stats.chunks)}, ${count(stats.chunkRate)} /s`);
-    this.#row('Received', `${bytes(stats.receivedBytes)}, ${bytes(this.#byteRate)}/s`);
+    if (!this.isHere) this.#row('Received', `${bytes(stats.receivedBytes)}, ${bytes(this.#byteRate)}/s`);
     this.#row('Asked to drawn, p50', latency === null ? '–' : `${ms(latency.p50)} ms`);
     this.#row('p95, p99', latency === null ? '–' : `${ms(latency.p95)}, ${ms(latency.p99)} ms`);
     this.#row('Land is missing', stats.nearestMissing === null ? 'nowhere' : `${count(stats.nearestMissing)} blocks away`);

@@ -21,16 +21,14 @@ export class Link {
 
   /** `isFull`: no more chunks are wanted for now, so no chunks are credited to the server. */
   constructor(
-    private readonly options: Pick<EngineOptions, 'url' | 'transport'>,
+    private readonly options: Pick<EngineOptions, 'url' | 'transport' | 'source'>,
     private readonly events: LinkEvents,
     private readonly isFull: () => boolean,
   ) {}
 
   /** Resolves when the server has described its world; a later end is reported only by events. */
   open(token: string | undefined): Promise<World> {
-    const url = new URL(this.options.url);
-    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    const client = connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true });
+    const client = this.options.source?.() ?? this.connected(token);
     this.client = client;
     this.hasEnded = false;
     const { events } = this;
@@ -56,6 +54,12 @@ export class Link {
     const joined = client.ready();
     joined.catch(() => {}); // `closed` reports it too
     return joined;
+  }
+
+  private connected(token: string | undefined): Client {
+    const url = new URL(this.options.url);
+    if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+    return connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true });
   }
 
   /** Makes the next attempt at once; false: there is nothing to try. */
