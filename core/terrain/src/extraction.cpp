@@ -364,6 +364,10 @@ ChunkSite::ChunkSite(const World& world, const Stacks& stacks, ChunkCoord coord)
       x_{static_cast<int>(std::int64_t{coord.x} * kChunkSize - stacks.region.x)},
       z_{static_cast<int>(std::int64_t{coord.z} * kChunkSize - stacks.region.z)} {}
 
+Region region_of_stacks(const World& world, const Region& region) {
+  return world.has_secrets() && region.lod == Lod{} ? region.expanded(1) : region;
+}
+
 Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord, Layers memory) {
   const TileRows tile{world, stacks, coord.x, coord.z};
   const auto floor_row = static_cast<std::int32_t>(
@@ -465,7 +469,7 @@ Chunk generate_chunk(const World& world, ChunkKey key) {
   if (const auto material = uniform_everywhere(world, key)) return Chunk::uniform(*material);
   const VoxelPos origin = chunk_origin(key.coord);
   const Region tile{origin.x, origin.z, kChunkSize, kChunkSize, key.lod};
-  return extract_chunk(world, generate_stacks(world, tile), key.coord);
+  return extract_chunk(world, generate_stacks(world, region_of_stacks(world, tile)), key.coord);
 }
 
 }  // namespace talus::terrain

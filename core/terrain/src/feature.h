@@ -24,12 +24,14 @@
 
 #include <talus/terrain/cave_air.h>
 #include <talus/terrain/field.h>
+#include <talus/terrain/secret.h>
 #include <talus/terrain/stacks.h>
 #include <talus/terrain/world.h>
 #include <talus/vectors/instruction_set.h>
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
 
+#include "features/sip_hash.h"
 #include "overlay.h"
 #include "place/place_fields.h"
 #include "spec/places_section.h"
@@ -220,6 +222,18 @@ class Feature {
   /// region, for maps; other columns are unchanged. z slowest, then x.
   virtual void add_exposed(const Stacks& /*stacks*/, const Field* /*survey*/,
                            std::span<MaterialId> /*exposed*/) const {}
+
+  /// The same feature, drawn by `draw` and shown by `view`; null if it cannot be secret.
+  [[nodiscard]] virtual std::shared_ptr<const Feature> kept_secret(const SipHash& /*draw*/,
+                                                                   SecretView /*view*/) const {
+    return nullptr;
+  }
+  /// Writes the secret materials of a chunk of level 0 to `voxels`, as if all of it were rock. False if there
+  /// are none.
+  [[nodiscard]] virtual bool add_secret(ChunkCoord /*chunk*/,
+                                        std::span<MaterialId, kChunkVolume> /*voxels*/) const {
+    return false;
+  }
 };
 
 /// A feature's section while it is read. spec() holds everything except features, read and checked.

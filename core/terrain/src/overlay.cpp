@@ -76,6 +76,18 @@ std::size_t host_of(const ChunkPlaneKernels& kernels, const Layers& layers, cons
   return host;
 }
 
+void write_layers(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
+  ChunkPlane bottom{};
+  for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
+    ChunkPlane top;
+    std::copy_n(top_of(layers, layer), kChunkArea, top.begin());
+    write(Overlay{layers.materials[layer], bottom, top}, voxels);
+    bottom = top;
+  }
+}
+
+}  // namespace
+
 void write(const Overlay& overlay, std::span<MaterialId, kChunkVolume> voxels) {
   for (std::size_t column = 0; column < kChunkArea; ++column) {
     for (std::size_t y = overlay.from[column]; y < overlay.to[column]; ++y) {
@@ -83,18 +95,6 @@ void write(const Overlay& overlay, std::span<MaterialId, kChunkVolume> voxels) {
     }
   }
 }
-
-void write(const Layers& layers, std::span<MaterialId, kChunkVolume> voxels) {
-  ChunkPlane bottom{};
-  for (std::size_t layer = 0; layer < layers.materials.size(); ++layer) {
-    ChunkPlane top;
-    std::copy_n(top_of(layers, layer), kChunkArea, top.begin());
-    write({layers.materials[layer], bottom, top}, voxels);
-    bottom = top;
-  }
-}
-
-}  // namespace
 
 void apply(const Overlay& overlay, Layers& layers) {
   const ChunkPlaneKernels& kernels = chunk_plane_kernels(instruction_set());
@@ -130,7 +130,7 @@ Chunk chunk_with(Layers layers, std::span<const Overlay> overlays) {
   // More layers than the boundary view can hold are thinner than a voxel each; dense voxels are smaller then.
   std::vector<MaterialId> voxels(kChunkVolume);
   const std::span<MaterialId, kChunkVolume> all{voxels};
-  write(layers, all);
+  write_layers(layers, all);
   for (const Overlay& each : overlays) write(each, all);
   return Chunk::from_dense(all);
 }

@@ -26,6 +26,9 @@ struct Overlay {
 /// overlay inside one layer costs two planes.
 void apply(const Overlay& overlay, Layers& layers);
 
+/// Writes the overlay to a chunk's voxels.
+void write(const Overlay& overlay, std::span<MaterialId, kChunkVolume> voxels);
+
 /// The chunk of `layers` with all overlays applied in order; dense if the boundary view cannot hold it.
 [[nodiscard]] Chunk chunk_with(Layers layers, std::span<const Overlay> overlays);
 

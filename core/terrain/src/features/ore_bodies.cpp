@@ -172,6 +172,61 @@ std::int64_t weight_q15(std::int64_t t_q15) {
   return (t_q15 * t_q15 >> 15) * (3 * kOne_q15 - 2 * t_q15) >> 15;
 }
 
+// The root of a kind's draws, from which each coordinate of a cube derives a child.
+class PublicDraw {
+ public:
+  explicit PublicDraw(std::uint64_t seed) : seed_{seed} {}
+  [[nodiscard]] PublicDraw child(std::int64_t index) const {
+    return PublicDraw{derived_seed(seed_, static_cast<std::uint64_t>(index))};
+  }
+  [[nodiscard]] std::uint64_t value() const { return seed_; }
+
+ private:
+  std::uint64_t seed_;
+};
+
+class SecretDraw {
+ public:
+  explicit SecretDraw(const SipHash& hash) : hash_{hash} {}
+  [[nodiscard]] SecretDraw child(std::int64_t index) const {
+    return SecretDraw{hash_.with(static_cast<std::uint64_t>(index))};
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  SipHash hash_;
+};
+
+template <typename Draw>
+void add_bodies(const OreKind& kind, const OreBox& box, const Draw& draw, std::vector<OreLobe>& lobes) {
+  const std::int64_t edge = kind.size_fx;
+  const std::int64_t reach = kind.size_fx / 2;
+  const auto first = [&](std::int64_t from_fx) { return floor_div(from_fx - reach, edge); };
+  const auto last = [&](std::int64_t end_fx) { return floor_div(end_fx - 1 + reach, edge); };
+  // Bodies that would exceed their range of heights are omitted, so that no body is cut.
+  const std::int64_t lowest = kind.low_fx + reach;
+  const std::int64_t highest = kind.high_fx - reach;
+  const std::int64_t first_y = std::max(first(box.low_fx), floor_div(lowest, edge));
+  const std::int64_t last_y = std::min(last(box.high_fx), floor_div(highest, edge));
+  if (first_y > last_y) return;
+  for (std::int64_t cz = first(box.z0 * kSubvoxels); cz <= last(box.z1 * kSubvoxels); ++cz) {
+    const Draw z_draw = draw.child(cz);
+    for (std::int64_t cx = first(box.x0 * kSubvoxels); cx <= last(box.x1 * kSubvoxels); ++cx) {
+      const Draw x_draw = z_draw.child(cx);
+      for (std::int64_t cy = first_y; cy <= last_y; ++cy) {
+        const std::uint64_t seed = x_draw.child(cy).value();
+        if (seed >> 32 >= kind.chance_q32) continue;
+        Draws draws{~seed};
+        const Middle middle{cx * edge + draws.between(0, edge), cy * edge + draws.between(0, edge),
+                            cz * edge + draws.between(0, edge)};
+        if (middle.y_fx < lowest || middle.y_fx > highest) continue;
+        if (!meets(box, middle, reach, reach)) continue;
+        add_body(kind, middle, seed, lobes);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 OreRow::OreRow(const OreLobe& lobe, std::int64_t column_z, std::int64_t low_fx, std::int64_t high_fx)
@@ -285,32 +340,11 @@ std::optional<OreSpan> OreRow::at(std::int64_t column_x) {
 }
 
 void add_lobes(const OreKind& kind, const OreBox& box, std::vector<OreLobe>& lobes) {
-  const std::int64_t edge = kind.size_fx;
-  const std::int64_t reach = kind.size_fx / 2;
-  const auto first = [&](std::int64_t from_fx) { return floor_div(from_fx - reach, edge); };
-  const auto last = [&](std::int64_t end_fx) { return floor_div(end_fx - 1 + reach, edge); };
-  // Bodies that would exceed their range of heights are omitted, so that no body is cut.
-  const std::int64_t lowest = kind.low_fx + reach;
-  const std::int64_t highest = kind.high_fx - reach;
-  const std::int64_t first_y = std::max(first(box.low_fx), floor_div(lowest, edge));
-  const std::int64_t last_y = std::min(last(box.high_fx), floor_div(highest, edge));
-  if (first_y > last_y) return;
   const auto before = static_cast<std::ptrdiff_t>(lobes.size());
-  for (std::int64_t cz = first(box.z0 * kSubvoxels); cz <= last(box.z1 * kSubvoxels); ++cz) {
-    const std::uint64_t z_seed = derived_seed(kind.seed, static_cast<std::uint64_t>(cz));
-    for (std::int64_t cx = first(box.x0 * kSubvoxels); cx <= last(box.x1 * kSubvoxels); ++cx) {
-      const std::uint64_t x_seed = derived_seed(z_seed, static_cast<std::uint64_t>(cx));
-      for (std::int64_t cy = first_y; cy <= last_y; ++cy) {
-        const std::uint64_t seed = derived_seed(x_seed, static_cast<std::uint64_t>(cy));
-        if (seed >> 32 >= kind.chance_q32) continue;
-        Draws draws{~seed};
-        const Middle middle{cx * edge + draws.between(0, edge), cy * edge + draws.between(0, edge),
-                            cz * edge + draws.between(0, edge)};
-        if (middle.y_fx < lowest || middle.y_fx > highest) continue;
-        if (!meets(box, middle, reach, reach)) continue;
-        add_body(kind, middle, seed, lobes);
-      }
-    }
+  if (kind.secret) {
+    add_bodies(kind, box, SecretDraw{*kind.secret}, lobes);
+  } else {
+    add_bodies(kind, box, PublicDraw{kind.seed}, lobes);
   }
   lobes.erase(std::remove_if(lobes.begin() + before, lobes.end(),
                              [&](const OreLobe& lobe) { return !meets(box, lobe); }),

@@ -13,6 +13,8 @@
 #include <talus/terrain/world.h>
 #include <talus/voxel/material.h>
 
+#include "features/sip_hash.h"
+
 namespace talus::terrain {
 
 /// Pockets are lumps; veins are thin, long, tilted sheets with branches.
@@ -27,10 +29,13 @@ struct OreKind {
   std::int32_t high_fx = 0;
   std::int32_t size_fx = 0;  // edge of a body's box and of the cubes
   std::int32_t thickness_fx = 0;
-  std::uint64_t chance_q32 = 0;  // probability that a cube holds a body
+  std::uint64_t chance_q32 = 0;   // probability that a cube holds a body
+  std::optional<SipHash> secret;  // draws the bodies instead of `seed`
 
   /// Returns true if bodies are at least four voxels of the level large, and a vein at least one voxel thick.
+  /// Secret ore shows at level 0 only.
   [[nodiscard]] bool shows_at(Lod lod) const {
+    if (secret && lod.value() > 0) return false;
     return size_fx >> lod.value() >= 4 * kSubvoxels &&
            (shape == OreShape::pocket || thickness_fx >> lod.value() >= kSubvoxels);
   }

@@ -2,6 +2,7 @@
 #include "features/ores.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include <talus/terrain/lattice_hash.h>
 
+#include "features/exposure.h"
 #include "spec/units.h"
 
 namespace talus::terrain {
@@ -106,6 +108,24 @@ bool join(const Overlay& lobe, const Columns& columns, Overlay& overlay) {
   return true;
 }
 
+// Adds the exposed voxels of an overlay: the k-th run of each column in the k-th overlay.
+void add_exposed_runs(const Overlay& whole, const ExposedRows& exposed, std::vector<Overlay>& overlays) {
+  const std::size_t first = overlays.size();
+  for (std::size_t column = 0; column < kChunkArea; ++column) {
+    if (whole.from[column] >= whole.to[column]) continue;
+    const auto below = [](std::uint8_t row) { return (std::uint64_t{1} << row) - 1; };
+    std::uint64_t left = exposed[column] & below(whole.to[column]) & ~below(whole.from[column]);
+    for (std::size_t run = first; left != 0; ++run) {
+      const int from = std::countr_zero(left);
+      const int to = from + std::countr_one(left >> from);
+      if (run == overlays.size()) overlays.push_back({whole.material, {}, {}});
+      overlays[run].from[column] = static_cast<std::uint8_t>(from);
+      overlays[run].to[column] = static_cast<std::uint8_t>(to);
+      left &= ~below(static_cast<std::uint8_t>(to));
+    }
+  }
+}
+
 OreBox box_of(ChunkKey key) {
   const int shift = key.lod.value();
   const VoxelPos origin = chunk_origin(key.coord);
@@ -188,6 +208,9 @@ void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
   const ChunkPlane& rock = site.rock();
   const int highest = *std::max_element(rock.begin(), rock.end());
   if (highest == 0) return;
+  const bool only_exposed = view_ == SecretView::exposed && site.key().lod == Lod{};
+  std::optional<ExposedRows> exposed;
+  if (only_exposed && !(exposed = exposed_rows(site))) return;
   std::vector<OreLobe> lobes;
   for (std::size_t i = kinds_.size(); i-- > 0;) {
     const OreKind& kind = kinds_[i];
@@ -203,7 +226,37 @@ void Ores::add_overlays(const ChunkSite& site, const Field* /*survey*/,
                                       [&](Overlay& overlay) { return join(alone, columns, overlay); });
       if (!joined) overlays.push_back(alone);
     }
+    if (!exposed) continue;
+    const std::vector<Overlay> whole{overlays.begin() + static_cast<std::ptrdiff_t>(first), overlays.end()};
+    overlays.resize(first);
+    for (const Overlay& each : whole) add_exposed_runs(each, *exposed, overlays);
   }
+}
+
+std::shared_ptr<const Feature> Ores::kept_secret(const SipHash& draw, SecretView view) const {
+  std::vector<OreKind> kinds = kinds_;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i].secret = draw.with(i);
+  return std::make_shared<const Ores>(std::move(kinds), view);
+}
+
+bool Ores::add_secret(ChunkCoord chunk, std::span<MaterialId, kChunkVolume> voxels) const {
+  ChunkPlane rock;
+  rock.fill(kChunkSize);
+  const ChunkKey key{chunk, Lod{}};
+  std::vector<OreLobe> lobes;
+  bool any = false;
+  for (std::size_t i = kinds_.size(); i-- > 0;) {
+    if (!kinds_[i].secret) continue;
+    lobes.clear();
+    add_lobes(kinds_[i], box_of(key), lobes);
+    for (const OreLobe& lobe : lobes) {
+      Overlay alone{kinds_[i].material, {}, {}};
+      if (!cut(lobe, columns_of(lobe, key), key, rock, kChunkSize, alone)) continue;
+      write(alone, voxels);
+      any = true;
+    }
+  }
+  return any;
 }
 
 void Ores::add_exposed(const Stacks& stacks, const Field* /*survey*/, std::span<MaterialId> exposed) const {

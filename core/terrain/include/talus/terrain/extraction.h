@@ -13,9 +13,14 @@
 
 namespace talus::terrain {
 
-/// Returns chunk `coord` of the region's level. Its 32 x 32 columns must lie inside stacks.region (asserted).
-/// Reuses `memory`, whatever it holds: with the layers of an earlier chunk (Chunk::take_layers) only the
-/// difference is allocated, and more if features change voxels or the boundary view cannot hold all layers.
+/// The region whose stacks extract_chunk() needs for the chunks of `region`: one more column on every side at
+/// level 0 of a world with secrets, whose chunks depend on the ground beside them; else `region`.
+[[nodiscard]] Region region_of_stacks(const World& world, const Region& region);
+
+/// Returns chunk `coord` of the region's level. Its region_of_stacks() must lie inside stacks.region
+/// (asserted). Reuses `memory`, whatever it holds: with the layers of an earlier chunk (Chunk::take_layers)
+/// only the difference is allocated, and more if features change voxels or the boundary view cannot hold all
+/// layers.
 [[nodiscard]] Chunk extract_chunk(const World& world, const Stacks& stacks, ChunkCoord coord,
                                   Layers memory = {});
 

@@ -17,6 +17,7 @@
 #include <talus/terrain/objects.h>
 #include <talus/terrain/places_spec.h>
 #include <talus/terrain/regions_spec.h>
+#include <talus/terrain/secret.h>
 #include <talus/terrain/world_files.h>
 #include <talus/voxel/content_hash.h>
 #include <talus/voxel/coords.h>
@@ -223,6 +224,13 @@ class World {
                                                             const WorldFiles& files,
                                                             std::span<const FeatureKind> kinds);
 
+  /// The same world with its [[veins]] drawn by `key`, and a fingerprint that only the key gives. nullopt if
+  /// it has no [[veins]].
+  [[nodiscard]] std::optional<World> with_secret_veins(const SecretKey& key,
+                                                       SecretView view = SecretView::exposed) const;
+  /// True for the result of with_secret_veins().
+  [[nodiscard]] bool has_secrets() const { return has_secrets_; }
+
   [[nodiscard]] const WorldSpec& spec() const { return spec_; }
   /// Folds, caves and so on: one for each section of a known kind, in the order of the known kinds.
   [[nodiscard]] const std::vector<std::shared_ptr<const Feature>>& features() const { return features_; }
@@ -281,7 +289,7 @@ class World {
   /// Everything that decides a voxel, as text with one number per line; equal for specs that give equal
   /// voxels by the same numbers. Excludes names and colours.
   [[nodiscard]] std::string canonical_form() const;
-  /// XXH3-128 of canonical_form(), which includes the generator version.
+  /// XXH3-128 of canonical_form(), which includes the generator version; with secrets a keyed hash of that.
   [[nodiscard]] ContentHash fingerprint() const { return fingerprint_; }
 
  private:
@@ -301,6 +309,7 @@ class World {
   std::int32_t rise_fx_ = 0;
   std::int64_t max_lift_q16_ = 0;
   std::optional<std::int32_t> sea_fx_;
+  bool has_secrets_ = false;
   ContentHash fingerprint_;
 };
 
