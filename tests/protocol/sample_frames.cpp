@@ -39,13 +39,13 @@ Frame welcome() {
     const auto session = wire::CreateRates(b, 4096, std::uint64_t{1} << 24, 1000, 32000);
     const auto address = wire::CreateRates(b, 8192, 0, 2000, 32000);
     const auto limits =
-        wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address, true);
+        wire::CreateLimits(b, 65536, 256, 4096, 32, 16, 40000, 1U << 20, 60000, session, address, true, true);
     const auto server = b.CreateString("talusd 0.1.0");
     const wire::Hash128 store{1, 2};
     const auto looks = b.CreateVectorOfStrings({"", "snow"});
     const auto fields = b.CreateVectorOfStrings({"height", "temperature"});
     return wire::CreateWelcome(b, 1, 1, &kHash, &store, 32, material_vector, 0, 320, &kVoxel, limits, server,
-                               looks, fields);
+                               looks, fields, b.CreateString("/v1/0123/world.toml"));
   });
 }
 
@@ -97,14 +97,14 @@ Frame sample_hello() {
   });
 }
 
-Frame sample_view(bool horizon) {
+Frame sample_view(bool newer_fields) {
   return make_frame([&](auto& b) {
     const wire::Direction direction{0.0F, -0.5F, 1.0F};
     const std::array rings{wire::LodRing{1, 16}, wire::LodRing{2, 32}};
     const auto ring_vector = b.CreateVectorOfStructs(rings.data(), rings.size());
     const wire::KnownChunk known{kKey, kHash};
     return wire::CreateView(b, &kVoxel, &direction, 8, 4, ring_vector, b.CreateVectorOfStructs(&known, 1), 12,
-                            horizon);
+                            newer_fields, newer_fields);
   });
 }
 
@@ -152,6 +152,12 @@ std::vector<Sample> sample_frames() {
              [](auto& b) {
                const auto limits = wire::CreateEditLimits(b, 65'536, 64, 64, 65'536);
                return wire::CreateAttached(b, &kHash, 3, 20, true, 42, limits);
+             }),
+      simple(Body::GetFile,
+             [](auto& b) { return wire::CreateGetFile(b, 13, b.CreateString("models/rock.vox"), 65'536); }),
+      simple(Body::FilePart,
+             [](auto& b) {
+               return wire::CreateFilePart(b, 13, 65'539, b.CreateVector(std::vector<std::uint8_t>{7, 8, 9}));
              }),
   };
 }

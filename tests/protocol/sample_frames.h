@@ -17,7 +17,7 @@ struct Sample {
 
 /// The frames whose bytes golden_test.cpp freezes.
 [[nodiscard]] Frame sample_hello();
-[[nodiscard]] Frame sample_view(bool horizon);
+[[nodiscard]] Frame sample_view(bool newer_fields);
 [[nodiscard]] Frame sample_chunk();
 
 }  // namespace talus::protocol::testing

@@ -45,7 +45,7 @@ class Digest {
     add(limits.frame_bytes(), limits.requests_in_flight(), limits.heights_per_request(),
         limits.view_horizontal_radius(), limits.view_vertical_radius(), limits.view_chunks(),
         limits.window_bytes(), limits.idle_timeout_ms(), limits.session_rates(), limits.address_rates(),
-        limits.view_horizon());
+        limits.view_horizon(), limits.view_base());
   }
   void one(const wire::Fill& fill) {
     add(fill.first(), fill.last(), fill.material(), fill.only(), fill.flags());
@@ -83,7 +83,7 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
     digest.add(m->protocol_min(), m->protocol_max(), m->codecs(), m->token(), m->client(), m->window_bytes());
   } else if (const auto* view = message.body_as_View()) {
     digest.add(view->centre(), view->direction(), view->horizontal_radius(), view->vertical_radius(),
-               view->rings(), view->known(), view->number(), view->horizon());
+               view->rings(), view->known(), view->number(), view->horizon(), view->has_base());
   } else if (const auto* chunks = message.body_as_GetChunks()) {
     digest.add(chunks->requests());
   } else if (const auto* cancel = message.body_as_Cancel()) {
@@ -97,6 +97,8 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
                edit->subject());
   } else if (const auto* attach = message.body_as_Attach()) {
     digest.add(attach->editor(), attach->seen_revision());
+  } else if (const auto* file = message.body_as_GetFile()) {
+    digest.add(file->id(), file->name(), file->offset());
   } else if (const auto* ping = message.body_as_Ping()) {
     digest.add(ping->nonce());
   }
@@ -105,7 +107,8 @@ void walk_from_client(const wire::Message& message, Digest& digest) {
 void walk_from_server(const wire::Message& message, Digest& digest) {
   if (const auto* m = message.body_as_Welcome()) {
     digest.add(m->protocol(), m->codec(), m->fingerprint(), m->store_id(), m->chunk_size(), m->materials(),
-               m->min_y(), m->max_y(), m->spawn(), m->limits(), m->server(), m->looks(), m->fields());
+               m->min_y(), m->max_y(), m->spawn(), m->limits(), m->server(), m->looks(), m->fields(),
+               m->world_file());
   } else if (const auto* chunk = message.body_as_Chunk()) {
     digest.add(chunk->id(), chunk->key(), chunk->revision(), chunk->hash(), chunk->codec(), chunk->payload());
   } else if (const auto* unchanged = message.body_as_Unchanged()) {
@@ -117,6 +120,8 @@ void walk_from_server(const wire::Message& message, Digest& digest) {
   } else if (const auto* error = message.body_as_Error()) {
     digest.add(error->code(), error->text(), error->request_id(), error->retry_after_ms(), error->about(),
                error->repeated_id(), error->view_number(), error->chunk());
+  } else if (const auto* part = message.body_as_FilePart()) {
+    digest.add(part->id(), part->size(), part->bytes());
   } else if (const auto* result = message.body_as_EditResult()) {
     digest.add(result->id(), result->revision(), result->changed());
   } else if (const auto* broadcast = message.body_as_EditBroadcast()) {

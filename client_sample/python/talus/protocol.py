@@ -195,6 +195,7 @@ class View(Message):
         known=_List(KNOWN_CHUNK),
         number=U32,
         horizon=BOOL,
+        has_base=BOOL,
     )
 
 
@@ -208,6 +209,10 @@ class Cancel(Message):
 
 class GetHeights(Message):
     FIELDS = dict(id=U32, columns=_List(COLUMN_POS), looks=BOOL, fields=_List(U8))
+
+
+class GetFile(Message):
+    FIELDS = dict(id=U32, name=TEXT, offset=U64)
 
 
 class Credit(Message):
@@ -259,6 +264,7 @@ class Limits(Message):
         session_rates=_Table(Rates),
         address_rates=_Table(Rates),
         view_horizon=BOOL,
+        view_base=BOOL,
     )
 
 
@@ -277,6 +283,7 @@ class Welcome(Message):
         server=TEXT,
         looks=_List(TEXT),
         fields=_List(TEXT),
+        world_file=TEXT,
     )
 
 
@@ -294,6 +301,10 @@ class UniformColumn(Message):
 
 class Heights(Message):
     FIELDS = dict(id=U32, heights_fx=_List(I32), looks=_List(U8), values=_List(F32))
+
+
+class FilePart(Message):
+    FIELDS = dict(id=U32, size=U64, bytes=_List(U8))
 
 
 class Error(Message):
@@ -367,6 +378,8 @@ BODIES = (
     ViewComplete,
     Attach,
     Attached,
+    GetFile,
+    FilePart,
 )
 
 
