@@ -97,6 +97,10 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
   command->add_option("--speed", options.speed, "Voxels per second")
       ->check(within(0, 100000))
       ->capture_default_str();
+  command_line::add_generate_option(*command, options.generate,
+                                    "Make chunks here and receive edits alone: auto (default: where the "
+                                    "server publishes its world), never, "
+                                    "or always");
   add_path(*command, "-o,--output", options.output,
            "Write a map of the chunks received, as .png; hatched where chunks are missing");
   add_path(*command, "--view", options.view, "Write the camera's picture at the end, as .png");

@@ -40,8 +40,9 @@ struct FlyOptions {
   std::optional<double> heading;       // degrees clockwise from north; nullopt: towards scenic land
   double height = 45;                  // voxels above the ground
   double speed = 60;                   // voxels per second
-  std::filesystem::path output;        // map; may be empty
-  std::filesystem::path view;          // final view of the camera; may be empty
+  client::Generate generate = client::Generate::automatic;
+  std::filesystem::path output;  // map; may be empty
+  std::filesystem::path view;    // final view of the camera; may be empty
 };
 [[nodiscard]] asio::awaitable<CommandResult> fly(ConnectTarget target, FlyOptions options);
 

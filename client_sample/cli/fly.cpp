@@ -14,6 +14,7 @@
 #include <talus/client/client.h>
 
 #include <talus/files/path_text.h>
+#include <talus/local_source/local_source.h>
 #include <talus/progress/progress_bar.h>
 #include "commands.h"
 #include "flight.h"
@@ -154,8 +155,11 @@ void print_summary(const FlightData& gathered, const client::Stats& stats, doubl
             << static_cast<double>(stats.received_bytes) /
                    static_cast<double>(std::max<std::uint64_t>(1, gathered.waits.waits().count()))
             << " bytes a chunk)\nfrom View to arrival: p50 " << ms(0.50) << " ms, p95 " << ms(0.95)
-            << " ms, p99 " << ms(0.99) << " ms\nbad chunks " << stats.bad_chunks << ", errors "
-            << gathered.errors.size() << ", connections " << stats.connections << '\n';
+            << " ms, p99 " << ms(0.99) << " ms\nby wire " << stats.chunk_frames + stats.uniform_chunks
+            << " chunks, made here " << stats.made_chunks << " (" << stats.proofs
+            << " compared with the server's, " << stats.failed_proofs << " differed)\nbad chunks "
+            << stats.bad_chunks << ", errors " << gathered.errors.size() << ", connections "
+            << stats.connections << '\n';
   constexpr std::size_t kErrorsShown = 5;
   for (std::size_t i = 0; i < std::min(kErrorsShown, gathered.errors.size()); ++i) {
     std::cout << "  " << gathered.errors[i] << '\n';
@@ -195,6 +199,8 @@ asio::awaitable<CommandResult> fly(ConnectTarget target, FlyOptions options) {
   }
   const auto executor = co_await asio::this_coro::executor;
   FlightData gathered;
+  target.options.generate = options.generate;
+  if (options.generate != client::Generate::never) target.options.maker = std::make_shared<LocalSource>();
   client::Client client{executor, target.options, events_into(gathered)};
   const auto world = co_await client.connect(target.server.host, std::to_string(target.server.port));
   if (!world) co_return tl::unexpected{world.error().message};

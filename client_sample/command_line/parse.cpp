@@ -1,6 +1,7 @@
 #include "command_line/parse.h"
 
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include <talus/mistyped/command_line.h>
@@ -19,6 +20,15 @@ std::optional<Exit> parse(CLI::App& app, int argc, const char* const* argv) {
     return Exit{kExitWrongUse, describe(app, error) + " (see --help)"};
   }
   return std::nullopt;
+}
+
+void add_generate_option(CLI::App& app, client::Generate& generate, const std::string& what) {
+  static const std::map<std::string, client::Generate> kWords{{"auto", client::Generate::automatic},
+                                                              {"never", client::Generate::never},
+                                                              {"always", client::Generate::always}};
+  app.add_option_function<std::string>(
+         "--generate", [&generate](const std::string& word) { generate = kWords.at(word); }, what)
+      ->check(CLI::IsMember({"auto", "never", "always"}));
 }
 
 CLI::Validator within(double low, double high) {

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <talus/client/options.h>
+
 namespace CLI {
 class App;
 class Validator;
@@ -21,6 +23,9 @@ struct Exit {
 
 /// Returns nullopt if the program continues.
 [[nodiscard]] std::optional<Exit> parse(CLI::App& app, int argc, const char* const* argv);
+
+/// Adds --generate auto|never|always. `what` says of whose chunks it decides.
+void add_generate_option(CLI::App& app, client::Generate& generate, const std::string& what);
 
 /// Like CLI::Range, which accepts "nan".
 [[nodiscard]] CLI::Validator within(double low, double high);

@@ -78,6 +78,12 @@ void add_players(CLI::App& app, Options& options) {
   app.add_option("--dwell", options.dwell_seconds, "Seconds between a teleporter's jumps")
       ->check(within(0.05, kDay))
       ->capture_default_str();
+  command_line::add_generate_option(
+      app, options.generate,
+      "Players make the chunks of Views themselves, and receive edits alone: never (default), auto (where "
+      "the "
+      "server publishes its world) or always. They share one world here, and make only the chunks that they "
+      "compare with the server's: as many as a real player");
   app.add_option("--churn", options.churn_seconds,
                  "Mean seconds until a player's connection is cut (half of the cuts are resets); the player "
                  "reconnects within a second; 0: never")

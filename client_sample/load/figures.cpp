@@ -45,6 +45,8 @@ constexpr std::array kSingles{"bytes",
                               "edit_arrivals",
                               "edits_unknown",
                               "edits_missing",
+                              "made",
+                              "proofs",
                               "slow_errors",
                               "slow_disconnects",
                               "greedy_errors",
@@ -169,6 +171,8 @@ Figures figures_of(const RunResult& result) {
     for (const auto& [name, rate] : result.rates) held = std::max(held, rate.held());
     figures["held_percent"] = held * 100;
   }
+  put("made", players.made);
+  put("proofs", players.proofs);
   put("slow_errors", slow.error_count());
   put("slow_disconnects", slow.disconnect_count());
   put("greedy_errors", greedy.error_count());

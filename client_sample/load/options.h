@@ -37,6 +37,7 @@ struct Options {
   bool every_tick = false;
   double dwell_seconds = 5;
   double churn_seconds = 0;  // mean stay; 0: to the end
+  client::Generate generate = client::Generate::never;
 
   std::uint32_t idle = 0;
   std::uint32_t greedy = 0;

@@ -115,6 +115,15 @@ PendingChunks::Arrival PendingChunks::arrive(ChunkCoord chunk) {
   return arrival;
 }
 
+std::size_t PendingChunks::make_all() {
+  const auto awaited = [](Cell cell) { return cell != 0; };
+  const auto made = static_cast<std::size_t>(std::count_if(cells_.begin(), cells_.end(), awaited));
+  std::fill(cells_.begin(), cells_.end(), Cell{0});
+  waiting_ = near_waiting_ = 0;
+  waiting_by_ring_.clear();
+  return made;
+}
+
 std::vector<PendingChunks::MissedChunk> PendingChunks::give_up() {
   std::vector<MissedChunk> all;
   for (Cell& cell : cells_) {

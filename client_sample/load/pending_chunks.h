@@ -65,6 +65,8 @@ class PendingChunks {
   [[nodiscard]] std::vector<MissedChunk> move_to(const Box& box, const glm::i64vec3& centre, Time due,
                                                  Time now);
   [[nodiscard]] Arrival arrive(ChunkCoord chunk);
+  /// All chunks still awaited were made by the player. Returns how many.
+  std::size_t make_all();
   /// Returns and forgets the chunks still awaited.
   [[nodiscard]] std::vector<MissedChunk> give_up();
 

@@ -25,6 +25,13 @@ void PendingRings::move_to(const client::ViewShape& shape) {
   });
 }
 
+std::size_t PendingRings::make_all() {
+  std::size_t made = 0;
+  for_each_of_rings(shape_, [&](const ChunkKey& key) { made += held_.insert(key).second; });
+  waiting_ = 0;
+  return made;
+}
+
 PendingRings::Verdict PendingRings::arrive(ChunkKey chunk) {
   const bool has_left = left_.contains(chunk);
   if (!shape_.covers(chunk)) return has_left ? Verdict::stale : Verdict::outside;

@@ -25,6 +25,9 @@ class PendingRings {
     return shape_.rows(x, z, lod);
   }
 
+  /// All chunks of the rings that are not held were made by the player. Returns how many.
+  std::size_t make_all();
+
   /// Chunks that must arrive; excludes returned ones, which the server may know to be held.
   [[nodiscard]] std::size_t waiting() const { return waiting_; }
 

@@ -15,6 +15,7 @@
 #include "edit_journal.h"
 #include "movement.h"
 #include "options.h"
+#include "published.h"
 
 namespace talus::load {
 
@@ -28,6 +29,7 @@ struct Plan {
   std::vector<glm::dvec3> origins;         // start of each group, on its ground
   std::vector<ChunkKey> fixed_set;         // requests mode: chunks that contain a surface
   std::shared_ptr<EditJournal> journal{};  // null: not recorded
+  std::shared_ptr<Published> published{};  // null: the server sends all chunks
 
   /// The View of a player at this position.
   [[nodiscard]] client::View view_at(VoxelPos centre, const glm::dvec3& direction) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <asio/post.hpp>
 #include <glm/geometric.hpp>
 
 #include "tally.h"
@@ -66,6 +67,8 @@ void Player::joined(Time now) {
   began_ = std::min(began_, join_due());
   pending_ = {};
   rings_ = {};
+  proofs_.begin();
+  ++connection_;
   revisions_ = {};
   near_.measure_from(worker().measure_from());
   first_to_come_ = true;
@@ -116,8 +119,12 @@ void Player::move_view(Time due, Time now, bool first) {
   revisions_.forget([&](const ChunkKey& key) {
     return key.lod == Lod{} ? !pending_.box().contains(to_vec(key.coord)) : !rings_.covers(key);
   });
-  near_.step(due, pending_);
-  record_near();
+  if (worker().plan().published != nullptr) {
+    make_view();
+  } else {
+    near_.step(due, pending_);
+    record_near();
+  }
   count_new_patches(before, due);
   if (pending_.jumped() != jumped_before) {
     full_to_come_ = true;
@@ -163,10 +170,64 @@ void Player::send_view(const Pose& pose) {
     for (const client::LodRing& ring : view.rings)
       rings.emplace_back(static_cast<std::uint8_t>(ring.lod.value()), ring.radius);
     const auto list = rings.empty() ? 0 : b.CreateVectorOfStructs(rings);
-    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, list, 0, 0,
-                            view.horizon);
+    const bool makes = worker().plan().published != nullptr;
+    if (makes && ++view_number_ == 0) ++view_number_;  // 0 is not a valid number
+    return wire::CreateView(b, &centre, &direction, view.horizontal_radius, view.vertical_radius, list, 0,
+                            makes ? view_number_ : 0, view.horizon, makes);
   }));
   if (!view.rings.empty()) rings_.move_to(client::ViewShape{view, worker().plan().world.heights()});
+}
+
+void Player::make_view() {
+  const std::size_t made = pending_.make_all() + rings_.make_all();
+  tally().made += made;
+  Random columns{worker().plan().options.seed ^ 0xF00F, profile().number * 100'003ULL + tally().made};
+  for (std::size_t due = proofs_.made(made); due > 0; --due) {
+    const Box& box = pending_.box();
+    const auto at = [&](std::int64_t low, std::int64_t high) {
+      return static_cast<std::int32_t>(
+          low + static_cast<std::int64_t>(columns.below(static_cast<std::uint64_t>(high - low + 1))));
+    };
+    const ChunkCoord column{at(box.low.x, box.high.x), 0, at(box.low.z, box.high.z)};
+    std::vector<ChunkKey> keys;
+    for (std::int64_t y = box.low.y; y <= box.high.y; ++y) {
+      keys.push_back({{column.x, static_cast<std::int32_t>(y), column.z}, Lod{}});
+    }
+    worker().plan().published->make_mixed(
+        std::move(keys), [this, &io = worker().io(), here = std::weak_ptr<bool>{is_here_},
+                          connection = connection_](std::vector<client::MadeChunk> mixed) {
+          asio::post(io, [this, here, connection, mixed = std::move(mixed)] {
+            if (!here.expired()) prove(connection, mixed);
+          });
+        });
+  }
+}
+
+void Player::prove(std::uint64_t connection, const std::vector<client::MadeChunk>& mixed) {
+  if (connection != connection_ || !is_joined() || mixed.empty()) return;
+  const client::MadeChunk& chunk = mixed[mixed.size() / 2];
+  ++tally().proofs;
+  const std::uint32_t id = proofs_.sent({chunk.key, chunk.hash});
+  send(protocol::make_frame([&](auto& b) {
+    const wire::ChunkKey key{chunk.key.coord.x, chunk.key.coord.y, chunk.key.coord.z, 0};
+    const std::vector requests{
+        wire::ChunkRequest{id, key, true, wire::Hash128{chunk.hash.low, chunk.hash.high}}};
+    return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests));
+  }));
+}
+
+void Player::judge(const Proofs::Proof& proof, std::optional<ContentHash> found) {
+  if (!found || *found == proof.hash) return;
+  ++tally().failed_proofs;
+  wrong(tally().bad_chunks, fmt::format("chunk {} differs from the one made here", to_string(proof.key)));
+}
+
+void Player::take(const wire::ViewComplete& complete) {
+  if (complete.number() != view_number_) return;
+  const Time now = Clock::now();
+  if (std::exchange(first_to_come_, false)) tally().first_chunk.record(now - join_due());
+  if (lost_) tally().returns.record(now - *std::exchange(lost_, std::nullopt));
+  record_if_full(now);
 }
 
 void Player::record_missed(const PendingChunks::MissedChunk& missed, Time now) {
@@ -179,6 +240,11 @@ void Player::record_missed(const PendingChunks::MissedChunk& missed, Time now) {
 }
 
 void Player::take(const wire::Chunk& chunk) {
+  if (const auto proof = proofs_.answered(chunk.id())) {
+    const bool as_generated = chunk.revision() == 0 && chunk.hash() != nullptr;
+    return judge(*proof, as_generated ? std::optional{ContentHash{chunk.hash()->low(), chunk.hash()->high()}}
+                                      : std::nullopt);
+  }
   const auto key = chunk.id() == 0 ? key_of(chunk.key()) : std::nullopt;
   if (!key) return wrong(tally().outside, "a chunk for a request, or without a key");
   (void)verify(chunk);
@@ -186,6 +252,7 @@ void Player::take(const wire::Chunk& chunk) {
 }
 
 void Player::take(const wire::Unchanged& unchanged) {
+  if (proofs_.answered(unchanged.id())) return;
   const auto key = unchanged.id() == 0 ? key_of(unchanged.key()) : std::nullopt;
   if (!key) return wrong(tally().outside, "an Unchanged for a request, or without a key");
   arrive(*key, Clock::now(), {true, unchanged.revision()});

@@ -8,6 +8,7 @@
 #include "near_waits.h"
 #include "pending_chunks.h"
 #include "pending_rings.h"
+#include "proofs.h"
 #include "simulated_client.h"
 
 namespace talus::load {
@@ -26,10 +27,16 @@ class Player final : public SimulatedClient {
   void take(const wire::UniformColumn& column) override;
   void take(const wire::Unchanged& unchanged) override;
   void take(const wire::EditBroadcast& broadcast) override;
+  void take(const wire::ViewComplete& complete) override;
   void give_up() override;
 
   void move_view(Time due, Time now, bool first);
   void send_view(const Pose& pose);
+  /// Makes what the View lacks: counts it, and sends proofs of some.
+  void make_view();
+  void prove(std::uint64_t connection, const std::vector<client::MadeChunk>& mixed);
+  /// An answer to a proof; `found` is the server's hash of the chunk as generated, nullopt if it is edited.
+  void judge(const Proofs::Proof& proof, std::optional<ContentHash> found);
   void record_near();
   void count_new_patches(const Box& before, Time due);
   void record_missed(const PendingChunks::MissedChunk& missed, Time now);
@@ -55,6 +62,10 @@ class Player final : public SimulatedClient {
   PendingRings rings_;
   HeldRevisions revisions_;
   NearWaits near_;
+  Proofs proofs_;
+  std::uint64_t connection_ = 0;   // of those that it had
+  std::uint32_t view_number_ = 0;  // of the last View, if it makes chunks
+  std::shared_ptr<bool> is_here_ = std::make_shared<bool>(true);
   std::optional<Time> lost_;      // when the connection was lost, until the nearest rings are complete again
   std::optional<Time> lost_all_;  // the same for the whole View
   bool first_to_come_ = false;

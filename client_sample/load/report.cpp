@@ -59,6 +59,10 @@ std::string checks_of(const Plan& plan, const RunResult& result) {
   if (!all.first_wrong.empty()) text += fmt::format("  first wrong: {}\n", all.first_wrong);
   text += fmt::format("  never came: {}{}\n", all.unanswered,
                       all.unanswered == 0 ? "" : fmt::format(" (the first: {})", all.first_unanswered));
+  if (all.made > 0) {
+    text += fmt::format("  made by players: {} chunks, {} of them compared with the server's, {} differed\n",
+                        all.made, all.proofs, all.failed_proofs);
+  }
   if (all.edits > 0) {
     text += fmt::format(
         "  edits: {} acknowledged, which changed {} voxels, seen {} times elsewhere; missing: {}{}{}\n",

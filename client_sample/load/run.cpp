@@ -220,6 +220,7 @@ class Run {
 
   void leave() {
     for (const auto& worker : workers_) worker->join();
+    if (plan_.published != nullptr) plan_.published->stop();  // it posts to the workers
     for (const auto& worker : workers_) {
       for (std::size_t role = 0; role < kRoles; ++role) result_.tallies[role].merge(worker->tallies()[role]);
       result_.lateness.merge(worker->lateness());

@@ -149,6 +149,8 @@ void SimulatedClient::received(const wire::Message& message, std::size_t frame_b
       return take(*message.body_as_EditResult());
     case wire::Body::EditBroadcast:
       return take(*message.body_as_EditBroadcast());
+    case wire::Body::ViewComplete:
+      return take(*message.body_as_ViewComplete());
     case wire::Body::Pong:
       if (awaits_pong_) is_back(*std::exchange(awaits_pong_, std::nullopt));
       return;

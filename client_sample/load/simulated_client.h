@@ -62,6 +62,7 @@ class SimulatedClient : public LinkOwner {
   virtual void take(const wire::Attached& attached);
   virtual void take(const wire::EditResult& result);
   virtual void take(const wire::EditBroadcast& /*broadcast*/) {}
+  virtual void take(const wire::ViewComplete& /*complete*/) {}
   virtual void taken_all() {}
   virtual void give_up() {}
 

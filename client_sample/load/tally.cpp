@@ -38,7 +38,8 @@ void Tally::merge(const Tally& other) {
       &Tally::duplicates,    &Tally::unanswered,    &Tally::ordered,       &Tally::disordered,
       &Tally::joins,         &Tally::cuts,          &Tally::bad_messages,  &Tally::reconnects,
       &Tally::new_patches,   &Tally::edits,         &Tally::edited_voxels, &Tally::edit_arrivals,
-      &Tally::edits_unknown, &Tally::edits_missing,
+      &Tally::edits_unknown, &Tally::edits_missing, &Tally::made,          &Tally::proofs,
+      &Tally::failed_proofs,
   };
   for (const auto count : kCounts) this->*count += other.*count;
   worst_ring_gap = std::max(worst_ring_gap, other.worst_ring_gap);

@@ -39,10 +39,12 @@ struct Tally {
   std::uint64_t chunks = 0, chunk_bytes = 0;  // Chunk messages
   std::uint64_t uniform = 0;                  // chunks in UniformColumns
   std::uint64_t unchanged = 0;
-  std::uint64_t stale = 0;        // left the View while in flight
-  std::uint64_t repeated = 0;     // arrived twice after leaving and returning: allowed
-  std::uint64_t updated = 0;      // sent again completely because of an edit
-  std::uint64_t missed = 0;       // left the View before they arrived
+  std::uint64_t made = 0;                       // chunks that real players would have made
+  std::uint64_t proofs = 0, failed_proofs = 0;  // of them, compared with the server's
+  std::uint64_t stale = 0;                      // left the View while in flight
+  std::uint64_t repeated = 0;                   // arrived twice after leaving and returning: allowed
+  std::uint64_t updated = 0;                    // sent again completely because of an edit
+  std::uint64_t missed = 0;                     // left the View before they arrived
   std::uint64_t unconfirmed = 0;  // left and returned, and the server sent nothing more: allowed
   std::uint64_t verified = 0;     // decoded and hashed
   std::uint64_t unanswered = 0;   // missing at the end of the drain: late, or lost

@@ -10,6 +10,7 @@
 #include <asio/steady_timer.hpp>
 
 #include <talus/client/client.h>
+#include <talus/local_source/local_source.h>
 
 namespace talus::load {
 namespace {
@@ -111,6 +112,34 @@ asio::awaitable<void> explore(client::Client& client, Plan& plan) {
   }
 }
 
+/// What the client tells of the published world.
+struct Opening {
+  std::shared_ptr<const client::WorldFiles> files;
+  std::string failure;
+
+  [[nodiscard]] client::Events events() {
+    client::Events events;
+    events.on_world_files = [this](ContentHash, const auto& fetched) { files = fetched; };
+    events.on_error = [this](const client::ClientError& error) { failure = error.message; };
+    events.on_disconnect = [this](const client::ClientError& error, bool) { failure = error.message; };
+    return events;
+  }
+};
+
+/// The world's files are those that the client has just opened.
+asio::awaitable<void> open_published(client::Client& client, const Opening& opening, Plan& plan) {
+  while (opening.files == nullptr && opening.failure.empty() && client.connected()) {
+    (void)co_await client.ping();
+  }
+  if (opening.files != nullptr) {
+    auto published = Published::open(opening.files);
+    if (!published) throw ProbeError{published.error()};
+    plan.published = *std::move(published);
+  } else if (plan.options.generate == client::Generate::always) {
+    throw ProbeError{opening.failure};
+  }
+}
+
 asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   const Options& options = plan.options;
   asio::ip::tcp::resolver resolver{io};
@@ -131,7 +160,12 @@ asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
     if (!context) throw ProbeError{context.error().message};
     plan.tls = *context;
   }
-  client::Client client{io.get_executor(), connecting};
+  connecting.generate = options.generate;
+  if (options.generate != client::Generate::never) {
+    connecting.maker = std::make_shared<LocalSource>(LocalSourceOptions{1});
+  }
+  Opening opening;
+  client::Client client{io.get_executor(), connecting, opening.events()};
   // The first address that answers is used for the players too.
   std::string why;
   for (const auto& entry : found) {
@@ -163,6 +197,9 @@ asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   });
   try {
     co_await explore(client, plan);
+    if (options.generate != client::Generate::never && plan.world.limits.view_base) {
+      co_await open_published(client, opening, plan);
+    }
   } catch (const ProbeError&) {
     if (late)
       throw ProbeError{"the server did not send the ground's heights at the players' places within 30 s"};

@@ -123,10 +123,11 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
       rates = wire::CreateRates(b, session_rates->chunks, session_rates->bytes, session_rates->requests,
                                 static_cast<std::uint32_t>(session_rates->burst.count()));
     }
-    const auto limits = wire::CreateLimits(b, 65536, requests_in_flight, more.heights_per_request, 32, 16,
-                                           65536, window_bytes, idle_timeout_ms, rates, 0, more.view_horizon);
+    const auto limits =
+        wire::CreateLimits(b, 65536, requests_in_flight, more.heights_per_request, 32, 16, 65536,
+                           window_bytes, idle_timeout_ms, rates, 0, more.view_horizon, more.view_base);
     const wire::Hash128 world{fingerprint, 0};
-    const wire::Hash128 store{7, 7};
+    const wire::Hash128 store{more.store_id, 7};
     const wire::Voxel spawn{8, 70, -8};
     const auto server = b.CreateString("a test");
     const auto looks = b.CreateVectorOfStrings({"", "snow"});

@@ -26,6 +26,8 @@ struct WelcomeMore {
   bool view_horizon = false;
   std::int64_t max_y = 320;
   std::uint32_t heights_per_request = 2048;
+  bool view_base = false;
+  std::uint64_t store_id = 7;
 };
 
 class Peer {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <asio/io_context.hpp>
 #include <catch2/catch.hpp>
@@ -19,6 +20,7 @@ struct Player {
   client::ChunkStore store{std::size_t{256} << 20};
   std::size_t completed = 0;  // Views
   std::size_t reconnects = 0;
+  std::vector<client::ClientError> errors;  // that the connection survives
   client::Client client;
 
   explicit Player(const client::Options& options = {}) : client{io.get_executor(), options, events()} {}
@@ -76,6 +78,7 @@ struct Player {
     events.on_chunk = [this](const client::ReceivedChunk& chunk) { store.put(chunk); };
     events.on_left_view = [this](ChunkKey key) { store.erase(key); };
     events.on_view_complete = [this](const client::View&) { ++completed; };
+    events.on_error = [this](const client::ClientError& error) { errors.push_back(error); };
     events.on_reconnect = [this](const client::WorldInfo&) { ++reconnects; };
     return events;
   }

@@ -118,7 +118,6 @@ class Core : public std::enable_shared_from_this<Core>, public LocalChunks::Host
   [[nodiscard]] Result<void> handle_complete(const wire::ViewComplete& complete);
   void tell_complete();
   void deliver(const ReceivedChunk& chunk);
-  void pass_by(const ChunkKey& key);
   [[nodiscard]] Result<void> confirm(ChunkKey key, ContentHash hash, std::uint64_t revision);
   void tell_left(Generation mine);
   void bring_back(Generation mine);
@@ -137,6 +136,7 @@ class Core : public std::enable_shared_from_this<Core>, public LocalChunks::Host
   void world_opened(const std::shared_ptr<const WorldFiles>& fetched) override;
   void cannot_generate(const std::string& why) override;
   void made_some() override { tell_complete(); }
+  void pass_by(const ChunkKey& key) override;
   Stats& counts() override { return stats_; }
   [[nodiscard]] Result<ReceivedChunk> uniform(ChunkKey key, MaterialId material, std::uint64_t revision);
 

@@ -133,6 +133,11 @@ Result<void> Core::handle_broadcast(const wire::EditBroadcast& edit) {
   const auto key = read_key(edit.key());
   if (!key) return tl::unexpected{key.error()};
   edits_.saw(edit.revision());
+  if (!tracker_.shape().covers(*key)) {
+    pass_by(*key);
+    tracker_.forget_left(*key);
+    return {};
+  }
   const auto made = add_to_made(*key, edit);
   if (!made) return tl::unexpected{made.error()};
   if (*made || !tracker_.was_delivered(*key)) return {};

@@ -77,7 +77,7 @@ void Core::deliver_local(const ReceivedChunk& chunk, bool made) {
 }
 
 Result<bool> Core::add_to_made(const ChunkKey& key, const wire::EditBroadcast& edit) {
-  if (!generates() || !tracker_.shape().covers(key)) return false;
+  if (!generates()) return false;
   const auto held = tracker_.held(key);
   const bool from_base = edit.previous_revision() == 0 && held && held->revision != 0;
   if (held && edit.revision() <= held->revision) return false;

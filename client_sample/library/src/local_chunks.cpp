@@ -120,7 +120,9 @@ void LocalChunks::view_changed() {
       batch.cancel->store(true);
   }
   for (const ChunkKey& key : edits_.keys()) {
-    if (!shape.covers(key)) edits_.erase(key);
+    if (shape.covers(key)) continue;
+    edits_.erase(key);
+    host_.pass_by(key);
   }
   pump_soon();
 }

@@ -40,6 +40,8 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
     virtual void cannot_generate(const std::string& why) = 0;
     /// Some chunks were made, or none is missing.
     virtual void made_some() = 0;
+    /// What the server sent for this chunk was dropped, as it left the View.
+    virtual void pass_by(const ChunkKey& key) = 0;
     virtual Stats& counts() = 0;
   };
 
@@ -81,7 +83,7 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
 
  private:
   /// Chunks being made. At most so many and a batch, so that results that wait for the executor are few.
-  static constexpr std::size_t kMaxInFlight = 512;
+  static constexpr std::size_t kMaxInFlight = 1024;
   struct Batch {
     std::vector<ChunkKey> keys;
     std::shared_ptr<std::atomic<bool>> cancel;

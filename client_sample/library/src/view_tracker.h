@@ -50,6 +50,9 @@ class ViewTracker {
   /// The hash of a current chunk that was delivered as generated.
   [[nodiscard]] std::optional<ContentHash> generated_hash(const ChunkKey& key) const;
 
+  /// A chunk that left the View was edited since: it is held no longer.
+  void forget_left(const ChunkKey& key) { kept_.erase(key); }
+
   /// The chunk if it is current and still in memory: kept after it left, or delivered and still held by the
   /// caller.
   [[nodiscard]] std::optional<ReceivedChunk> held(const ChunkKey& key) const;
