@@ -94,6 +94,9 @@ TEST_CASE("talus_connect checks its options") {
   options.flags = 8;
   check_wrong(connect(options), client, "talus_connect", "options.flags is 8");
   options.flags = 0;
+  options.generate = 3;
+  check_wrong(connect(options), client, "talus_connect", "options.generate is 3");
+  options.generate = TALUS_GENERATE_NEVER;
   for (const char* wrong : {"here", "a:1,", ",a:1", "a:1 b:2", "a:65536"}) {
     options.more_servers = wrong;
     check_wrong(connect(options), client, "talus_connect", "options.more_servers is");

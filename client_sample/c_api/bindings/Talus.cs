@@ -30,7 +30,7 @@ using System.Text;
 // Threads. A client may be used by one thread at a time, not always the same. Different clients are
 // independent. Chunks are immutable: any thread may decode, retain and release them. The library makes no
 // callbacks, and does network work only inside talus_poll(), except the look-up of host names, which runs in
-// its own thread.
+// its own thread. With `generate` other threads make chunks.
 //
 // Ownership. Functions copy their arguments before they return. Pointers in an event stay valid until the
 // next talus_poll(), talus_connect() or talus_destroy() of its client; talus_chunk_retain() keeps a chunk
@@ -123,6 +123,8 @@ public static class Talus
     /// <summary>The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
     /// knows the editor.</summary>
     public const int TALUS_OUTCOME_UNKNOWN = -31;
+    /// <summary>chunks cannot be made here (talus_connect_options.generate)</summary>
+    public const int TALUS_CANNOT_GENERATE = -32;
 
     /// <summary>Options of a connection. The number 0 means the default.</summary>
     [StructLayout(LayoutKind.Sequential)]
@@ -165,11 +167,23 @@ public static class Talus
         /// <summary>"HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
         /// or disconnects, the next is tried, then around again.</summary>
         public IntPtr more_servers;
+        /// <summary>TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
+        /// are the same. Chunks of talus_get_chunk() still come from the server.</summary>
+        public uint generate;
+        /// <summary>default: one less than the machine's processors</summary>
+        public uint generate_threads;
 
         private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_connect_options));
         /// <summary>With its size; the other fields are 0.</summary>
         public static talus_connect_options Create() { return new talus_connect_options { size = Size }; }
     }
+
+    // Before the world is open, chunks are received. Some chunks are compared with the server's. If one differs,
+    // or the world cannot be made by this library, AUTO receives chunks from then on, again those made here, and
+    // ERROR says why, by TALUS_CANNOT_GENERATE; ALWAYS ends by CLOSED.
+    public const uint TALUS_GENERATE_NEVER = 0;
+    public const uint TALUS_GENERATE_AUTO = 1;
+    public const uint TALUS_GENERATE_ALWAYS = 2;
 
     /// <summary>TLS 1.3; the server's certificate is checked</summary>
     public const uint TALUS_TLS = 1;
@@ -340,6 +354,14 @@ public static class Talus
         /// <summary>failed to decode, or did not match their hash</summary>
         public ulong bad_chunks;
         public ulong connections;
+        /// <summary>of Views, made here (talus_connect_options.generate)</summary>
+        public ulong made_chunks;
+        /// <summary>chunks made here that were compared with the server's</summary>
+        public ulong proofs;
+        /// <summary>and differed</summary>
+        public ulong failed_proofs;
+        /// <summary>of the world's files, received</summary>
+        public ulong file_bytes;
 
         private static readonly uint Size = (uint)Marshal.SizeOf(typeof(talus_stats));
         /// <summary>With its size; the other fields are 0.</summary>
@@ -579,6 +601,8 @@ public enum TalusStatus
     /// <summary>The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
     /// knows the editor.</summary>
     OutcomeUnknown = -31,
+    /// <summary>chunks cannot be made here (talus_connect_options.generate)</summary>
+    CannotGenerate = -32,
 }
 
 /// <summary>Flags of a connection.</summary>

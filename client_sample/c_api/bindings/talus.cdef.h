@@ -27,7 +27,7 @@
  * Threads. A client may be used by one thread at a time, not always the same. Different clients are
  * independent. Chunks are immutable: any thread may decode, retain and release them. The library makes no
  * callbacks, and does network work only inside talus_poll(), except the look-up of host names, which runs in
- * its own thread.
+ * its own thread. With `generate` other threads make chunks.
  *
  * Ownership. Functions copy their arguments before they return. Pointers in an event stay valid until the
  * next talus_poll(), talus_connect() or talus_destroy() of its client; talus_chunk_retain() keeps a chunk
@@ -75,7 +75,8 @@ enum {
   TALUS_NOT_APPLIED = -30,     /* the edit was not applied, but a later one was */
   /* The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
    * knows the editor. */
-  TALUS_OUTCOME_UNKNOWN = -31
+  TALUS_OUTCOME_UNKNOWN = -31,
+  TALUS_CANNOT_GENERATE = -32 /* chunks cannot be made here (talus_connect_options.generate) */
 };
 
 /* One client, its connection, and its queued events. */
@@ -108,7 +109,16 @@ typedef struct talus_connect_options {
   /* "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
    * or disconnects, the next is tried, then around again. */
   const char* more_servers;
+  /* TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
+   * are the same. Chunks of talus_get_chunk() still come from the server. */
+  uint32_t generate;
+  uint32_t generate_threads; /* default: one less than the machine's processors */
 } talus_connect_options;
+
+/* Before the world is open, chunks are received. Some chunks are compared with the server's. If one differs,
+ * or the world cannot be made by this library, AUTO receives chunks from then on, again those made here, and
+ * ERROR says why, by TALUS_CANNOT_GENERATE; ALWAYS ends by CLOSED. */
+enum { TALUS_GENERATE_NEVER = 0, TALUS_GENERATE_AUTO = 1, TALUS_GENERATE_ALWAYS = 2 };
 
 enum {
   TALUS_TLS = 1,           /* TLS 1.3; the server's certificate is checked */
@@ -196,6 +206,10 @@ typedef struct talus_stats {
   uint64_t kept_chunks;    /* of a View, already held and not sent again */
   uint64_t bad_chunks;     /* failed to decode, or did not match their hash */
   uint64_t connections;
+  uint64_t made_chunks;   /* of Views, made here (talus_connect_options.generate) */
+  uint64_t proofs;        /* chunks made here that were compared with the server's */
+  uint64_t failed_proofs; /* and differed */
+  uint64_t file_bytes;    /* of the world's files, received */
 } talus_stats;
 
 /* Event types and their fields. New minor versions may add types: ignore unknown ones. */

@@ -31,7 +31,7 @@ import sys
 # Threads. A client may be used by one thread at a time, not always the same. Different clients are
 # independent. Chunks are immutable: any thread may decode, retain and release them. The library makes no
 # callbacks, and does network work only inside talus_poll(), except the look-up of host names, which runs in
-# its own thread.
+# its own thread. With `generate` other threads make chunks.
 #
 # Ownership. Functions copy their arguments before they return. Pointers in an event stay valid until the
 # next talus_poll(), talus_connect() or talus_destroy() of its client; talus_chunk_retain() keeps a chunk
@@ -112,6 +112,8 @@ TALUS_NOT_APPLIED = -30
 # The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
 # knows the editor.
 TALUS_OUTCOME_UNKNOWN = -31
+# chunks cannot be made here (talus_connect_options.generate)
+TALUS_CANNOT_GENERATE = -32
 
 
 class talus_connect_options(Sized):
@@ -155,8 +157,20 @@ class talus_connect_options(Sized):
         # "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
         # or disconnects, the next is tried, then around again.
         ("more_servers", ctypes.c_char_p),
+        # TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
+        # are the same. Chunks of talus_get_chunk() still come from the server.
+        ("generate", ctypes.c_uint32),
+        # default: one less than the machine's processors
+        ("generate_threads", ctypes.c_uint32),
     ]
 
+
+# Before the world is open, chunks are received. Some chunks are compared with the server's. If one differs,
+# or the world cannot be made by this library, AUTO receives chunks from then on, again those made here, and
+# ERROR says why, by TALUS_CANNOT_GENERATE; ALWAYS ends by CLOSED.
+TALUS_GENERATE_NEVER = 0
+TALUS_GENERATE_AUTO = 1
+TALUS_GENERATE_ALWAYS = 2
 
 # TLS 1.3; the server's certificate is checked
 TALUS_TLS = 1
@@ -319,6 +333,14 @@ class talus_stats(Sized):
         # failed to decode, or did not match their hash
         ("bad_chunks", ctypes.c_uint64),
         ("connections", ctypes.c_uint64),
+        # of Views, made here (talus_connect_options.generate)
+        ("made_chunks", ctypes.c_uint64),
+        # chunks made here that were compared with the server's
+        ("proofs", ctypes.c_uint64),
+        # and differed
+        ("failed_proofs", ctypes.c_uint64),
+        # of the world's files, received
+        ("file_bytes", ctypes.c_uint64),
     ]
 
 

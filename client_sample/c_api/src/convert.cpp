@@ -29,7 +29,6 @@ talus_status status_of(client::ErrorKind kind) {
     case ErrorKind::unreachable:
       return TALUS_UNREACHABLE;
     case ErrorKind::refused:
-    case ErrorKind::cannot_generate:
       return TALUS_REFUSED;
     case ErrorKind::untrusted:
       return TALUS_UNTRUSTED;
@@ -59,6 +58,8 @@ talus_status status_of(client::ErrorKind kind) {
       return TALUS_NOT_APPLIED;
     case ErrorKind::outcome_unknown:
       return TALUS_OUTCOME_UNKNOWN;
+    case ErrorKind::cannot_generate:
+      return TALUS_CANNOT_GENERATE;
   }
   return TALUS_INTERNAL;
 }
@@ -74,7 +75,17 @@ ConversionResult<client::Options> options_of(const talus_connect_options& option
     return tl::unexpected{"options.flags is " + std::to_string(options.flags) +
                           "; it may hold TALUS_TLS, TALUS_TLS_NO_VERIFY and TALUS_WEBSOCKET"};
   }
+  if (options.generate > TALUS_GENERATE_ALWAYS) {
+    return tl::unexpected{"options.generate is " + std::to_string(options.generate) +
+                          "; it may be TALUS_GENERATE_NEVER, TALUS_GENERATE_AUTO or TALUS_GENERATE_ALWAYS"};
+  }
+  constexpr std::uint32_t kMaxThreads = 256;
+  if (options.generate_threads > kMaxThreads) {
+    return tl::unexpected{"options.generate_threads is " + std::to_string(options.generate_threads) +
+                          "; the highest is " + std::to_string(kMaxThreads)};
+  }
   client::Options own;
+  own.generate = static_cast<client::Generate>(options.generate);
   own.token = text_of(options.token);
   own.client_name = text_of(options.client_name);
   if (own.client_name.empty()) own.client_name = "libtalus";

@@ -50,6 +50,8 @@ const char* talus_status_name(talus_status status) {
       return "TALUS_NOT_APPLIED";
     case TALUS_OUTCOME_UNKNOWN:
       return "TALUS_OUTCOME_UNKNOWN";
+    case TALUS_CANNOT_GENERATE:
+      return "TALUS_CANNOT_GENERATE";
     default:
       return "unknown status";
   }

@@ -1,12 +1,16 @@
 // Functions of talus.h: checks arguments, and converts failures to a status and a message.
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <utility>
 
 #include <talus/protocol/limits.h>
 #include <talus/voxel/coords.h>
+#ifdef TALUS_HAS_GENERATOR
+#include <talus/local_source/local_source.h>
+#endif
 
 #include "client.h"
 #include "convert.h"
@@ -183,8 +187,15 @@ talus_status talus_connect(talus_client* client, const talus_connect_options* op
     if (client->session && !client->session->is_over()) {
       return call.fail(TALUS_ALREADY_CONNECTED, "connected or connecting; call talus_disconnect() first");
     }
-    const auto own = read_argument(options, "options", options_of);
+    auto own = read_argument(options, "options", options_of);
     if (!own) return call.wrong(own.error());
+    if (own->generate != client::Generate::never) {
+#ifdef TALUS_HAS_GENERATOR
+      own->maker = std::make_shared<LocalSource>(LocalSourceOptions{read_struct(options)->generate_threads});
+#else
+      return call.fail(TALUS_UNSUPPORTED, "this library was built without the generator");
+#endif
+    }
 #ifndef TALUS_HAS_TLS
     if (own->tls.on || own->websocket.on) {
       return call.fail(TALUS_UNSUPPORTED, "this library was built without TLS, and so without WebSocket");
@@ -389,7 +400,8 @@ talus_status talus_get_stats(talus_client* client, talus_stats* stats) {
     const client::Stats& own = client->session->stats();
     write_struct(stats,
                  talus_stats{0, 0, own.received_bytes, own.sent_bytes, own.chunk_frames, own.chunk_bytes,
-                             own.uniform_chunks, own.kept_chunks, own.bad_chunks, own.connections});
+                             own.uniform_chunks, own.kept_chunks, own.bad_chunks, own.connections,
+                             own.made_chunks, own.proofs, own.failed_proofs, own.file_bytes});
     return talus_status{TALUS_OK};
   });
 }

@@ -30,7 +30,7 @@ use std::os::raw::c_char;
 // Threads. A client may be used by one thread at a time, not always the same. Different clients are
 // independent. Chunks are immutable: any thread may decode, retain and release them. The library makes no
 // callbacks, and does network work only inside talus_poll(), except the look-up of host names, which runs in
-// its own thread.
+// its own thread. With `generate` other threads make chunks.
 //
 // Ownership. Functions copy their arguments before they return. Pointers in an event stay valid until the
 // next talus_poll(), talus_connect() or talus_destroy() of its client; talus_chunk_retain() keeps a chunk
@@ -103,6 +103,8 @@ pub const TALUS_NOT_APPLIED: talus_status = -30;
 /// The edit was sent and may have been applied: the client gave up before an answer, or the server no longer
 /// knows the editor.
 pub const TALUS_OUTCOME_UNKNOWN: talus_status = -31;
+/// chunks cannot be made here (talus_connect_options.generate)
+pub const TALUS_CANNOT_GENERATE: talus_status = -32;
 
 /// One client, its connection, and its queued events.
 #[repr(C)]
@@ -157,6 +159,11 @@ pub struct talus_connect_options {
     /// "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
     /// or disconnects, the next is tried, then around again.
     pub more_servers: *const c_char,
+    /// TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
+    /// are the same. Chunks of talus_get_chunk() still come from the server.
+    pub generate: u32,
+    /// default: one less than the machine's processors
+    pub generate_threads: u32,
 }
 
 impl Default for talus_connect_options {
@@ -166,6 +173,13 @@ impl Default for talus_connect_options {
         Self { size: std::mem::size_of::<Self>() as u32, ..unsafe { std::mem::zeroed() } }
     }
 }
+
+// Before the world is open, chunks are received. Some chunks are compared with the server's. If one differs,
+// or the world cannot be made by this library, AUTO receives chunks from then on, again those made here, and
+// ERROR says why, by TALUS_CANNOT_GENERATE; ALWAYS ends by CLOSED.
+pub const TALUS_GENERATE_NEVER: u32 = 0;
+pub const TALUS_GENERATE_AUTO: u32 = 1;
+pub const TALUS_GENERATE_ALWAYS: u32 = 2;
 
 /// TLS 1.3; the server's certificate is checked
 pub const TALUS_TLS: u32 = 1;
@@ -352,6 +366,14 @@ pub struct talus_stats {
     /// failed to decode, or did not match their hash
     pub bad_chunks: u64,
     pub connections: u64,
+    /// of Views, made here (talus_connect_options.generate)
+    pub made_chunks: u64,
+    /// chunks made here that were compared with the server's
+    pub proofs: u64,
+    /// and differed
+    pub failed_proofs: u64,
+    /// of the world's files, received
+    pub file_bytes: u64,
 }
 
 impl Default for talus_stats {
