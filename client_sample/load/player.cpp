@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kWalkingSpeed = 5;  // voxels a second
 constexpr double kFlyingSpeed = 20;
-constexpr double kTurned = 0.966;  // cosine of 15 degrees, the smallest turn that sends a View
+constexpr std::size_t kProofsPerPatch = 4;  // as the client library
+constexpr double kTurned = 0.966;           // cosine of 15 degrees, the smallest turn that sends a View
 
 MotionPlan motion_plan(const Plan& plan, const ClientProfile& profile) {
   const Options& options = plan.options;
@@ -181,39 +182,46 @@ void Player::send_view(const Pose& pose) {
 void Player::make_view() {
   const std::size_t made = pending_.make_all() + rings_.make_all();
   tally().made += made;
-  Random columns{worker().plan().options.seed ^ 0xF00F, profile().number * 100'003ULL + tally().made};
-  for (std::size_t due = proofs_.made(made); due > 0; --due) {
+  Random patches{worker().plan().options.seed ^ 0xF00F, profile().number * 100'003ULL + tally().made};
+  for (std::size_t due = proofs_.made(made); due > 0; due -= std::min(due, kProofsPerPatch)) {
+    const std::size_t wanted = std::min(due, kProofsPerPatch);
     const Box& box = pending_.box();
-    const auto at = [&](std::int64_t low, std::int64_t high) {
-      return static_cast<std::int32_t>(
-          low + static_cast<std::int64_t>(columns.below(static_cast<std::uint64_t>(high - low + 1))));
+    const auto somewhere = [&](std::int64_t low, std::int64_t high) {
+      return low + static_cast<std::int64_t>(patches.below(static_cast<std::uint64_t>(high - low + 1)));
     };
-    const ChunkCoord column{at(box.low.x, box.high.x), 0, at(box.low.z, box.high.z)};
+    const std::int64_t x = somewhere(box.low.x, box.high.x);
+    const std::int64_t z = somewhere(box.low.z, box.high.z);
     std::vector<ChunkKey> keys;
-    for (std::int64_t y = box.low.y; y <= box.high.y; ++y) {
-      keys.push_back({{column.x, static_cast<std::int32_t>(y), column.z}, Lod{}});
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(wanted); ++i) {  // columns of one patch
+      for (std::int64_t y = box.low.y; y <= box.high.y; ++y) {
+        const glm::i64vec3 at{(x & ~3) + ((x + i) & 3), y, z};
+        if (!box.contains(at)) continue;
+        keys.push_back(
+            {{static_cast<std::int32_t>(at.x), static_cast<std::int32_t>(y), static_cast<std::int32_t>(z)},
+             Lod{}});
+      }
     }
     worker().plan().published->make_mixed(
-        std::move(keys), [this, &io = worker().io(), here = std::weak_ptr<bool>{is_here_},
+        std::move(keys), [this, wanted, &io = worker().io(), here = std::weak_ptr<bool>{is_here_},
                           connection = connection_](std::vector<client::MadeChunk> mixed) {
-          asio::post(io, [this, here, connection, mixed = std::move(mixed)] {
-            if (!here.expired()) prove(connection, mixed);
+          asio::post(io, [this, wanted, here, connection, mixed = std::move(mixed)] {
+            if (!here.expired()) prove(connection, mixed, wanted);
           });
         });
   }
 }
 
-void Player::prove(std::uint64_t connection, const std::vector<client::MadeChunk>& mixed) {
+void Player::prove(std::uint64_t connection, std::span<const client::MadeChunk> mixed, std::size_t wanted) {
   if (connection != connection_ || !is_joined() || mixed.empty()) return;
-  const client::MadeChunk& chunk = mixed[mixed.size() / 2];
-  ++tally().proofs;
-  const std::uint32_t id = proofs_.sent({chunk.key, chunk.hash});
-  send(protocol::make_frame([&](auto& b) {
+  std::vector<wire::ChunkRequest> requests;
+  for (const client::MadeChunk& chunk : mixed.first(std::min(wanted, mixed.size()))) {
+    ++tally().proofs;
     const wire::ChunkKey key{chunk.key.coord.x, chunk.key.coord.y, chunk.key.coord.z, 0};
-    const std::vector requests{
-        wire::ChunkRequest{id, key, true, wire::Hash128{chunk.hash.low, chunk.hash.high}}};
-    return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests));
-  }));
+    requests.emplace_back(proofs_.sent({chunk.key, chunk.hash}), key, true,
+                          wire::Hash128{chunk.hash.low, chunk.hash.high});
+  }
+  send(protocol::make_frame(
+      [&](auto& b) { return wire::CreateGetChunks(b, b.CreateVectorOfStructs(requests)); }));
 }
 
 void Player::judge(const Proofs::Proof& proof, std::optional<ContentHash> found) {

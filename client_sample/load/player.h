@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "held_revisions.h"
 #include "movement.h"
@@ -34,7 +36,7 @@ class Player final : public SimulatedClient {
   void send_view(const Pose& pose);
   /// Makes what the View lacks: counts it, and sends proofs of some.
   void make_view();
-  void prove(std::uint64_t connection, const std::vector<client::MadeChunk>& mixed);
+  void prove(std::uint64_t connection, std::span<const client::MadeChunk> mixed, std::size_t wanted);
   /// An answer to a proof; `found` is the server's hash of the chunk as generated, nullopt if it is edited.
   void judge(const Proofs::Proof& proof, std::optional<ContentHash> found);
   void record_near();

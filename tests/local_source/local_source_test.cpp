@@ -27,17 +27,17 @@ std::vector<std::byte> bytes_of(std::string_view text) {
 }
 
 Opened open(LocalSource& source, WorldFiles files) {
-  std::promise<Opened> opened;
+  const auto opened = std::make_shared<std::promise<Opened>>();  // the thread may still use it
   source.open(std::make_shared<const WorldFiles>(std::move(files)),
-              [&](Opened world) { opened.set_value(std::move(world)); });
-  return opened.get_future().get();
+              [opened](Opened world) { opened->set_value(std::move(world)); });
+  return opened->get_future().get();
 }
 
 Made make(LocalWorld& world, std::vector<ChunkKey> keys, bool cancelled = false) {
-  std::promise<Made> made;
+  const auto made = std::make_shared<std::promise<Made>>();
   world.make(std::move(keys), std::make_shared<const std::atomic<bool>>(cancelled),
-             [&](Made chunks) { made.set_value(std::move(chunks)); });
-  return made.get_future().get();
+             [made](Made chunks) { made->set_value(std::move(chunks)); });
+  return made->get_future().get();
 }
 
 const std::vector<ChunkKey> kKeys{{{3, 2, 0}, {}}, {{3, 3, 1}, {}}, {{3, 4000, 0}, {}}, {{3, 4001, 0}, {}}};

@@ -139,9 +139,9 @@ void LocalChunks::all_edits_came() {
 
 bool LocalChunks::add_edit(const ChunkKey& key, std::uint64_t previous, std::uint64_t revision,
                            const std::vector<Override>& voxels) {
-  announced_.erase(key);
+  const bool is_planned = announced_.erase(key) == 0 && !host_.tracker().has_current(key);
   if (!edits_.add(key, previous, revision, voxels)) return false;
-  pump_soon();
+  if (!is_planned) pump_soon();
   return true;
 }
 
@@ -227,7 +227,7 @@ void LocalChunks::take(std::uint64_t batch, tl::expected<std::vector<MadeChunk>,
   }
   if (!active_) return;
   const bool last = queue_.empty() && batches_.empty();
-  for (const Proofs::Proof& proof : proofs_.made(made->size(), mixed, last)) prove(proof);
+  for (const Proofs::Proof& proof : proofs_.made(made->size(), std::move(mixed), last)) prove(proof);
   pump();
 }
 

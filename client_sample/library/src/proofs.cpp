@@ -1,31 +1,37 @@
 #include "proofs.h"
 
+#include <algorithm>
+
 namespace talus::client {
 
-std::vector<Proofs::Proof> Proofs::made(std::size_t chunks, const std::vector<Proof>& mixed, bool last) {
+std::vector<Proofs::Proof> Proofs::made(std::size_t chunks, std::vector<Proof> mixed, bool last) {
   uncounted_ += chunks;
   due_ += uncounted_ / kChunksPerProof;
   uncounted_ %= kChunksPerProof;
   std::vector<Proof> chosen;
-  std::size_t picked = mixed.size();
-  if (due_ > 0 && !mixed.empty()) {
-    picked = below(mixed.size());
-    chosen.push_back(mixed[picked]);
-    --due_;
-  }
-  for (std::size_t i = 0; i < mixed.size(); ++i) {
-    if (i == picked) continue;
+  const auto choose = [&](std::vector<Proof>& from, std::size_t& due, std::size_t most) {
+    for (; due > 0 && most > 0 && !from.empty(); --due, --most) {
+      std::swap(from[below(from.size())], from.back());
+      chosen.push_back(from.back());
+      from.pop_back();
+    }
+  };
+  if (!mixed.empty()) ++batches_;
+  std::size_t root = 0;
+  while (root * root < batches_) ++root;
+  if (root * root == batches_) choose(mixed, first_, kProofsPerBatch);
+  choose(mixed, due_, due_);
+  for (const Proof& proof : mixed) {
     ++sampled_;
     if (sample_.size() < kMaxSample) {
-      sample_.push_back(mixed[i]);
+      sample_.push_back(proof);
     } else if (const std::size_t place = below(sampled_); place < kMaxSample) {
-      sample_[place] = mixed[i];
+      sample_[place] = proof;
     }
   }
-  for (; last && due_ > 0 && !sample_.empty(); --due_) {
-    std::swap(sample_[below(sample_.size())], sample_.back());
-    chosen.push_back(sample_.back());
-    sample_.pop_back();
+  if (last) {
+    choose(sample_, first_, first_);
+    choose(sample_, due_, due_);
   }
   return chosen;
 }
