@@ -90,11 +90,16 @@ if(TALUS_C_API)
   file(CONFIGURE OUTPUT ${debian}/shlibs CONTENT "libtalus 1 libtalus1 (>= ${PROJECT_VERSION})\n")
   file(CONFIGURE OUTPUT ${debian}/triggers CONTENT "activate-noawait ldconfig\n")
   set(CPACK_DEBIAN_LIBTALUS1_PACKAGE_CONTROL_EXTRA ${debian}/shlibs ${debian}/triggers)
+  talus_debian_package(libtalus-local1 "Talus voxel worlds without a server, for C" libtalus-local1)
+  set(CPACK_DEBIAN_LIBTALUS-LOCAL1_PACKAGE_SECTION libs)
+  file(CONFIGURE OUTPUT ${debian}/local/shlibs CONTENT "libtalus-local 1 libtalus-local1 (>= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_LIBTALUS-LOCAL1_PACKAGE_CONTROL_EXTRA ${debian}/local/shlibs ${debian}/triggers)
   talus_debian_package(libtalus-dev "Client libraries of the Talus voxel world server: development files for C and C++"
     libtalus-dev sdk)
   set(CPACK_DEBIAN_LIBTALUS-DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_LIBTALUS-DEV_PACKAGE_SHLIBDEPS OFF)
-  set(CPACK_DEBIAN_LIBTALUS-DEV_PACKAGE_DEPENDS "libtalus1 (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_LIBTALUS-DEV_PACKAGE_DEPENDS
+    "libtalus1 (= ${PROJECT_VERSION}), libtalus-local1 (= ${PROJECT_VERSION})")
   # C needs none of these; C++ by find_package(talus) needs all.
   set(CPACK_DEBIAN_LIBTALUS-DEV_PACKAGE_RECOMMENDS
     "libasio-dev, libexpected-dev, libflatbuffers-dev, libglm-dev, libhwy-dev, libssl-dev, libxxhash-dev")

@@ -3,7 +3,7 @@
 
 package_kinds=(deb portable sdk npm wheel crate arm64 image windows)
 package_usual=("${package_kinds[@]:0:6}")
-package_programs=(talusd talus-gen talus-client talus-load talus_c talus_viewer)
+package_programs=(talusd talus-gen talus-client talus-load talus_c talus_local_c talus_viewer)
 
 # package [--uncommitted] [KIND...]
 package() {
@@ -61,7 +61,7 @@ package_arm64() {
   package_deb
   foreign_root arm64
   build aarch64 -DTALUS_MANUALS="$PWD/build/release/manuals" -- "${package_programs[@]}"
-  for package in talusd talus-tools libtalus1; do
+  for package in talusd talus-tools libtalus1 libtalus-local1; do
     depends+=(-D "CPACK_DEBIAN_${package^^}_PACKAGE_DEPENDS=$(dpkg-deb -f "out/packages/${package}_$(package_version)_$here.deb" Depends)")
   done
   debs aarch64 arm64 "${depends[@]}"
@@ -159,7 +159,7 @@ package_sdk() {
   cp tests/install/consumer/game.cpp "build/sdk-package/$name/share/talus/examples/"
   cp LICENSE "build/sdk-package/$name/"
   cat >"build/sdk-package/$name/README.txt" <<TEXT
-Talus $(package_version): libtalus, the client library in C, and the client library in C++, for games on Debian 12 (x86-64).
+Talus $(package_version): libtalus, the client library in C, libtalus-local, worlds without a server in C, and the client library in C++, for games on Debian 12 (x86-64).
 
 include/talus.h documents every function of libtalus. The examples fly around the spawn of a talusd on this machine. In
 this folder:
@@ -170,6 +170,8 @@ this folder:
     luajit share/talus/examples/fly.lua
     python3 share/talus/examples/fly.py
 
+share/talus/examples/single_player.c is a game without a server, by the library that pkg-config calls talus-local.
+
 Rust: unpack the crate, talus-$(package_version).crate, beside this folder; its README.txt goes on.
 
 C++: share/talus/examples/game.cpp, by CMake's find_package(talus) with this folder in CMAKE_PREFIX_PATH.
@@ -177,7 +179,8 @@ C++: share/talus/examples/game.cpp, by CMake's find_package(talus) with this fol
 Python programs want the wheel, talus_client-$(package_version)-py3-none-any.whl, which needs no libtalus; ctypes is for those
 without numpy.
 
-At run time libtalus needs libssl3, libhwy1, libxxhash0 and libstdc++6. A game may ship it as libtalus.so with these in
+At run time libtalus needs libssl3, libhwy1, libxxhash0 and libstdc++6, libtalus-local libpng16-16, libsqlite3-0,
+libtomlplusplus3, libxxhash0 and libstdc++6. A game may ship it as libtalus.so with these in
 one folder: it searches its own first.
 TEXT
   tar -C build/sdk-package --owner=0 --group=0 --sort=name -czf "out/packages/$name.tar.gz" "$name"

@@ -22,9 +22,10 @@ has talusd /usr/bin/talusd /etc/talus/talusd.toml /usr/lib/systemd/system/talusd
   /usr/share/doc/talus/{OPERATIONS,CHANGELOG}.md /usr/share/doc/talusd/copyright
 has talus-tools /usr/bin/talus-gen /usr/bin/talus-client /usr/bin/talus-load
 has libtalus1 /usr/lib/libtalus.so.1
+has libtalus-local1 /usr/lib/libtalus-local.so.1
 mapfile -t csharp < <(cd "$(dirname "$0")/../../client_sample/c_api/bindings" && printf '/usr/share/talus/bindings/%s\n' TalusClient.cs *.cs)
-has libtalus-dev /usr/lib/libtalus.so /usr/include/talus.h "${csharp[@]}" /usr/lib/pkgconfig/talus.pc /usr/include/talus/client/client.h /usr/lib/cmake/talus/talus-config.cmake /usr/lib/libtalus_client.a
-[[ "$(ls "$made"/*.deb | wc -l)" == 4 ]] || fail "not four packages: $(ls "$made")"
+has libtalus-dev /usr/lib/libtalus{,-local}.so /usr/include/talus{,_local}.h "${csharp[@]}" /usr/lib/pkgconfig/talus{,-local}.pc /usr/include/talus/client/client.h /usr/lib/cmake/talus/talus-config.cmake /usr/lib/libtalus_client.a
+[[ "$(ls "$made"/*.deb | wc -l)" == 5 ]] || fail "not five packages: $(ls "$made")"
 twice="$(for file in "$made"/*.deb; do dpkg-deb --fsys-tarfile "$file" | tar -t; done | grep -v '/$' | sort | uniq -d)"
 [[ -z "$twice" ]] || fail "in two packages: $twice"
 links="$(for file in "$made"/*.deb; do dpkg-deb --fsys-tarfile "$file" | tar -t; done | grep -E '^\./(usr/local|usr/etc|tmp|home)' || true)"
@@ -34,8 +35,8 @@ depends() { dpkg-deb -f "$(deb "$1")" Depends; }
 for library in libc6 librocksdb7.8 libssl3 adduser; do
   [[ ", $(depends talusd)" == *", $library"[\ ,]* ]] || fail "talusd depends on '$(depends talusd)', not on $library"
 done
-[[ "$(depends libtalus-dev)" == "libtalus1 (= $version)" ]] || fail "libtalus-dev depends on '$(depends libtalus-dev)'"
-[[ "$(depends talusd) $(depends talus-tools) $(depends libtalus1)" != *-dev* ]] || fail "a program depends on a -dev package"
+[[ "$(depends libtalus-dev)" == "libtalus1 (= $version), libtalus-local1 (= $version)" ]] || fail "libtalus-dev depends on '$(depends libtalus-dev)'"
+[[ "$(depends talusd) $(depends talus-tools) $(depends libtalus1) $(depends libtalus-local1)" != *-dev* ]] || fail "a program depends on a -dev package"
 
 dpkg-deb --control "$(deb talusd)" "$made/control"
 [[ "$(cat "$made/control/conffiles")" == /etc/talus/talusd.toml ]] || fail "its conffiles: $(cat "$made/control/conffiles")"

@@ -76,7 +76,7 @@ rm -rf --one-file-system "$root"
 mkdir -p "$root/packages"
 tar -C "$root" -xpf "$base"
 cp "$out/archives-$architecture"/*.deb "$root/var/cache/apt/archives/" 2>/dev/null || true
-for package in talusd talus-tools libtalus1 libtalus-dev; do
+for package in talusd talus-tools libtalus1 libtalus-local1 libtalus-dev; do
   cp "$(only_one "$packages/${package}_*_$architecture.deb")" "$root/packages/"
 done
 
@@ -91,17 +91,19 @@ for page in man8/talusd.8 man1/talus-gen.1 man1/talus-client.1 man1/talus-load.1
 done
 
 say "a C program by libtalus-dev and pkg-config"
-cp client_sample/c_api/examples/fly.c "$root/packages/"
+cp client_sample/c_api/examples/{fly,single_player}.c "$root/packages/"
 compile="-std=c99 -Wall -Wextra -pedantic -Werror"
 if [[ "$architecture" == "$here" ]]; then
-  within "fly.c does not compile" "$install gcc libc6-dev pkg-config /packages/libtalus1_*.deb /packages/libtalus-dev_*.deb &&
-    gcc $compile /packages/fly.c -o /packages/fly \$(pkg-config --cflags --libs talus)"
+  within "fly.c does not compile" "$install gcc libc6-dev pkg-config /packages/libtalus{1,-local1,-dev}_*.deb &&
+    gcc $compile /packages/fly.c -o /packages/fly \$(pkg-config --cflags --libs talus) &&
+    gcc $compile /packages/single_player.c -o /packages/single_player \$(pkg-config --cflags --libs talus-local) &&
+    /packages/single_player /packages/game.talus"
   say "the unit, as systemd sees it"
   within "systemd finds fault with talusd.service" "$install systemd && systemd-analyze verify /lib/systemd/system/talusd.service &&
     systemd-analyze security --offline=true --threshold=15 talusd.service"
   grep 'Overall exposure level' "$log" >&2
 else
-  within "apt does not install them" "$install /packages/libtalus1_*.deb /packages/libtalus-dev_*.deb"
+  within "apt does not install them" "$install /packages/libtalus{1,-local1,-dev}_*.deb"
   # Compiled here: a compiler in an emulator takes minutes.
   read -ra flags <<<"$(PKG_CONFIG_LIBDIR="$root/usr/lib/pkgconfig" pkg-config --cflags --libs talus)"
   # shellcheck disable=SC2086
@@ -153,8 +155,8 @@ network=()
 sed -n '/^ground at spawn/,/^talusd /p' "$log"
 
 say "what a purge leaves: data, and its user"
-rm "$root/packages"/{use.sh,fly,fly.c}
-within "apt does not purge them" "apt-get purge -y -q talusd talus-tools libtalus1 libtalus-dev"
+rm -f "$root/packages"/{use.sh,fly,fly.c,single_player,single_player.c,game.talus}
+within "apt does not purge them" "apt-get purge -y -q talusd talus-tools libtalus1 libtalus-local1 libtalus-dev"
 left="$(cd "$root" && find . -xdev \( -path ./packages -o -path ./var/lib/talus -o -path ./var/cache/apt -o -path ./proc -o -path ./dev -o -path ./tmp \) -prune -o -iname '*talus*' -print)"
 [[ -z "$left" ]] || die "a purge leaves $left"
 [[ -n "$(ls -A "$root/var/lib/talus")" ]] || die "a purge leaves no data"

@@ -18,6 +18,9 @@ examples=sdk/share/talus/examples bindings=sdk/share/talus/bindings
 export PKG_CONFIG_PATH="$scratch/sdk/lib/pkgconfig"
 read -ra flags <<<"$(pkg-config --cflags --libs talus)"
 gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/fly.c -o fly "${flags[@]}"
+read -ra local_flags <<<"$(pkg-config --cflags --libs talus-local)"
+gcc -std=c99 -Wall -Wextra -pedantic -Werror $examples/single_player.c -o single_player "${local_flags[@]}"
+LD_LIBRARY_PATH=sdk/lib ./single_player game.talus
 mcs -langversion:7 -warnaserror $examples/Fly.cs $bindings/Talus*.cs -out:Fly.exe
 said="$(mono Fly.exe 2>&1)" && die "Fly.exe ran without libtalus"
 [[ "$said" == "libtalus is not found: copy libtalus.so "* && "$said" != *$'\n'* ]] || die "without libtalus Fly.exe said: $said"
