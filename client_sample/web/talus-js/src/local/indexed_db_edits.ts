@@ -93,9 +93,14 @@ export class IndexedDbEdits implements EditStore {
       return false;
     }
     const revision = before + 1;
-    worlds.put({ ...world, revision });
     const chunks = transaction.objectStore('chunks');
-    for (const { x, y, z, runs } of rows) chunks.put({ world: this.id, x, y, z, runs, revision } satisfies ChunkRow);
+    try {
+      for (const { x, y, z, runs } of rows) chunks.put({ world: this.id, x, y, z, runs, revision } satisfies ChunkRow);
+      worlds.put({ ...world, revision });
+    } catch (error) {
+      transaction.abort(); // or it would keep some of them
+      throw error;
+    }
     await done;
     this.channel?.postMessage(revision);
     return true;

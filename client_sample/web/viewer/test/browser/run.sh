@@ -9,7 +9,7 @@ cd "$(dirname "$0")"
 case "${3:-}" in
   --full) tests=(*.test.mjs) ;;
   --bench) tests=(budget.test.mjs) && export TALUS_BENCH=1 ;;
-  *) tests=(short.test.mjs) ;;
+  *) tests=(short.test.mjs here.test.mjs) ;;
 esac
 for test in "${tests[@]}"; do
   printf '%s\n' "-- $test"

@@ -6,7 +6,7 @@ import { connect } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { connect as secureConnect } from 'node:tls';
 
-const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
+export const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
 
 export const POLICY =
   "default-src 'self'; connect-src 'self' ws: wss:; img-src 'self' blob: data:; worker-src 'self' blob:; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
