@@ -12,7 +12,7 @@ import { EditBar } from './edit/edit_bar';
 import { editCommands, undoByHabit } from './edit/hands';
 import type { Engine, Vector } from './engine/engine';
 import type { Here } from './here/here';
-import { worldIn } from './here/world_link';
+import { linkTo, worldIn } from './here/world_link';
 import { Loop } from './loop';
 import { Address } from './place/address';
 import { capOf, capped, thisDevice } from './place/device';
@@ -189,7 +189,7 @@ const notices = new Notices({
   byHttp: () => change({ transport: 'http' }),
   askToken: (why) => tokenDialog.ask(why),
   toSpawn: () => traveller.toSpawn(),
-  openDefault: () => location.assign(location.pathname),
+  openDefault: () => (location.hash = linkTo(null, location.hash)),
 });
 if (isHere) new WorldsPanel(server as Here, (why) => notices.notKept(why));
 

@@ -10,11 +10,11 @@ export class LinkError extends Error {}
 /** The link's world; null: it names none. */
 export const worldIn = (hash: string): string | null => new URLSearchParams(hash.replace(/^#/, '')).get('world');
 
-/** The same link to another world: its place is left out. */
-export function linkTo(world: string, hash: string): string {
+/** The same link to another world, or to the page's own: its place is left out. */
+export function linkTo(world: string | null, hash: string): string {
   const said = new URLSearchParams(hash.replace(/^#/, ''));
-  for (const key of ['at', 'look', 'mode']) said.delete(key);
-  said.set('world', world);
+  for (const key of ['at', 'look', 'mode', 'world']) said.delete(key);
+  if (world !== null) said.set('world', world);
   return '#' + said.toString();
 }
 
