@@ -278,7 +278,7 @@ tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem:
   if (!world) return tl::make_unexpected(world.error());
   cluster::Genesis genesis;
   genesis.identity = {store_id, (*world)->fingerprint()};
-  genesis.settles = local::settle_rules(**world);
+  genesis.settles = talus::local::settle_rules(**world);
   return genesis;
 }
 
