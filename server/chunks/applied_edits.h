@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -23,6 +25,9 @@ struct EditedChunk {
   std::shared_ptr<const edits::ChunkOverrides> overrides;
 };
 
+/// A column is given as any chunk of it.
+using ColumnFilter = std::function<bool(ChunkKey column)>;
+
 /// Callable from any thread.
 class AppliedEdits {
  public:
@@ -35,6 +40,11 @@ class AppliedEdits {
   /// Returns the smallest span of rows of the key's column and level that has all chunks ever edited; empty
   /// if no chunk was. Reads memory alone.
   [[nodiscard]] virtual ChunkRange edited_rows(ChunkKey key) const = 0;
+
+  /// Appends the chunks ever edited of those columns of the box for which `wanted` returns true. A chunk
+  /// whose edit is just being reported may be missing. Reads memory alone.
+  virtual void edited_chunks(const LevelBox& box, const ColumnFilter& wanted,
+                             std::vector<ChunkKey>& found) const = 0;
 
   /// Returns the newest overrides of a chunk. It may read the disk: call it on generator threads. An error is
   /// one line.

@@ -7,11 +7,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <talus/voxel/coords.h>
 #include <talus/voxel/material.h>
 #include <talus/voxel/view_shape.h>
 
+#include "chunks/applied_edits.h"
 #include "chunks/chunk_change.h"
 #include "chunks/encoded_chunk.h"
 #include "chunks/heights_query.h"
@@ -60,6 +62,9 @@ class ChunkSource {
     return std::nullopt;
   }
 
+  /// See AppliedEdits.
+  virtual void edited_chunks(const LevelBox&, const ColumnFilter&, std::vector<ChunkKey>&) const {}
+
   /// Returns what is known of the key's column. Version::edited: rows of edited chunks count as mixed.
   [[nodiscard]] virtual MixedRows column(ChunkKey key, Version version) = 0;
 
@@ -87,6 +92,11 @@ class ChunkSource {
   /// empty: it views none. The owner receives ChunksChanged when a chunk in them is edited. The boxes are
   /// also a hint of what else to generate. Throws std::bad_alloc.
   virtual void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) = 0;
+
+  /// The same for an owner that needs edited chunks alone: the boxes are no hint.
+  virtual void set_watched(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+    set_wanted(mailbox, boxes);
+  }
 
   /// Queues a query for surface heights of base columns, as generated, and what else it asks for. One
   /// HeightsReady comes. The caller never uses a ticket twice.

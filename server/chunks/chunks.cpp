@@ -107,6 +107,11 @@ void Chunks::set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> box
   wanted_.set(mailbox->owner(), boxes);
 }
 
+void Chunks::set_watched(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) {
+  if (edits_) edits_->feed.watch(mailbox, boxes);
+  wanted_.set(mailbox->owner(), {});
+}
+
 void Chunks::submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) {
   pool_.add(HeightsTask{mailbox, ticket, std::move(query)});
 }

@@ -77,6 +77,10 @@ class Chunks final : public ChunkSource {
   }
   [[nodiscard]] std::optional<ChangedVoxels> changes_since(ChunkKey key, std::uint64_t since,
                                                            std::size_t max_voxels) const override;
+  void edited_chunks(const LevelBox& box, const ColumnFilter& wanted,
+                     std::vector<ChunkKey>& found) const override {
+    if (edits_) edits_->applied.edited_chunks(box, wanted, found);
+  }
   /// Exact once the column's terrain was generated, until that is evicted.
   [[nodiscard]] MixedRows column(ChunkKey key, Version version) override;
   [[nodiscard]] bool has_little_to_do() const override { return pool_.has_little_to_do(); }
@@ -86,6 +90,7 @@ class Chunks final : public ChunkSource {
   void hasten(ClientId client, std::span<const ChunkKey> keys) override;
   void cancel(ClientId client, std::span<const ChunkKey> keys) override;
   void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override;
+  void set_watched(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override;
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override;
   void cancel_heights(ClientId client, std::uint64_t ticket) override;
   [[nodiscard]] PicturePtr find_map(const map::Tile& tile) override;

@@ -68,12 +68,7 @@ std::uint64_t ChunkIndex::column_revision(ChunkKey key) const {
 std::vector<EditedColumn> ChunkIndex::edited_columns(ChunkKey key) const {
   if (!is_touched(key)) return {};
   const ChunkKey region = region_of(key);
-  Places places;
-  {
-    const Regions& regions = columns_of_regions_[shard_of(region, kShards)];
-    const std::shared_lock lock{regions.mutex};
-    if (const Places* const found = regions.places.find(region)) places = *found;
-  }
+  const Places places = places_of(region);
   std::vector<EditedColumn> columns;
   columns.reserve(places.count());
   for (std::uint16_t place = 0; place < places.size(); ++place) {
@@ -83,6 +78,43 @@ std::vector<EditedColumn> ChunkIndex::edited_columns(ChunkKey key) const {
     columns.push_back({place, column_revision({{x, 0, z}, region.lod})});
   }
   return columns;
+}
+
+ChunkIndex::Places ChunkIndex::places_of(ChunkKey region) const {
+  const Regions& regions = columns_of_regions_[shard_of(region, kShards)];
+  const std::shared_lock lock{regions.mutex};
+  const Places* const found = regions.places.find(region);
+  return found == nullptr ? Places{} : *found;
+}
+
+void ChunkIndex::edited_chunks(const LevelBox& box, const ColumnFilter& wanted,
+                               std::vector<ChunkKey>& found) const {
+  const auto add_column = [&](ChunkKey column) {
+    const Shard& shard = shards_[shard_of(column, kShards)];
+    const std::shared_lock lock{shard.mutex};
+    const Column* const held = shard.columns.find(column);
+    if (held == nullptr) return;
+    auto chunk = std::ranges::lower_bound(held->chunks, box.y.first, {}, &Chunk::row);
+    for (; chunk != held->chunks.end() && chunk->row <= box.y.last; ++chunk) {
+      found.push_back({{column.coord.x, chunk->row, column.coord.z}, column.lod});
+    }
+  };
+  constexpr std::int64_t kEdge = kRegionColumns;
+  for (std::int64_t z = floor_div(box.z.first, kEdge); z <= floor_div(box.z.last, kEdge); ++z) {
+    for (std::int64_t x = floor_div(box.x.first, kEdge); x <= floor_div(box.x.last, kEdge); ++x) {
+      const ChunkKey region{{static_cast<std::int32_t>(x * kEdge), 0, static_cast<std::int32_t>(z * kEdge)},
+                            box.lod};
+      if (!is_touched(region)) continue;
+      const Places places = places_of(region);
+      for (std::size_t place = places._Find_first(); place < places.size();
+           place = places._Find_next(place)) {
+        ChunkKey column = region;
+        column.coord.x += static_cast<std::int32_t>(place) % kRegionColumns;
+        column.coord.z += static_cast<std::int32_t>(place) / kRegionColumns;
+        if (box.has_column(column.coord.x, column.coord.z) && wanted(column)) add_column(column);
+      }
+    }
+  }
 }
 
 void ChunkIndex::raise_column(ChunkKey key, std::uint64_t revision) {

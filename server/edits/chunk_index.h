@@ -13,6 +13,7 @@
 #include <talus/voxel/coords.h>
 #include <talus/voxel/view_shape.h>
 
+#include "chunks/applied_edits.h"
 #include "chunks/cache/flat_map.h"
 #include "chunks/edited_land.h"
 
@@ -42,6 +43,9 @@ class ChunkIndex {
   /// See EditedLand.
   [[nodiscard]] std::uint64_t column_revision(ChunkKey key) const;
   [[nodiscard]] std::vector<EditedColumn> edited_columns(ChunkKey key) const;
+
+  /// See AppliedEdits. Costs one load for each region of the box without edits.
+  void edited_chunks(const LevelBox& box, const ColumnFilter& wanted, std::vector<ChunkKey>& found) const;
 
   /// Sets the chunk's revision, unless it has a later one. Returns the revision before.
   std::uint64_t raise(ChunkKey key, ChunkEntry edited);
@@ -77,6 +81,8 @@ class ChunkIndex {
   [[nodiscard]] static ChunkKey column_of(ChunkKey key) { return {{key.coord.x, 0, key.coord.z}, key.lod}; }
   [[nodiscard]] static std::size_t region_bit(ChunkKey key);
   [[nodiscard]] bool is_touched(ChunkKey key) const;
+  /// `region` is the region's first column.
+  [[nodiscard]] Places places_of(ChunkKey region) const;
 
   // Regions by the hash of their position: two may share a bit, which costs one more look-up.
   std::array<std::atomic<std::uint64_t>, kRegionBits / 64> regions_{};

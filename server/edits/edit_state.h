@@ -52,6 +52,10 @@ class EditState final : public AppliedEdits {
   // Any thread.
   [[nodiscard]] std::uint64_t revision(ChunkKey key) const override { return index_.revision(key); }
   [[nodiscard]] ChunkRange edited_rows(ChunkKey key) const override { return index_.rows(key); }
+  void edited_chunks(const LevelBox& box, const ColumnFilter& wanted,
+                     std::vector<ChunkKey>& found) const override {
+    index_.edited_chunks(box, wanted, found);
+  }
   [[nodiscard]] tl::expected<EditedChunk, std::string> load(ChunkKey key) const override;
   [[nodiscard]] std::optional<Changes> changes_since(ChunkKey key, std::uint64_t since,
                                                      std::size_t max_voxels) const override;

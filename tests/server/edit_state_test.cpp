@@ -3,6 +3,7 @@
 #include <atomic>
 #include <map>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include <catch2/catch.hpp>
@@ -110,6 +111,36 @@ TEST_CASE("the index tells which columns of a region were edited") {
   // A column is raised by itself: after the chunks of its edit.
   CHECK(index.raise({{-1, 4, -32}, Lod::of(1)}, {7}) == 4);
   CHECK(index.column_revision({{-1, 4, -32}, Lod::of(1)}) == 4);
+}
+
+TEST_CASE("the index finds the edited chunks of a box, in the columns that are wanted") {
+  ChunkIndex index;
+  std::uint64_t revision = 0;
+  const auto edit = [&](ChunkKey key) {
+    index.raise(key, {++revision});
+    index.raise_column(key, revision);
+    return key;
+  };
+  const Lod lod = Lod::of(2);
+  const ChunkKey low = edit({{-33, -5, 40}, lod});  // corners of the box, in two regions
+  const ChunkKey high = edit({{3, 5, 70}, lod});
+  const ChunkKey above = edit({{-33, 5, 40}, lod});
+  edit({{-33, 6, 40}, lod});
+  edit({{-34, 0, 40}, lod});
+  edit({{3, 0, 71}, lod});
+  edit({{-10, 0, 50}, lod});  // in the hole
+  edit({{0, 0, 50}, Lod{}});  // of another level
+  const LevelBox box{lod, {-33, 3}, {-5, 5}, {40, 70}, {-10, -10}, {50, 50}};
+  const auto found = [&](const ColumnFilter& wanted) {
+    std::vector<ChunkKey> chunks;
+    index.edited_chunks(box, wanted, chunks);
+    return std::set<ChunkKey>(chunks.begin(), chunks.end());
+  };
+  CHECK(found([](ChunkKey) { return true; }) == std::set{low, above, high});
+  CHECK(found([](ChunkKey column) { return column.coord.x == 3; }) == std::set{high});
+  const ChunkKey not_yet = {{0, 0, 60}, lod};
+  index.raise(not_yet, {++revision});  // its edit has not raised its column
+  CHECK_FALSE(found([](ChunkKey) { return true; }).contains(not_yet));
 }
 
 TEST_CASE("after a column's revision is visible, all chunks of that edit are, with their voxels") {

@@ -49,6 +49,10 @@ class FakeEdits final : public AppliedEdits {
     }
     return rows;
   }
+  void edited_chunks(const LevelBox&, const ColumnFilter&, std::vector<ChunkKey>& found) const override {
+    const std::lock_guard lock{mutex_};
+    for (const auto& [key, chunk] : chunks_) found.push_back(key);
+  }
   [[nodiscard]] tl::expected<EditedChunk, std::string> load(ChunkKey key) const override {
     if (in_load) in_load();
     if (load_fails) return tl::make_unexpected(std::string{"the disk is gone"});

@@ -55,8 +55,10 @@ class ScriptedSource final : public ChunkSource {
   std::map<ChunkKey, std::uint64_t> revisions;  // of chunks whose newest version may not be in memory
   /// What changes_since() answers; empty: nothing is known.
   std::function<std::optional<ChangedVoxels>(ChunkKey, std::uint64_t since)> changes;
-  MailboxPtr watcher;  // of set_wanted()
+  MailboxPtr watcher;  // of set_wanted() or set_watched()
   std::vector<LevelBox> wanted;
+  bool wants_chunks = false;                  // set_wanted() was the last of them
+  mutable std::vector<ChunkKey> looked_into;  // columns in which edited chunks were looked for
 
   [[nodiscard]] EncodedChunkPtr find(ChunkKey key, Version = Version::edited) override {
     const auto found = in_memory.find(key);
@@ -79,6 +81,21 @@ class ScriptedSource final : public ChunkSource {
                                                            std::size_t max_voxels) const override {
     auto changed = changes ? changes(key, since) : std::nullopt;
     return changed && changed->voxels.size() <= max_voxels ? changed : std::nullopt;
+  }
+  void edited_chunks(const LevelBox& box, const ColumnFilter& filter,
+                     std::vector<ChunkKey>& found) const override {
+    std::set<ChunkKey> edited;
+    for (const auto& [key, revision] : revisions) {
+      if (revision > 0) edited.insert(key);
+    }
+    for (const auto& [key, chunk] : in_memory) {
+      if (chunk->revision() > 0) edited.insert(key);
+    }
+    for (const ChunkKey key : edited) {
+      if (key.lod != box.lod || !box.contains(key.coord) || !filter(key)) continue;
+      looked_into.push_back(key);
+      found.push_back(key);
+    }
   }
   [[nodiscard]] MixedRows column(ChunkKey key, Version) override { return rows_of ? rows_of(key) : rows; }
 
@@ -108,6 +125,11 @@ class ScriptedSource final : public ChunkSource {
   void set_wanted(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override {
     watcher = boxes.empty() ? nullptr : mailbox;
     wanted.assign(boxes.begin(), boxes.end());
+    wants_chunks = !boxes.empty();
+  }
+  void set_watched(const MailboxPtr& mailbox, std::span<const LevelBox> boxes) override {
+    set_wanted(mailbox, boxes);
+    wants_chunks = false;
   }
   void submit_heights(const MailboxPtr& mailbox, std::uint64_t ticket, HeightsQuery query) override {
     waiting_heights[ticket] = mailbox;

@@ -39,6 +39,7 @@ struct SessionFrame {
   std::uint32_t retry_after_ms = 0;
   std::vector<std::array<std::int32_t, 3>> runs;  // first row, last row, material
   std::size_t frame_bytes = 0;
+  std::uint64_t size = 0;  // of a FilePart's file; its bytes are `text`
 };
 
 [[nodiscard]] inline ChunkKey key_of(const wire::ChunkKey& key) {
@@ -70,6 +71,10 @@ struct SessionFrame {
                       .value();
   } else if (const auto* heights = message.body_as_Heights()) {
     said.id = heights->id();
+  } else if (const auto* part = message.body_as_FilePart()) {
+    said.id = part->id();
+    said.size = part->size();
+    said.text.assign(part->bytes()->begin(), part->bytes()->end());
   } else if (const auto* error = message.body_as_Error()) {
     said.id = error->request_id();
     said.code = error->code();
@@ -113,6 +118,7 @@ struct SessionBench {
     HeightRange heights{};  // of the world
     EditTaker* edits = nullptr;
     EditRules rules{};
+    std::shared_ptr<const PublishedWorld> published{};
   };
 
   ScriptedSource source;
@@ -126,17 +132,20 @@ struct SessionBench {
   AccessControl access;
   MailboxPtr mailbox = std::make_shared<Mailbox>(ClientId{1}, [] {});
   Session session;
-  std::uint32_t view_number = 0;  // of the Views to come
+  // Of the Views to come.
+  std::uint32_t view_number = 0;
+  bool has_base = false;
 
   explicit SessionBench(const Options& options)
       : memory{options.memory_bytes},
-        world{.heights = options.heights},
+        world{.heights = options.heights, .published = options.published},
         rates{options.rates},
         access{options.access, *load_keys(options.access)},
         session{{limits, world, source, memory, metrics, access, rates, flows, clock, options.edits},
                 mailbox,
                 options.address} {
     limits.edits = options.rules;
+    limits.view_base = options.published != nullptr;
     if (!options.greet) return;
     hello();
     (void)output();
@@ -184,6 +193,11 @@ struct SessionBench {
                                     builder.CreateVectorOfStructs(std::vector{wire::ColumnPos{x, 0}}));
     });
   }
+  void get_file(std::uint32_t id, const std::string& name = "", std::uint64_t offset = 0) {
+    receive([&](auto& builder) {
+      return wire::CreateGetFile(builder, id, name.empty() ? 0 : builder.CreateString(name), offset);
+    });
+  }
   void cancel(std::uint32_t id) {
     receive([&](auto& builder) {
       return wire::CreateCancel(builder, builder.CreateVector(std::vector<std::uint32_t>{id}));
@@ -227,7 +241,8 @@ struct SessionBench {
       const wire::Voxel centre{chunk_x * kChunkSize, 0, 0};
       const wire::Direction none{0, 0, 0};
       const auto list = builder.CreateVectorOfStructs(held);
-      return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list, view_number);
+      return wire::CreateView(builder, &centre, &none, radius, vertical_radius, 0, list, view_number,
+                              /*horizon=*/false, has_base);
     });
   }
   void move_view(std::int64_t chunk_x, std::uint16_t radius, std::uint16_t vertical_radius = 0) {

@@ -51,12 +51,38 @@ std::size_t Delivery::apply_view() {
   outbox_.move_first(is_near);
   const auto came_near = waits_.hasten_where(is_near);
   if (!came_near.empty()) context_.chunks.hasten(mailbox_->owner(), came_near);
-  context_.chunks.set_wanted(mailbox_, view_.ahead());
+  if (view_.has_base()) {
+    context_.chunks.set_watched(mailbox_, view_.ahead());
+    find_edited();  // now that later edits are reported
+  } else {
+    context_.chunks.set_wanted(mailbox_, view_.ahead());
+  }
+  count_view(view_.has_base());
   return dropped;
+}
+
+void Delivery::find_edited() {
+  const ViewStream& stream = view_.stream();
+  std::vector<ChunkKey> edited;
+  for (const LevelBox& box : stream.boxes()) {
+    context_.chunks.edited_chunks(
+        box, [&](ChunkKey column) { return stream.is_undecided(column); }, edited);
+  }
+  view_.mark_edited(edited);
+}
+
+void Delivery::count_view(std::optional<bool> has_base) {
+  const auto gauge = [&](bool base) -> Gauge& {
+    return base ? context_.metrics.views_local : context_.metrics.views_stream;
+  };
+  if (counted_view_) gauge(*counted_view_).fall();
+  if (has_base) gauge(*has_base).rise();
+  counted_view_ = has_base;
 }
 
 void Delivery::end_view() {
   view_.clear();
+  count_view(std::nullopt);
   drop_what_left_view();
   context_.chunks.set_wanted(mailbox_, {});
 }
@@ -145,8 +171,10 @@ std::size_t Delivery::start_work() {
       break;
     }
   }
-  if (!credit_.may_send()) send_columns();
-  if (const auto number = view_.completed()) replies_.view_complete(*number);
+  if (!credit_.may_send() && !view_.has_base()) send_columns();
+  if (updates_.first() == 0) {
+    if (const auto number = view_.completed()) replies_.view_complete(*number);
+  }
   return found_;
 }
 
@@ -207,16 +235,25 @@ void Delivery::start_request(std::uint32_t id) {
 
 void Delivery::start_view_chunk() {
   const ChunkKey nearest = *view_.stream().nearest();
-  if (answer_by_column(nearest)) return;
+  if (view_.has_base() ? update_base(nearest) : answer_by_column(nearest)) return;
   view_.stream().start(nearest);
   if (EncodedChunkPtr chunk = find(nearest)) {
     send_view_chunk(nearest, std::move(chunk));
   } else {
     to_submit_ = {nearest};
-    start_column_neighbours(nearest);
+    if (!view_.has_base()) start_column_neighbours(nearest);
     wait_for_view();
     to_submit_.clear();
   }
+}
+
+bool Delivery::update_base(ChunkKey key) {
+  if (view_.is_known(key)) return false;
+  view_.stream().start(key);
+  view_.done(key);
+  updates_.add_first(key);
+  outbox_.push_update(key);
+  return true;
 }
 
 void Delivery::start_column_neighbours(ChunkKey nearest) {
@@ -264,6 +301,9 @@ void Delivery::wait_for_view() {
 void Delivery::answer_request(std::uint32_t id, const PendingRequests::ChunkRequest& request,
                               EncodedChunkPtr chunk) {
   if (confirm_request(id, request, *chunk)) return;
+  if (request.known && chunk->revision() == kBaseRevision && view_.has_base()) {
+    context_.metrics.proofs_failed.add();  // the client makes other chunks
+  }
   if (chunk->uniform()) {
     credit_.sent(chunk->frame_bytes());  // the client counts every Chunk that comes
     replies_.small_chunk(id, request.key, *chunk);
@@ -288,7 +328,7 @@ void Delivery::answer_view(ChunkKey key, ChunkAnswer answer) {
     return;
   }
   // The column may be known only since the chunk was submitted.
-  if (!answer_by_column(key)) send_view_chunk(key, *std::move(answer));
+  if (view_.has_base() || !answer_by_column(key)) send_view_chunk(key, *std::move(answer));
 }
 
 void Delivery::send_view_chunk(ChunkKey key, EncodedChunkPtr chunk) {
@@ -349,6 +389,7 @@ void Delivery::abandon() {
   }
   requests_.clear();
   view_.clear();
+  count_view(std::nullopt);
   context_.chunks.set_wanted(mailbox_, {});
   outbox_.drop_chunks([](const Outbox::Entry&) { return true; });
   drop_updates();

@@ -7,6 +7,9 @@
 // ChunksChanged, so the later of the two finds the difference: no edit is lost, in whatever order mail,
 // generators, credit and Views come. A queued chunk is not compared: it is when it is written.
 //
+// A client whose View has a base has each chunk as generated. So the first that it is sent of an edited chunk
+// is an update, as of a chunk that it was sent.
+//
 // No I/O. Bounded: kMaxWaits chunks wait for the source, and queued chunks stay within limits.queued_bytes
 // and one chunk.
 //
@@ -65,6 +68,9 @@ class Delivery {
   /// A chunk of at most this size is sent again like an EditBroadcast: at once, and however often.
   static constexpr std::size_t kMaxSmallUpdateBytes = 4096;
 
+  /// Maximum chunks of a View with a base that wait to be sent first as an update.
+  static constexpr std::size_t kMaxFirstUpdates = 64;
+
   /// Maximum voxels of an EditBroadcast; beyond, the whole chunk is sent again.
   static constexpr std::size_t kMaxBroadcastVoxels = 1024;
 
@@ -111,7 +117,7 @@ class Delivery {
   std::size_t apply_view();
   void end_view();
   /// True if all requests are answered, and the View is complete.
-  [[nodiscard]] bool served() const { return requests_.empty() && view_.settled(); }
+  [[nodiscard]] bool served() const { return requests_.empty() && view_.settled() && updates_.first() == 0; }
 
   // ---- mail
   void receive(ChunkReady&& mail);
@@ -147,6 +153,7 @@ class Delivery {
   [[nodiscard]] bool view_may_start() const {
     // In a crowd far chunks wait long: the nearest do not wait for them.
     return view_.stream().to_send() > 0 && !queue_full_ && outbox_.control_bytes() < kMaxColumnBytes &&
+           updates_.first() < kMaxFirstUpdates &&
            (view_.stream().in_flight_count() < (goes_ahead() ? kMaxViewAlone : kMaxViewInFlight) ||
             view_.stream().near_to_send());
   }
@@ -157,6 +164,13 @@ class Delivery {
 
   void start_request(std::uint32_t id);
   void send_file_parts();
+  /// Tells a View with a base which of its chunks were edited.
+  void find_edited();
+  /// Sends an edited chunk of a View with a base as an update. Returns false if the client says that it holds
+  /// an edited version: the chunk's hash decides then what it is sent.
+  [[nodiscard]] bool update_base(ChunkKey key);
+  /// The View that counts in the metrics is now one with a base, one without, or none.
+  void count_view(std::optional<bool> has_base);
   /// Starts the nearest chunk of the View. If it is not in memory, also chunks that are made together with it
   /// and are hardly farther away.
   void start_view_chunk();
@@ -233,10 +247,11 @@ class Delivery {
   std::size_t expected_chunk_bytes_ = kExpectedChunkBytes;
   std::size_t found_ = 0;  // chunks that were in memory since start_work() began
   std::uint64_t heights_asked_ = 0;
-  std::vector<ChunkKey> to_submit_;  // while start_view_chunk() runs
-  std::vector<Mail> read_mail_;      // empty: memory that the mailbox reuses
-  bool held_back_ = false;           // the client does not keep up: by its link, its credit or its rates
-  bool queue_full_ = false;          // the View waits for mail before it submits again
+  std::vector<ChunkKey> to_submit_;   // while start_view_chunk() runs
+  std::vector<Mail> read_mail_;       // empty: memory that the mailbox reuses
+  std::optional<bool> counted_view_;  // of count_view()
+  bool held_back_ = false;            // the client does not keep up: by its link, its credit or its rates
+  bool queue_full_ = false;           // the View waits for mail before it submits again
 };
 
 }  // namespace talus::server

@@ -21,10 +21,19 @@ class PendingUpdates {
     std::uint64_t has = kBaseRevision;  // the client has this revision or a newer one
     EncodedChunkPtr chunk{};            // a newer one from the source; may be null
     bool under_way = false;             // requested or received
+    bool first = false;                 // the View is not complete without it
   };
 
   /// Returns true if the chunk is new here; otherwise the revision noted first stays.
   bool add(ChunkKey key, std::uint64_t has) { return updates_.try_emplace(key, Update{has}).second; }
+  /// Adds a chunk that the client made, which is the first that the View sends of it. REQUIRES:
+  /// !contains(key).
+  void add_first(ChunkKey key) {
+    updates_[key].first = true;
+    ++first_;
+  }
+  /// Number of chunks of add_first() that were not sent yet.
+  [[nodiscard]] std::size_t first() const { return first_; }
   [[nodiscard]] bool contains(ChunkKey key) const { return updates_.contains(key); }
   /// REQUIRES: contains(key).
   [[nodiscard]] const Update& at(ChunkKey key) const { return updates_.at(key); }
@@ -39,7 +48,7 @@ class PendingUpdates {
   void erase(ChunkKey key) {
     const auto found = updates_.find(key);
     if (found == updates_.end()) return;
-    release(found->second);
+    forget(found->second);
     updates_.erase(found);
   }
 
@@ -65,7 +74,7 @@ class PendingUpdates {
     std::erase_if(wanted_, unwanted);
     for (auto each = updates_.begin(); each != updates_.end();) {
       if (unwanted(each->first)) {
-        release(each->second);
+        forget(each->second);
         each = updates_.erase(each);
       } else {
         ++each;
@@ -85,6 +94,10 @@ class PendingUpdates {
   }
 
  private:
+  void forget(Update& update) {
+    release(update);
+    if (update.first) --first_;
+  }
   void begin(Update& update) {
     if (!std::exchange(update.under_way, true)) ++under_way_;
   }
@@ -98,6 +111,7 @@ class PendingUpdates {
   std::deque<ChunkKey> wanted_;  // oldest first; each is in updates_
   std::size_t chunk_bytes_ = 0;
   std::size_t under_way_ = 0;
+  std::size_t first_ = 0;
 };
 
 }  // namespace talus::server

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "player/session/published_world.h"
+
 namespace talus::server {
 namespace {
 
@@ -49,6 +51,9 @@ tl::expected<std::vector<ViewRing>, Rejection> check_rings(const wire::View& vie
 tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
                                          HeightRange heights) {
   if (view.centre() == nullptr) return rejected(ErrorCode::malformed, "View.centre is missing");
+  if (view.has_base() && !limits.view_base) {
+    return rejected(ErrorCode::unsupported, fmt::format("View.has_base: {}", kNotPublished));
+  }
   if (view.horizontal_radius() > limits.view_horizontal_radius) {
     return rejected(ErrorCode::too_large,
                     fmt::format("View.horizontal_radius {} is over the limit view_horizontal_radius {}",
@@ -73,6 +78,7 @@ tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLi
   checked.vertical_radius = view.vertical_radius();
   checked.rings = *std::move(rings);
   checked.number = view.number();
+  checked.has_base = view.has_base();
   if (view.horizon()) checked.horizon = heights;
   if (const std::uint64_t chunks = count_chunks(checked); chunks > limits.view_chunks) {
     return rejected(ErrorCode::too_large, fmt::format("the View has {} chunks, over the limit view_chunks {}",

@@ -12,7 +12,7 @@
 namespace talus::server {
 
 /// Returns the View in a world of these heights, or an error: `malformed` (the connection closes),
-/// `too_large` or `out_of_range`. A View outside the world is valid and has no chunks.
+/// `too_large`, `out_of_range` or `unsupported`. A View outside the world is valid and has no chunks.
 [[nodiscard]] tl::expected<View, Rejection> check_view(const wire::View& view, const SessionLimits& limits,
                                                        HeightRange heights);
 

@@ -26,9 +26,10 @@ struct View {
   std::uint32_t number = 0;     // assigned by the client; 0: unnumbered
   /// The world's heights if the View has a horizon.
   std::optional<HeightRange> horizon = std::nullopt;
+  bool has_base = false;  // the client makes chunks: only edited ones are sent
 };
 
-/// Returns true if both have the same chunks, regardless of order and number.
+/// Returns true if both have the same chunks, regardless of order, number and base.
 [[nodiscard]] bool same_chunks(const View& a, const View& b);
 
 /// Number of chunks of the View if the world's edge does not cut any off. Cheap.

@@ -19,7 +19,16 @@ class ViewStream {
   /// Replaces the area of interest. A chunk in both areas keeps its state. A chunk that left is forgotten,
   /// and sent again if it returns; the same holds for a chunk that left in one of the areas `between`, which
   /// were replaced before they were applied.
-  void replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between = {});
+  ///
+  /// `has_base`: the client has every chunk as generated. Of the chunks that were not sent, the edited ones
+  /// are to be sent, and the others are done: call mark_edited() next.
+  void replace(AreaOfInterest wanted, std::span<const AreaOfInterest> between = {}, bool has_base = false);
+  [[nodiscard]] bool has_base() const { return has_base_; }
+  /// Returns true if the column, which is in the area, has chunks for which mark_edited() decides.
+  [[nodiscard]] bool is_undecided(ChunkKey column) const;
+  /// `edited` has the edited chunks of all columns for which is_undecided() is true, and perhaps others.
+  void mark_edited(std::span<const ChunkKey> edited);
+  [[nodiscard]] std::vector<LevelBox> boxes() const { return interest_.boxes(); }
 
   /// The nearest chunk still to be sent.
   [[nodiscard]] std::optional<ChunkKey> nearest();
@@ -114,8 +123,9 @@ class ViewStream {
   }
 
  private:
-  // Chunks to be sent are in near_ or far_; chunks in flight may still be there.
-  enum class State : std::uint8_t { to_send, in_flight, in_flight_unlisted, done };
+  // Chunks to be sent are in near_ or far_; chunks in flight may still be there. Undecided: only until
+  // mark_edited().
+  enum class State : std::uint8_t { to_send, in_flight, in_flight_unlisted, done, undecided };
   static bool is_in_flight(State state) {
     return state == State::in_flight || state == State::in_flight_unlisted;
   }
@@ -128,7 +138,13 @@ class ViewStream {
   /// Moves the nearest rings of far_ to near_.
   void move_near();
 
+  /// Clears the lists of chunks to be sent.
+  void clear_lists();
+  /// Lists the chunk if it is to be sent, and counts it if it is in flight.
+  void list(ChunkKey key, AreaOfInterest::Place place);
+
   AreaOfInterest interest_;
+  bool has_base_ = false;
   std::vector<State> states_;  // by place
   std::size_t left_ = 0;       // in states_, not done
   AreaOfInterest::ColumnCursor next_column_;

@@ -11,6 +11,7 @@ void ViewSubscription::request(View view) {
     if (unseen_.size() == kMaxUnseenViews) unseen_ = {AreaOfInterest{}};
     unseen_.emplace_back(*requested_);
   }
+  if ((requested_ ? requested_->has_base : has_base()) && !view.has_base) unseen_ = {AreaOfInterest{}};
   if (!known_.empty() && !same) {
     const AreaOfInterest wanted{view};
     std::erase_if(known_, [&](const auto& chunk) { return !wanted.place_of(chunk.first); });
@@ -32,7 +33,16 @@ void ViewSubscription::apply() {
   AreaOfInterest wanted{view};
   heading_.move_to(view.centre, view.rings.empty() ? view.horizontal_radius : view.rings.back().radius);
   ahead_ = heading_.ahead(wanted.boxes());
-  stream_.replace(std::move(wanted), std::exchange(unseen_, {}));
+  stream_.replace(std::move(wanted), std::exchange(unseen_, {}), view.has_base);
+  if (!view.has_base) forget_known();
+}
+
+void ViewSubscription::mark_edited(std::span<const ChunkKey> edited) {
+  stream_.mark_edited(edited);
+  forget_known();
+}
+
+void ViewSubscription::forget_known() {
   std::erase_if(known_, [&](const auto& chunk) { return !stream_.wants(chunk.first); });
 }
 

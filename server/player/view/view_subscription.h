@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -38,12 +39,18 @@ class ViewSubscription {
   [[nodiscard]] bool piles_up() const { return piles_up_; }
   /// True if no other View may be requested before apply().
   [[nodiscard]] bool is_full() const { return unseen_.size() == kMaxUnseenViews; }
-  /// Puts the newest View in force. Chunks in flight may no longer be in flight.
+  /// Puts the newest View in force. Chunks in flight may no longer be in flight. If has_base() is true then,
+  /// call mark_edited() next.
   void apply();
+  /// See ViewStream.
+  void mark_edited(std::span<const ChunkKey> edited);
   /// Ends the subscription: removes the View, the known chunks and the chunks in flight.
   void clear();
 
   // ---- the View in force
+  /// True if the client makes chunks. A View without base after one with base has none of its chunks: what
+  /// the client made may be wrong.
+  [[nodiscard]] bool has_base() const { return stream_.has_base(); }
   /// Boxes of its chunks, and of the chunks it will have soon if it keeps moving.
   [[nodiscard]] const std::vector<LevelBox>& ahead() const { return ahead_; }
   /// The client's number of the View.
@@ -58,6 +65,8 @@ class ViewSubscription {
   /// The chunk in flight was sent, or answered otherwise.
   void done(ChunkKey key);
 
+  /// Returns true if the client said that it holds the chunk.
+  [[nodiscard]] bool is_known(ChunkKey key) const { return known_.contains(key); }
   /// Returns true if the client holds the chunk with these voxels.
   [[nodiscard]] bool knows(ChunkKey key, ContentHash hash) const;
   [[nodiscard]] std::size_t known_chunks() const { return known_.size(); }
@@ -66,6 +75,9 @@ class ViewSubscription {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  /// Forgets known chunks that are done.
+  void forget_known();
+
   ViewStream stream_;
   std::uint32_t number_ = 0;
   bool completion_due_ = false;  // only for a View with a number

@@ -44,6 +44,9 @@ struct Metrics {
   Counter unchanged_sent;
   Counter broadcasts_sent;
   Counter chunk_bytes_sent;  // size of their frames
+  Gauge views_local;         // of clients that make chunks themselves
+  Gauge views_stream;        // of others
+  Counter proofs_failed;     // chunks that such a client made otherwise
 
   /// From when a session begins to serve a request for a chunk to when the chunk is ready to be sent. Hot:
   /// the chunk was cached (one time for all chunks of a batch, which are sent together). Cold: it waited for

@@ -101,6 +101,11 @@ Samples web_latency(const Source& s) {
   return samples;
 }
 
+Samples views(const Source& s) {
+  return {labelled("local", static_cast<double>(s.metrics.views_local.now())),
+          labelled("stream", static_cast<double>(s.metrics.views_stream.now()))};
+}
+
 Samples map_tiles(const Source& s) {
   return {labelled("drawn", s.metrics.map_tiles_made), labelled("cached", s.metrics.map_tiles_found)};
 }
@@ -301,6 +306,12 @@ const std::array kRows{
     MetricRow{"talus_edit_broadcasts_sent_total",
               "EditBroadcast messages sent.",
               counter, {}, &Metrics::broadcasts_sent},
+    MetricRow{"talus_views",
+              "Sessions with a View; local: the client makes chunks and is sent edits alone.",
+              gauge, {"base"}, views},
+    MetricRow{"talus_proofs_failed_total",
+              "Chunks that a client of base=\"local\" made otherwise than the server.",
+              counter, {}, &Metrics::proofs_failed},
 
     MetricRow{"talus_cache_hits_total", "Chunks found in the cache.", counter, {}, &Metrics::cache_hits},
     MetricRow{"talus_cache_misses_total", "Chunks not found in the cache.", counter, {}, &Metrics::cache_misses},
