@@ -185,7 +185,7 @@ TEST_CASE("many edited chunks come in the end, however few wait at once") {
     for (std::int32_t z = -10; z <= 10; ++z, ++edited) {
       bench.edit(chunk_at(x, 0, z), 3);
       if (bench.source.changes == nullptr) {
-        bench.source.in_memory[chunk_at(x, 0, z)] = scripted_chunk(chunk_at(x, 0, z), 3, 10'000);
+        bench.source.in_memory[chunk_at(x, 0, z)] = scripted_chunk(chunk_at(x, 0, z), 3, 5'000);
       }
     }
   }

@@ -1,5 +1,5 @@
-// Random Views, edits, credit, evictions and delays against a client that does what PROTOCOL.md says: when
-// all is quiet, it has every chunk of its View as the source has it.
+// Random Views, with and without a base, edits, credit, evictions and delays against a client that does what
+// PROTOCOL.md says: when all is quiet, it has every chunk of its View as the source has it.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -83,6 +83,15 @@ class ModelSource final : public ChunkSource {
     }
     for (const std::uint16_t i : indices) changed.voxels.push_back({i, MaterialId{now[i]}});
     return changed;
+  }
+  void edited_chunks(const LevelBox& box, const ColumnFilter& wanted,
+                     std::vector<ChunkKey>& found) const override {
+    for (const auto& [key, versions] : history_) {
+      if (key.lod != box.lod || !box.contains(key.coord) || !wanted(key)) continue;
+      const auto untold = untold_.find(key);
+      const bool may_miss = untold != untold_.end() && untold->second.previous == 0;
+      if (!may_miss || random_.one_in(2)) found.push_back(key);
+    }
   }
   [[nodiscard]] MixedRows column(ChunkKey key, server::Version) override {
     if (!columns_known) return {};
@@ -206,6 +215,7 @@ class Conversation {
   explicit Conversation(std::uint64_t seed) : random_{std::mt19937_64{seed}} {
     limits_.window_bytes = 1 + static_cast<std::uint64_t>(random_.below(2000));
     limits_.queued_bytes = 5000;
+    limits_.view_base = true;
     receive([&](auto& builder) {
       const auto codecs = builder.CreateVector(std::vector{kCodecVersion});
       return wire::CreateHello(builder, protocol::kOldestProtocol, protocol::kProtocolVersion, codecs);
@@ -309,6 +319,10 @@ class Conversation {
       if (!view_.contains(key)) left_[key] = held;
     }
     std::erase_if(holds_, [&](const auto& each) { return !view_.contains(each.first); });
+    const bool base = random_.one_in(2);
+    if (std::exchange(has_base_, base) && !base) {
+      for (const auto& [key, held] : std::exchange(holds_, {})) left_[key] = held;
+    }
     named_.clear();
     receive([&](auto& builder) {
       std::vector<wire::KnownChunk> known;
@@ -326,8 +340,12 @@ class Conversation {
       }
       const auto ring_list = builder.CreateVectorOfStructs(rings);
       const auto list = builder.CreateVectorOfStructs(known);
-      return wire::CreateView(builder, &centre, nullptr, radius, kRows, ring_list, list);
+      return wire::CreateView(builder, &centre, nullptr, radius, kRows, ring_list, list, 0, false, base);
     });
+    // Only now, so that it names other versions that it has kept.
+    for (const ChunkKey key : base ? view_ : std::set<ChunkKey>{}) {
+      holds_.try_emplace(key, ModelSource::Version{0, as_generated(key)});
+    }
   }
   static wire::ChunkKey on_wire(ChunkKey key) {
     return {key.coord.x, key.coord.y, key.coord.z, static_cast<std::uint8_t>(key.lod.value())};
@@ -457,6 +475,7 @@ class Conversation {
       {limits_, world_, source_, memory_, metrics_, access_, rates_, flows_, clock_}, mailbox_, {}};
 
   std::set<ChunkKey> view_;  // the newest that the client said
+  bool has_base_ = false;    // of that
   std::map<ChunkKey, ModelSource::Version> holds_;
   std::map<ChunkKey, ModelSource::Version> left_;
   std::map<ChunkKey, Content> named_;        // by the newest View
