@@ -162,7 +162,7 @@ sanitize_thread() {
   configure tsan
   local tests modules='(store|(server|client|c_api|load|e2e)[a-z_]*)' programs=(talusd talus-client talus-load talus-gen talus-pong)
   if (($1)); then
-    modules='(store|server_(net|chunks|edits|admin|web|app)|client|c_api|e2e)'
+    modules='(store|server_(net|chunks|edits|admin|web|app)|client|c_api(_local)?|e2e)'
     programs=()
   fi
   mapfile -t tests < <(ninja -C build/tsan -t targets all | sed -nE "s/^(test_$modules): phony\$/\1/p")

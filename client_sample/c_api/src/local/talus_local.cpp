@@ -84,8 +84,6 @@ talus_status status_of(saves::SaveError::Kind kind) {
       return TALUS_BAD_SAVE;
     case Kind::other:
       return TALUS_OTHER_SAVE;
-    case Kind::world:
-      return TALUS_BAD_WORLD;
     default:
       return TALUS_FILE_FAILED;
   }

@@ -19,7 +19,6 @@ struct SaveError {
     damaged,    // not as it was written
     full,       // the disk is full
     disk,       // it cannot be read or written
-    world,      // the world's file is refused
   };
   Kind kind = Kind::disk;
   std::string message;  // one line: the file, the fault, and what is expected
