@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
@@ -11,7 +12,9 @@
 #include <talus/saves/save.h>
 
 #include "commands/store/save_export.h"
+#include "commands/store/store_command.h"
 #include "commands/store/transfer.h"
+#include "config/parse_flags.h"
 #include "scratch_directory.h"
 #include "whole_stores.h"
 
@@ -158,6 +161,32 @@ TEST_CASE("an export as a save names what the world lacks, and leaves the file a
   CHECK(read_whole(old) == "old");
   CHECK_THAT(error_of(export_from(scratch / "data", scratch.write("world.toml", kLand), scratch.path())),
              Catch::Contains("is no file that may be replaced"));
+}
+
+TEST_CASE("the commands take and give saves") {
+  const ScratchDirectory scratch;
+  (void)save_to(scratch / "game.talus");
+  const std::string data = scratch / "data";
+  const std::string save = scratch / "game.talus";
+  const std::string again = scratch / "again.talus";
+  const std::string world = scratch.write("land.toml", kLand);
+  const auto run = [](std::vector<const char*> flags, const Environment& environment = {}) {
+    flags.insert(flags.begin(), "store");
+    const LoadWorld load = [](const fs::path&) {
+      return tl::expected<std::shared_ptr<const terrain::World>, std::string>{
+          std::make_shared<const terrain::World>(terrain::default_world())};
+    };
+    return store_command(static_cast<int>(flags.size()), flags.data(), environment, load, {});
+  };
+  REQUIRE(run({"import", save.c_str(), "--data", data.c_str()}) == 0);
+  CHECK(run({"verify", "--data", data.c_str()}) == 0);
+  CHECK(run({"export", again.c_str(), "--save", "--data", data.c_str()}) == kFailed);  // the built-in world
+  REQUIRE(run({"export", again.c_str(), "--save", "--world", world.c_str(), "--data", data.c_str()},
+              {{"TALUS_EDITS_SETTLE", "true"}}) == 0);
+  const auto opened = saves::Save::open(again);
+  REQUIRE(opened);
+  CHECK(opened->edits().settings().settles);
+  CHECK(opened->revision() >= 1);
 }
 
 }  // namespace talus::server
