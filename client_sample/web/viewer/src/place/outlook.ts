@@ -9,7 +9,7 @@ const WAY = 3;
 const OPEN = 6;
 
 /** The samples of bestHeading(), and a level of detail that is fine enough for them. */
-export const OUTLOOK = { step: STEP, reach: REACH, lod: 4 };
+export const OUTLOOK = { step: STEP, reach: REACH, lod: 3 };
 
 /** The request for bestHeading()'s input: heights of a square around a column. */
 export function outlookRequest(x: number, z: number): string {
