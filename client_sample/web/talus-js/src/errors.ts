@@ -13,6 +13,7 @@ export type TalusErrorKind =
   | 'conflict' // a guard of the edit does not hold: nothing was applied
   | 'not_applied' // the edit was not applied
   | 'outcome_unknown' // it can no longer be known whether the edit was applied
+  | 'cannot_generate' // chunks of a published world are streamed, not made here
   | 'not_kept' // of a world made here: the edits last until the page is closed
   | 'server_failed' // the server could not answer; a retry may succeed
   | 'closed'; // called on a closed client

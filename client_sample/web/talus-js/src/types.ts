@@ -71,6 +71,8 @@ export interface Limits {
   readonly sessionRates: Rates | null;
   readonly addressRates: Rates | null;
   readonly viewHorizon: boolean;
+  /** The world is published: chunks can be made here (ConnectOptions.generate). */
+  readonly viewBase: boolean;
 }
 
 /** The server's description of its world. */
@@ -92,6 +94,8 @@ export interface World {
   readonly server: string;
   readonly looks: readonly string[];
   readonly fields: readonly string[];
+  /** Path of the world's file by HTTP; empty: it is not published. */
+  readonly worldFile: string;
 }
 
 /** A chunk as received: not decoded, so that the application chooses where to do that. */
@@ -125,6 +129,10 @@ export interface Places {
 /** Totals since the client was created. */
 export interface Stats {
   readonly chunks: number;
+  /** Of them those made here. */
+  readonly madeChunks: number;
+  /** Of those made here that were compared with the server's. */
+  readonly proofs: number;
   readonly uniformChunks: number;
   /** Chunks of a View that were already held and not sent again. */
   readonly unchangedChunks: number;
@@ -190,6 +198,10 @@ export interface ConnectOptions {
   /** HTTP: interval of asking which columns of the View's regions were edited; default 5,000. Infinity: ask only
    *  once. */
   readonly editsIntervalMs?: number;
+  /** Makes chunks here where the server publishes its world, and takes only edits from it; ws: and wss: alone. `auto`
+   *  begins when the first View is complete, `always` at once; default `never`. What cannot be made, or differs from the
+   *  server's, is streamed as without, and the event `error` says why, with kind `cannot_generate`. */
+  readonly generate?: 'never' | 'auto' | 'always';
   /** An implementation of WebSocket, if there is no global one (Node before 22). */
   readonly WebSocket?: unknown;
   readonly fetch?: typeof fetch;

@@ -22,10 +22,11 @@ const camelled = (object) => Object.fromEntries(Object.entries(object).map(([nam
 
 /** What the reader should give, from the vector's fields. */
 const EXPECTED = {
-  Welcome: ({ protocol, chunk_size, limits, session_rates, fingerprint, store_id, min_y, max_y, ...rest }) => ({
+  Welcome: ({ protocol, chunk_size, limits, session_rates, fingerprint, store_id, min_y, max_y, world_file, ...rest }) => ({
     kind: 'welcome',
     world: {
       ...rest,
+      worldFile: world_file,
       protocol,
       fingerprint: hash(fingerprint),
       storeId: hash(store_id),
@@ -67,7 +68,7 @@ const view = (m) => ({
 /** Frames that the writers make of the vector's fields. */
 const WRITTEN = {
   Hello: (m) => write.helloFrame({ ...camelled(m) }),
-  View: (m) => write.viewFrame(view(m), m.number, m.known.map((k) => ({ key: k.key, hash: hash(k.hash) }))),
+  View: (m) => write.viewFrame(view(m), m.number, m.known.map((k) => ({ key: k.key, hash: hash(k.hash) })), m.has_base),
   GetChunks: (m) => write.getChunksFrame(m.requests.map((r) => ({ id: r.id, key: r.key, known: r.has_known ? hash(r.known) : null }))),
   GetHeights: (m) => write.getHeightsFrame(m.id, m.columns, m.looks, m.fields),
   Credit: (m) => write.creditFrame(m.total_bytes),
@@ -79,7 +80,7 @@ const WRITTEN = {
 /** All that a client's frame says, read field by field: what two frames must have in common. */
 const FIELDS = {
   Hello: (t) => [t.u16(0), t.u16(1), [...t.bytesOf(2)], t.text(3), t.text(4), t.u64(5)],
-  View: (t) => [structAt(t, 0, 24), structAt(t, 1, 12), t.u16(2), t.u16(3), structsOf(t, 4, 4), structsOf(t, 5, 32), t.u32(6), t.bool(7)],
+  View: (t) => [structAt(t, 0, 24), structAt(t, 1, 12), t.u16(2), t.u16(3), structsOf(t, 4, 4), structsOf(t, 5, 32), t.u32(6), t.bool(7), t.bool(8)],
   GetChunks: (t) => [structsOf(t, 0, 40)],
   GetHeights: (t) => [t.u32(0), structsOf(t, 1, 16), t.bool(2), [...t.bytesOf(3)]],
   Credit: (t) => [t.u64(0)],

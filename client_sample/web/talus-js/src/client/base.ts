@@ -26,6 +26,8 @@ const VIEW_INTERVAL_MS = 50;
 
 const COUNTS = {
   chunks: 0,
+  madeChunks: 0,
+  proofs: 0,
   uniformChunks: 0,
   unchangedChunks: 0,
   receivedBytes: 0,

@@ -93,9 +93,11 @@ export function readWorld(json: unknown): World {
       sessionRates: ratesOf(limits, 'session'),
       addressRates: ratesOf(limits, 'address'),
       viewHorizon: true, // the chunks of a View are computed here
+      viewBase: 'world_file' in from,
     },
     server: textOf(from, 'server'),
     looks: textsOf(from, 'looks'),
     fields: textsOf(from, 'fields'),
+    worldFile: 'world_file' in from ? textOf(from, 'world_file') : '',
   };
 }

@@ -20,6 +20,8 @@ export interface Taker {
   /** All chunks of the View are made. */
   whole(): void;
   failed(error: WorldError): void;
+  /** The application has enough to do for now; call Making.goOn() then. */
+  isFull?(): boolean;
 }
 
 interface Column {
@@ -90,15 +92,26 @@ export class Making implements Supplier {
     this.tell();
   }
 
+  /** The application has all of this View. */
+  has(shape: ViewShape): void {
+    this.shape = shape;
+    this.isTold = true;
+    shape.forEachColumn((lod, x, z, rows) => this.asked.set(`${lod}/${x}/${z}`, rows));
+  }
+
   end(): void {
     this.supply.end();
     this.patches = [];
     this.shape = null;
   }
 
+  goOn(): void {
+    this.supply.again();
+  }
+
   next(): Job | null {
     const patch = this.patches[this.next_];
-    if (patch === undefined) return null;
+    if (patch === undefined || this.taker.isFull?.()) return null;
     ++this.next_;
     ++this.underway;
     const { lod, columns, place } = patch;

@@ -24,6 +24,7 @@ const LIMITS: Limits = {
   sessionRates: null,
   addressRates: null,
   viewHorizon: true,
+  viewBase: false,
 };
 /** Columns of a request for heights are made together if they lie in a square of this side. */
 const HEIGHTS_SIDE = 32;
@@ -31,7 +32,13 @@ const HEIGHTS_SIDE = 32;
 export interface SourceOptions {
   /** Keeps the edits; without one they last as long as the World. */
   readonly store?: EditStore | Promise<EditStore>;
+  /** True if the application calls Client.taken() when it is done with a chunk, so that chunks are never made far ahead
+   *  of a slow application. */
+  readonly manualCredit?: boolean;
 }
+
+/** Chunks that are not uniform. */
+const MOST_UNTAKEN = 512;
 
 export class LocalSource extends ClientBase {
   private readonly making: Making;
@@ -40,17 +47,19 @@ export class LocalSource extends ClientBase {
   private readonly revisions = new Map<string, bigint>();
   /** World.edits when a chunk changed last. */
   private readonly changedAt = new Map<string, number>();
+  private readonly untaken = new Set<Chunk>();
   private readonly uniform = new Map<number, Uint8Array<ArrayBuffer>>();
 
   constructor(
     private readonly made: World,
-    { store }: SourceOptions,
+    { store, manualCredit = false }: SourceOptions,
   ) {
-    super({ url: 'here:' });
+    super({ url: 'here:', manualCredit });
     this.making = new Making(made, {
       made: (chunk, edits) => this.take(chunk, edits),
       whole: () => this.tellComplete(),
       failed: (error) => this.emit('error', asTalusError(error)),
+      isFull: () => this.untaken.size >= MOST_UNTAKEN,
     });
     this.edits = new EditQueue(made, store ?? null, {
       changed: (chunks, revision) => this.changed(chunks, revision),
@@ -77,6 +86,7 @@ export class LocalSource extends ClientBase {
           server: 'made here',
           looks: [''],
           fields: [],
+          worldFile: '',
         };
         this.joined(facts);
       },
@@ -96,7 +106,9 @@ export class LocalSource extends ClientBase {
     this.edits.end();
   }
 
-  taken(): void {}
+  taken(chunk: Chunk): void {
+    if (this.untaken.delete(chunk)) this.making.goOn();
+  }
 
   async getChunk(key: ChunkKey): Promise<Chunk> {
     this.checkOpen();
@@ -151,7 +163,10 @@ export class LocalSource extends ClientBase {
   private take(made: Made, edits: number): void {
     if (this.isStale(made.key, edits)) return this.makeAgain(made.key);
     if (this.tracker.has(made.key)) return;
-    this.deliver(this.chunkOf(made));
+    const chunk = this.chunkOf(made);
+    if (this.options.manualCredit === true && chunk.material === null) this.untaken.add(chunk);
+    if (this.deliver(chunk)) ++this.stats.madeChunks;
+    else this.untaken.delete(chunk);
   }
 
   private chunkOf({ key, payload, material }: Made): Chunk {

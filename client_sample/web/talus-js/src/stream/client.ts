@@ -11,6 +11,7 @@ import { FrameReader } from '../wire/frames.js';
 import { readMessage, type ServerMessage } from '../wire/messages.js';
 import { broken } from '../wire/table.js';
 import { creditFrame, helloFrame, KNOWN_CHUNK_BYTES, pingFrame, REST_BYTES, viewFrame } from '../wire/write.js';
+import { BaseMaking } from './base_making.js';
 import { Credit } from './credit.js';
 import { KeptChunks } from './kept_chunks.js';
 import { Pace } from './pace.js';
@@ -62,6 +63,7 @@ export class StreamClient extends ClientBase {
     this.requests,
     this.edits,
   );
+  private readonly base: BaseMaking;
   private leaving: TalusError | null = null; // since GoAway, or an Error that ends the connection
   private heardAt = 0;
   private deadline: ReturnType<typeof setTimeout> | undefined;
@@ -88,7 +90,27 @@ export class StreamClient extends ClientBase {
       getChunk: (key) => this.getChunk(key),
       failed: (error) => this.emit('error', error),
       countUnchanged: () => void ++this.stats.unchangedChunks,
-      tellComplete: () => this.tellComplete(),
+      tellComplete: () => {
+        this.tellComplete();
+        this.base.viewIsWhole();
+      },
+    });
+    this.base = new BaseMaking(options, this.tracker, {
+      world: () => (this.connected ? this.world : null),
+      isViewWhole: () => this.contents.isToldWhole,
+      deliver: (chunk) => {
+        const given = this.deliver(chunk);
+        if (given) ++this.stats.madeChunks;
+        if (chunk.hash !== null) this.contents.keep(chunk);
+        this.settle(chunk, given);
+      },
+      refetch: (key) => this.contents.refetch(key),
+      compare: (key, known) => this.compare(key, known),
+      askAgain: () => {
+        if (this.connected && this.tracker.view !== null) this.viewApplied();
+      },
+      whole: () => this.contents.viewComplete(),
+      failed: (error) => this.emit('error', error),
     });
     this.attempt();
   }
@@ -153,12 +175,14 @@ export class StreamClient extends ClientBase {
     this.transport = null;
     this.contents.stop();
     this.sentShape = null;
+    this.base.disconnected();
     this.requests.putAllBack();
     this.edits.connectionEnded();
   }
 
   protected stopped(): void {
     this.disconnect();
+    this.base.end();
     const error = this.closedError();
     this.pings.failAll(error);
     this.requests.failAll(error);
@@ -193,7 +217,7 @@ export class StreamClient extends ClientBase {
       case 'chunk':
         return this.handleChunk(message, frameBytes);
       case 'unchanged':
-        return this.contents.unchanged(message);
+        return this.handleUnchanged(message);
       case 'uniform_column':
         return this.contents.uniformColumn(message);
       case 'view_complete':
@@ -204,6 +228,7 @@ export class StreamClient extends ClientBase {
         return this.handleError(message);
       case 'edit_broadcast':
         this.edits.saw(message.revision);
+        if (this.base.edited(message)) return;
         return this.contents.editBroadcast(message);
       case 'edit_result':
         this.backoff.reset();
@@ -234,6 +259,7 @@ export class StreamClient extends ClientBase {
   protected worldKnown(sameWorld: boolean): void {
     if (!sameWorld) this.kept.clear();
     this.edits.joined(this.world!, sameWorld);
+    this.base.joined(this.world!, sameWorld);
     const idle = this.world!.limits.idleTimeoutMs || PING_INTERVAL_MS * 3;
     this.heardAt = performance.now();
     this.heartbeat = setInterval(() => this.beat(), Math.max(SHORTEST_PING_INTERVAL_MS, Math.min(PING_INTERVAL_MS, idle / 3)));
@@ -268,6 +294,7 @@ export class StreamClient extends ClientBase {
       request.resolve(chunk);
       this.sending.now();
     } else {
+      this.base.came(chunk);
       given = this.contents.chunk(chunk);
     }
     this.settle(chunk, given);
@@ -285,7 +312,17 @@ export class StreamClient extends ClientBase {
 
   private handleViewComplete({ number }: Message<'view_complete'>): void {
     if (number !== this.viewNumber || this.sending.viewWaits || this.tracker.view === null) return; // replaced
-    this.contents.viewComplete();
+    if (!this.base.serverIsDone()) this.contents.viewComplete();
+  }
+
+  private handleUnchanged(message: Message<'unchanged'>): void {
+    const request = message.id === 0 ? undefined : this.requests.find(message.id);
+    if (request?.kind !== 'chunk' || request.known === null) return this.contents.unchanged(message);
+    if (!sameKey(request.key, message.key) || request.known !== message.hash) throw broken(`Unchanged for another chunk than request ${message.id} knew`);
+    this.requests.take(message.id);
+    this.backoff.reset();
+    request.unchanged!();
+    this.sending.now();
   }
 
   private handleHeights({ id, heightsFx, looks, values }: Message<'heights'>): void {
@@ -372,6 +409,7 @@ export class StreamClient extends ClientBase {
     this.contents.viewApplied();
     this.sending.viewWaits = true;
     this.viewNumber = (this.viewNumber % 0xffffffff) + 1;
+    this.base.viewApplied();
     this.sending.now();
   }
 
@@ -386,14 +424,20 @@ export class StreamClient extends ClientBase {
     }
     const room = (this.world!.limits.frameBytes - 2 * REST_BYTES) / KNOWN_CHUNK_BYTES;
     const known = this.kept.known(Math.min(room, MAX_KNOWN), shape!, before);
-    this.send(viewFrame(view, this.viewNumber, known));
+    this.send(viewFrame(view, this.viewNumber, known, this.base.isOn));
   }
 
   getChunk(key: ChunkKey): Promise<Chunk> {
     return new Promise((resolve, reject) => {
       checkKey(key);
-      this.ask({ kind: 'chunk', key: { ...key }, resolve, reject });
+      this.ask({ kind: 'chunk', key: { ...key }, known: null, resolve, reject });
     });
+  }
+
+  /** Resolves with null if the server's chunk has the hash `known`, else with the chunk. */
+  private compare(key: ChunkKey, known: string): Promise<Chunk | null> {
+    ++this.stats.proofs;
+    return new Promise((resolve, reject) => this.ask({ kind: 'chunk', key, known, resolve, unchanged: () => resolve(null), reject }));
   }
 
   getPlaces(

@@ -5,7 +5,11 @@ import type { Chunk, ChunkKey, Places } from '../types.js';
 export interface PendingChunk {
   readonly kind: 'chunk';
   readonly key: ChunkKey;
+  /** Hash of the chunk that is compared with the server's; null: the chunk is wanted. */
+  readonly known: string | null;
   resolve(chunk: Chunk): void;
+  /** The server has a chunk of the hash `known`. */
+  unchanged?(): void;
   reject(error: TalusError): void;
 }
 

@@ -80,7 +80,7 @@ export class SendScheduler {
       }
       const { id, request } = this.requests.next()!;
       if (request.kind === 'chunk') {
-        chunks.push({ id, key: request.key, known: null });
+        chunks.push({ id, key: request.key, known: request.known });
         if (CHUNK_REQUEST_BYTES * (chunks.length + 1) > room) flush();
       } else {
         flush();

@@ -38,6 +38,13 @@ export class ViewContents {
     private readonly receiver: Receiver,
   ) {}
 
+  /** The View was reported complete. */
+  isToldWhole = false;
+
+  keep(chunk: Chunk): void {
+    this.kept.keep(chunk);
+  }
+
   /** The connection ended. */
   stop(): void {
     this.refetching.clear();
@@ -46,7 +53,7 @@ export class ViewContents {
 
   /** Another View: completion of the previous one is not reported any more. */
   viewApplied(): void {
-    this.completeToTell = false;
+    this.completeToTell = this.isToldWhole = false;
   }
 
   /** Returns true if the chunk was delivered to the application. */
@@ -126,6 +133,7 @@ export class ViewContents {
   private tellCompleteIfWhole(): void {
     if (!this.completeToTell || this.refetching.size > 0 || this.receiver.world() === null) return;
     this.completeToTell = false;
+    this.isToldWhole = true;
     this.receiver.tellComplete();
   }
 

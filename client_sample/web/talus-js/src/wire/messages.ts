@@ -217,6 +217,7 @@ function readLimits(table: Table | null): Limits {
     sessionRates: readRates(table.table(8)),
     addressRates: readRates(table.table(9)),
     viewHorizon: table.bool(10),
+    viewBase: table.bool(11),
   };
 }
 
@@ -255,6 +256,7 @@ function readWelcome(body: Table): ServerMessage {
     server: body.text(10),
     looks: body.texts(11),
     fields: body.texts(12),
+    worldFile: body.text(13),
   };
   checkHeights(world);
   return { kind: 'welcome', world };

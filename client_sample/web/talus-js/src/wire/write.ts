@@ -85,7 +85,7 @@ export function helloFrame(hello: {
 }
 
 /** REQUIRES: the centre's coordinates are integers. */
-export function viewFrame(view: View, number: number, known: readonly KnownChunk[]): Uint8Array {
+export function viewFrame(view: View, number: number, known: readonly KnownChunk[], hasBase = false): Uint8Array {
   return frame(2, (builder) => {
     const knownChunks = structs(builder, known, KNOWN_CHUNK_BYTES, 8, (chunk) => {
       writeHash(builder, chunk.hash);
@@ -96,7 +96,7 @@ export function viewFrame(view: View, number: number, known: readonly KnownChunk
       builder.pad(1);
       builder.writeInt8(ring.lod);
     });
-    builder.startObject(8);
+    builder.startObject(9);
     builder.prep(8, 24);
     builder.writeInt64(BigInt(view.centre.z));
     builder.writeInt64(BigInt(view.centre.y));
@@ -115,6 +115,7 @@ export function viewFrame(view: View, number: number, known: readonly KnownChunk
     builder.addFieldOffset(5, knownChunks, 0);
     builder.addFieldInt32(6, number, 0);
     builder.addFieldInt8(7, view.horizon ? 1 : 0, 0);
+    builder.addFieldInt8(8, hasBase ? 1 : 0, 0);
     return builder.endObject();
   });
 }

@@ -40,6 +40,7 @@ export const welcome = ({
   idleTimeoutMs = 60_000,
   minY = 0n,
   maxY = 64n,
+  worldFile = '',
 } = {}) =>
   frame(9, (b) => {
     const materials = b.createString('rock');
@@ -51,13 +52,15 @@ export const welcome = ({
     b.startVector(4, 1, 4);
     b.addOffset(rock);
     const list = b.endVector();
-    b.startObject(11);
+    const path = worldFile === '' ? 0 : b.createString(worldFile);
+    b.startObject(12);
     [[0, frameBytes], [1, 64], [2, 64], [5, 1000], [7, idleTimeoutMs]].forEach(([field, value]) => b.addFieldInt32(field, value, 0));
     b.addFieldInt16(3, 16, 0);
     b.addFieldInt16(4, 16, 0);
     b.addFieldInt64(6, 1n << 20n, 0n);
+    b.addFieldInt8(11, worldFile === '' ? 0 : 1, 0);
     const limits = b.endObject();
-    b.startObject(13);
+    b.startObject(14);
     b.addFieldInt16(0, protocol, 0);
     b.addFieldInt8(1, 4, 0);
     addHash(b, 2, fingerprint);
@@ -67,6 +70,7 @@ export const welcome = ({
     b.addFieldInt64(6, minY, 0n);
     b.addFieldInt64(7, maxY, 0n);
     b.addFieldOffset(9, limits, 0);
+    b.addFieldOffset(13, path, 0);
     return b.endObject();
   });
 
@@ -135,9 +139,10 @@ export const broadcast = ({ key, revision, previous, runs }) =>
     return b.endObject();
   });
 
-export const unchanged = ({ key, revision, hash }) =>
+export const unchanged = ({ id = 0, key, revision, hash }) =>
   frame(11, (b) => {
     b.startObject(4);
+    b.addFieldInt32(0, id, 0);
     addKey(b, 1, key);
     b.addFieldInt64(2, BigInt(revision), 0n);
     addHash(b, 3, hash);
@@ -172,14 +177,23 @@ function read(bytes) {
     const half = (offset) => t.data.getBigUint64(at + offset, true).toString(16).padStart(16, '0');
     return { kind, editor: half(8) + half(0), seenRevision: t.u64(1) };
   }
-  if (kind === 'GetChunks') return { kind, id: t.data.getUint32(t.vector(0, 40).at, true) };
+  if (kind === 'GetChunks') {
+    const { at, count } = t.vector(0, 40);
+    const requests = Array.from({ length: count }, (_, i) => {
+      const number = (offset) => t.data.getInt32(at + 40 * i + offset, true);
+      const half = (offset) => t.data.getBigUint64(at + 40 * i + offset, true).toString(16).padStart(16, '0');
+      const key = { lod: t.data.getUint8(at + 40 * i + 16), x: number(4), y: number(8), z: number(12) };
+      return { id: number(0), key, known: t.data.getUint8(at + 40 * i + 20) === 1 ? half(32) + half(24) : null };
+    });
+    return { kind, id: requests[0].id, requests };
+  }
   if (kind === 'View') {
     const { at, count } = t.vector(5, 32);
     const known = Array.from({ length: count }, (_, i) => {
       const number = (offset) => t.data.getInt32(at + 32 * i + offset, true);
       return `${t.data.getUint8(at + 32 * i + 12)}/${number(0)}/${number(4)}/${number(8)}`;
     });
-    return { kind, known };
+    return { kind, known, number: t.u32(6), hasBase: t.bool(8) };
   }
   if (kind === 'Hello') return { kind, versions: [t.u16(0), t.u16(1)] };
   return { kind };

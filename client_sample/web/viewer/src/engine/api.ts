@@ -88,6 +88,9 @@ export interface Stats {
   readonly triangles: number;
   readonly drawCalls: number;
   readonly receivedBytes: number;
+  /** Since the connection began: chunks made in this page, and chunks that came from the server. */
+  readonly madeChunks: number;
+  readonly receivedChunks: number;
   /** Time from a chunk's arrival to its upload to the GPU, including waiting for neighbours; over the last 1,024. */
   readonly latency: { readonly p50: number; readonly p95: number; readonly p99: number } | null;
   /** Chunks per second, over the last second. */

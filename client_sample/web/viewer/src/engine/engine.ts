@@ -308,6 +308,8 @@ export class Engine {
       triangles: this.frames.triangles,
       drawCalls: this.frames.drawCalls,
       receivedBytes: this.link.client.stats.receivedBytes,
+      madeChunks: this.link.client.stats.madeChunks,
+      receivedChunks: this.link.client.stats.chunks - this.link.client.stats.madeChunks,
       get latency() {
         const of = latency.percentiles(0.5, 0.95, 0.99);
         return of && { p50: of[0]!, p95: of[1]!, p99: of[2]! };

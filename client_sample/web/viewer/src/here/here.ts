@@ -83,7 +83,7 @@ export class Here extends Server {
 
   #source(): Client {
     const world = this.#opened!;
-    const client = source(world, { store: IndexedDbEdits.open(world) });
+    const client = source(world, { store: IndexedDbEdits.open(world), manualCredit: true });
     client.on('error', (error: TalusError) => error.kind === 'not_kept' && this.onNotKept(error.message));
     return client;
   }

@@ -51,6 +51,8 @@ export class TrafficPanel {
     const { latency, frameCpu } = stats;
     this.#row('View', STATES[stats.state]);
     this.#row('Chunks', `${count(stats.chunks)}, ${count(stats.chunkRate)} /s`);
+    if (stats.madeChunks > 0) this.#row('Made here', `${count(stats.madeChunks)} chunks`);
+    if (!this.isHere) this.#row('By wire', `${count(stats.receivedChunks)} chunks`);
     if (!this.isHere) this.#row('Received', `${bytes(stats.receivedBytes)}, ${bytes(this.#byteRate)}/s`);
     this.#row('Asked to drawn, p50', latency === null ? '–' : `${ms(latency.p50)} ms`);
     this.#row('p95, p99', latency === null ? '–' : `${ms(latency.p95)}, ${ms(latency.p99)} ms`);

@@ -59,7 +59,7 @@ export class Link {
   private connected(token: string | undefined): Client {
     const url = new URL(this.options.url);
     if (this.options.transport === 'websocket') url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
-    return connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true });
+    return connect({ url: url.href, token, clientName: 'talus-viewer', manualCredit: true, generate: 'auto' });
   }
 
   /** Makes the next attempt at once; false: there is nothing to try. */
