@@ -101,7 +101,7 @@ for (const { kind, number, hex, message } of frames) {
     test(`reads ${kind}`, () => assert.deepEqual(readMessage(fromHex(hex)), EXPECTED[kind](message)));
     continue;
   }
-  test(`refuses ${kind}, which only a client sends`, () => {
+  test(`refuses ${kind}, which no server sends this client`, () => {
     assert.throws(() => readMessage(fromHex(hex)), { name: 'TalusError', kind: 'broken_protocol' });
   });
   if (!WRITTEN[kind]) continue; // Cancel: nothing here takes a request back
@@ -117,7 +117,7 @@ for (const { kind, number, hex, message } of frames) {
   });
 }
 
-test('every message of the vectors is tested', () => assert.equal(frames.length, 21));
+test('every message of the vectors is tested', () => assert.equal(frames.length, 23));
 
 test('frames come whole however their bytes arrive', () => {
   const whole = frames.filter((each) => EXPECTED[each.kind]).map((each) => fromHex(each.hex));
