@@ -150,7 +150,8 @@ const EntryResult& Batch::apply(const EditEntry& entry) {
     return repeated;
   }
   if (entry.subject.size() > kMaxSubjectBytes) return begin(entry.editor, Kind::invalid);
-  auto outcome = evaluate(entry.edit, entry.base, staging_, entry.settles.get(), entry.touched);
+  auto outcome =
+      evaluate(entry.edit, entry.base, staging_, entry.settles.get(), entry.touched, &entry.secrets);
   if (!outcome) return begin(entry.editor, Kind::invalid);
 
   EntryResult& applied = begin(entry.editor, outcome->conflict ? Kind::conflict : Kind::done);

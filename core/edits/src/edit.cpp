@@ -233,6 +233,18 @@ std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched,
   return all.take();
 }
 
+std::vector<TouchedChunk> with_neighbours(std::vector<TouchedChunk> touched) {
+  TouchedVoxels all{touched};
+  for (const TouchedChunk& each : touched) {
+    for (const std::uint16_t index : each.voxels) {
+      visit_beside(voxel_at(chunk_origin(each.chunk), local_of(index)), [&](VoxelPos voxel) {
+        if (chunk_holding(voxel, Lod{})) (void)all.insert(voxel);
+      });
+    }
+  }
+  return all.take();
+}
+
 tl::expected<void, EditError> check(const Edit& edit, const EditRules& rules) {
   tl::expected<void, EditError> good;
   const auto voxel = [&](const std::string& what, const VoxelWrite& each) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "reveal.h"
 #include "visit.h"
 
 namespace talus::edits {
@@ -125,6 +126,13 @@ void settle_in(const VoxelBox& box, const SettleRules& rules, StagedVoxels& stag
   visit_box(box.first, box.last, [&](VoxelPos at) { staged.at(at).after = (settled++)->now; });
 }
 
+void drop_unchanged(std::vector<ChunkChanges>& chunks) {
+  for (ChunkChanges& each : chunks) {
+    std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
+  }
+  std::erase_if(chunks, [](const ChunkChanges& each) { return each.voxels.empty(); });
+}
+
 /// True if `is` holds for a material that edits left in voxels `first` to `last` of the chunk.
 template <typename Is>
 bool any_edited(ChunkKey key, std::uint16_t first, std::uint16_t last, const OverrideSource& overrides,
@@ -192,7 +200,8 @@ std::vector<OverrideWrite> writes_of(const ChunkChanges& changes) {
 
 tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                           const OverrideSource& overrides, const SettleRules* settles,
-                                          std::span<const TouchedChunk> touched) {
+                                          std::span<const TouchedChunk> touched,
+                                          const SecretVoxels* secrets) {
   std::vector<TouchedChunk> found;
   if (touched.empty()) {
     auto of_edit = touched_voxels(edit);
@@ -218,11 +227,12 @@ tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& ba
       settle_in(*box, *settles, all);
     }
   }
-  for (ChunkChanges& each : *chunks) {
-    std::erase_if(each.voxels, [](const VoxelChange& voxel) { return voxel.before == voxel.after; });
-    outcome.changed += each.voxels.size();
+  drop_unchanged(*chunks);
+  if (secrets != nullptr && !chunks->empty()) {
+    reveal(*secrets, overrides, *chunks);
+    drop_unchanged(*chunks);
   }
-  std::erase_if(*chunks, [](const ChunkChanges& each) { return each.voxels.empty(); });
+  for (const ChunkChanges& each : *chunks) outcome.changed += each.voxels.size();
   outcome.chunks = *std::move(chunks);
   return outcome;
 }

@@ -42,6 +42,16 @@ void visit_paste(const Paste& paste, Visit&& visit) {
   });
 }
 
+/// Calls visit(voxel) for the six voxels that share a face with `voxel`, also outside of the world.
+template <typename Visit>
+void visit_beside(VoxelPos voxel, Visit&& visit) {
+  for (const std::int64_t step : {-1, 1}) {
+    visit(VoxelPos{voxel.x + step, voxel.y, voxel.z});
+    visit(VoxelPos{voxel.x, voxel.y + step, voxel.z});
+    visit(VoxelPos{voxel.x, voxel.y, voxel.z + step});
+  }
+}
+
 /// The chunk of level 0 that holds `voxel`, and the voxel's index in it. REQUIRES: `voxel` lies in the world.
 [[nodiscard]] inline ChunkCoord chunk_of(VoxelPos voxel) {
   return {static_cast<std::int32_t>(floor_div(voxel.x, kChunkSize)),

@@ -49,6 +49,7 @@ struct EditEntry {
   /// touched_voxels(), set by the node that admits the edit. Not stored in logs: an entry read from a log has
   /// none, and applying computes it.
   std::vector<TouchedChunk> touched{};
+  SecretVoxels secrets{};  // what the edit may reveal; stored in logs
 };
 
 /// Names of placeable materials: names without an id get one.

@@ -100,6 +100,9 @@ struct TouchedChunk {
 [[nodiscard]] std::vector<TouchedChunk> with_settling(std::vector<TouchedChunk> touched,
                                                       const std::optional<VoxelBox>& loose);
 
+/// Adds all voxels of the world that share a face with one of `touched`. They are not limited.
+[[nodiscard]] std::vector<TouchedChunk> with_neighbours(std::vector<TouchedChunk> touched);
+
 /// Edits that a world allows. Checked by the node that accepts an edit, never when applying: nodes may have
 /// different lists.
 struct EditRules {

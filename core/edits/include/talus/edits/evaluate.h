@@ -20,6 +20,17 @@ namespace talus::edits {
 /// at least the voxels of touched_voxels() and of settle_box(); more are harmless.
 using BaseVoxels = std::map<ChunkCoord, std::vector<Override>>;
 
+/// Secret materials around an edit, of a base that shows other materials in their place as long as nothing
+/// exposes them: of all voxels that the edit touches or may settle, and of those with a face beside them. So
+/// nodes without the secret reveal the same.
+struct SecretVoxels {
+  std::vector<MaterialId> see_through;  // ascending; voxels of other materials hide what is behind them
+  BaseVoxels hidden;                    // without empty lists
+  BaseVoxels base;                      // what the base shows at the same voxels
+
+  [[nodiscard]] bool empty() const { return hidden.empty(); }
+};
+
 /// Source of overrides. Returned pointers are valid until the state changes.
 class OverrideSource {
  public:
@@ -52,18 +63,21 @@ struct ChunkChanges {
 struct Outcome {
   /// The first guard that does not hold. Then nothing changed: an edit is atomic across chunks.
   std::optional<std::size_t> conflict;
-  std::size_t changed = 0;           // voxels of level 0, including settled ones; 0 makes no revision
+  std::size_t changed = 0;           // voxels of level 0, with settled and revealed ones; 0 makes no revision
   std::vector<ChunkChanges> chunks;  // by ascending chunk coordinate
   bool operator==(const Outcome&) const = default;
 };
 
-/// Evaluates `edit` on the state `overrides`, then settles loose material by `settles`, if not null. Fails if
+/// Evaluates `edit` on the state `overrides`, then settles loose material by `settles`, if not null. If that
+/// changes anything, secret voxels that are as generated and have a face to an edited see-through voxel
+/// become overrides with their secret material. Fails if
 /// touched_voxels() fails, if `base` lacks a voxel that the edit touches, or if base material may settle and
 /// `base` lacks a voxel of settle_box(); the error names it. Every node gets the same error, as edit and base
 /// come from the log. `touched`: touched_voxels() of `edit`, if already known; if empty, it is computed.
 [[nodiscard]] tl::expected<Outcome, EditError> evaluate(const Edit& edit, const BaseVoxels& base,
                                                         const OverrideSource& overrides,
                                                         const SettleRules* settles = nullptr,
-                                                        std::span<const TouchedChunk> touched = {});
+                                                        std::span<const TouchedChunk> touched = {},
+                                                        const SecretVoxels* secrets = nullptr);
 
 }  // namespace talus::edits
