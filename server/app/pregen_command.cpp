@@ -20,8 +20,8 @@
 #include <talus/store/data_directory.h>
 #include <talus/store/store_identity.h>
 
+#include "app/secret_world.h"
 #include "app/settings.h"
-#include "app/world_file.h"
 #include "chunks/column_cache/column_cache.h"
 #include "chunks/generation/terrain_generator.h"
 #include "chunks/pregen.h"
@@ -65,7 +65,7 @@ tl::expected<void, std::string> check_world(const Config& config) {
   const auto file = config.data / "store.toml";
   const auto store = store::read_store_identity(file);
   if (!store) return tl::unexpected{store.error()};
-  const auto world = load_world(config.world);
+  const auto world = load_secret_world(config.world, config.secret);
   if (!world) return tl::unexpected{world.error()};
   if ((*world)->fingerprint() == store->fingerprint) return {};
   return tl::unexpected{
@@ -82,7 +82,7 @@ PregenResult by_server(StoreConnection& server, const Config& config, const Preg
 }
 
 PregenResult by_itself(const Config& config, const PregenPlan& plan) {
-  const auto world = load_world(config.world);
+  const auto world = load_secret_world(config.world, config.secret);
   if (!world) return tl::unexpected{world.error()};
   const auto columns = column_cache_settings(config, (*world)->fingerprint());
   if (!columns) return tl::unexpected{std::string{kNoColumnCache}};

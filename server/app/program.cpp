@@ -28,6 +28,7 @@
 #include "app/lost_store.h"
 #include "app/pregen_command.h"
 #include "app/process_signals.h"
+#include "app/secret_world.h"
 #include "app/server.h"
 #include "app/settings.h"
 #include "app/startup.h"
@@ -41,6 +42,7 @@
 #include "config/access/token_command.h"
 #include "config/cluster_check.h"
 #include "config/command_line.h"
+#include "config/secret_layers.h"
 #include "net/descriptors.h"
 #include "net/tls_context.h"
 #include "runtime/clock.h"
@@ -105,13 +107,25 @@ int serve(const Command& command, const ReadSettings& read_settings) {
   if (const auto set = talus::forced_instruction_set(); !set) return fail(std::string{set.error()});
   if (const auto enough = check_memory(config); !enough) return fail(enough.error());
   if (const auto member = check_member(config); !member) return fail(member.error());
-  const auto served = load_served_world(config);
+  const auto secret = load_secret_key(config.secret);
+  if (!secret) return fail(secret.error());
+  auto served = load_served_world(config);
   if (!served) return fail(served.error());
+  if (auto kept = with_secrets(served->world, *secret)) {
+    served->world = *std::move(kept);
+  } else {
+    return fail(kept.error());
+  }
+  if (*secret && config.publish != "none") {
+    return fail(
+        "publish: clients cannot make a world with [secret]; set publish to none, or leave [secret] out");
+  }
   const std::shared_ptr<const talus::terrain::World>& world = served->world;
   const auto account = configured_account(config);
   if (!account) return fail(account.error());
   auto keys = load_keys(config.access);
   if (!keys) return fail(keys.error());
+  if (*secret && (*secret)->warning) keys->warnings.push_back(*(*secret)->warning);
   std::optional<ClusterKeys> cluster;
   if (config.cluster.wanted()) {
     auto read = load_cluster_keys(config.cluster);
@@ -143,7 +157,7 @@ int serve(const Command& command, const ReadSettings& read_settings) {
     return 0;
   }
 
-  if (keys->any() || tls || (cluster && (cluster->nats->any() || cluster->peers_token))) {
+  if (keys->any() || *secret || tls || (cluster && (cluster->nats->any() || cluster->peers_token))) {
     if (const auto hidden = hide_memory(); !hidden) return fail(hidden.error());
   }
   if (const auto allowed = raise_descriptor_limit(descriptors_wanted(config)); allowed < kMinDescriptors) {
@@ -271,10 +285,20 @@ int show_top(int argc, const char* const* argv, const Environment& environment) 
   }
 }
 
+/// For commands without the server's settings: [secret] is read from the environment.
+tl::expected<std::shared_ptr<const talus::terrain::World>, std::string> load_world_by_environment(
+    const std::filesystem::path& world_file) {
+  Settings settings;
+  if (const auto read = apply_environment(settings, process_environment()); !read) {
+    return tl::make_unexpected(read.error());
+  }
+  return load_secret_world(world_file, settings.config.secret);
+}
+
 /// First message of a new world's stream.
 tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem::path& world_file,
                                                           const talus::ContentHash& store_id) {
-  const auto world = load_world(world_file);
+  const auto world = load_world_by_environment(world_file);
   if (!world) return tl::make_unexpected(world.error());
   cluster::Genesis genesis;
   genesis.identity = {store_id, (*world)->fingerprint()};
@@ -315,7 +339,7 @@ int talus::server::run_program(int argc, char** argv) {
     }
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
-      return store_command(argc - 1, argv + 1, environment, load_world, cluster_tools());
+      return store_command(argc - 1, argv + 1, environment, load_world_by_environment, cluster_tools());
     }
     if (argc > 1 && std::string_view{argv[1]} == "cluster") {
       end_by_default_on_signals();

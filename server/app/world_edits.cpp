@@ -23,15 +23,26 @@ namespace {
 /// Maximum wait for an unreachable log at the start of a server that has a store.
 constexpr std::chrono::seconds kLogAway{10};
 
-/// All materials that the world names, including air and water.
+/// All materials that the world names, including air and water. `world` outlives the rules.
 EditIntake::Rules rules_of(const terrain::World& world, const std::vector<terrain::Material>& placeables,
                            bool settles) {
   EditIntake::Rules rules{terrain::height_range(world), {}, nullptr};
+  if (world.has_secrets()) {
+    rules.hidden = [&world](ChunkCoord chunk, const Chunk& shown) {
+      return terrain::hidden_ore(world, chunk, shown);
+    };
+  }
   if (settles) rules.settles = std::make_shared<const edits::SettleRules>(local::settle_rules(world));
   for (const auto* const materials : {&world.materials(), &placeables}) {
-    for (const terrain::Material& material : *materials) rules.materials.push_back(material.id);
+    for (const terrain::Material& material : *materials) {
+      rules.materials.push_back(material.id);
+      const bool fluid =
+          material.kind == terrain::MaterialKind::air || material.kind == terrain::MaterialKind::water;
+      if (fluid) rules.see_through.push_back(material.id);
+    }
   }
   std::ranges::sort(rules.materials);
+  std::ranges::sort(rules.see_through);
   return rules;
 }
 

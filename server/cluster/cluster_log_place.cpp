@@ -107,7 +107,7 @@ bool ClusterLog::begin_at_genesis(const StreamState& stream) {
   } else if (genesis->identity.fingerprint != identity_.fingerprint) {
     stop_applying(
         fmt::format("the stream is of the world with fingerprint {}; this server's world has {}; "
-                    "all servers of a store must have the same world",
+                    "all servers of a store must have the same world and secret.key_file",
                     to_string(genesis->identity.fingerprint), to_string(identity_.fingerprint)));
   } else if (genesis->level_rule != edits::kLevelRule) {
     stop_applying(

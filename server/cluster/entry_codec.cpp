@@ -15,6 +15,7 @@ enum class EntryKind : std::uint8_t { attach, edit, bind };
 constexpr std::uint8_t kSettles = 1;
 constexpr std::uint8_t kHasPaste = 2;
 constexpr std::uint8_t kWithAir = 4;
+constexpr std::uint8_t kHasSecrets = 8;  // only in worlds with secrets, which older talusd cannot join
 
 /// Encodes voxels as differences from the previous one, modulo 2^64. Positions are validated when the edit is
 /// evaluated.
@@ -128,9 +129,8 @@ void put_base(const edits::BaseVoxels& base, store::ByteWriter& out) {
     out.counted(runs);
   }
 }
-edits::BaseVoxels get_base(store::ByteReader& in) {
+edits::BaseVoxels get_base(store::ByteReader& in, std::size_t voxels_left = kMaxBaseVoxels) {
   edits::BaseVoxels base;
-  std::size_t voxels_left = kMaxBaseVoxels;
   for (std::size_t chunks = count_of(in, 6, kMaxBaseChunks); chunks > 0 && in.ok(); --chunks) {
     ChunkCoord chunk{};
     for (std::int32_t* const at : {&chunk.x, &chunk.y, &chunk.z}) {
@@ -143,6 +143,25 @@ edits::BaseVoxels get_base(store::ByteReader& in) {
     base.emplace_hint(base.end(), chunk, *std::move(voxels));
   }
   return base;
+}
+
+void put_secrets(const edits::SecretVoxels& secrets, store::ByteWriter& out) {
+  out.varint(secrets.see_through.size());
+  for (const MaterialId material : secrets.see_through) out.varint(to_integer(material));
+  put_base(secrets.hidden, out);
+  put_base(secrets.base, out);
+}
+edits::SecretVoxels get_secrets(store::ByteReader& in) {
+  edits::SecretVoxels secrets;
+  for (std::size_t left = count_of(in, 1, kMaxSeeThrough); left > 0 && in.ok(); --left) {
+    const MaterialId material = get_material(in);
+    if (!secrets.see_through.empty() && material <= secrets.see_through.back()) in.fail();
+    secrets.see_through.push_back(material);
+  }
+  secrets.hidden = get_base(in, kMaxSecretVoxels);
+  secrets.base = get_base(in, kMaxSecretVoxels);
+  if (secrets.empty()) in.fail();
+  return secrets;
 }
 
 void put_editor(edits::EditorId editor, store::ByteWriter& out) {
@@ -176,7 +195,8 @@ void put(const edits::EditEntry& entry, store::ByteWriter& out) {
   out.counted(entry.subject);
   const auto& paste = entry.edit.paste;
   out.byte(static_cast<std::uint8_t>((entry.settles != nullptr ? kSettles : 0) | (paste ? kHasPaste : 0) |
-                                     (paste && paste->with_air ? kWithAir : 0)));
+                                     (paste && paste->with_air ? kWithAir : 0) |
+                                     (entry.secrets.empty() ? 0 : kHasSecrets)));
   put_writes(entry.edit.guards, out);
   put_writes(entry.edit.writes, out);
   put_fills(entry.edit.fills, out);
@@ -187,6 +207,7 @@ void put(const edits::EditEntry& entry, store::ByteWriter& out) {
     out.counted(payload);
   }
   put_base(entry.base, out);
+  if (!entry.secrets.empty()) put_secrets(entry.secrets, out);
 }
 /// `is_newer` is set if the paste uses an unknown codec.
 edits::EditEntry get_edit(store::ByteReader& in, const edits::SettleRulesPtr& settles, bool& is_newer) {
@@ -197,7 +218,8 @@ edits::EditEntry get_edit(store::ByteReader& in, const edits::SettleRulesPtr& se
   entry.subject = in.text(edits::kMaxSubjectBytes);
   const std::uint8_t flags = in.byte();
   const bool pastes = (flags & kHasPaste) != 0;
-  if (flags > (kSettles | kHasPaste | kWithAir) || (!pastes && (flags & kWithAir) != 0)) in.fail();
+  if (flags > (kSettles | kHasPaste | kWithAir | kHasSecrets) || (!pastes && (flags & kWithAir) != 0))
+    in.fail();
   if ((flags & kSettles) != 0) {
     entry.settles = settles;
     if (settles == nullptr) in.fail();
@@ -216,6 +238,7 @@ edits::EditEntry get_edit(store::ByteReader& in, const edits::SettleRulesPtr& se
     if (in.ok()) entry.edit.paste = edits::Paste{origin, *std::move(voxels), (flags & kWithAir) != 0};
   }
   entry.base = get_base(in);
+  if ((flags & kHasSecrets) != 0) entry.secrets = get_secrets(in);
   return entry;
 }
 

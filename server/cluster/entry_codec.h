@@ -21,6 +21,10 @@ inline constexpr std::uint8_t kEntryFormat = 1;
 inline constexpr std::size_t kMaxBaseVoxels = edits::kMaxVoxels + edits::kSettleVoxels;
 /// Maximum number of chunks of these voxels.
 inline constexpr std::size_t kMaxBaseChunks = 128;
+/// Maximum number of secret voxels in an entry: those of its generated voxels and the voxels beside them.
+inline constexpr std::size_t kMaxSecretVoxels = 7 * kMaxBaseVoxels;
+/// Maximum number of materials that hide nothing.
+inline constexpr std::size_t kMaxSeeThrough = 1'024;
 /// Maximum number of names in an entry.
 inline constexpr std::size_t kMaxNames = 1'024;
 

@@ -111,7 +111,7 @@ tl::expected<void, MessageFault> check_identity(const store::StoreIdentity& held
     return message_fault(
         MessageFault::Kind::other_world,
         fmt::format("it is of the world with fingerprint {}; this server's world has {}; all servers of a "
-                    "store must have the same world",
+                    "store must have the same world and secret.key_file",
                     to_string(held.fingerprint), to_string(identity.fingerprint)));
   }
   return {};

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <talus/protocol/endpoint.h>
 #include <talus/protocol/limits.h>
@@ -97,6 +98,13 @@ struct Edits {
   bool operator==(const Edits&) const = default;
 };
 
+/// Land that only servers know (secret_layers.h). Both or neither are set.
+struct SecretLayers {
+  std::filesystem::path key_file;
+  std::vector<std::string> layers;  // sections of the world's file
+  bool operator==(const SecretLayers&) const = default;
+};
+
 /// Both or neither are set; without them connections are plain TCP.
 struct Tls {
   std::filesystem::path certificate;
@@ -176,6 +184,7 @@ struct Config {
   bool publish_files = false;    // height maps over kMaxSmallMapBytes too
   std::string user;              // empty: do not switch user
   Access access;
+  SecretLayers secret;
   Edits edits;
   Networks proxies;  // must send a PROXY header
   Tls tls;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -150,6 +151,20 @@ struct AssignText {
     target.at(config) = std::string{text};
     return {};
   }
+  tl::expected<void, std::string> operator()(const WordsTarget& target) const {
+    std::vector<std::string> words;
+    for (std::string_view left = text; !left.empty();) {
+      const std::string_view word = left.substr(0, left.find(','));
+      left.remove_prefix(std::min(left.size(), word.size() + 1));
+      const bool known = std::find(target.words.begin(), target.words.end(), word) != target.words.end();
+      if (!known || std::find(words.begin(), words.end(), word) != words.end()) {
+        return refused(field, fmt::format("\"{}\"", escaped(word)));
+      }
+      words.emplace_back(word);
+    }
+    target.at(config) = std::move(words);
+    return {};
+  }
   tl::expected<void, std::string> operator()(const TextTarget& target) const {
     target.at(config) = std::string{text};
     return {};
@@ -181,6 +196,9 @@ struct ShowText {
   std::string operator()(const OriginsTarget& target) const { return target.at(config).text(); }
   std::string operator()(const UrlsTarget& target) const { return target.at(config).text(); }
   std::string operator()(const WordTarget& target) const { return target.at(config); }
+  std::string operator()(const WordsTarget& target) const {
+    return fmt::format("{}", fmt::join(target.at(config), ","));
+  }
   std::string operator()(const TextTarget& target) const { return target.at(config); }
 };
 
@@ -224,6 +242,10 @@ struct Describe {
   }
   std::string operator()(const WordTarget& target) const {
     return fmt::format("one of \"{}\"", fmt::join(target.words, "\", \""));
+  }
+  std::string operator()(const WordsTarget& target) const {
+    return fmt::format("a list of \"{}\", in a variable separated by commas, or [] for an empty list",
+                       fmt::join(target.words, "\", \""));
   }
   std::string operator()(const TextTarget&) const { return fmt::format("a {} in quotes", unit); }
 };

@@ -16,6 +16,7 @@ constexpr std::array<std::string_view, 2> kLogFormats{"text", "json"};
 constexpr std::array<std::string_view, 6> kLevels{"trace", "debug", "info", "warning", "error", "off"};
 constexpr std::array<std::string_view, 5> kRights{"read", "read,edit", "read,edit,admin", "read,edit,gateway",
                                                   "read,edit,admin,gateway"};
+constexpr std::array<std::string_view, 1> kSecretLayers{"veins"};
 constexpr std::array<std::string_view, 2> kGateway{"optional", "required"};
 constexpr std::array<std::string_view, 4> kRightsWithoutToken{"auto", "none", "read", "read,edit"};
 
@@ -93,6 +94,13 @@ const std::array kFields{
     Field{"access.without_token", "rights",
           "rights of clients without a token; auto: none if a secret or a key is set, else read",
           WordTarget{[](Config& c) -> std::string& { return c.access.without_token; }, kRightsWithoutToken}},
+
+    Field{"secret.key_file", "file",
+          "file with the key that draws the secret layers: 32 random bytes, the same on all servers of the "
+          "world; keep a copy, as the world cannot be served without it",
+          PathTarget{[](Config& c) -> std::filesystem::path& { return c.secret.key_file; }}},
+    Field{"secret.layers", "", "what the key draws; veins: the ores",
+          WordsTarget{[](Config& c) -> std::vector<std::string>& { return c.secret.layers; }, kSecretLayers}},
 
     Field{"edits.protected", "boxes",
           "boxes X,Z:X,Z or X,Y,Z:X,Y,Z, separated by semicolons, that only tokens with the right admin may "

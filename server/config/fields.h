@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <tl/expected.hpp>
 
@@ -77,6 +78,12 @@ struct WordTarget {
   std::span<const std::string_view> words;
 };
 
+/// A list of `words`, which may be empty.
+struct WordsTarget {
+  std::vector<std::string>& (*at)(Config&);
+  std::span<const std::string_view> words;
+};
+
 /// A text validated by another module.
 struct TextTarget {
   std::string& (*at)(Config&);
@@ -91,7 +98,7 @@ struct Field {
   std::string_view help;
   std::variant<NumberTarget, OptionalNumberTarget, PowerOfTwoTarget, DurationTarget, EndpointTarget,
                OptionalEndpointTarget, PathTarget, NetworksTarget, BoxesTarget, SwitchTarget, OriginsTarget,
-               UrlsTarget, WordTarget, TextTarget>
+               UrlsTarget, WordTarget, WordsTarget, TextTarget>
       target;
 };
 

@@ -86,7 +86,9 @@ Status set_from_node(const Field& field, Config& config, const toml::node& node)
   if (is_switch && node.is_boolean()) {
     return set_from_text(field, config, node.as_boolean()->get() ? "true" : "false");
   }
-  if (std::holds_alternative<UrlsTarget>(field.target) && node.is_array()) {
+  const bool is_list =
+      std::holds_alternative<UrlsTarget>(field.target) || std::holds_alternative<WordsTarget>(field.target);
+  if (is_list && node.is_array()) {
     if (const auto text = list_text(*node.as_array())) return set_from_text(field, config, *text);
   }
   const auto takes = [&](std::string_view text) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <talus/voxel/codec.h>
 
@@ -25,20 +26,32 @@ void DecodedBases::set_capacity(std::size_t bytes) {
   (void)chunks_.fit(probes);
 }
 
-DecodedChunkPtr DecodedBases::find(ChunkCoord chunk) {
-  const DecodedChunkPtr* const kept = chunks_.find({chunk, Lod{}});
+DecodedBasePtr DecodedBases::find(ChunkCoord chunk) {
+  const DecodedBasePtr* const kept = chunks_.find({chunk, Lod{}});
   return kept == nullptr ? nullptr : *kept;
 }
 
-DecodedChunkPtr DecodedBases::put(ChunkCoord chunk, const EncodedChunk& encoded) {
+DecodedBasePtr DecodedBases::put(ChunkCoord chunk, const EncodedChunk& encoded) {
   auto decoded = decode(encoded.payload());
   if (!decoded) {
     throw std::runtime_error{"chunk " + to_string(chunk) +
                              " as generated: " + std::string{describe(decoded.error())}};
   }
-  auto shared = std::make_shared<const Chunk>(*std::move(decoded));
-  chunks_.put({chunk, Lod{}}, shared, bytes_of(*shared));
+  auto hidden = hidden_ ? hidden_(chunk, *decoded) : std::vector<Override>{};
+  const std::size_t bytes = bytes_of(*decoded) + hidden.size() * sizeof(Override);
+  auto shared = std::make_shared<const DecodedBase>(DecodedBase{*std::move(decoded), std::move(hidden)});
+  chunks_.put({chunk, Lod{}}, shared, bytes);
   return shared;
+}
+
+std::vector<Override> among(std::span<const Override> voxels, std::span<const std::uint16_t> indices) {
+  std::vector<Override> found;
+  auto voxel = voxels.begin();
+  for (const std::uint16_t index : indices) {
+    while (voxel != voxels.end() && voxel->index < index) ++voxel;
+    if (voxel != voxels.end() && voxel->index == index) found.push_back(*voxel);
+  }
+  return found;
 }
 
 std::vector<Override> voxels_at(const Chunk& chunk, std::span<const std::uint16_t> indices) {

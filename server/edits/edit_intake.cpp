@@ -7,7 +7,10 @@
 namespace talus::server {
 
 EditIntake::EditIntake(Parts parts, Rules rules, Logger log)
-    : parts_{std::move(parts)}, rules_{std::move(rules)}, log_{std::move(log)} {}
+    : parts_{std::move(parts)},
+      rules_{std::move(rules)},
+      log_{std::move(log)},
+      bases_{kBaseBytes, rules_.hidden} {}
 
 void EditIntake::stop() {
   {
@@ -66,15 +69,15 @@ bool EditIntake::log_at_once(const MailboxPtr& session, EditRequest& request) {
     refuse(session, request.id, std::move(touched.error()));
     return true;
   }
-  edits::BaseVoxels base;
-  for (const edits::TouchedChunk& each : *touched) {
-    const DecodedChunkPtr chunk = bases_.find(each.chunk);
-    if (chunk == nullptr) return false;
-    base.emplace(each.chunk, voxels_at(*chunk, each.voxels));
+  Preparation edit{{}, *std::move(touched), {}, {}, {}, {}};
+  if (!look_around(edit)) return false;
+  for (const edits::TouchedChunk& each : edit.looked_up()) {
+    const DecodedBasePtr base = bases_.find(each.chunk);
+    if (base == nullptr) return false;
+    edit.take(each.chunk, *base);
   }
-  log_edit(*lane,
-           Preparation{
-               {std::move(request), parts_.clock.now()}, *std::move(touched), {}, std::move(base), {}, {}});
+  edit.edit = {std::move(request), parts_.clock.now()};
+  log_edit(*lane, std::move(edit));
   return true;
 }
 

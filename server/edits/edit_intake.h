@@ -62,6 +62,9 @@ class EditIntake final : public EditTaker {
     HeightRange rows;
     std::vector<MaterialId> materials;  // writable ones, by ascending id
     edits::SettleRulesPtr settles{};    // null: nothing slides
+    /// Secret materials of chunks, and those that hide nothing, by ascending id; null: no secrets.
+    DecodedBases::Hidden hidden{};
+    std::vector<MaterialId> see_through{};
   };
   /// Maximum bytes of decoded chunks.
   static constexpr std::size_t kBaseBytes = std::size_t{16} << 20;
@@ -125,13 +128,21 @@ class EditIntake final : public EditTaker {
     std::vector<edits::TouchedChunk> touched;   // computed once, and kept for the log's entry
     std::vector<edits::TouchedChunk> settling;  // with voxels that may slide; empty if settling is off
     edits::BaseVoxels base;
-    std::set<ChunkCoord> missing;  // chunks not in `base` yet
-    std::set<ChunkCoord> asked;    // missing chunks that the source has accepted
+    std::set<ChunkCoord> missing;               // chunks not looked up yet
+    std::set<ChunkCoord> asked;                 // missing chunks that the source has accepted
+    std::vector<edits::TouchedChunk> around{};  // with voxels that it may reveal; empty without secrets
+    edits::SecretVoxels secrets{};
 
     /// The voxels that `base` needs.
     [[nodiscard]] const std::vector<edits::TouchedChunk>& needed() const {
       return settling.empty() ? touched : settling;
     }
+    /// The voxels to look up.
+    [[nodiscard]] const std::vector<edits::TouchedChunk>& looked_up() const {
+      return around.empty() ? needed() : around;
+    }
+    /// Takes what it needs of a chunk of looked_up().
+    void take(ChunkCoord coord, const DecodedBase& base);
   };
   /// The queue of one session.
   struct Lane {
@@ -197,6 +208,8 @@ class EditIntake final : public EditTaker {
   /// Checks the bounds of the world and of edits. Returns the voxels that the edit touches.
   [[nodiscard]] tl::expected<std::vector<edits::TouchedChunk>, EditError> admit(
       const edits::Edit& edit) const;
+  /// Sets `around`, if the world has secrets. An error if that reaches too many chunks.
+  [[nodiscard]] tl::expected<void, EditError> look_around(Preparation& edit) const;
   /// nullopt if it was refused.
   [[nodiscard]] std::optional<Preparation> prepare(const Lane& lane, WaitingEdit edit);
   /// Returns false if it needs chunks that are no longer generated for this session.
@@ -246,7 +259,7 @@ class EditIntake final : public EditTaker {
   Turns small_;
   Turns large_;
   bool small_went_ = false;  // the last turn was of small_
-  DecodedBases bases_{kBaseBytes};
+  DecodedBases bases_;
 
   std::thread thread_;
 };

@@ -54,11 +54,7 @@ void EditIntake::take_look_ups(Lane& lane) {
     Preparation& edit = *lane.first;
     if (edit.asked.erase(ready->key.coord) == 0) continue;
     if (ready->answer) {
-      const DecodedChunkPtr chunk = bases_.put(ready->key.coord, **ready->answer);
-      const auto touched =
-          std::ranges::lower_bound(edit.needed(), ready->key.coord, {}, &edits::TouchedChunk::chunk);
-      edit.base.emplace(ready->key.coord, voxels_at(*chunk, touched->voxels));
-      edit.missing.erase(ready->key.coord);
+      edit.take(ready->key.coord, *bases_.put(ready->key.coord, **ready->answer));
     } else {
       refuse_first(lane, {Code::ground, fmt::format("a chunk of the edit could not be generated: {}",
                                                     ready->answer.error().reason)});
@@ -107,22 +103,55 @@ std::optional<EditIntake::Preparation> EditIntake::prepare(const Lane& lane, Wai
   if (settles() && request.settles) {
     prepared.settling = edits::with_settling(prepared.touched, request.extent.loose);
   }
-  for (const edits::TouchedChunk& each : prepared.needed()) prepared.missing.insert(each.chunk);
+  if (auto good = look_around(prepared); !good) {
+    refuse(lane.session, request.id, std::move(good.error()));
+    return std::nullopt;
+  }
+  for (const edits::TouchedChunk& each : prepared.looked_up()) prepared.missing.insert(each.chunk);
   return prepared;
+}
+
+tl::expected<void, EditError> EditIntake::look_around(Preparation& edit) const {
+  if (!rules_.hidden) return {};
+  edit.around = edits::with_neighbours(edit.needed());
+  // What it reveals is part of its record in the store, whose bound is the same. Independent of what is
+  // there.
+  if (edit.around.size() <= edits::kMaxChunks) return {};
+  return edit_error(
+      Code::out_of_range,
+      fmt::format("edit: with the voxels beside its own it reaches more than {} chunks; it must "
+                  "be divided",
+                  edits::kMaxChunks));
+}
+
+void EditIntake::Preparation::take(ChunkCoord coord, const DecodedBase& decoded) {
+  missing.erase(coord);
+  const auto in = [&](const std::vector<edits::TouchedChunk>& chunks) {
+    const auto at = std::ranges::lower_bound(chunks, coord, {}, &edits::TouchedChunk::chunk);
+    return at == chunks.end() || at->chunk != coord ? std::span<const std::uint16_t>{}
+                                                    : std::span{at->voxels};
+  };
+  if (const auto voxels = in(needed()); !voxels.empty())
+    base.emplace(coord, voxels_at(decoded.chunk, voxels));
+  std::vector<Override> hidden = among(decoded.hidden, in(around));
+  if (hidden.empty()) return;
+  std::vector<Override> shown;
+  for (const Override& each : hidden) shown.push_back({each.index, decoded.chunk.at(local_of(each.index))});
+  secrets.base.emplace(coord, std::move(shown));
+  secrets.hidden.emplace(coord, std::move(hidden));
 }
 
 bool EditIntake::look_up(const Lane& lane, Preparation& edit) {
   std::vector<ChunkKey> to_ask;
-  for (const edits::TouchedChunk& each : edit.needed()) {
+  for (const edits::TouchedChunk& each : edit.looked_up()) {
     if (!edit.missing.contains(each.chunk)) continue;
-    DecodedChunkPtr chunk = bases_.find(each.chunk);
-    if (chunk == nullptr) {
+    DecodedBasePtr base = bases_.find(each.chunk);
+    if (base == nullptr) {
       const EncodedChunkPtr encoded = parts_.base.find({each.chunk, Lod{}}, Version::generated);
-      if (encoded != nullptr) chunk = bases_.put(each.chunk, *encoded);
+      if (encoded != nullptr) base = bases_.put(each.chunk, *encoded);
     }
-    if (chunk != nullptr) {
-      edit.base.emplace(each.chunk, voxels_at(*chunk, each.voxels));
-      edit.missing.erase(each.chunk);
+    if (base != nullptr) {
+      edit.take(each.chunk, *base);
     } else if (!edit.asked.contains(each.chunk)) {
       to_ask.push_back({each.chunk, Lod{}});
     }
@@ -145,7 +174,9 @@ void EditIntake::log_edit(const Lane& lane, Preparation edit) {
                          std::move(edit.base),
                          request.settles ? rules_.settles : nullptr,
                          std::move(request.subject),
-                         std::move(edit.touched)};
+                         std::move(edit.touched),
+                         std::move(edit.secrets)};
+  if (!entry.secrets.empty()) entry.secrets.see_through = rules_.see_through;
   ++*lane.in_log;
   auto done = [this, session = lane.session, id, received_at = edit.edit.received_at,
                in_log = lane.in_log](const tl::expected<const edits::EntryResult*, EditError>& outcome) {

@@ -17,7 +17,9 @@ std::size_t bytes_of(const LogEntry& entry) {
                       (edit->edit.guards.size() + edit->edit.writes.size()) * sizeof(edits::VoxelWrite) +
                       edit->edit.fills.size() * sizeof(edits::Fill);
   if (edit->edit.paste) bytes += sizeof(DenseVoxels);
-  for (const auto& [chunk, voxels] : edit->base) bytes += kEntry + voxels.size() * sizeof(Override);
+  for (const auto* voxels : {&edit->base, &edit->secrets.hidden, &edit->secrets.base}) {
+    for (const auto& [chunk, list] : *voxels) bytes += kEntry + list.size() * sizeof(Override);
+  }
   for (const auto& [chunk, voxels] : edit->touched) bytes += kEntry + voxels.size() * sizeof(std::uint16_t);
   return bytes;
 }

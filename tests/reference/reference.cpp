@@ -28,6 +28,9 @@ constexpr std::array kSections{
     Section{"access",
             "Tokens and lists. SIGHUP reads the files again. Key files and the secret must not be blank or "
             "one repeated character."},
+    Section{"secret",
+            "Ore that no client can see or compute before land or edits expose it (OPERATIONS.md); set both or "
+            "neither."},
     Section{"edits", "Bounds of edits, in addition to those of tokens (talusd token --help)."},
     Section{"tls", "Set both or neither. SIGHUP reads both files again, for new connections."},
     Section{"http",
@@ -85,6 +88,9 @@ struct RangeOf {
   std::string operator()(const WordTarget& target) const {
     return fmt::format("{}", fmt::join(target.words, "; "));
   }
+  std::string operator()(const WordsTarget& target) const {
+    return fmt::format("list of {}", fmt::join(target.words, "; "));
+  }
   std::string operator()(const UrlsTarget& target) const {
     return fmt::format("list of {}://HOST:PORT", fmt::join(target.schemes, "://HOST:PORT or "));
   }
@@ -103,7 +109,9 @@ std::string range_of(const Field& field) {
 std::string toml_default(const Field& field) {
   const std::string text = text_of(field, Config{});
   if (std::holds_alternative<SwitchTarget>(field.target) || (is_number(field) && text != kAuto)) return text;
-  if (std::holds_alternative<UrlsTarget>(field.target)) return "[]";
+  if (std::holds_alternative<UrlsTarget>(field.target) || std::holds_alternative<WordsTarget>(field.target)) {
+    return "[]";
+  }
   return fmt::format("\"{}\"", text);
 }
 

@@ -138,6 +138,17 @@ TEST_CASE("a single trailing newline is ignored, and more, or a byte order mark,
              Catch::Contains("file: begins with a byte order mark; save it as UTF-8 without one"));
 }
 
+TEST_CASE("a binary key has all bytes of its file, newlines too") {
+  const ScratchDirectory scratch;
+  const KeyBounds bounds{32, 32, "random bytes", true};
+  for (const std::string& text :
+       {"\xEF\xBB\xBF" + std::string(27, 'k') + "\n\n", std::string(31, 'k') + '\0'}) {
+    CHECK(read_key_file(scratch.write("file", text), bounds)->secret.bytes() == text);
+  }
+  CHECK_THAT(read_key_file(scratch.write("file", std::string(32, 'k') + "x\n"), bounds).error(),
+             Catch::Contains("has 34 bytes; it must have 32, as random bytes"));
+}
+
 TEST_CASE("a key file that other users may read or change is a warning") {
   const Files files;
   for (const mode_t mode : {0600U, 0400U, 0640U, 0440U}) {

@@ -105,6 +105,11 @@ edits::EditEntry any_edit(std::mt19937_64& random) {
     std::vector<Override>& voxels = entry.base[{static_cast<std::int32_t>(random()), 0, 1}];
     for (std::uint16_t index = 0; index < below(200); ++index) voxels.push_back({index, material()});
   }
+  if (below(3) == 0) {
+    entry.secrets.see_through = {kAir, MaterialId{static_cast<std::uint16_t>(1 + below(60'000))}};
+    entry.secrets.hidden[{1, -2, 3}] = {{5, material()}, {700, material()}};
+    entry.secrets.base[{1, -2, 3}] = {{5, material()}, {700, material()}};
+  }
   return entry;
 }
 

@@ -64,6 +64,7 @@ std::string other_than_default(const Field& field) {
   if (const auto* urls = std::get_if<UrlsTarget>(&field.target)) {
     return std::string{urls->schemes.front()} + "://10.0.0.1:4222";
   }
+  if (const auto* words = std::get_if<WordsTarget>(&field.target)) return std::string{words->words.front()};
   if (const auto* is_on = std::get_if<SwitchTarget>(&field.target)) {
     Config defaults;
     return is_on->at(defaults) ? "false" : "true";
@@ -141,6 +142,21 @@ TEST_CASE("a switch is true or false, in the file and as a variable") {
     const auto wrong = apply_toml(settings, text, "f.toml");
     REQUIRE_FALSE(wrong);
     CHECK_THAT(wrong.error(), Catch::StartsWith("f.toml:2: http.tls: ") && Catch::Contains("true or false"));
+  }
+}
+
+TEST_CASE("a list of words takes each of its words once") {
+  Settings settings;
+  REQUIRE(apply_toml(settings, "[secret]\nlayers = [\"veins\"]\n", "f").has_value());
+  CHECK(settings.config.secret.layers == std::vector<std::string>{"veins"});
+  REQUIRE(apply_environment(settings, {{"TALUS_SECRET_LAYERS", ""}}).has_value());
+  CHECK(settings.config.secret.layers.empty());
+  for (const char* const wrong : {"[\"caves\"]", "[\"veins\", \"veins\"]", "[1]", "true"}) {
+    CAPTURE(wrong);
+    const auto refused = apply_toml(settings, std::string{"[secret]\nlayers = "} + wrong + "\n", "f");
+    REQUIRE_FALSE(refused.has_value());
+    CHECK(refused.error().starts_with("f:2: secret.layers: "));
+    CHECK(refused.error().find("give a list of \"veins\"") != std::string::npos);
   }
 }
 

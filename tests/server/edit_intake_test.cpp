@@ -137,6 +137,51 @@ TEST_CASE("an edit is logged with the base of what it touches, looked up in the 
   CHECK(bench.log.entries.size() == 2);
 }
 
+TEST_CASE("in a world with secrets an entry has what is hidden at its voxels and beside them") {
+  constexpr MaterialId kOre{9};
+  ScriptedSource source;
+  HeldLog log;
+  ManualClock clock;
+  Metrics metrics;
+  EditIntake::Rules rules{{0, 100}, {kAir, kStone, kGlass}};
+  rules.see_through = {kAir};
+  // Voxel 31 of every chunk, and one that is far from the edit.
+  rules.hidden = [&](ChunkCoord, const Chunk& shown) {
+    return shown.at({}) == kStone ? std::vector<Override>{{31, kOre}, {9'000, kOre}}
+                                  : std::vector<Override>{};
+  };
+  EditIntake intake{{source, log, [](edits::EditorId) { return std::nullopt; }, clock, metrics},
+                    rules,
+                    make_logger("off", "text")};
+  const MailboxPtr session = std::make_shared<Mailbox>(ClientId{1}, [] {});
+  EditRequest request{1, kEditor, 3, 1, {}};
+  request.edit.writes.push_back({{32, 0, 0}, kAir});
+  intake.edit(session, measured(std::move(request)));
+  intake.do_what_waits();
+  // Its own chunk, and those beside it.
+  REQUIRE(source.waiting.size() == 4);
+  while (!source.waiting.empty()) {
+    const ChunkKey key = source.waiting.begin()->first;
+    source.mail(key, of(kStone));
+    source.last_mailbox->wake();
+  }
+  intake.do_what_waits();
+  REQUIRE(log.entries.size() == 1);
+  const edits::EditEntry& entry = log.edit(0);
+  CHECK(entry.base == edits::BaseVoxels{{{1, 0, 0}, {{0, kStone}}}});
+  CHECK(entry.secrets.hidden == edits::BaseVoxels{{{0, 0, 0}, {{31, kOre}}}});
+  CHECK(entry.secrets.base == edits::BaseVoxels{{{0, 0, 0}, {{31, kStone}}}});
+  CHECK(entry.secrets.see_through == std::vector<MaterialId>{kAir});
+
+  // Far apart, its voxels lie in 64 chunks, but with those beside them in more.
+  EditRequest wide{2, kEditor, 3, 2, {}};
+  for (std::int64_t x = 0; x < 64; ++x) wide.edit.writes.push_back({{x * 64, 0, 0}, kAir});
+  intake.edit(session, measured(std::move(wide)));
+  intake.do_what_waits();
+  CHECK(log.entries.size() == 1);
+  CHECK(metrics.edits_refused[EditErrorCode::out_of_range].total() == 1);
+}
+
 TEST_CASE("ground that is kept decoded is counted, and goes when it may have less") {
   Bench bench;
   bench.edit(1, {{0, 0, 0}});

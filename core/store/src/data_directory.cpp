@@ -81,11 +81,11 @@ tl::expected<void, std::string> check_directory(const fs::path& path) {
 
 tl::expected<void, std::string> check_world(const fs::path& file, ContentHash held, ContentHash fingerprint) {
   if (held == fingerprint) return {};
-  return tl::make_unexpected(
-      fmt::format("{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
-                  "give --data another directory, or --world the store's world, or carry the edits over by "
-                  "talusd store rebase",
-                  file.string(), to_string(held), to_string(fingerprint)));
+  return tl::make_unexpected(fmt::format(
+      "{}: the store belongs to the world with fingerprint {}; this world has fingerprint {}; "
+      "give --data another directory, or --world the store's world and secret.key_file its key if "
+      "it has one, or carry the edits over by talusd store rebase",
+      file.string(), to_string(held), to_string(fingerprint)));
 }
 
 }  // namespace

@@ -48,8 +48,9 @@ TileCost measure_tile(const terrain::World& world, const Clock& clock) {
   for (std::size_t i = 0; i < kPlaces.size() && spent < kEnough; ++i) {
     const auto [x, z] = kPlaces[i];
     const auto start = clock.thread_cpu();
-    generator.generate(
-        {std::int64_t{x} * kChunkSize, std::int64_t{z} * kChunkSize, kChunkSize, kChunkSize, Lod{}}, stacks);
+    const terrain::Region tile{std::int64_t{x} * kChunkSize, std::int64_t{z} * kChunkSize, kChunkSize,
+                               kChunkSize, Lod{}};
+    generator.generate(terrain::region_of_stacks(world, tile), stacks);
     const auto made = clock.thread_cpu();
     const std::int32_t top = terrain::mixed_range(world, stacks, x, z).last;
     for (int below = 0; below < kChunksMeasured; ++below) {

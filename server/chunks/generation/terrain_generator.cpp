@@ -68,7 +68,8 @@ class TerrainGenerator::PatchOfWorld final : public PatchBuild {
  public:
   PatchOfWorld(const TerrainGenerator& owner, const PatchKey& patch, terrain::Stacks memory)
       : owner_{owner}, generator_{owner.take_generator()} {
-    generator_->start(region_of(patch, owner.patch_tiles_), std::move(memory));
+    generator_->start(terrain::region_of_stacks(*owner.world_, region_of(patch, owner.patch_tiles_)),
+                      std::move(memory));
   }
   [[nodiscard]] bool step() override { return generator_->step(); }
   // Work that is given up frees its memory: the next work belongs to another client.

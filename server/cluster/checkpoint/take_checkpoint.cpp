@@ -232,9 +232,10 @@ class CheckpointReceiver {
     if (!read) return no_checkpoint("its store.toml was not written by talusd");
     identity_ = *read;
     if (identity_.fingerprint != wanted_.fingerprint) {
-      return tl::unexpected{fmt::format(
-          "its store is of the world with fingerprint {}; this world has {}; give both the same --world",
-          to_string(identity_.fingerprint), to_string(wanted_.fingerprint))};
+      return tl::unexpected{
+          fmt::format("its store is of the world with fingerprint {}; this world has {}; give both the same "
+                      "--world and secret.key_file",
+                      to_string(identity_.fingerprint), to_string(wanted_.fingerprint))};
     }
     if (wanted_.store_id && identity_.store_id != *wanted_.store_id) {
       return tl::unexpected{

@@ -196,7 +196,7 @@ class Preparation {
     if (genesis->identity != store::StoreIdentity{*id_, parts_.fingerprint}) {
       return wrong(fmt::format(
           "the stream is of store {} and the world with fingerprint {}; this server has {} and {}; "
-          "give all servers of a cluster the same --world",
+          "give all servers of a cluster the same --world and secret.key_file",
           to_string(genesis->identity.store_id), to_string(genesis->identity.fingerprint), to_string(*id_),
           to_string(parts_.fingerprint)));
     }

@@ -386,7 +386,8 @@ class BaseChunkMaker {
       return;
     }
     const VoxelPos origin = chunk_origin(chunk);
-    const terrain::Region region{origin.x, origin.z, kChunkSize, kChunkSize, Lod{}};
+    const terrain::Region region =
+        terrain::region_of_stacks(world_, {origin.x, origin.z, kChunkSize, kChunkSize, Lod{}});
     if (!(stacks_.region == region)) generator_.generate(region, stacks_);
     terrain::extract_chunk(world_, stacks_, chunk).copy_to(voxels);
   }

@@ -62,16 +62,18 @@ tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& fi
   if (!read)
     return wrong(read.error().reason +
                  "; name a file that holds the secret and that the user of talusd may read");
-  const std::string_view bytes = without_newline(read->text());
+  const std::string_view bytes = bounds.is_binary ? read->text() : without_newline(read->text());
   if (bytes.size() < bounds.min_bytes || bytes.size() > bounds.max_bytes) {
-    return wrong(fmt::format("has {} bytes; it must have {} to {}, as {}", bytes.size(), bounds.min_bytes,
-                             bounds.max_bytes, bounds.as));
+    const std::string lengths = bounds.min_bytes == bounds.max_bytes
+                                    ? fmt::to_string(bounds.min_bytes)
+                                    : fmt::format("{} to {}", bounds.min_bytes, bounds.max_bytes);
+    return wrong(fmt::format("has {} bytes; it must have {}, as {}", bytes.size(), lengths, bounds.as));
   }
   if (holds_no_secret(bytes)) {
     return wrong(fmt::format(
         "has no secret: it is blank, or one character again and again; give it one, as {}", bounds.as));
   }
-  if (const char* added = added_by_editor(bytes)) return wrong(added);
+  if (const char* added = bounds.is_binary ? nullptr : added_by_editor(bytes)) return wrong(added);
   return KeyFile{Secret{bytes}, permission_warning(file, read->mode())};
 }
 

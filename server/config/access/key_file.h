@@ -35,10 +35,12 @@ struct KeyBounds {
   std::size_t max_bytes;
   /// How to create such a file, for errors: "it must have ..., as {}".
   std::string_view as = "\"head -c 32 /dev/urandom | base64\" prints";
+  /// All bytes count, whatever they are: no newline is left out, and nothing is refused as an editor's.
+  bool is_binary = false;
 };
 
-/// Reads the file without one trailing newline. An error is one line that begins with the file: it cannot be
-/// read, is not a regular file, has a length out of bounds, is not a secret (blank, or one repeated
+/// Reads the file, if text without one trailing newline. An error is one line that begins with the file: it
+/// cannot be read, is not a regular file, has a length out of bounds, is not a secret (blank, or one repeated
 /// character), or begins with a byte order mark or ends with empty lines, which no client sends.
 [[nodiscard]] tl::expected<KeyFile, std::string> read_key_file(const std::filesystem::path& file,
                                                                KeyBounds bounds);
