@@ -57,6 +57,22 @@ TEST_CASE("a column and squares of columns") {
   }
 }
 
+TEST_CASE("a published world has its spec and its files by their names, percent-encoded") {
+  const auto file = [](std::string_view path) { return std::get<FileRoute>(*route_of(path)); };
+  CHECK(file("/v1/abc/world.toml").name.empty());
+  CHECK(file("/v1/abc/world.toml").fingerprint == "abc");
+  CHECK(file("/v1/abc/files/a%20b+c.vox").name == "a b+c.vox");
+  CHECK(file("/v1/abc/files/1/2/3/4/5/6/7/8/9/rock.vox").name == "1/2/3/4/5/6/7/8/9/rock.vox");
+  CHECK(file("/v1/abc/files/edits/").name == "edits/");
+  for (const auto* path : {"/v1/abc/files", "/v1/abc/files/", "/v1/abc/files/%", "/v1/abc/files/%4",
+                           "/v1/abc/files/%4g", "/v1/abc/world.toml/", "/v1/world.toml"}) {
+    INFO(path);
+    CHECK(route_of(path).error().status == 404);
+  }
+  CHECK(route_of("/v1/abc/world.toml", "").error().status == 404);
+  CHECK(route_of("/v1/abc/files/a", "x=1").error().status == 400);
+}
+
 TEST_CASE("a path of a store without a revision gets an error that asks for it") {
   for (const auto* path : {"/v1/abc/def/4/2/-12/4/7", "/v1/abc/def/4/2/-12/8/4x4"}) {
     const auto wrong = route_of(path);
