@@ -264,7 +264,7 @@ TEST_CASE("the flag --check-config says what a published world gives away, or wh
   CHECK(withheld.status == 0);
   CHECK_THAT(withheld.err, Catch::Contains("warning: publish: the world is not published") &&
                                Catch::Contains("\"heights.npy\"") && Catch::Contains("publish_files = true"));
-  CHECK_THAT(one_line(run_talusd({"--check-config", "--publish", "all"})),
+  CHECK_THAT(one_line(run_talusd({"--check-config", "--publish", "all"}), 2),
              Catch::Contains("--publish: \"all\" is wrong; give one of \"none\", \"public\""));
 }
 

@@ -27,7 +27,7 @@ protocol::Frame view(const ViewFields& fields) {
     const wire::Voxel centre{fields.centre.x, fields.centre.y, fields.centre.z};
     const wire::Direction direction{0, 0, 0};
     return wire::CreateView(builder, &centre, &direction, fields.horizontal_radius, fields.vertical_radius,
-                            rings, 0, fields.number, fields.horizon);
+                            rings, 0, fields.number, fields.horizon, fields.has_base);
   });
 }
 
@@ -53,6 +53,12 @@ protocol::Frame cancel(const std::vector<std::uint32_t>& ids) {
 protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::ColumnPos>& columns) {
   return protocol::make_frame([&](FlatBufferBuilder& builder) {
     return wire::CreateGetHeights(builder, id, builder.CreateVectorOfStructs(columns));
+  });
+}
+
+protocol::Frame get_file(std::uint32_t id, const std::string& name, std::uint64_t offset) {
+  return protocol::make_frame([&](FlatBufferBuilder& builder) {
+    return wire::CreateGetFile(builder, id, builder.CreateString(name), offset);
   });
 }
 

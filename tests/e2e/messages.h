@@ -30,6 +30,7 @@ struct ViewFields {
   std::vector<wire::LodRing> rings{};
   std::uint32_t number = 0;
   bool horizon = false;
+  bool has_base = false;
 };
 [[nodiscard]] protocol::Frame view(const ViewFields& fields);
 
@@ -38,6 +39,8 @@ struct ViewFields {
 [[nodiscard]] protocol::Frame get_chunks(const std::vector<wire::ChunkRequest>& requests);
 [[nodiscard]] protocol::Frame cancel(const std::vector<std::uint32_t>& ids);
 [[nodiscard]] protocol::Frame get_heights(std::uint32_t id, const std::vector<wire::ColumnPos>& columns);
+/// The world's own file if `name` is empty.
+[[nodiscard]] protocol::Frame get_file(std::uint32_t id, const std::string& name, std::uint64_t offset);
 [[nodiscard]] protocol::Frame credit(std::uint64_t total_bytes);
 [[nodiscard]] protocol::Frame edit(std::uint32_t id);
 [[nodiscard]] protocol::Frame ping(std::uint64_t nonce);
