@@ -153,21 +153,29 @@ TEST_CASE("files that the world names are fetched too, in parts") {
   CHECK(scene.client->stats().file_bytes == 2600);
 }
 
-TEST_CASE("kept files of the same world are not fetched, others are") {
-  const bool same = GENERATE(true, false);
+TEST_CASE("kept files are not fetched, unless they are another world's, or incomplete") {
   Scene scene;
-  if (!same) scene.maker->names = "a file that was not kept";
-  scene.published.files["a file that was not kept"] = {};
-  const auto kept = std::make_shared<const WorldFiles>(WorldFiles{{"", {}}});
+  std::vector<std::string> fetched;
+  SECTION("the same world") {}
+  SECTION("another world") {
+    scene.maker->empty_is_another = true;
+    fetched = {""};
+  }
+  SECTION("incomplete") {
+    scene.maker->names = "added.vox";
+    fetched = {"added.vox"};
+  }
+  scene.published.files["added.vox"] = {};
   scene.play([&]() -> asio::awaitable<void> { co_await scene.until_generates(); }, Generate::automatic,
              [&](Options& options) {
                options.kept_files = [&](ContentHash fingerprint) {
                  CHECK(fingerprint == kPublished);
-                 return kept;
+                 return std::make_shared<const WorldFiles>(WorldFiles{{"", {}}});
                };
              });
-  CHECK(scene.published.asked_files.size() == (same ? 0 : 1));
-  CHECK(scene.maker->opened->size() == (same ? 1 : 2));
+  CHECK(scene.published.asked_files == fetched);
+  CHECK((scene.told.files != nullptr) == !fetched.empty());
+  CHECK(scene.told.errors.empty());
 }
 
 TEST_CASE("a wrong world is found by the first proofs, and each of its chunks is replaced") {
@@ -427,6 +435,27 @@ TEST_CASE("a client may be closed or destroyed while chunks are made and when th
   };
   run(io, {visit, [&] { return published.serve(); }});
   CHECK(came == (before ? 0 : 1));
+}
+
+TEST_CASE("chunks may be made after the client and its io_context are gone") {
+  std::optional<asio::io_context> io{std::in_place};
+  const auto maker = std::make_shared<HandMaker>();
+  maker->holds_chunks = true;
+  {
+    PublishedPeer published{*io};
+    Client client{io->get_executor(), generating(maker)};
+    const auto visit = [&]() -> asio::awaitable<void> {
+      co_await join(client, published.peer);
+      co_await until(client, [&] { return client.generates(); });
+      CHECK(client.set_view(small_view()).has_value());
+      co_await until(client, [&] { return maker->asked() == 27; });
+      client.close();
+    };
+    run(*io, {visit, [&] { return published.serve(); }});
+  }
+  io.reset();
+  maker->release();
+  CHECK(maker->held.empty());
 }
 
 }  // namespace talus::client

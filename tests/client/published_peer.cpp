@@ -11,8 +11,9 @@ namespace talus::client::testing {
 
 class HandMaker::World final : public LocalWorld {
  public:
-  explicit World(std::shared_ptr<HandMaker> maker) : maker_{std::move(maker)} {}
-  [[nodiscard]] ContentHash fingerprint() const override { return maker_->fingerprint; }
+  World(std::shared_ptr<HandMaker> maker, ContentHash fingerprint)
+      : maker_{std::move(maker)}, fingerprint_{fingerprint} {}
+  [[nodiscard]] ContentHash fingerprint() const override { return fingerprint_; }
   void make(std::vector<ChunkKey> keys, std::shared_ptr<const std::atomic<bool>> cancel, Made done) override {
     maker_->batches.push_back(keys);
     maker_->cancels.push_back(cancel);
@@ -30,6 +31,7 @@ class HandMaker::World final : public LocalWorld {
 
  private:
   std::shared_ptr<HandMaker> maker_;
+  ContentHash fingerprint_;
 };
 
 void HandMaker::run(bool hold, std::function<void()> job) {
@@ -58,7 +60,8 @@ void HandMaker::open(std::shared_ptr<const WorldFiles> files, Opened done) {
       return done(tl::unexpected{OpenFailure{self->names, "a file is missing"}});
     }
     self->opened = files;
-    done(std::make_shared<World>(self));
+    const bool another = self->empty_is_another && files->at("").empty();
+    done(std::make_shared<World>(self, another ? ContentHash{9, 9} : self->fingerprint));
   });
 }
 

@@ -23,8 +23,9 @@ inline constexpr ContentHash kPublished{1, 0};  // fingerprint
 class HandMaker final : public ChunkMaker, public std::enable_shared_from_this<HandMaker> {
  public:
   ContentHash fingerprint = kPublished;
-  std::string names;    // a file that the world names; empty: none
-  std::string failure;  // of every open(); empty: none
+  std::string names;              // a file that the world names; empty: none
+  std::string failure;            // of every open(); empty: none
+  bool empty_is_another = false;  // a world's file without bytes is another world
   std::function<Chunk(const ChunkKey&)> chunk = some_chunk;
   bool holds_open = false, holds_chunks = false;  // until release()
 
