@@ -11,8 +11,8 @@ namespace talus::client::testing {
 
 class HandMaker::World final : public LocalWorld {
  public:
-  World(std::shared_ptr<HandMaker> maker, ContentHash fingerprint)
-      : maker_{std::move(maker)}, fingerprint_{fingerprint} {}
+  World(std::shared_ptr<HandMaker> maker, ContentHash own_fingerprint)
+      : maker_{std::move(maker)}, fingerprint_{own_fingerprint} {}
   [[nodiscard]] ContentHash fingerprint() const override { return fingerprint_; }
   void make(std::vector<ChunkKey> keys, std::shared_ptr<const std::atomic<bool>> cancel, Made done) override {
     maker_->batches.push_back(keys);
