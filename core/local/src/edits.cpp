@@ -93,9 +93,9 @@ tl::expected<EditOutcome, edits::EditError> Edits::apply(Workspace& workspace, c
   const auto outcome = edits::evaluate(edit, base, *this, loose ? &rules : nullptr, *touched);
   if (!outcome) return tl::unexpected(outcome.error());
   edits::StagingArea staged{*this, hash_};
-  const std::vector<edits::ChunkWrites> writes = staged.stage(*outcome);
+  std::vector<ChunkKey> written = write(staged.stage(*outcome));
   hash_ = staged.hash();
-  return EditOutcome{outcome->conflict, outcome->changed, write(writes)};
+  return EditOutcome{outcome->conflict, outcome->changed, std::move(written)};
 }
 
 Chunk Edits::merged_over(ChunkKey key, const Chunk& generated) const {
@@ -106,7 +106,7 @@ Chunk Edits::merged_over(ChunkKey key, const Chunk& generated) const {
 std::vector<ChunkCoord> Edits::changed_chunks() const {
   std::vector<ChunkCoord> chunks;
   for (const auto& [key, overrides] : overrides_) {
-    if (key.lod == Lod{}) chunks.push_back(key.coord);
+    if (key.lod == Lod{} && !overrides.empty()) chunks.push_back(key.coord);
   }
   std::ranges::sort(chunks);
   return chunks;
@@ -145,19 +145,29 @@ tl::expected<std::vector<ChunkKey>, edits::EditError> Edits::restore(const World
   if (changes.empty()) return std::vector<ChunkKey>{};
   std::vector<edits::ChunkWrites> writes = edits::coarse_writes(chunk, changes);
   writes.insert(writes.begin(), {{chunk, Lod{}}, std::move(changes)});
+  std::vector<ChunkKey> written = write(writes);
   for (const Override& voxel : before.voxels()) hash_.remove(chunk, voxel);
   hash_.add(chunk, *voxels);
-  return write(writes);
+  return written;
 }
 
 std::vector<ChunkKey> Edits::write(std::span<const edits::ChunkWrites> writes) {
+  // All memory is allocated before anything changes: if it runs out, some chunks have empty overrides, which
+  // are none.
   std::vector<ChunkKey> written;
   written.reserve(writes.size());
+  std::vector<edits::ChunkOverrides> after;
+  after.reserve(writes.size());
   for (const edits::ChunkWrites& each : writes) {
-    edits::ChunkOverrides& overrides = overrides_[each.key];
+    edits::ChunkOverrides overrides = overrides_[each.key];
     overrides.apply(each.writes);
-    if (overrides.empty()) overrides_.erase(each.key);
+    after.push_back(std::move(overrides));
     written.push_back(each.key);
+  }
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const auto held = overrides_.find(written[i]);
+    held->second = std::move(after[i]);
+    if (held->second.empty()) overrides_.erase(held);
   }
   return written;
 }
@@ -174,7 +184,7 @@ std::vector<MaterialId> Edits::writable_in(const World& world) const {
 
 const edits::ChunkOverrides* Edits::find(ChunkKey chunk) const {
   const auto found = overrides_.find(chunk);
-  return found == overrides_.end() ? nullptr : &found->second;
+  return found == overrides_.end() || found->second.empty() ? nullptr : &found->second;
 }
 
 }  // namespace talus::local

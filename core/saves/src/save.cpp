@@ -1,6 +1,7 @@
 #include <talus/saves/save.h>
 
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <talus/terrain/world.h>
@@ -21,6 +22,28 @@ edits::MaterialIds materials_of(const local::World& world) {
   }
   return ids;
 }
+
+// A transaction that ends with its block.
+class Transaction {
+ public:
+  explicit Transaction(SaveFile& file) : file_{file} {}
+  ~Transaction() { file_.roll_back(); }  // nothing after a commit
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+
+ private:
+  SaveFile& file_;
+};
+
+// A file that goes away if it is made and not finished.
+struct NewFile {
+  std::filesystem::path path;
+  bool is_made = false;
+  ~NewFile() {
+    std::error_code code;
+    if (is_made) std::filesystem::remove(path, code);
+  }
+};
 
 }  // namespace
 
@@ -86,11 +109,14 @@ Result<Save> Save::create(const std::filesystem::path& file, const WorldSource& 
                           std::uint64_t revision) {
   SavedWorld saved = source.saved;
   saved.settles = edits.settings().settles;
+  NewFile unfinished{file};  // outlives the open file
   auto made = SaveFile::create(file, saved);
   if (!made) return tl::unexpected{std::move(made.error())};
+  unfinished.is_made = true;
   Save save{*std::move(made), source.world, std::move(edits), revision};
   for (const ChunkCoord chunk : save.edits_.changed_chunks()) save.changed_.insert(chunk);
   if (auto done = save.commit(); !done) return tl::unexpected{std::move(done.error())};
+  unfinished.is_made = false;
   return save;
 }
 
@@ -126,26 +152,35 @@ tl::expected<local::EditOutcome, edits::EditError> Save::apply(local::Workspace&
   auto outcome = edits_.apply(workspace, edit);
   if (outcome && outcome->changed > 0) {
     ++revision_;
+    const bool had_all = std::exchange(all_changed_, true);  // until each is noted
     for (const ChunkKey& key : outcome->chunks) {
       if (key.lod == Lod{}) changed_.insert(key.coord);
     }
+    all_changed_ = had_all;
   }
   return outcome;
 }
 
 Result<void> Save::commit() {
   const SaveState state{revision_, edits_.hash()};
-  if (changed_.empty() && state == file_.state()) return {};
+  if (!has_changes() && state == file_.state()) return {};
+  const Transaction transaction{file_};
   auto done = file_.begin();
-  for (const ChunkCoord chunk : changed_) {
-    if (done) done = file_.put(chunk, edits_.overrides(chunk));
+  const auto put = [&](const auto& chunks) {
+    for (const ChunkCoord chunk : chunks) {
+      if (done) done = file_.put(chunk, edits_.overrides(chunk));
+    }
+  };
+  if (done && all_changed_) {
+    done = file_.clear();
+    put(edits_.changed_chunks());
+  } else {
+    put(changed_);
   }
   if (done) done = file_.commit(state);
-  if (!done) {
-    file_.roll_back();
-    return done;
-  }
+  if (!done) return done;
   changed_.clear();
+  all_changed_ = false;
   return {};
 }
 

@@ -238,6 +238,8 @@ SaveFile::SaveFile(SaveFile&&) noexcept = default;
 SaveFile& SaveFile::operator=(SaveFile&&) noexcept = default;
 
 Result<SaveFile> SaveFile::create(const fs::path& file, const SavedWorld& world) {
+  auto parts = std::make_unique<Parts>();  // before there is a file
+  parts->world = world;
   std::error_code code;
   const bool was_there = fs::exists(file, code);
   auto database = Database::open(file, Database::Mode::create);
@@ -249,9 +251,7 @@ Result<SaveFile> SaveFile::create(const fs::path& file, const SavedWorld& world)
     }
     return tl::unexpected{std::move(written.error())};
   }
-  auto parts = std::make_unique<Parts>();
   parts->database = *std::move(database);
-  parts->world = world;
   return SaveFile{std::move(parts)};
 }
 
@@ -338,6 +338,10 @@ Result<void> SaveFile::put(ChunkCoord chunk, std::span<const std::byte> runs) {
   const auto done = statement.step();
   if (!done) return tl::unexpected{done.error()};
   return {};
+}
+
+Result<void> SaveFile::clear() {
+  return parts_->database->run("DELETE FROM chunks");
 }
 
 Result<void> SaveFile::commit(const SaveState& state) {

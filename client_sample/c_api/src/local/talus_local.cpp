@@ -31,12 +31,16 @@ struct talus_local_world {
   std::shared_ptr<Land> land;
 };
 
+// Of an edit, at all levels: 64 chunks, those into which loose material slides, and one of each level for
+// each.
+constexpr std::size_t kMaxChangedChunks = 1'024;
+
 struct talus_workspace {
   std::shared_ptr<Land> land;
   std::size_t ground_bytes = 0;
   std::optional<local::Workspace> workspace;  // none after an exception
   std::atomic<bool> cancel = false;
-  std::vector<talus_chunk_key> changed;  // by the last edit
+  std::vector<talus_chunk_key> changed;  // by the last edit; allocated before it
 };
 
 namespace {
@@ -286,6 +290,7 @@ talus_status talus_workspace_create(talus_local_world* world, uint64_t memory_by
     made->land = world->land;
     made->ground_bytes = static_cast<std::size_t>(memory_bytes == 0 ? kDefaultBytes : memory_bytes);
     made->workspace.emplace(made->land->world(), made->ground_bytes);
+    made->changed.reserve(kMaxChangedChunks);
     *workspace = made.release();
     return talus_status{TALUS_OK};
   });

@@ -73,11 +73,11 @@ class Edits final : private edits::OverrideSource {
  private:
   [[nodiscard]] const edits::ChunkOverrides* find(ChunkKey chunk) const override;
   [[nodiscard]] std::vector<MaterialId> writable_in(const World& world) const;
-  /// Returns the chunks written.
+  /// All or, if memory runs out, nothing. Returns the chunks written.
   std::vector<ChunkKey> write(std::span<const edits::ChunkWrites> writes);
 
   EditSettings settings_;
-  std::unordered_map<ChunkKey, edits::ChunkOverrides> overrides_;
+  std::unordered_map<ChunkKey, edits::ChunkOverrides> overrides_;  // empty ones count for none
   edits::StateHash hash_;
 };
 

@@ -42,7 +42,7 @@ class Save {
   [[nodiscard]] const local::Edits& edits() const { return edits_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// True if edits were applied that commit() has not kept.
-  [[nodiscard]] bool has_changes() const { return !changed_.empty(); }
+  [[nodiscard]] bool has_changes() const { return all_changed_ || !changed_.empty(); }
   [[nodiscard]] const SaveFile& file() const { return file_; }
 
   /// Applies an edit in memory: local::Edits::apply().
@@ -60,6 +60,7 @@ class Save {
   local::Edits edits_;
   std::uint64_t revision_ = 0;
   std::set<ChunkCoord> changed_;  // since the last commit
+  bool all_changed_ = false;      // memory for a chunk of changed_ ran out
 };
 
 }  // namespace talus::saves

@@ -73,6 +73,8 @@ class SaveFile {
   [[nodiscard]] Result<void> begin();
   /// Sets a chunk's overrides (core/edits/FORMAT.md, Runs); the empty set removes the chunk.
   [[nodiscard]] Result<void> put(ChunkCoord chunk, std::span<const std::byte> runs);
+  /// Removes all chunks.
+  [[nodiscard]] Result<void> clear();
   [[nodiscard]] Result<void> commit(const SaveState& state);
   /// Drops what was put since begin(), if anything was.
   void roll_back();
