@@ -198,7 +198,7 @@ export interface ConnectOptions {
   /** HTTP: interval of asking which columns of the View's regions were edited; default 5,000. Infinity: ask only
    *  once. */
   readonly editsIntervalMs?: number;
-  /** Makes chunks here where the server publishes its world, and takes only edits from it; ws: and wss: alone. `auto`
+  /** Makes chunks here where the server publishes its world, and takes only edits from it; not by tcp: and tls:. `auto`
    *  begins when the first View is complete, `always` at once; default `never`. What cannot be made, or differs from the
    *  server's, is streamed as without, and the event `error` says why, with kind `cannot_generate`. */
   readonly generate?: 'never' | 'auto' | 'always';

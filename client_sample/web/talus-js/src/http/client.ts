@@ -5,6 +5,9 @@ import { ClientBase } from '../client/base.js';
 import { TalusError } from '../errors.js';
 import { checkColumns, checkKey, keyName } from '../keys.js';
 import type { Chunk, ChunkKey, ConnectOptions, EditDone, EditLimits, Places } from '../types.js';
+import { decodeChunk } from '../decode.js';
+import { hashVoxels } from '../hash.js';
+import type { MadeTiles } from '../local/made_tiles.js';
 import { materialOf } from '../uniform.js';
 import type { Range } from '../view_shape.js';
 import { broken } from '../wire/table.js';
@@ -66,6 +69,9 @@ export class HttpClient extends ClientBase {
   private editsTimer: ReturnType<typeof setTimeout> | undefined;
   private completeToTell = false;
   private holdTimer: ReturnType<typeof setTimeout> | undefined;
+  /** Makes columns as generated (ConnectOptions.generate); null: they are fetched. */
+  private maker: MadeTiles | null = null;
+  private openedFor = ''; // fingerprint of the world that was opened, or could not be
   private readonly debts = new WeakMap<Chunk, number>();
   private owedBytes = 0; // of chunks with which the application is not done
 
@@ -134,9 +140,70 @@ export class HttpClient extends ClientBase {
       this.regions.clear();
     }
     this.store = storeId;
+    if (!sameWorld) this.stopMaking();
+    if (this.options.generate === 'always') this.beginMaking();
     this.lookForEdits();
     this.askForEditsLater();
     this.pump();
+  }
+
+  // ---- chunks made here
+
+  private beginMaking(): void {
+    const world = this.world!;
+    if (world.worldFile === '' || this.openedFor === world.fingerprint) return;
+    const { fingerprint } = world;
+    this.openedFor = fingerprint;
+    const isCurrent = () => !this.isClosed && this.openedFor === fingerprint;
+    const failed = (why: Error) => isCurrent() && this.cannotMake(why);
+    const compare = async (key: ChunkKey): Promise<Chunk> => {
+      ++this.stats.proofs;
+      const { payload, revision } = await this.asked.inTurn(() => this.getPayload(key, this.abort.signal, 0n));
+      return { key, revision, hash: hashVoxels(decodeChunk(payload)), payload, material: null };
+    };
+    import('../local/made_tiles.js')
+      .then(({ MadeTiles }) => MadeTiles.open(this.options, this.base, world, { compare, failed }))
+      .then((maker) => (isCurrent() ? (this.maker = maker) : maker.end()), failed);
+  }
+
+  private cannotMake(why: Error): void {
+    if (this.maker === null && this.saidWhy === this.openedFor) return;
+    this.saidWhy = this.openedFor;
+    this.stopMaking(false);
+    this.emit('error', new TalusError('cannot_generate', `chunks are not made here: ${why.message}`));
+    // What was made comes again.
+    for (const [name, { revision }] of this.columns) if (revision === 0n) this.columns.delete(name);
+    if (this.connected && this.tracker.view !== null) this.viewApplied();
+  }
+  private saidWhy = '';
+
+  private stopMaking(mayOpen = true): void {
+    this.maker?.end();
+    this.maker = null;
+    if (mayOpen) this.openedFor = '';
+  }
+
+  private async makeTile(tile: Tile, maker: MadeTiles, signal: AbortSignal): Promise<void> {
+    const { shape } = this.tracker;
+    if (shape === null) return;
+    let made: Awaited<ReturnType<MadeTiles['make']>>;
+    try {
+      made = await maker.make(tile, shape);
+    } catch (error) {
+      if (maker !== this.maker || signal.aborted) return;
+      this.tasks.unshift({ tile });
+      this.cannotMake(error as Error);
+      return;
+    }
+    if (signal.aborted) return;
+    for (const { x, z, rows, chunks } of made) {
+      const now = this.tracker.shape?.rows(tile.lod, x, z);
+      if (now?.first !== rows.first || now.last !== rows.last) continue; // another View wants it anew
+      const given = { rows, revision: 0n, payloads: null };
+      this.columns.set(columnName(tile.lod, x, z), given);
+      for (const chunk of chunks) if (this.connected && this.give(chunk)) ++this.stats.madeChunks;
+      if (this.isOld(given, tile.lod, x, z)) this.tasks.unshift({ tile: { lod: tile.lod, x, z, n: 1 } }); // by now
+    }
   }
 
   // ---- edits
@@ -206,6 +273,7 @@ export class HttpClient extends ClientBase {
 
   protected stopped(): void {
     this.halt();
+    this.stopMaking();
     this.asked.failAll();
   }
 
@@ -279,6 +347,7 @@ export class HttpClient extends ClientBase {
     if (this.completeToTell && this.tasks.length === 0 && this.running.size === 0) {
       this.completeToTell = false;
       this.tellComplete();
+      if (this.connected && this.options.generate === 'auto') this.beginMaking();
     }
   }
 
@@ -300,6 +369,13 @@ export class HttpClient extends ClientBase {
         const { tile } = task;
         const edited = this.editedOf(tile.lod, tile.x, tile.z)!;
         const revision = revisionOf(tile, edited);
+        if (this.maker !== null && (revision === 0n || tile.n > 1)) {
+          if (revision === 0n) await this.makeTile(tile, this.maker, controller.signal);
+          else this.tasks.unshift(...quarters(tile).map((part) => ({ tile: part }))); // only the edited columns come
+          this.running.delete(task);
+          this.pump();
+          return;
+        }
         const got = await this.get(this.chunksUrl(tileName(tile), revision), MAX_BODY_BYTES, controller.signal);
         if (controller.signal.aborted) return;
         this.backoff.reset();
@@ -370,10 +446,14 @@ export class HttpClient extends ClientBase {
     });
   }
 
-  private give(chunk: Chunk): void {
-    if (!this.deliver(chunk) || !this.options.manualCredit) return;
-    this.debts.set(chunk, chunk.payload.length);
-    this.owedBytes += chunk.payload.length;
+  /** Returns true if it was new to the application. */
+  private give(chunk: Chunk): boolean {
+    if (!this.deliver(chunk)) return false;
+    if (this.options.manualCredit) {
+      this.debts.set(chunk, chunk.payload.length);
+      this.owedBytes += chunk.payload.length;
+    }
+    return true;
   }
 
   taken(chunk: Chunk): void {

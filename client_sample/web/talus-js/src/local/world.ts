@@ -4,7 +4,7 @@ import { checkKey, keyName } from '../keys.js';
 import type { ChunkKey, Edit, Material, Position } from '../types.js';
 import { Crew, type Supplier } from './crew.js';
 import { asModuleEdit } from './module_edit.js';
-import type { About, EditedChunk, EditMade, Key } from './messages.js';
+import type { About, Columns, EditedChunk, EditMade, Key, MadeColumns } from './messages.js';
 
 export { WorldError, type MadeChunk, type Wanted };
 
@@ -87,6 +87,12 @@ export class World {
     checkKey(key);
     const { lod, x, y, z } = key;
     return this.crew.ask('generate', [{ lod, x, y, z }, wanted], patchOf(key), signal);
+  }
+
+  /** Chunks of columns, as sources take them. */
+  async columns(columns: Columns): Promise<MadeColumns> {
+    const [x, z] = columns.columns;
+    return this.crew.ask('columns', [columns], patchOf({ lod: columns.lod, x: x ?? 0, z: z ?? 0 }));
   }
 
   /** The ground of columns of a level in 1/256 voxel, z slowest: the top of solid material without objects. */
