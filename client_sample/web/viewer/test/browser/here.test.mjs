@@ -15,9 +15,12 @@ const NO_SERVER = [/v1\/world/];
 const spec = (name) => readFileSync(fileURLToPath(new URL(`../../../../../core/worlds/${name}.toml`, import.meta.url)), 'utf8');
 const packed = (text) => deflateRawSync(text).toString('base64url');
 
+let loads = 0;
+/** Loads the page anew: a link alone would change the address. */
+const load = (page, url, link) => page.goto(`${url}?${++loads}#${NEAR}${link}`);
+
 async function open(page, url, link = '') {
-  await page.goto('about:blank');
-  await page.goto(`${url}#${NEAR}${link}`);
+  await load(page, url, link);
   await filled(page);
 }
 
@@ -164,8 +167,7 @@ test('worlds by link', async (t) => {
       [packed('resolution = 1\nseed   = "seven"\n'), /line 2, column 10: seed: 'seven' is a string; an integer is needed/],
       [packed('a = "\u{1f4a5}'.repeat(10)), /line 1/],
     ]) {
-      await page.goto('about:blank');
-      await page.goto(`${url}#${NEAR}&world=${link}`);
+      await load(page, url, `&world=${link}`);
       await page.locator('#notice[data-kind=no-world]').waitFor();
       assert.match(await page.locator('#notice-text').textContent(), words);
     }
