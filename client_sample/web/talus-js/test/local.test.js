@@ -167,6 +167,30 @@ test('edits change chunks at every level, whole or not at all, and undo', async 
   assert.equal(voxelOf(await client.getChunk({ lod: 0, x: 0, y: 6, z: 0 }), { x: 5, y: 200, z: 0 }), 4);
 });
 
+test('chunks that are made while an edit happens have it', async (t) => {
+  const world = await openWorld(t, 'classic', { workers: 3 });
+  const client = source(world);
+  t.after(() => client.close());
+  const chunks = new Map();
+  client.on('chunk', (chunk) => chunks.set(nameOf(chunk.key), chunk));
+  await client.ready();
+  for (let round = 0; round < 8; ++round) {
+    const at = { x: round * 512, y: 70, z: 0 };
+    client.setView({ centre: at, horizontalRadius: 3, verticalRadius: 1 });
+    const whole = next(client, 'viewComplete');
+    // All over the View, in one edit, while its chunks are made.
+    const writes = [-2, -1, 0, 1, 2].flatMap((x) => [-2, -1, 0, 1, 2].map((z) => ({ voxel: { x: at.x + x * 32, y: 70, z: z * 32 }, material: 2 })));
+    const came = new Set();
+    const all = new Promise((resolve) => {
+      client.on('chunk', (chunk) => {
+        if (chunk.revision === BigInt(round + 1) && came.add(nameOf(chunk.key)).size === writes.length) resolve();
+      });
+    });
+    await Promise.all([client.edit({ writes }), whole, all]);
+    for (const { voxel } of writes) assert.equal(voxelOf(chunks.get(`0/${voxel.x >> 5}/2/${voxel.z >> 5}`), voxel), 2, `${voxel.x}, ${voxel.z}`);
+  }
+});
+
 test('edits are kept, and several sources see each other\'s', async (t) => {
   const store = new Store();
   const [one, other] = await Promise.all([openWorld(t), openWorld(t, 'classic', { workers: 2 })]);
