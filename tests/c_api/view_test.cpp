@@ -62,6 +62,29 @@ TEST_CASE("a talus_client's voxels equal the C++ client's") {
   CHECK(chunks == by_cpp(server.port(), view));
 }
 
+TEST_CASE("a talus_client that makes chunks sees those that another receives") {
+  const ServerProcess server{{{"TALUS_PUBLISH", "public"}}};
+  TestClient receiver;
+  receiver.join(server.port());
+  receiver.set_view(receiver.view(2, 1));
+  auto options = sized<talus_connect_options>();
+  options.generate = TALUS_GENERATE_ALWAYS;
+  options.generate_threads = 1;
+  TestClient maker;
+  maker.join(server.port(), options);
+  maker.set_view(maker.view(2, 1));
+  CHECK(maker.until_complete() == receiver.until_complete());
+  auto stats = sized<talus_stats>();
+  REQUIRE(talus_get_stats(maker.get(), &stats) == TALUS_OK);
+  CHECK(stats.file_bytes > 0);
+  CHECK(stats.failed_proofs == 0);
+
+  const ServerProcess unpublished;
+  TestClient alone;
+  alone.connect(unpublished.port(), options);
+  CHECK(alone.await(TALUS_EVENT_CLOSED).status == TALUS_CANNOT_GENERATE);
+}
+
 TEST_CASE("a talus_client by WebSocket sees what it sees by TCP") {
   e2e::ServerProcess server{{}, {"--http", "127.0.0.1:0"}};
   auto options = sized<talus_connect_options>();
