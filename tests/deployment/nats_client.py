@@ -16,7 +16,7 @@ class NatsClient:
     """A connection to HOST:PORT by a certificate of `folder`: "talusd" is talusd.pem and talusd-key.pem. None: without one. Without
     a folder: without TLS."""
 
-    def __init__(self, port, folder=None, certificate=None, *, authority="ca", host="127.0.0.1", hello=None, timeout=10):
+    def __init__(self, port, folder=None, certificate=None, *, authority="ca", host="127.0.0.1", hello=None, timeout=120):
         self.inbox = "_INBOX." + secrets.token_hex(8)
         self.buffer = b""
         self.requests = 0
