@@ -16,8 +16,7 @@ namespace {
 
 constexpr double kWalkingSpeed = 5;  // voxels a second
 constexpr double kFlyingSpeed = 20;
-constexpr std::size_t kProofsPerPatch = 4;  // as the client library
-constexpr double kTurned = 0.966;           // cosine of 15 degrees, the smallest turn that sends a View
+constexpr double kTurned = 0.966;  // cosine of 15 degrees, the smallest turn that sends a View
 
 MotionPlan motion_plan(const Plan& plan, const ClientProfile& profile) {
   const Options& options = plan.options;
@@ -183,8 +182,8 @@ void Player::make_view() {
   const std::size_t made = pending_.make_all() + rings_.make_all();
   tally().made += made;
   Random patches{worker().plan().options.seed ^ 0xF00F, profile().number * 100'003ULL + tally().made};
-  for (std::size_t due = proofs_.made(made); due > 0; due -= std::min(due, kProofsPerPatch)) {
-    const std::size_t wanted = std::min(due, kProofsPerPatch);
+  for (std::size_t due = proofs_.made(made); due > 0; due -= std::min(due, client::kProofsTogether)) {
+    const std::size_t wanted = std::min(due, client::kProofsTogether);
     const Box& box = pending_.box();
     const auto somewhere = [&](std::int64_t low, std::int64_t high) {
       return low + static_cast<std::int64_t>(patches.below(static_cast<std::uint64_t>(high - low + 1)));

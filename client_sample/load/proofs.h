@@ -18,8 +18,9 @@ class Proofs {
   /// The player makes this many more chunks. Returns how many proofs it owes then.
   [[nodiscard]] std::size_t made(std::size_t chunks) {
     uncounted_ += chunks;
-    const std::size_t due = std::exchange(first_, 0) + uncounted_ / client::kChunksPerProof;
-    uncounted_ %= client::kChunksPerProof;
+    constexpr std::size_t kInterval = client::kProofsTogether * client::kChunksPerProof;
+    const std::size_t due = std::exchange(first_, 0) + uncounted_ / kInterval * client::kProofsTogether;
+    uncounted_ %= kInterval;
     return due;
   }
 
@@ -43,7 +44,7 @@ class Proofs {
 
  private:
   std::size_t first_ = client::kFirstProofs;
-  std::size_t uncounted_ = 0;  // chunks made since one was due
+  std::size_t uncounted_ = 0;  // chunks made since some were due
   std::uint32_t last_id_ = 0;
   std::map<std::uint32_t, Proof> open_;
 };

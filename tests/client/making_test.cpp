@@ -60,7 +60,8 @@ TEST_CASE("chunks are made nearest first, each once, with those of their patch t
 }
 
 TEST_CASE(
-    "sixteen proofs come from the 1st, 4th, 9th and 16th batch, and one for each thousand chunks after") {
+    "sixteen proofs come from the 1st, 4th, 9th and 16th batch, and four of one batch for each 4,000 chunks "
+    "after") {
   Proofs proofs{7};
   std::vector<int> batches;
   std::set<ChunkKey> chosen;
@@ -72,8 +73,12 @@ TEST_CASE(
   CHECK(batches == std::vector<int>{1, 4, 9, 16});
   CHECK(chosen.size() == kFirstProofs);
   std::size_t more = 0;
-  for (int batch = 0; batch < 100; ++batch) more += proofs.made(100, proofs_of(batch * 10, 1), false).size();
-  CHECK(more == 10);
+  for (int batch = 0; batch < 100; ++batch) {
+    const std::size_t chosen_here = proofs.made(100, proofs_of(batch * 10, 6), false).size();
+    CHECK((chosen_here == 0 || chosen_here == kProofsTogether));
+    more += chosen_here;
+  }
+  CHECK(more == 2 * kProofsTogether);
   proofs.begin();
   CHECK(proofs.made(5, {}, false).empty());
   CHECK(proofs.made(5, proofs_of(0, 3), false).size() == 3);

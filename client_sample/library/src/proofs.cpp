@@ -6,8 +6,8 @@ namespace talus::client {
 
 std::vector<Proofs::Proof> Proofs::made(std::size_t chunks, std::vector<Proof> mixed, bool last) {
   uncounted_ += chunks;
-  due_ += uncounted_ / kChunksPerProof;
-  uncounted_ %= kChunksPerProof;
+  due_ += uncounted_ / kInterval * kProofsTogether;
+  uncounted_ %= kInterval;
   std::vector<Proof> chosen;
   const auto choose = [&](std::vector<Proof>& from, std::size_t& due, std::size_t most) {
     for (; due > 0 && most > 0 && !from.empty(); --due, --most) {
@@ -19,7 +19,7 @@ std::vector<Proofs::Proof> Proofs::made(std::size_t chunks, std::vector<Proof> m
   if (!mixed.empty()) ++batches_;
   std::size_t root = 0;
   while (root * root < batches_) ++root;
-  if (root * root == batches_) choose(mixed, first_, kProofsPerBatch);
+  if (root * root == batches_) choose(mixed, first_, kProofsTogether);
   choose(mixed, due_, due_);
   for (const Proof& proof : mixed) {
     ++sampled_;

@@ -39,7 +39,7 @@ class Proofs {
   void repeat() { ++due_; }
 
  private:
-  static constexpr std::size_t kProofsPerBatch = 4;
+  static constexpr std::size_t kInterval = kProofsTogether * kChunksPerProof;
   static constexpr std::size_t kMaxSample = 64;
 
   [[nodiscard]] std::size_t below(std::size_t count) {
@@ -50,7 +50,7 @@ class Proofs {
   std::size_t first_ = kFirstProofs;  // of the first, still due
   std::size_t batches_ = 0;           // with mixed chunks
   std::size_t due_ = 0;               // of the others
-  std::size_t uncounted_ = 0;         // chunks made since one became due
+  std::size_t uncounted_ = 0;         // chunks made since some became due
   std::vector<Proof> sample_;         // of all chunks not compared, evenly
   std::size_t sampled_ = 0;           // chunks that could have come into it
 };

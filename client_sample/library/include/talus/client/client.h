@@ -131,6 +131,8 @@ struct Stats {
 /// one.
 inline constexpr std::size_t kFirstProofs = 16;
 inline constexpr std::size_t kChunksPerProof = 1000;
+/// Proofs that come together, of chunks that lie together: the server generates them as one patch of columns.
+inline constexpr std::size_t kProofsTogether = 4;
 
 /// Identifies a request for cancel().
 enum class RequestId : std::uint32_t {};
