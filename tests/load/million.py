@@ -17,6 +17,8 @@ MEASURED = {
     "cores_per_player": 0.74e-3,        # 1,000 loners: 26.3 thousand messages/s at 28.2 us (SPEED.md, Players who share nothing)
     "default_world_factor": 4.1,        # a cold View of the default world to one of classic.toml: 0.23 s to 0.056 (README)
     "flight_bits": 0.10e6,              # a near View in flight, bit/s (SPEED.md, A horizon)
+    "own_land_cores": 0.22e-3,          # 1,000 players who make their land: 6.56 s of processor time in 30 (SPEED.md, Players who share nothing)
+    "own_land_bits": 46 * 8,            # such a player in flight, bit/s (there)
     "horizon_bits": 0.28e6,             # the same with a horizon
     "join_bytes": 0.89e6,               # a View with a horizon, from nothing
     "edit_seconds": 9e-6,               # of processor time in the log, apply and record (SPEED.md, Edits)
@@ -55,11 +57,12 @@ def costs():
     for players in [1_000, 10_000, 100_000, 1_000_000]:
         servers = players / P["players_per_server"]
         rows.append([f"{players:,}", f"{servers:,.0f}", f"{players * M['cores_per_player']:,.1f}",
-                     f"{players * M['cores_per_player'] * M['default_world_factor']:,.0f}", f"{edits(players) * M['edit_seconds']:.4f}",
-                     f"{servers * edits(players) * M['edit_seconds']:,.1f}", f"{players * M['horizon_bits'] / 1e9:,.1f}",
+                     f"{players * M['cores_per_player'] * M['default_world_factor']:,.0f}",
+                     f"{players * M['own_land_cores']:,.1f}", f"{edits(players) * M['edit_seconds']:.4f}",
+                     f"{servers * edits(players) * M['edit_seconds']:,.1f}", f"{players * M['horizon_bits'] / 1e9:,.1f}", f"{players * M['own_land_bits'] / 1e9:,.3f}",
                      f"{fan_out(players) * 8 / 1e9:,.3f}", f"{players * P['overrides_per_player'] * M['override_bytes'] / 1e9:,.2f}"])
-    return ["players", "servers", "land cores, classic", "default", "edit cores, each", "all", "sent, Gbit/s",
-            "NATS, Gbit/s", "store, GB"], rows
+    return ["players", "servers", "land cores, classic", "default", "made by players", "edit cores, each", "all", "sent, Gbit/s",
+            "made by players",             "NATS, Gbit/s", "store, GB"], rows
 
 
 def breaks():
@@ -72,6 +75,7 @@ def breaks():
         (M["log_messages"] / P["edits_per_player"], "one log's messages: from here on edits share them, and acknowledgements take longer with each server"),
         ((P["nats_hosts"] * P["host_bytes"] * per / (P["edits_per_player"] * P["entry_bytes"])) ** 0.5, "3 NATS hosts of 10 Gbit/s: every edit to every server"),
         (M["cores_per_player"] * per / (P["edits_per_player"] * M["edit_seconds"]), "a server takes longer for all edits than for its own players' land (classic)"),
+        (M["own_land_cores"] * per / (P["edits_per_player"] * M["edit_seconds"]), "a server takes longer for all edits than for players who make their land"),
         (1 / (M["edit_seconds"] * P["edits_per_player"]), "the one thread that applies edits"),
     ]
     return ["players", "what is used up"], [[f"{players:,.0f}", what] for players, what in sorted(found)]
