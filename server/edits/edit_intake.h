@@ -105,6 +105,7 @@ class EditIntake final : public EditTaker {
   /// Counts a refusal.
   [[nodiscard]] tl::expected<void, EditError> room_for_editor() const override;
   [[nodiscard]] bool settles() const override { return rules_.settles != nullptr; }
+  [[nodiscard]] bool reveals() const override { return rules_.hidden != nullptr; }
 
   /// Number of edits and Attaches that wait here. Any thread.
   [[nodiscard]] std::size_t waiting() const { return waiting_.load(std::memory_order_relaxed); }

@@ -93,7 +93,7 @@ void EditIntake::enter(Lane& lane) {
   if (!lane.attach_waits && (lane.first || !lane.waiting.empty())) {
     const EditRequest& request = lane.first ? lane.first->edit.request : lane.waiting.front().request;
     voxels = request.extent.voxels + (settles() && request.settles ? edits::kSettleVoxels : 0);
-    chunks = request.extent.chunks.size();
+    chunks = request.extent.chunks.size() + request.extent.beside_chunks.size();
   }
   const bool is_small = *lane.in_log == 0 && voxels <= kSmallVoxels && chunks <= kSmallChunks;
   // Decoding ground needs no room in the log. Its edit needs room afterwards: the edit has paid by then, but

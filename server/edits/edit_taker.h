@@ -48,6 +48,8 @@ class EditTaker {
   [[nodiscard]] virtual tl::expected<void, EditError> room_for_editor() const { return {}; }
   /// True if edits may change more voxels than they name, because loose material slides.
   [[nodiscard]] virtual bool settles() const = 0;
+  /// True if edits may change voxels beside their own, because they reveal secret ore.
+  [[nodiscard]] virtual bool reveals() const { return false; }
 };
 
 }  // namespace talus::server

@@ -323,6 +323,34 @@ TEST_CASE("if the index is full, only chunks that were edited before can be edit
   CHECK(store.state().index().chunks() == 1);
 }
 
+TEST_CASE("if the index is full, ore in a chunk that was never edited stays hidden") {
+  const ScratchDirectory scratch;
+  EditStore store{scratch / "edits"};
+  store.state_settings.index_bytes = 1;
+  REQUIRE(store.open() == "");
+  TestEditor editor;
+  editor.attach(store);
+  edits::Edit dig;
+  dig.writes.push_back({{0, 1, 1}, MaterialId{9}});
+  CHECK(editor.edit(store, dig).has_value());
+  REQUIRE(store.state().is_full());
+  dig.writes[0].material = kAir;
+  edits::EditEntry entry = editor.entry(dig);
+  entry.sequence = ++editor.sequence;
+  const auto index_of = [](LocalPos at) { return static_cast<std::uint16_t>(voxel_index(at)); };
+  const std::uint16_t own = index_of({1, 1, 1});
+  const std::uint16_t across = index_of({31, 1, 1});
+  entry.secrets = {{kAir},
+                   {{{0, 0, 0}, {{own, MaterialId{7}}}}, {{-1, 0, 0}, {{across, MaterialId{7}}}}},
+                   {{{0, 0, 0}, {{own, MaterialId{2}}}}, {{-1, 0, 0}, {{across, MaterialId{2}}}}}};
+  std::promise<std::uint32_t> changed;
+  REQUIRE(store.log().append(std::move(entry), [&](const auto& applied) {
+    changed.set_value(applied ? (*applied)->result.changed : 0);
+  }));
+  CHECK(changed.get_future().get() == 2);  // its own voxel, and the ore in the same chunk
+  CHECK(store.state().index().chunks() == 1);
+}
+
 TEST_CASE("unflushed edits count as memory of edits, and are bounded if all are small") {
   const ScratchDirectory scratch{ScratchDirectory::memory()};
   EditStore store{scratch / "edits"};

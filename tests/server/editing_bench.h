@@ -26,6 +26,8 @@ struct ScriptedTaker final : EditTaker {
   void forget(ClientId client) override { forgotten.push_back(client); }
   [[nodiscard]] bool settles() const override { return slides; }
   bool slides = false;
+  [[nodiscard]] bool reveals() const override { return has_secrets; }
+  bool has_secrets = false;
   [[nodiscard]] bool knows(edits::EditorId editor, const std::string& subject) const override {
     return editor == known && subject.empty();
   }

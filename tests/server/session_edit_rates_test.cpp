@@ -106,6 +106,24 @@ TEST_CASE("an edit pays for the new chunks that loose material may slide into") 
   CHECK(shared.taker.edits.size() == 1);
 }
 
+TEST_CASE("an edit pays for the new chunks that it may reveal ore in") {
+  RateLimits limits;
+  limits.address.new_chunks = {1, 5 * kNewChunkTokens};
+  EditingBench shared{limits, editors(), {}, std::make_shared<AddressBuckets>(limits.address)};
+  shared.taker.has_secrets = true;
+  shared.attached();
+  shared.bench.write_voxel(1, 1, {0, 40, 31});  // at two faces of its chunk: three to pay
+  REQUIRE(shared.taker.edits.size() == 1);
+  CHECK(shared.taker.edits[0].extent.beside_chunks == std::vector<ChunkCoord>{{-1, 1, 0}, {0, 1, 1}});
+  shared.bench.write_voxel(2, 2, {-5, 40, 5});  // paid
+  CHECK(shared.taker.edits.size() == 2);
+  shared.bench.write_voxel(3, 3, {320, 40, 31});
+  CHECK(shared.taker.edits.size() == 2);
+  CHECK(shared.bench.output().at(0).text == "over rates.address_new_chunks");
+  shared.bench.write_voxel(4, 4, {325, 40, 5});  // reaches no other
+  CHECK(shared.taker.edits.size() == 3);
+}
+
 TEST_CASE("an address may create a limited number of editors an hour, and existing ones continue") {
   RateLimits limits;
   limits.address.editors = {1, 2 * kEditorTokens};  // two saved up, and one an hour
@@ -213,6 +231,10 @@ TEST_CASE("an edit that waits takes memory for every voxel that a fill names") {
   REQUIRE(checked);
   CHECK(checked->extent.voxels == 65'536);
   CHECK(checked->prepared_bytes >= 65'536 * (sizeof(Override) + sizeof(std::uint16_t)));
+  const auto with_secrets =
+      read_edit(*flatbuffers::GetRoot<wire::Edit>(builder.GetBufferPointer()), false, true);
+  CHECK(with_secrets->prepared_bytes >=
+        checked->prepared_bytes + 7 * 65'536 * (sizeof(std::uint16_t) + 2 * sizeof(Override)));
   // Of those that wait behind it only what they say: one is prepared at a time.
   EditingBench shared;
   shared.attached();

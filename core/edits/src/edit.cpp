@@ -130,7 +130,10 @@ class TouchedVoxels {
   }
 
   std::vector<TouchedChunk> take() {
-    for (TouchedChunk& each : chunks_) put_in_order(each.voxels);
+    for (TouchedChunk& each : chunks_) {
+      put_in_order(each.voxels);
+      each.voxels.shrink_to_fit();
+    }
     return std::move(chunks_);
   }
 
@@ -198,6 +201,36 @@ Extent extent_of(const Edit& edit, bool settles) {
   put_in_order(loose);
   std::ranges::set_difference(loose, extent.chunks, std::back_inserter(extent.loose_chunks));
   return extent;
+}
+
+std::vector<ChunkCoord> chunks_beside(const Edit& edit, const Extent& extent) {
+  if (extent.chunks.empty()) return {};
+  std::vector<ChunkCoord> all;
+  const auto add = [&](VoxelPos first, VoxelPos last) {
+    for (const auto axis : {&VoxelPos::x, &VoxelPos::y, &VoxelPos::z}) {
+      VoxelPos low = first;
+      VoxelPos high = last;
+      if (--(low.*axis); !chunk_holding(low, Lod{})) low = first;
+      if (++(high.*axis); !chunk_holding(high, Lod{})) high = last;
+      (void)add_chunks(low, high, all);
+    }
+    constexpr std::size_t kMany = 4'096;  // mostly repetitions: an edit has few chunks
+    if (all.size() > kMany) put_in_order(all);
+  };
+  for (const auto* list : {&edit.guards, &edit.writes}) {
+    for (const VoxelWrite& each : *list) add(each.voxel, each.voxel);
+  }
+  for (const Fill& each : edit.fills) add(each.first, each.last);
+  if (edit.paste) add(edit.paste->origin, last_of(*edit.paste));
+  if (extent.loose) add(extent.loose->first, extent.loose->last);
+  put_in_order(all);
+  const std::size_t own = extent.chunks.size() + extent.loose_chunks.size();
+  std::erase_if(all, [&](ChunkCoord chunk) {
+    return std::ranges::binary_search(extent.chunks, chunk) ||
+           std::ranges::binary_search(extent.loose_chunks, chunk);
+  });
+  if (own + all.size() > kMaxChunks) all.resize(kMaxChunks - std::min(own, kMaxChunks));
+  return all;
 }
 
 tl::expected<std::vector<TouchedChunk>, EditError> touched_voxels(const Edit& edit) {

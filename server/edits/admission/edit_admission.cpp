@@ -73,7 +73,7 @@ tl::expected<AdmittedEdit, EditError> EditAdmission::admit(const wire::Edit& wir
   if (!parts_.memory.takes_work_of(session.flow, 0, session.now)) {
     return edit_error(Code::busy, std::string{kNoMemory});
   }
-  auto edit = read_edit(wire, parts_.taker->settles());
+  auto edit = read_edit(wire, parts_.taker->settles(), parts_.taker->reveals());
   if (!edit) return edit;
   if (!edit->subject.empty() && !session.grant.rights.has(Right::gateway)) {
     return edit_error(Code::forbidden,
@@ -91,13 +91,18 @@ tl::expected<AdmittedEdit, EditError> EditAdmission::admit(const wire::Edit& wir
     extent.loose.reset();
     extent.loose_chunks.clear();
   }
+  if (parts_.taker->reveals()) {
+    extent.beside_chunks = edits::chunks_beside(edit->edit, extent);
+    edit->bytes += extent.beside_chunks.size() * sizeof(ChunkCoord);
+  }
   return edit;
 }
 
 std::optional<SessionRates::Refusal> EditAdmission::charge(const AdmittedEdit& edit, SessionRates& rates,
                                                            SessionRates::Time now) {
   std::vector<ChunkCoord> to_pay;
-  for (const auto* const chunks : {&edit.extent.chunks, &edit.extent.loose_chunks}) {
+  for (const auto* const chunks :
+       {&edit.extent.chunks, &edit.extent.loose_chunks, &edit.extent.beside_chunks}) {
     std::ranges::copy_if(*chunks, std::back_inserter(to_pay), [&](ChunkCoord chunk) {
       return parts_.chunks.revision({chunk, Lod{}}) == kBaseRevision &&
              std::ranges::find(paid_, chunk) == paid_.end();

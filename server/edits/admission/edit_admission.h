@@ -61,9 +61,9 @@ class EditAdmission {
                                                             const EditingSession& session) const;
 
   /// Charges an admitted edit to the rates: its voxels, and its chunks that were never edited, however few
-  /// voxels it writes or guards there, because the server has to generate each and may keep it in its index
-  /// for ever. A session pays for such a chunk once while it is among the last kMaxPaid, whatever becomes of
-  /// the edit. nullopt if granted.
+  /// voxels it writes or guards there, or may reveal, because the server has to generate each and may keep it
+  /// in its index for ever. A session pays for such a chunk once while it is among the last kMaxPaid,
+  /// whatever becomes of the edit. nullopt if granted.
   [[nodiscard]] std::optional<SessionRates::Refusal> charge(const AdmittedEdit& edit, SessionRates& rates,
                                                             SessionRates::Time now);
 

@@ -12,6 +12,11 @@ namespace {
 tl::expected<void, EditError> admit(edits::EditEntry& entry, const EditState& state) {
   if (!state.is_full()) return {};
   const auto is_new = [&](ChunkCoord chunk) { return state.revision({chunk, Lod{}}) == 0; };
+  // Not refused: that would tell where ore is.
+  for (auto* const secrets : {&entry.secrets.hidden, &entry.secrets.base}) {
+    std::erase_if(*secrets, [&](const auto& of_chunk) { return is_new(of_chunk.first); });
+  }
+  if (entry.secrets.empty()) entry.secrets = {};
   const auto first = std::ranges::find_if(entry.base, is_new, &edits::BaseVoxels::value_type::first);
   if (first == entry.base.end()) return {};
   ChunkCoord chunk = first->first;

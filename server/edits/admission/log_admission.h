@@ -11,8 +11,9 @@
 namespace talus::server {
 
 /// If the index of edited chunks is full, rejects an edit that may write or guards a chunk that was never
-/// edited; if loose material alone may reach such a chunk, turns settling off for the edit. If the editor
-/// table is full, rejects an Attach that would create an editor. Rollback is exempt.
+/// edited; if loose material alone may reach such a chunk, turns settling off for the edit; reveals nothing
+/// in such a chunk. If the editor table is full, rejects an Attach that would create an editor. Rollback is
+/// exempt.
 [[nodiscard]] tl::expected<void, EditError> admit_to_log(LogEntry& entry, const EditState& state,
                                                          const Clock& clock);
 

@@ -39,17 +39,21 @@ std::size_t bytes_as_it_came(const edits::Edit& edit, const edits::Extent& exten
          (edit.paste ? sizeof(DenseVoxels) : 0);
 }
 
-std::size_t bytes_prepared(std::uint64_t voxels, bool settles) {
+std::size_t bytes_prepared(std::uint64_t voxels, bool settles, bool reveals) {
   if (settles) voxels += edits::kSettleVoxels;
   constexpr std::size_t kChunk = 256;  // its places in the lists of what is touched and looked up
-  // Touched voxels by chunk, and their materials as generated.
+  constexpr std::uint64_t kReach = 7;  // a voxel and those beside it
+  const std::uint64_t around = reveals ? kReach * voxels : 0;
+  // Touched voxels by chunk, and their materials as generated; around them, the ore and what it shows as.
   const std::size_t voxel_bytes = (settles ? 2 : 1) * sizeof(std::uint16_t) + sizeof(Override);
-  return std::min<std::uint64_t>(voxels, edits::kMaxChunks) * kChunk + voxels * voxel_bytes;
+  const std::size_t around_bytes = sizeof(std::uint16_t) + 2 * sizeof(Override);
+  return std::min<std::uint64_t>(std::max(voxels, around), edits::kMaxChunks) * kChunk +
+         voxels * voxel_bytes + around * around_bytes;
 }
 
 }  // namespace
 
-tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool settles) {
+tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool settles, bool reveals) {
   AdmittedEdit checked;
   if (wire.subject() != nullptr) checked.subject = wire.subject()->str();
   if (checked.subject.size() > edits::kMaxSubjectBytes) {
@@ -105,7 +109,7 @@ tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& wire, bool set
     return edit_error(EditErrorCode::out_of_range, "the edit names no voxels; give writes, fills or a paste");
   }
   checked.bytes = bytes_as_it_came(edit, checked.extent);
-  checked.prepared_bytes = bytes_prepared(voxels, settles);
+  checked.prepared_bytes = bytes_prepared(voxels, settles, reveals);
   return checked;
 }
 

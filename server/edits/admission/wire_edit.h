@@ -15,7 +15,7 @@ namespace talus::server {
 
 struct AdmittedEdit {
   edits::Edit edit;
-  edits::Extent extent{};          // without `loose` unless `settles`
+  edits::Extent extent{};          // EditAdmission completes it: `settles`, what is beside
   std::size_t bytes = 0;           // memory until it is answered
   std::size_t prepared_bytes = 0;  // additional memory while its base is looked up
   std::string subject{};           // the player behind a game server's edit; empty: the session itself
@@ -24,7 +24,8 @@ struct AdmittedEdit {
 
 /// Costs no more than the length of the message and the decoding of one chunk; the bounds of the world and
 /// its materials are checked when the edit is prepared. EditErrorCode::malformed ends the connection.
-/// `settles`: the world lets material slide.
-[[nodiscard]] tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& edit, bool settles = false);
+/// `settles`: the world lets material slide; `reveals`: it has secrets.
+[[nodiscard]] tl::expected<AdmittedEdit, EditError> read_edit(const wire::Edit& edit, bool settles = false,
+                                                              bool reveals = false);
 
 }  // namespace talus::server

@@ -24,7 +24,7 @@ inline constexpr std::uint64_t kNewChunkTokens = 3'600;
 /// The cost of an edit for the rates.
 struct EditCost {
   std::uint64_t voxels = 0;      // voxels that it names
-  std::uint64_t new_chunks = 0;  // chunks never edited before that it may write or that it guards
+  std::uint64_t new_chunks = 0;  // chunks never edited before that it may write, reveal ore in, or guards
 };
 
 /// Requests, and voxels that edits name, count when they arrive; chunks and bytes (of all frames) count when

@@ -75,10 +75,16 @@ struct Extent {
   std::vector<ChunkCoord> chunks{};
   std::optional<VoxelBox> loose{};         // settle_box(); nullopt if nothing may settle
   std::vector<ChunkCoord> loose_chunks{};  // chunks of `loose` that are not in `chunks`, in order
+  /// chunks_beside(), where edits may reveal secrets.
+  std::vector<ChunkCoord> beside_chunks{};
 };
 
 /// Cheap for any edit: visits no voxels of fills or pastes. `settles`: loose material may settle.
 [[nodiscard]] Extent extent_of(const Edit& edit, bool settles);
+
+/// The other chunks of the world with a voxel that shares a face with one of the edit or of `extent.loose`,
+/// in order. At most as many as an edit may reach with its own. As cheap as extent_of().
+[[nodiscard]] std::vector<ChunkCoord> chunks_beside(const Edit& edit, const Extent& extent);
 
 /// Why an edit is rejected, in one line: the thing, the fault, and what is expected.
 struct EditError {
