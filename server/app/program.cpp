@@ -285,20 +285,10 @@ int show_top(int argc, const char* const* argv, const Environment& environment) 
   }
 }
 
-/// For commands without the server's settings: [secret] is read from the environment.
-tl::expected<std::shared_ptr<const talus::terrain::World>, std::string> load_world_by_environment(
-    const std::filesystem::path& world_file) {
-  Settings settings;
-  if (const auto read = apply_environment(settings, process_environment()); !read) {
-    return tl::make_unexpected(read.error());
-  }
-  return load_secret_world(world_file, settings.config.secret);
-}
-
 /// First message of a new world's stream.
-tl::expected<cluster::Genesis, std::string> first_message(const std::filesystem::path& world_file,
+tl::expected<cluster::Genesis, std::string> first_message(const Config& config,
                                                           const talus::ContentHash& store_id) {
-  const auto world = load_world_by_environment(world_file);
+  const auto world = load_secret_world(config.world, config.secret);
   if (!world) return tl::make_unexpected(world.error());
   cluster::Genesis genesis;
   genesis.identity = {store_id, (*world)->fingerprint()};
@@ -339,7 +329,7 @@ int talus::server::run_program(int argc, char** argv) {
     }
     if (argc > 1 && std::string_view{argv[1]} == "store") {
       end_by_default_on_signals();
-      return store_command(argc - 1, argv + 1, environment, load_world_by_environment, cluster_tools());
+      return store_command(argc - 1, argv + 1, environment, load_secret_world, cluster_tools());
     }
     if (argc > 1 && std::string_view{argv[1]} == "cluster") {
       end_by_default_on_signals();

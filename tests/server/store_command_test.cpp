@@ -24,7 +24,7 @@ namespace {
 
 int run(std::vector<const char*> flags, const Environment& environment = {}) {
   flags.insert(flags.begin(), "store");
-  const LoadWorld none = [](const std::filesystem::path&) {
+  const LoadWorld none = [](const std::filesystem::path&, const SecretLayers&) {
     return tl::expected<std::shared_ptr<const terrain::World>, std::string>{tl::unexpect, "no world"};
   };
   return store_command(static_cast<int>(flags.size()), flags.data(), environment, none, {});
@@ -71,6 +71,36 @@ TEST_CASE("wrong flags and failures have statuses of their own") {
   CHECK(run({"rename", "--data", data.c_str(), "planks"}) == kWrongUse);
   CHECK(run({"rename", "--data", data.c_str(), "planks", "boards"}) == kFailed);
   CHECK_FALSE(std::filesystem::exists(data));
+}
+
+TEST_CASE("a command's world has the secrets of the server's settings, however they are given") {
+  const ScratchDirectory scratch;
+  make_store(scratch / "data", {{{{0, 0, 0}, 5}, MaterialId{256}}});
+  const std::string data = scratch / "data";
+  const std::string config =
+      scratch.write("talusd.toml", "[secret]\nkey_file = \"/ore.key\"\nlayers = [\"veins\"]\n");
+  SecretLayers asked;
+  const LoadWorld load = [&](const std::filesystem::path&, const SecretLayers& secret) {
+    asked = secret;
+    return tl::expected<std::shared_ptr<const terrain::World>, std::string>{tl::unexpect, "no world"};
+  };
+  const auto secret_of = [&](std::vector<const char*> flags, const Environment& environment) {
+    asked = {};
+    flags.insert(flags.begin(), "store");
+    flags.insert(flags.end(), {"--data", data.c_str()});
+    const int argc = static_cast<int>(flags.size());
+    CHECK(store_command(argc, flags.data(), environment, load, {}) == kFailed);
+    return asked;
+  };
+  const SecretLayers wanted{"/ore.key", {"veins"}};
+  for (const char* const command : {"rebase", "join-cluster", "fork"}) {
+    CAPTURE(command);
+    CHECK(secret_of({command, "--config", config.c_str()}, {}) == wanted);
+    CHECK(secret_of({command}, {{"TALUS_SECRET_KEY_FILE", "/ore.key"}, {"TALUS_SECRET_LAYERS", "veins"}}) ==
+          wanted);
+    CHECK(secret_of({command}, {}) == SecretLayers{});
+  }
+  CHECK(secret_of({"import", "FILE", "--config", config.c_str()}, {}) == wanted);
 }
 
 TEST_CASE("a store of another world's store.toml is not sound") {

@@ -160,7 +160,7 @@ TEST_CASE(
 
 TEST_CASE("an import that is refused leaves nothing of a directory that it made") {
   const ScratchDirectory scratch;
-  const LoadWorld load_world = [](const fs::path&) {
+  const LoadWorld load_world = [](const fs::path&, const SecretLayers&) {
     return tl::expected<std::shared_ptr<const terrain::World>, std::string>{};  // none is known
   };
   const ClusterTools cluster;

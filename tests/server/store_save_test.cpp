@@ -172,7 +172,7 @@ TEST_CASE("the commands take and give saves") {
   const std::string world = scratch.write("land.toml", kLand);
   const auto run = [](std::vector<const char*> flags, const Environment& environment = {}) {
     flags.insert(flags.begin(), "store");
-    const LoadWorld load = [](const fs::path&) {
+    const LoadWorld load = [](const fs::path&, const SecretLayers&) {
       return tl::expected<std::shared_ptr<const terrain::World>, std::string>{
           std::make_shared<const terrain::World>(terrain::default_world())};
     };

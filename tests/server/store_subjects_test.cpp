@@ -23,7 +23,7 @@ using namespace testing;
 
 int run_store_command(std::vector<const char*> flags) {
   flags.insert(flags.begin(), "store");
-  const LoadWorld none = [](const std::filesystem::path&) {
+  const LoadWorld none = [](const std::filesystem::path&, const SecretLayers&) {
     return tl::expected<std::shared_ptr<const terrain::World>, std::string>{tl::unexpect, "no world"};
   };
   return store_command(static_cast<int>(flags.size()), flags.data(), {}, none, {});

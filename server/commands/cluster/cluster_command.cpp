@@ -53,7 +53,7 @@ tl::expected<Config, std::string> settings_of(const Flags& flags, const Environm
 Answer run_init(const Config& config, const Flags& /*flags*/, const MakeGenesis& make_genesis) {
   const auto target = Target::for_init(config);
   if (!target) return tl::unexpected{target.error()};
-  const auto genesis = make_genesis(config.world, target->store_id);
+  const auto genesis = make_genesis(config, target->store_id);
   if (!genesis) return tl::unexpected{genesis.error()};
   const auto made = init(*target, *genesis);
   if (!made) return tl::unexpected{made.error()};
@@ -63,7 +63,7 @@ Answer run_init(const Config& config, const Flags& /*flags*/, const MakeGenesis&
 Answer run_check(const Config& config, const Flags& flags, const MakeGenesis& make_genesis) {
   const auto target = Target::of(config);
   if (!target) return tl::unexpected{target.error()};
-  const auto genesis = make_genesis(config.world, target->store_id);
+  const auto genesis = make_genesis(config, target->store_id);
   if (!genesis) return tl::unexpected{genesis.error()};
   const std::vector<Finding> findings = check(*target, *genesis, flags.all ? UINT64_MAX : flags.messages);
   return CommandOutput{finding_lines(findings), !any_fault(findings)};

@@ -2,7 +2,6 @@
 // it, and shows its state.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -15,10 +14,10 @@
 
 namespace talus::server {
 
-/// Makes the first message (revision 0) of a stream for that world and store. The path names a world's file;
-/// empty: the built-in world. An error is one line.
-using MakeGenesis = std::function<tl::expected<cluster::Genesis, std::string>(const std::filesystem::path&,
-                                                                              const ContentHash& store_id)>;
+/// Makes the first message (revision 0) of a stream for the settings' world and that store. An error is one
+/// line.
+using MakeGenesis =
+    std::function<tl::expected<cluster::Genesis, std::string>(const Config&, const ContentHash& store_id)>;
 
 /// Runs the command and returns the exit status.
 [[nodiscard]] int cluster_command(int argc, const char* const* argv, const Environment& environment,

@@ -39,6 +39,7 @@ tl::expected<void, std::string> complete(Flags& flags, const Environment& enviro
   if (flags.data.empty()) flags.data = settings.config.data.string();
   if (flags.world.empty()) flags.world = settings.config.world.string();
   flags.cluster = settings.config.cluster;
+  flags.secret = settings.config.secret;
   flags.settles = settings.config.edits.settle;
   return {};
 }

@@ -16,9 +16,9 @@
 
 namespace talus::server {
 
-/// Reads a world's file; an empty path means the built-in world.
+/// Reads a world's file, with its secrets by talusd's settings; an empty path means the built-in world.
 using LoadWorld = std::function<tl::expected<std::shared_ptr<const terrain::World>, std::string>(
-    const std::filesystem::path&)>;
+    const std::filesystem::path&, const SecretLayers&)>;
 
 /// Runs the command and prints its output; `argv[0]` is "store". Returns the exit status.
 [[nodiscard]] int store_command(int argc, const char* const* argv, const Environment& environment,

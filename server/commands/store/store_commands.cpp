@@ -338,7 +338,7 @@ Answer export_file(const Flags& flags, const Outside&) {
 
 Answer import_file(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  const auto world = outside.load_world(flags.world);
+  const auto world = outside.load_world(flags.world, flags.secret);
   if (!world) return tl::unexpected{world.error()};
   const std::vector<fs::path> missing = missing_directories(flags.data);
   const auto directory = store::DataDirectory::open_any(flags.data);
@@ -368,7 +368,7 @@ Answer import_file(const Flags& flags, const Outside& outside) {
 
 Answer rebase(const Flags& flags, const Outside& outside) {
   if (const auto may = check_may_write(flags.data); !may) return tl::unexpected{may.error()};
-  const auto world = outside.load_world(flags.world);
+  const auto world = outside.load_world(flags.world, flags.secret);
   if (!world) return tl::unexpected{world.error()};
   const auto directory = store::DataDirectory::open_store(flags.data);
   if (!directory) return tl::unexpected{directory.error()};
@@ -408,7 +408,7 @@ tl::expected<store::DataDirectory, std::string> lock_store(const Flags& flags) {
 Answer join_stopped_store(const Flags& flags, const Outside& outside) {
   const auto directory = lock_store(flags);
   if (!directory) return tl::unexpected{directory.error()};
-  const auto world = outside.load_world(flags.world);
+  const auto world = outside.load_world(flags.world, flags.secret);
   if (!world) return tl::unexpected{world.error()};
   return join_cluster(*directory, flags.cluster, **world, outside.cluster);
 }
@@ -422,7 +422,7 @@ Answer leave_with_stopped_store(const Flags& flags, const Outside& outside) {
 Answer fork_stopped_store(const Flags& flags, const Outside& outside) {
   const auto directory = lock_store(flags);
   if (!directory) return tl::unexpected{directory.error()};
-  const auto world = outside.load_world(flags.world);
+  const auto world = outside.load_world(flags.world, flags.secret);
   if (!world) return tl::unexpected{world.error()};
   return fork_cluster(*directory, flags.cluster, **world, outside.cluster, flags.yes);
 }

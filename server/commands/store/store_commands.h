@@ -44,6 +44,7 @@ struct Flags {
   bool keep_id = false;       // leave-cluster: the store keeps the cluster's id
   bool yes = false;           // leave-cluster, fork: confirmed; otherwise reports its plan with status 1
   Cluster cluster;            // talusd's settings
+  SecretLayers secret;        // the same
 };
 
 /// Functions that the program provides.
