@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "session_bench.h"
@@ -100,6 +101,28 @@ TEST_CASE("an edited chunk whose changes are not remembered is made, alone, and 
   REQUIRE(kinds(said) == Kinds{Body::Chunk});
   CHECK(said[0].revision == 3);
   CHECK(kinds(bench.output()) == Kinds{Body::ViewComplete});
+}
+
+TEST_CASE(
+    "edited chunks of a View with a base are wanted soon if they are near or come near, and if edited "
+    "again") {
+  Bench bench{false};
+  bench.edit(chunk_at(1), 3);
+  bench.edit(chunk_at(3), 3);
+  bench.move_view(0, 3);
+  (void)bench.output();
+  REQUIRE(bench.source.waiting.size() == 2);
+  CHECK(bench.source.wanted_soon == std::set{chunk_at(1)});
+  bench.move_view(2, 3);
+  CHECK(bench.source.wanted_soon.contains(chunk_at(3)));
+  for (const ChunkKey key : {chunk_at(1), chunk_at(3)}) bench.source.in_memory[key] = scripted_chunk(key, 3);
+  bench.answer_all();
+  (void)bench.output();
+  bench.source.wanted_soon.clear();
+  bench.edit(chunk_at(5), 4);
+  bench.tell(chunk_at(5), 0, 4);  // far, and not the first that the View sends
+  (void)bench.output();
+  CHECK(bench.source.wanted_soon.contains(chunk_at(5)));
 }
 
 TEST_CASE("a chunk of a View with a base that cannot be made is given up, and the View is complete") {

@@ -91,13 +91,13 @@ class ChunkWaits {
     return unwanted;
   }
 
-  /// Marks the chunks that the View waits for and for which near(chunk) is true as wanted soon. Returns the
-  /// newly marked ones.
+  /// Marks the chunks that the View or an update waits for and for which near(chunk) is true as wanted soon.
+  /// Returns the newly marked ones.
   template <typename Near>
   [[nodiscard]] std::vector<ChunkKey> hasten_where(Near&& near) {
     std::vector<ChunkKey> hastened;
     for (auto& [key, waiters] : waits_) {
-      if (!waiters.view || waiters.soon || !near(key)) continue;
+      if ((!waiters.view && !waiters.update) || waiters.soon || !near(key)) continue;
       hastened.push_back(key);
       waiters.soon = true;
     }

@@ -137,10 +137,17 @@ void Delivery::ask_for_updates() {
                       updates_.chunk_bytes() > context_.limits.queued_bytes / 2;
     if (half || queue_full_ || !has_room()) {
       return;
-    } else if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
+    }
+    // The first that a client is sent is as urgent as in a View without a base.
+    const bool soon = !updates_.at(*key).first || view_.stream().is_near(*key);
+    if (ChunkWaits::Waiters* const waiters = waits_.find(*key)) {
       waiters->update = true;
-    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, Urgency::soon, Version::edited) == 1) {
-      waits_.add(*key, context_.clock.now()).update = true;
+      if (soon && !std::exchange(waiters->soon, true)) context_.chunks.hasten(mailbox_->owner(), {&*key, 1});
+    } else if (context_.chunks.submit(mailbox_, {&*key, 1}, soon ? Urgency::soon : Urgency::later,
+                                      Version::edited) == 1) {
+      ChunkWaits::Waiters& added = waits_.add(*key, context_.clock.now());
+      added.update = true;
+      added.soon = soon;
     } else {
       queue_full_ = true;
       return;
