@@ -4,6 +4,7 @@
 #include <iterator>
 #include <random>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -60,8 +61,17 @@ tl::expected<void, EditError> Publisher::append(LogEntry entry, EditLog::Callbac
   if (!takes()) return tl::unexpected{cut_off()};
   EncodedMessage encoded;
   encode(entry, encoded.bytes);
-  const std::size_t size = encoded.bytes.size() + kLengthBytes;
-  if (size + batch_overhead(parts_.settles) > kMaxMessageBytes) {
+  const auto too_large = [&] {
+    return encoded.bytes.size() + kLengthBytes + batch_overhead(parts_.settles) > kMaxMessageBytes;
+  };
+  // A refusal for its secrets, or their size in it, would tell how much ore there is: it reveals none.
+  if (auto* const edit = std::get_if<edits::EditEntry>(&entry);
+      edit != nullptr && !edit->secrets.empty() && too_large()) {
+    edit->secrets = {};
+    encoded.bytes.clear();
+    encode(entry, encoded.bytes);
+  }
+  if (too_large()) {
     return edit_error(
         EditErrorCode::out_of_range,
         fmt::format("the edit takes {} bytes of the log, over the limit {} of a message; split it",
@@ -72,7 +82,7 @@ tl::expected<void, EditError> Publisher::append(LogEntry entry, EditLog::Callbac
     return edit_error(EditErrorCode::out_of_range, "the edit exceeds a bound of the log's entries; split it");
   }
   // Bounds the memory for decoding as well as the encoded size.
-  const std::size_t bytes = std::max(size, bytes_of(entry));
+  const std::size_t bytes = std::max(encoded.bytes.size() + kLengthBytes, bytes_of(entry));
   return queue_.put({std::move(encoded), std::move(done), bytes});
 }
 

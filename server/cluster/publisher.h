@@ -67,7 +67,7 @@ class Publisher {
   [[nodiscard]] std::uint64_t id() const { return id_; }
 
   /// Fails with cut_off while the stream accepts nothing, and with out_of_range if the entry does not fit
-  /// into a message. Callable from any thread.
+  /// into a message; one that does not fit with its secrets reveals none. Callable from any thread.
   [[nodiscard]] tl::expected<void, EditError> append(LogEntry entry, EditLog::Callback done);
   /// The next message will report the state `stand`. Callable from any thread.
   void say(const Stand& stand);

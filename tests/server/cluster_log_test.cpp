@@ -408,6 +408,26 @@ TEST_CASE("an edit that no message has room for is refused before it is in the l
   CHECK(answers.apply(cluster.log(0), write_at(2, 5))->kind == Kind::done);
 }
 
+TEST_CASE("an edit that no message has room for with what it may reveal is taken, and reveals nothing") {
+  ClusterInMemory cluster{1};
+  cluster.open();
+  Answers answers;
+  REQUIRE(answers.apply(cluster.log(0), attach()).has_value());
+  edits::EditEntry large = write_at(1, 5);
+  large.secrets.see_through = {kAir};
+  for (std::int32_t chunk = 0; chunk < 12; ++chunk) {
+    for (std::size_t i = 0; i < kChunkVolume; ++i) {
+      const auto index = static_cast<std::uint16_t>(i);
+      large.secrets.hidden[{chunk, 0, 0}].push_back(
+          {index, MaterialId{static_cast<std::uint16_t>(7 + i % 2)}});
+      large.secrets.base[{chunk, 0, 0}].push_back({index, MaterialId{static_cast<std::uint16_t>(2 + i % 2)}});
+    }
+  }
+  const auto number = answers.send(cluster.log(0), std::move(large));
+  REQUIRE(number.has_value());
+  CHECK(answers.await(*number)->kind == Kind::done);
+}
+
 TEST_CASE("an edit that the log rejects for now is answered, and the log is tried until it takes edits") {
   ClusterInMemory cluster{1};
   cluster.open();
