@@ -59,8 +59,8 @@ const std::array kFields{
     Field{"world", "file", "the world's spec, a TOML file; empty: the world built into talusd",
           PathTarget{[](Config& c) -> std::filesystem::path& { return c.world; }}},
     Field{"publish", "",
-          "public: clients get the world's file, so that they can make chunks themselves and are sent edits "
-          "alone; it tells every ore and cave",
+          "public: clients get the world's file, so that they can make chunks themselves and are sent only "
+          "edits; it tells every ore and cave",
           WordTarget{[](Config& c) -> std::string& { return c.publish; }, kPublish}},
     Field{"publish_files", "switch",
           "true: height maps over 1 MiB are published too; without them their worlds are not",

@@ -7,8 +7,8 @@
 // ChunksChanged, so the later of the two finds the difference: no edit is lost, in whatever order mail,
 // generators, credit and Views come. A queued chunk is not compared: it is when it is written.
 //
-// A client whose View has a base has each chunk as generated. So the first that it is sent of an edited chunk
-// is an update, as of a chunk that it was sent.
+// A client whose View has a base makes chunks by itself. It already holds every chunk as generated, so an
+// edited chunk first reaches it as an update.
 //
 // No I/O. Bounded: kMaxWaits chunks wait for the source, and queued chunks stay within limits.queued_bytes
 // and one chunk.

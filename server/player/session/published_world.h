@@ -10,7 +10,7 @@
 
 namespace talus::server {
 
-/// What a client is told that wants them where there are none.
+/// Error text for a client that asks for an unpublished world's files.
 inline constexpr std::string_view kNotPublished = "this server's world is not published";
 
 struct PublishedWorld {

@@ -307,10 +307,10 @@ const std::array kRows{
               "EditBroadcast messages sent.",
               counter, {}, &Metrics::broadcasts_sent},
     MetricRow{"talus_views",
-              "Sessions with a View; local: the client makes chunks and is sent edits alone.",
+              "Sessions with a View; local: the client makes chunks and is sent only edits.",
               gauge, {"base"}, views},
     MetricRow{"talus_proofs_failed_total",
-              "Chunks that a client of base=\"local\" made otherwise than the server.",
+              "Chunks made by a client of base=\"local\" that differ from the server's.",
               counter, {}, &Metrics::proofs_failed},
 
     MetricRow{"talus_cache_hits_total", "Chunks found in the cache.", counter, {}, &Metrics::cache_hits},
