@@ -170,7 +170,7 @@ TEST_CASE("an edit touches its writable chunks and its guards' chunks, or no chu
 }
 
 TEST_CASE("the chunks beside an edit are those of the voxels beside its own") {
-  const auto check = [](const Edit& edit, bool settles) {
+  const auto beside_of = [](const Edit& edit, bool settles) {
     const Extent extent = extent_of(edit, settles);
     const auto around = with_neighbours(with_settling(touched_voxels(edit).value(), extent.loose));
     std::vector<ChunkCoord> all = extent.chunks;
@@ -182,15 +182,15 @@ TEST_CASE("the chunks beside an edit are those of the voxels beside its own") {
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == around[i].chunk);
     return beside.size();
   };
-  CHECK(check(filling({5, 5, 5}, {9, 9, 9}), false) == 0);
-  CHECK(check(filling({0, 0, 0}, {31, 31, 31}), false) == 6);
+  CHECK(beside_of(filling({5, 5, 5}, {9, 9, 9}), false) == 0);
+  CHECK(beside_of(filling({0, 0, 0}, {31, 31, 31}), false) == 6);
   Edit edit = filling({-3, 0, 5}, {40, 2, 5});
   edit.writes.push_back({{31, 64, 0}, kStone});
   edit.guards.push_back({{100, 31, -1}, kStone});
-  CHECK(check(edit, false) == 8);
-  CHECK(check(filling({0, 40, 0}, {0, 40, 0}), true) > 0);
+  CHECK(beside_of(edit, false) == 8);
+  CHECK(beside_of(filling({24, 40, 24}, {24, 40, 24}), true) > 0);
   for (const std::int64_t end : {std::int64_t{-kWorldEnd}, std::int64_t{kWorldEnd} - 1}) {
-    CHECK(check(filling({end, 5, 5}, {end, 5, 5}), false) == 0);
+    CHECK(beside_of(filling({end, 5, 5}, {end, 5, 5}), false) == 0);
   }
   // Never more than an edit may reach.
   const Edit line = filling({0, 0, 0}, {40 * 32 - 1, 0, 0});
